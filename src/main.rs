@@ -1,0 +1,3 @@
+//! The command line of viscotack.
+
+fn main() {}
