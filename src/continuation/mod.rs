@@ -1,0 +1,3 @@
+//! Roots and curves: the safeguarded scalar root, and later arclength and folds.
+
+pub mod root;
