@@ -124,14 +124,14 @@ def table(columns, rows):
     return text.getvalue()
 
 
-def write(name, command, about, columns, rows):
+def write(name, command, about, columns, rows, precision=None):
     body = table(columns, rows)
     header = [
         ("file", name),
         ("about", about),
         ("tool", f"mpmath {mpmath.__version__}, generator version {VERSION}"),
-        ("precision", f"{FINE.dps} digits, {FINE.nodes} nodes a panel; confirmed against "
-                      f"{COARSE.dps} digits, {COARSE.nodes} nodes; {DIGITS} digits printed"),
+        ("precision", precision or f"{FINE.dps} digits, {FINE.nodes} nodes a panel; confirmed against {COARSE.dps} digits, "
+                                   f"{COARSE.nodes} nodes; {DIGITS} digits printed"),
         ("command", command),
         ("sha256", hashlib.sha256(body.encode()).hexdigest()),
     ]

@@ -9,7 +9,7 @@ raw_crack_work.py, persson_brener.py and cohesive_zone.py.
                    T is chosen, the work gives K, K gives delta, delta gives v = delta/T
 """
 
-from mpmath import mp, mpf
+from mpmath import mp
 
 import cohesive_zone
 import persson_brener
@@ -115,14 +115,13 @@ def collapsed_tasks():
     for material in MATERIALS.values():
         motion = "opening" if material.kind == "creep" else "closing"
         times = [t for _, t in material.series]
-        unit = 1.0 if material.units == "Pa m s" else 1.0
         for i, z in enumerate(TRANSITS[len(times)]):
             count += 1
             tasks.append(dict(case=f"{material.name}_transit_{i:02}", model="energy_closure", material=material.name,
                               motion=motion, transit_time=short(z * min(times) * irregular(count)),
-                              speed=short(SPEEDS[count % len(SPEEDS)] * irregular(count + 5) * unit),
+                              speed=short(SPEEDS[count % len(SPEEDS)] * irregular(count + 5)),
                               alpha=ALPHAS[count % len(ALPHAS)], rows=closure_rows,
-                              reduced=len(times) <= 2 and i % 2 == 0 or len(times) <= 6 and i == 2))
+                              reduced=len(times) == 1 and i % 3 == 1 or len(times) in (2, 3) and i == 2))
     return tasks
 
 
@@ -154,7 +153,7 @@ def field_tasks():
                 tasks.append(dict(case=f"{name}_distance_{i:02}", model="energy_closure", material=name, motion=motion,
                                   speed=speed, distance=short(exactly * speed * middle),
                                   rows=trumpet_rows if motion == "opening" else stress_rows,
-                                  reduced=len(times) <= 3))
+                                  reduced=len(times) <= 3 and i % 3 == 1))
     return tasks
 
 

@@ -1,0 +1,109 @@
+//! Keys of steady cracks, of the adhesion that holds their faces, and of the fields around their tip.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::units::Dimension;
+
+const LENGTH: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "relaxed zone a₀" };
+
+pub(super) const KEYS: &[Key] = &[
+    Key { path: "adhesion", kind: Kind::Table, meaning: "What holds the faces together. Without it no energy balance is solved." },
+    Key {
+        path: "adhesion.work_of_adhesion",
+        kind: Kind::Number { dimension: Dimension::ENERGY_PER_AREA, range: Range::Positive, reduced: "1 (it is the unit)" },
+        meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
+    },
+    Key { path: "adhesion.process_zone", kind: Kind::Table, meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress." },
+    Key { path: "adhesion.process_zone.length", kind: LENGTH, meaning: "A fixed process-zone length δ." },
+    Key {
+        path: "adhesion.process_zone.cohesive_stress",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (a₀ is the unit of length)" },
+        meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory takes it as its constant stress.",
+    },
+    Key {
+        path: "adhesion.process_zone.factor",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
+        meaning: "α in δ = α(K/(√(2π)σ_c))²; default 1/π, with which the theory meets Persson and Brener's in both limits.",
+    },
+    Key {
+        path: "adhesion.process_zone.law",
+        kind: Kind::Choice(&[
+            Word { word: "growing", meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default" },
+            Word { word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42)" },
+            Word { word: "schapery", meaning: "closing only: the length of Schapery's cohesive zone (5.43)" },
+        ]),
+        meaning: "How the length follows from the cohesive stress.",
+    },
+    Key { path: "crack", kind: Kind::Table, meaning: "A crack that opens or closes steadily." },
+    Key {
+        path: "crack.motion",
+        kind: Kind::Choice(&[
+            Word { word: "opening", meaning: "the crack runs into the solid; the default" },
+            Word { word: "closing", meaning: "the solid heals over the crack" },
+        ]),
+        meaning: "Which way the tip moves.",
+    },
+    Key {
+        path: "crack.body",
+        kind: Kind::Choice(&[
+            Word { word: "against_rigid", meaning: "one deformable half on a rigid one: G = K²/(2E*)" },
+            Word { word: "two_halves", meaning: "a crack inside one material: G = K²/E*" },
+        ]),
+        meaning: "Which faces deform: a factor two in the energy, so it has no default.",
+    },
+    Key {
+        path: "crack.plane",
+        kind: Kind::Choice(&[
+            Word { word: "stress", meaning: "a thin sheet: E* = E" },
+            Word { word: "strain", meaning: "a thick body: E* = E/(1 − ν²)" },
+        ]),
+        meaning: "State of deformation out of the plane; no default.",
+    },
+    Key {
+        path: "crack.theories",
+        kind: Kind::Choices(&[
+            Word { word: "virtual_work", meaning: "the theory of this program (5.19–5.43); the default" },
+            Word { word: "persson_brener", meaning: "bulk loss outside a cut-off length" },
+            Word { word: "cohesive_zone", meaning: "Dugdale, Schapery and Greenwood: constant cohesive stress" },
+        ]),
+        meaning: "The theories to solve, on the same axes.",
+    },
+    Key {
+        path: "crack.speed",
+        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::NonNegative, reduced: "a₀ per reference time" },
+        meaning: "v of the tip; the load is found.",
+    },
+    Key {
+        path: "crack.energy_release_rate",
+        kind: Kind::Number { dimension: Dimension::ENERGY_PER_AREA, range: Range::Positive, reduced: "Δγ" },
+        meaning: "G far from the tip; the speed is found.",
+    },
+    Key {
+        path: "crack.stress_intensity",
+        kind: Kind::Number { dimension: Dimension::STRESS_INTENSITY, range: Range::Positive, reduced: "√(2E0Δγ)" },
+        meaning: "K (closing: the remote K₁); the speed is found.",
+    },
+    Key { path: "crack.strip", kind: Kind::Table, meaning: "Load through a long strip, clamped at both long edges, with the crack along its middle; the speed is found." },
+    Key { path: "crack.strip.half_height", kind: LENGTH, meaning: "h, half the height of the unloaded strip." },
+    Key {
+        path: "crack.strip.strain",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "not available" },
+        meaning: "Strain of the strip far ahead of the tip, held so long that the material is relaxed.",
+    },
+    Key {
+        path: "crack.strip.stress",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available" },
+        meaning: "Stress of the strip far ahead of the tip, instead of the strain.",
+    },
+    Key {
+        path: "crack.strip.lateral",
+        kind: Kind::Choice(&[
+            Word { word: "clamped", meaning: "no contraction along the strip (pure shear): the default" },
+            Word { word: "uniaxial", meaning: "free contraction along the strip, as in (5.46)" },
+        ]),
+        meaning: "Whether the strip may contract along its length.",
+    },
+    Key { path: "fields", kind: Kind::Table, meaning: "Opening and stress around the tip. Without it no field is evaluated." },
+    Key { path: "fields.from", kind: LENGTH, meaning: "Smallest distance from the tip." },
+    Key { path: "fields.to", kind: LENGTH, meaning: "Largest distance from the tip." },
+    Key { path: "fields.points", kind: Kind::Count { least: 2, most: 100_000 }, meaning: "How many distances, in equal ratios; default 200." },
+];

@@ -1,0 +1,35 @@
+//! Keys that every scene may hold.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::units::Dimension;
+
+pub(super) const KEYS: &[Key] = &[
+    Key { path: "title", kind: Kind::Text, meaning: "A line that names the scene in tables and plots." },
+    Key {
+        path: "units",
+        kind: Kind::Choice(&[
+            Word { word: "si", meaning: "numbers are SI, or texts with a unit; the default" },
+            Word { word: "reduced", meaning: "plain numbers in the dimensionless groups of the problem" },
+        ]),
+        meaning: "The unit system of all numbers.",
+    },
+    Key {
+        path: "accuracy",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 0.1), reduced: "1" },
+        meaning: "Wanted bound on each value's error, relative to the larger of the value and its reference scale; default 1e-9.",
+    },
+    Key { path: "sweep", kind: Kind::TableOrTables, meaning: "Solve for many values of one number, or of several: all combinations, the last one varying fastest." },
+    Key { path: "sweep.key", kind: Kind::Text, meaning: "The dotted path of the number to vary, for example `crack.speed` or `material.creep.0.compliance`." },
+    Key { path: "sweep.from", kind: Kind::NumberOfSweptKey, meaning: "The first value." },
+    Key { path: "sweep.to", kind: Kind::NumberOfSweptKey, meaning: "The last value." },
+    Key { path: "sweep.points", kind: Kind::Count { least: 1, most: 10_000_000 }, meaning: "How many values from first to last." },
+    Key {
+        path: "sweep.spacing",
+        kind: Kind::Choice(&[
+            Word { word: "logarithmic", meaning: "equal ratios; the default" },
+            Word { word: "linear", meaning: "equal differences" },
+        ]),
+        meaning: "How the values are spread.",
+    },
+    Key { path: "sweep.values", kind: Kind::NumbersOfSweptKey, meaning: "The values one by one, instead of from, to and points." },
+];

@@ -1,0 +1,217 @@
+//! The check of a document against the catalogue: every key known, every type right, every unit and range kept.
+//!
+//! After it, the typed reader may take any value by its path without looking at types again.
+
+use super::catalogue::{self, Key, Kind, Range, Word};
+use super::diagnostic::{SceneError, nearest};
+use super::document::{Entry, Node, Value};
+use super::units::{Dimension, parse_quantity};
+
+/// Checks a whole scene.
+///
+/// # Errors
+/// The first thing that is wrong, in the order of the text.
+pub fn check(root: &Node) -> Result<(), SceneError> {
+    check_table(root, "", Units::of(root))
+}
+
+/// How numbers are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// SI numbers or texts with a unit.
+    Si,
+    /// Plain numbers.
+    Reduced,
+}
+
+impl Units {
+    /// The unit system of a scene; anything but `"reduced"` is SI here and checked elsewhere.
+    #[must_use]
+    pub fn of(root: &Node) -> Self {
+        match root.get("units").map(|node| &node.value) {
+            Some(Value::Text(word)) if word == "reduced" => Self::Reduced,
+            _ => Self::Si,
+        }
+    }
+}
+
+fn check_table(table: &Node, path: &str, units: Units) -> Result<(), SceneError> {
+    for entry in table.entries() {
+        let below = if path.is_empty() { entry.key.clone() } else { format!("{path}.{}", entry.key) };
+        let Some(key) = catalogue::key(&below) else {
+            return Err(unknown_key(entry, path, &below));
+        };
+        check_value(&entry.node, key, units)?;
+    }
+    Ok(())
+}
+
+/// The error for a key that the catalogue does not have.
+fn unknown_key(entry: &Entry, table: &str, path: &str) -> SceneError {
+    let known: Vec<&str> = catalogue::names_in(table).collect();
+    let place = if table.is_empty() { "a scene".to_owned() } else { format!("[{table}]") };
+    let meant = nearest(&entry.key, known.iter().copied());
+    let label = meant.map_or_else(|| "unknown key".to_owned(), |name| format!("did you mean `{name}`?"));
+    let elsewhere = catalogue::keys().find(|key| key.path.rsplit(['.', ']']).next() == Some(entry.key.as_str()));
+    let mut help = if known.is_empty() { format!("{place} has no keys") } else { format!("{place} knows: {}", known.join(", ")) };
+    if let (None, Some(key)) = (meant, elsewhere) {
+        help.push_str(&format!("; `{}` exists", key.path));
+    }
+    SceneError::at(&entry.key_place, format!("`{path}` is not a key"), label).help(help)
+}
+
+fn check_value(node: &Node, key: &Key, units: Units) -> Result<(), SceneError> {
+    match key.kind {
+        Kind::Number { dimension, range, reduced } => {
+            let value = number(node, key.path, dimension, units)?;
+            check_range(node, key.path, value, range).map_err(|error| match units {
+                Units::Reduced => error.help(format!("allowed: {}, in units of {reduced}", range.words())),
+                Units::Si => error,
+            })
+        }
+        Kind::Count { least, most } => count(node, key.path, least, most).map(|_| ()),
+        Kind::Choice(words) => choice(node, key.path, words).map(|_| ()),
+        Kind::Choices(words) => check_choices(node, key.path, words),
+        Kind::Text => match &node.value {
+            Value::Text(_) => Ok(()),
+            _ => Err(wrong_type(node, key.path, "a text in quotes")),
+        },
+        Kind::NumberOfSweptKey => match &node.value {
+            Value::Text(_) | Value::Number(_) => Ok(()),
+            _ => Err(wrong_type(node, key.path, "a number, or a text with a unit")),
+        },
+        Kind::NumbersOfSweptKey => match &node.value {
+            Value::List(items) => items.iter().try_for_each(|item| match &item.value {
+                Value::Text(_) | Value::Number(_) => Ok(()),
+                _ => Err(wrong_type(item, key.path, "numbers, or texts with a unit")),
+            }),
+            _ => Err(wrong_type(node, key.path, "a list of numbers")),
+        },
+        Kind::Table => check_subtable(node, key.path, key.path, units),
+        Kind::Tables => check_list(node, key.path, &format!("{}[]", key.path), units),
+        Kind::TableOrTables => match &node.value {
+            Value::List(_) => check_list(node, key.path, key.path, units),
+            _ => check_subtable(node, key.path, key.path, units),
+        },
+    }
+}
+
+fn check_subtable(node: &Node, key: &str, path: &str, units: Units) -> Result<(), SceneError> {
+    match &node.value {
+        Value::Table(_) => check_table(node, path, units),
+        _ => Err(wrong_type(node, key, "a table")),
+    }
+}
+
+fn check_list(node: &Node, key: &str, item_path: &str, units: Units) -> Result<(), SceneError> {
+    match &node.value {
+        Value::List(items) => items.iter().try_for_each(|item| check_subtable(item, key, item_path, units)),
+        _ => Err(wrong_type(node, key, "a list of tables")),
+    }
+}
+
+fn wrong_type(node: &Node, key: &str, allowed: &str) -> SceneError {
+    SceneError::at(&node.place, format!("`{key}` is {}: {}", node.kind(), shortened(node.written())), format!("must be {allowed}"))
+}
+
+/// At most 60 characters of a value, for a message.
+fn shortened(text: &str) -> String {
+    let mut short: String = text.chars().take(60).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if text.chars().nth(60).is_some() {
+        short.push('…');
+    }
+    short
+}
+
+/// A number in SI or reduced units, finite.
+///
+/// # Errors
+/// A type, unit or number that is wrong, with what is allowed.
+pub fn number(node: &Node, key: &str, dimension: Dimension, units: Units) -> Result<f64, SceneError> {
+    let value = match &node.value {
+        Value::Number(value) => *value,
+        Value::Text(text) if units == Units::Reduced => {
+            let message = format!("`{key}` = {text:?} has a unit or is a text, in a scene in reduced units");
+            return Err(SceneError::at(&node.place, message, "must be a plain number").help("leave the unit out, or write units = \"si\""));
+        }
+        Value::Text(text) => {
+            let allowed = || format!("allowed: {}, or a plain number in {}", dimension.example(), dimension.si_unit());
+            let quantity = parse_quantity(text).map_err(|error| {
+                SceneError::at(&node.place, format!("`{key}` = {text:?} is no quantity: {error}"), "here").help(allowed())
+            })?;
+            if quantity.dimension != dimension {
+                let message = format!("`{key}` = {text:?} has the wrong unit: it is measured in {}", quantity.dimension.si_unit());
+                return Err(SceneError::at(&node.place, message, format!("must be measured in {}", dimension.si_unit())).help(allowed()));
+            }
+            quantity.value
+        }
+        _ => return Err(wrong_type(node, key, dimension.example())),
+    };
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(SceneError::at(&node.place, format!("`{key}` = {} is not a finite number", shortened(node.written())), "must be finite"))
+    }
+}
+
+/// Refuses a number outside its range.
+///
+/// # Errors
+/// The range, in words.
+pub fn check_range(node: &Node, key: &str, value: f64, range: Range) -> Result<(), SceneError> {
+    if range.holds(value) {
+        Ok(())
+    } else {
+        let message = format!("`{key}` = {} is out of range", shortened(node.written()));
+        Err(SceneError::at(&node.place, message, format!("must be {}", range.words())))
+    }
+}
+
+/// A whole number in a range.
+///
+/// # Errors
+/// A type or value that is wrong, with the range.
+pub fn count(node: &Node, key: &str, least: u32, most: u32) -> Result<u32, SceneError> {
+    match node.value {
+        Value::Number(value) if value.fract() == 0.0 && value >= f64::from(least) && value <= f64::from(most) => Ok(value as u32),
+        Value::Number(_) => {
+            let message = format!("`{key}` = {} is out of range", shortened(node.written()));
+            Err(SceneError::at(&node.place, message, format!("must be a whole number from {least} to {most}")))
+        }
+        _ => Err(wrong_type(node, key, "a whole number")),
+    }
+}
+
+/// The index of a word among those allowed.
+///
+/// # Errors
+/// A type or word that is wrong, with the nearest word.
+pub fn choice(node: &Node, key: &str, words: &[Word]) -> Result<usize, SceneError> {
+    let allowed = || format!("allowed: {}", words.iter().map(|word| format!("{:?}", word.word)).collect::<Vec<_>>().join(", "));
+    match &node.value {
+        Value::Text(text) => words.iter().position(|word| word.word == text).ok_or_else(|| {
+            let label = nearest(text, words.iter().map(|word| word.word))
+                .map_or_else(|| "not one of the words allowed".to_owned(), |word| format!("did you mean {word:?}?"));
+            SceneError::at(&node.place, format!("`{key}` = {text:?} is not allowed"), label).help(allowed())
+        }),
+        _ => Err(wrong_type(node, key, "a text").help(allowed())),
+    }
+}
+
+fn check_choices(node: &Node, key: &str, words: &[Word]) -> Result<(), SceneError> {
+    let Value::List(items) = &node.value else {
+        return Err(wrong_type(node, key, "a list of texts"));
+    };
+    if items.is_empty() {
+        return Err(SceneError::at(&node.place, format!("`{key}` is an empty list"), "name at least one"));
+    }
+    let mut seen = Vec::new();
+    for item in items {
+        let index = choice(item, key, words)?;
+        if seen.contains(&index) {
+            return Err(SceneError::at(&item.place, format!("`{key}` names {} twice", item.written()), "leave one out"));
+        }
+        seen.push(index);
+    }
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! One error about a scene: where, what, what is allowed.
+
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A text that keys were read from: a scene file, a material file, or one `--set` of the command line.
+#[derive(Debug, Clone)]
+pub struct SourceText {
+    inner: Arc<NamedSource<String>>,
+}
+
+impl SourceText {
+    /// A named text.
+    #[must_use]
+    pub fn new(name: &str, text: String) -> Self {
+        Self { inner: Arc::new(NamedSource::new(name, text)) }
+    }
+
+    /// The name given to it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.inner.name()
+    }
+
+    /// Its content.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.inner.inner()
+    }
+}
+
+/// A place in a text.
+#[derive(Debug, Clone)]
+pub struct Place {
+    /// The text.
+    pub source: SourceText,
+    /// Byte range in it.
+    pub span: Range<usize>,
+}
+
+/// What is wrong with a scene: one sentence, the place, and what to do about it.
+#[derive(Debug, Clone)]
+pub struct SceneError {
+    message: String,
+    label: String,
+    help: Option<String>,
+    place: Option<Place>,
+}
+
+impl SceneError {
+    /// An error at a place: the message is a full sentence with key and value, the label stands under the caret.
+    #[must_use]
+    pub fn at(place: &Place, message: impl Into<String>, label: impl Into<String>) -> Self {
+        Self { message: message.into(), label: label.into(), help: None, place: Some(place.clone()) }
+    }
+
+    /// An error without a place in a text (a file that cannot be read, a folder that exists).
+    #[must_use]
+    pub fn general(message: impl Into<String>) -> Self {
+        Self { message: message.into(), label: String::new(), help: None, place: None }
+    }
+
+    /// The same error with a line that says what is allowed, or what to do.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The message with a caret under the place, file, line and column, for a terminal.
+    #[must_use]
+    pub fn rendered(&self) -> String {
+        let mut text = String::new();
+        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_wrap_lines(false).with_context_lines(1);
+        match handler.render_report(&mut text, self) {
+            Ok(()) => text,
+            Err(_) => format!("{self}\n"),
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+impl Diagnostic for SceneError {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.place.as_ref().map(|place| place.source.inner.as_ref() as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let place = self.place.as_ref()?;
+        let label = (!self.label.is_empty()).then(|| self.label.clone());
+        Some(Box::new(std::iter::once(LabeledSpan::new(label, place.span.start, place.span.len()))))
+    }
+}
+
+/// The known name nearest to a misspelt one, if any is near enough to be meant.
+#[must_use]
+pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    known
+        .into_iter()
+        .map(|name| (strsim::jaro_winkler(given, name), name))
+        .filter(|&(score, _)| score > 0.78)
+        .max_by(|left, right| left.0.total_cmp(&right.0))
+        .map(|(_, name)| name)
+}

@@ -1,0 +1,294 @@
+//! A TOML text as a tree whose every key and value knows its place, open to replacement by `--set` and by sweeps.
+
+use super::diagnostic::{Place, SceneError, SourceText};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A value of the tree.
+#[derive(Debug, Clone)]
+pub enum Value {
+    /// A finite or non-finite number: TOML writes `nan` and `inf`, the check refuses them.
+    Number(f64),
+    /// A text, also a number with a unit.
+    Text(String),
+    /// true or false.
+    Flag(bool),
+    /// A date or time, which no key takes.
+    Date,
+    /// A list.
+    List(Vec<Node>),
+    /// A table.
+    Table(Vec<Entry>),
+}
+
+/// A value with its place.
+#[derive(Debug, Clone)]
+pub struct Node {
+    /// The value.
+    pub value: Value,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// A key of a table.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// Where the key stands.
+    pub key_place: Place,
+    /// Its value.
+    pub node: Node,
+}
+
+impl Node {
+    /// The entries of a table; none for anything else.
+    #[must_use]
+    pub fn entries(&self) -> &[Entry] {
+        match &self.value {
+            Value::Table(entries) => entries,
+            _ => &[],
+        }
+    }
+
+    /// The value under a key.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        self.entries().iter().find(|entry| entry.key == key).map(|entry| &entry.node)
+    }
+
+    /// The value under a dotted path; a number selects an item of a list.
+    #[must_use]
+    pub fn at(&self, path: &str) -> Option<&Node> {
+        path.split('.').try_fold(self, |node, part| match &node.value {
+            Value::List(items) => items.get(part.parse::<usize>().ok()?),
+            _ => node.get(part),
+        })
+    }
+
+    /// What kind of value this is, for messages.
+    #[must_use]
+    pub const fn kind(&self) -> &'static str {
+        match self.value {
+            Value::Number(_) => "a number",
+            Value::Text(_) => "a text",
+            Value::Flag(_) => "true or false",
+            Value::Date => "a date",
+            Value::List(_) => "a list",
+            Value::Table(_) => "a table",
+        }
+    }
+
+    /// The value as it stands in its text.
+    #[must_use]
+    pub fn written(&self) -> &str {
+        self.place.source.text().get(self.place.span.clone()).unwrap_or("?").trim()
+    }
+}
+
+/// A scene as a tree, with the folder that relative paths in it start from.
+#[derive(Debug, Clone)]
+pub struct Document {
+    /// The top-level table.
+    pub root: Node,
+    folder: PathBuf,
+    hash: String,
+}
+
+/// No scene that a person writes is larger (bytes).
+const LARGEST_FILE: u64 = 16 * 1024 * 1024;
+
+impl Document {
+    /// Reads a scene file.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is no UTF-8, or a TOML syntax error with its place.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
+        let unreadable = |reason: String| SceneError::general(format!("the scene file `{name}` cannot be read: {reason}"));
+        let size = std::fs::metadata(path).map_err(|error| unreadable(error.to_string()))?.len();
+        if size > LARGEST_FILE {
+            return Err(unreadable(format!("it has {size} bytes, more than {LARGEST_FILE}")));
+        }
+        let bytes = std::fs::read(path).map_err(|error| unreadable(error.to_string()))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|error| unreadable(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
+        Self::parse(&name, text, path.parent().unwrap_or_else(|| Path::new(".")))
+    }
+
+    /// Reads a scene from a text; `folder` is where relative paths in it start.
+    ///
+    /// # Errors
+    /// A TOML syntax error with its place.
+    pub fn parse(name: &str, text: String, folder: &Path) -> Result<Self, SceneError> {
+        let source = SourceText::new(name, text);
+        let root = parse_tree(&source)?;
+        let mut document = Self { root, folder: folder.to_owned(), hash: String::new() };
+        document.add_to_hash(&source);
+        Ok(document)
+    }
+
+    /// The folder that relative paths start from.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// SHA-256 of everything that was read: the scene, included files, and `--set`s, in order.
+    #[must_use]
+    pub fn hash(&self) -> &str {
+        &self.hash
+    }
+
+    /// Adds a text that the result depends on to the hash.
+    pub fn add_to_hash(&mut self, source: &SourceText) {
+        let mut hasher = Sha256::new();
+        hasher.update(self.hash.as_bytes());
+        hasher.update(source.text().as_bytes());
+        self.hash = hasher.finalize().iter().fold(String::new(), |mut text, byte| {
+            // Writing to a String cannot fail.
+            let _ = write!(text, "{byte:02x}");
+            text
+        });
+    }
+
+    /// Applies one `--set key=value`; the value is TOML, and anything that is not is taken as a text.
+    ///
+    /// # Errors
+    /// An assignment without `=`, or a path through something that is no table.
+    pub fn set(&mut self, assignment: &str) -> Result<(), SceneError> {
+        let Some((path, value)) = assignment.split_once('=') else {
+            return Err(SceneError::general(format!("`--set {assignment}` has no `=`")).help("write --set table.key=value"));
+        };
+        let (path, value) = (path.trim(), value.trim());
+        let as_written = SourceText::new(&format!("--set {path}"), format!("value = {value}"));
+        let source = match parse_tree(&as_written) {
+            Ok(_) => as_written,
+            Err(_) => SourceText::new(&format!("--set {path}"), format!("value = {}", toml_text(value))),
+        };
+        let tree = parse_tree(&source)?;
+        let Some(node) = tree.get("value") else {
+            return Err(SceneError::general(format!("`--set {assignment}` gives no value")));
+        };
+        self.add_to_hash(&SourceText::new("--set", format!("{path}={value}")));
+        self.replace(path, node.clone())
+    }
+
+    /// Puts a value under a dotted path, replacing what is there; tables on the way are made if they are missing.
+    ///
+    /// # Errors
+    /// A path through a value that is no table, or past the end of a list.
+    pub fn replace(&mut self, path: &str, node: Node) -> Result<(), SceneError> {
+        replace_in(&mut self.root, path, path, node)
+    }
+}
+
+fn replace_in(node: &mut Node, path: &str, whole: &str, new: Node) -> Result<(), SceneError> {
+    let (head, tail) = path.split_once('.').map_or((path, None), |(head, tail)| (head, Some(tail)));
+    if head.is_empty() {
+        return Err(SceneError::at(&new.place, format!("`{whole}` is not a key"), "an empty part in the path"));
+    }
+    let kind = node.kind();
+    let child = match &mut node.value {
+        Value::List(items) => {
+            let length = items.len();
+            match head.parse::<usize>().ok().and_then(|index| items.get_mut(index)) {
+                Some(item) => item,
+                None => {
+                    let message = format!("`{whole}` does not exist: the list has {length} items, counted from 0, and `{head}` is none of them");
+                    return Err(SceneError::at(&new.place, message, "for this key"));
+                }
+            }
+        }
+        Value::Table(entries) => {
+            let index = match entries.iter().position(|entry| entry.key == head) {
+                Some(index) => index,
+                None => {
+                    let place = new.place.clone();
+                    let empty = Node { value: Value::Table(Vec::new()), place: place.clone() };
+                    entries.push(Entry { key: head.to_owned(), key_place: place, node: empty });
+                    entries.len() - 1
+                }
+            };
+            match entries.get_mut(index) {
+                Some(entry) => &mut entry.node,
+                None => return Ok(()),
+            }
+        }
+        _ => {
+            let message = format!("`{whole}` does not exist: `{head}` lies below {kind}, not below a table");
+            return Err(SceneError::at(&new.place, message, "for this key"));
+        }
+    };
+    match tail {
+        Some(tail) => replace_in(child, tail, whole, new),
+        None => {
+            *child = new;
+            Ok(())
+        }
+    }
+}
+
+/// A text as a TOML basic string.
+fn toml_text(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => {
+                quoted.push('\\');
+                quoted.push(character);
+            }
+            control if control.is_control() => {
+                let _ = write!(quoted, "\\u{:04X}", u32::from(control));
+            }
+            other => quoted.push(other),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// Parses a TOML text into a tree.
+///
+/// # Errors
+/// A syntax error with its place.
+pub fn parse_tree(source: &SourceText) -> Result<Node, SceneError> {
+    let table = DeTable::parse(source.text()).map_err(|error| {
+        let span = error.span().unwrap_or(0..0);
+        let place = Place { source: source.clone(), span };
+        SceneError::at(&place, format!("this is not TOML: {}", error.message()), "here")
+    })?;
+    Ok(Node { place: Place { source: source.clone(), span: table.span() }, value: table_value(table.get_ref(), source) })
+}
+
+fn table_value(table: &DeTable<'_>, source: &SourceText) -> Value {
+    let mut entries: Vec<Entry> = table
+        .iter()
+        .map(|(key, value)| Entry {
+            key: key.get_ref().to_string(),
+            key_place: Place { source: source.clone(), span: key.span() },
+            node: node_of(value, source),
+        })
+        .collect();
+    entries.sort_by_key(|entry| entry.key_place.span.start);
+    Value::Table(entries)
+}
+
+fn node_of(value: &Spanned<DeValue<'_>>, source: &SourceText) -> Node {
+    let converted = match value.get_ref() {
+        DeValue::String(text) => Value::Text(text.to_string()),
+        // An integer beyond 64 bits is still a number.
+        DeValue::Integer(integer) => Value::Number(
+            i64::from_str_radix(integer.as_str(), integer.radix()).map_or_else(|_| integer.as_str().parse().unwrap_or(f64::NAN), |n| n as f64),
+        ),
+        DeValue::Float(float) => Value::Number(float.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(flag) => Value::Flag(*flag),
+        DeValue::Datetime(_) => Value::Date,
+        DeValue::Array(items) => Value::List(items.iter().map(|item| node_of(item, source)).collect()),
+        DeValue::Table(table) => table_value(table, source),
+    };
+    Node { value: converted, place: Place { source: source.clone(), span: value.span() } }
+}

@@ -1,0 +1,24 @@
+//! A scene: what a person types, read, checked against one catalogue of keys, and turned into typed problems.
+//!
+//! ```text
+//! file ──► document (tree with places) ──► check (every key, type, unit, range) ──► read (typed scene, contradictions)
+//!                 ▲                              ▲
+//!            --set, sweep                    catalogue ──► schema, documentation, nearest key
+//! ```
+//! A table that is absent is an effect that is not simulated. Every error names file, line, key, value, what is allowed and, for a
+//! misspelt key, the nearest one. The reader never panics, whatever the bytes.
+
+pub mod catalogue;
+pub mod check;
+pub mod diagnostic;
+pub mod document;
+pub mod read;
+pub mod schema;
+pub mod sweep;
+pub mod template;
+pub mod typed;
+pub mod units;
+
+pub use diagnostic::SceneError;
+pub use document::Document;
+pub use typed::Scene;

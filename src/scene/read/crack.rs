@@ -1,0 +1,181 @@
+//! The [crack], [adhesion] and [fields] tables of a steady crack.
+
+use super::section::Section;
+use crate::crack::{CrackBody, Motion};
+use crate::elastic::PlaneState;
+use crate::elastic::pure_shear_strip::SidewaysStrain;
+use crate::scene::check::Units;
+use crate::scene::diagnostic::SceneError;
+use crate::scene::typed::{
+    CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, SceneMaterial, SteadyCrack, Strip, StripLoad, Theory,
+};
+
+/// α where a scene names none: with it the theory and Persson and Brener's have the same limits.
+const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
+/// Distances of a field where a scene names no number.
+const DEFAULT_FIELD_POINTS: f64 = 200.0;
+
+pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<SteadyCrack, SceneError> {
+    let crack = top.required_table("crack", "it is the problem")?;
+    let reduced = crack.units() == Units::Reduced;
+    let motion = match crack.text("motion") {
+        Some("closing") => Motion::Closing,
+        _ => Motion::Opening,
+    };
+    let body = match crack.text("body") {
+        Some("two_halves") => CrackBody::TwoHalves,
+        Some(_) => CrackBody::AgainstRigid,
+        // The groups of a reduced scene are the same for both.
+        None if reduced => CrackBody::AgainstRigid,
+        None => return Err(crack.missing("body")),
+    };
+    let plane = plane(&crack, top, material)?;
+    let (work_of_adhesion, process_zone) = adhesion(top, body)?;
+    let theories = theories(&crack, motion, process_zone)?;
+    let control = control(&crack, plane, material, work_of_adhesion)?;
+    Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
+}
+
+fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Result<PlaneState, SceneError> {
+    if crack.units() == Units::Reduced {
+        return match crack.text("plane") {
+            Some("strain") => {
+                let message = "the moduli of a reduced scene are plane moduli already: `crack.plane` = \"strain\" would count ν twice";
+                Err(crack.wrong("plane", message, "leave it out"))
+            }
+            _ => Ok(PlaneState::Stress),
+        };
+    }
+    match crack.required_text("plane")? {
+        "strain" if material.poisson_ratio.is_none() => {
+            Err(top.required_table("material", "")?.missing("poisson_ratio").help("plane strain needs material.poisson_ratio"))
+        }
+        "strain" => Ok(PlaneState::Strain),
+        _ => Ok(PlaneState::Stress),
+    }
+}
+
+fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
+    let table = top.required_table("adhesion", "a crack moves by the balance of work at its tip")?;
+    let reduced = table.units() == Units::Reduced;
+    let work = match (table.number("work_of_adhesion")?, reduced) {
+        (Some(work), true) if (work - 1.0).abs() > 1e-12 => {
+            return Err(table.wrong("work_of_adhesion", "in reduced units the work of adhesion is the unit", "must be 1 (or left out)"));
+        }
+        (Some(work), _) => work,
+        (None, true) => 1.0,
+        (None, false) => return Err(table.missing("work_of_adhesion")),
+    };
+    let zone = match table.table("process_zone") {
+        Some(zone) => zone,
+        // a₀ = 1 is the unit of a reduced scene: the growing zone with the default factor needs nothing more.
+        None if reduced => return Ok((work, reduced_zone(body, DEFAULT_FACTOR, CohesiveLaw::Growing))),
+        None => return Err(table.missing("process_zone")),
+    };
+    let factor = zone.number("factor")?.unwrap_or(DEFAULT_FACTOR);
+    let law = match zone.text("law") {
+        Some("constant") => CohesiveLaw::Constant,
+        Some("schapery") => CohesiveLaw::Schapery,
+        _ => CohesiveLaw::Growing,
+    };
+    let given = if reduced {
+        if zone.node().get("cohesive_stress").is_some() {
+            let message = "in reduced units the cohesive stress is fixed by the unit of length a₀";
+            return Err(zone.wrong("cohesive_stress", message, "leave it out"));
+        }
+        zone.number("length")?.map(ProcessZoneLaw::Length).unwrap_or_else(|| reduced_zone(body, factor, law))
+    } else {
+        match zone.exactly_one(&["length", "cohesive_stress"])? {
+            "length" => ProcessZoneLaw::Length(zone.required_number("length")?),
+            _ => ProcessZoneLaw::Cohesive { cohesive_stress: zone.required_number("cohesive_stress")?, factor, law },
+        }
+    };
+    if let ProcessZoneLaw::Length(_) = given {
+        for key in ["factor", "law"] {
+            if zone.node().get(key).is_some() {
+                let message = format!("`{}` belongs to a cohesive stress, but a length is given", zone.full(key));
+                return Err(zone.wrong(key, message, "leave it out, or give cohesive_stress instead of length"));
+            }
+        }
+    }
+    Ok((work, given))
+}
+
+/// The cohesive stress for which a₀ = E0Δγ/(πσ_c²·halves) is one.
+fn reduced_zone(body: CrackBody, factor: f64, law: CohesiveLaw) -> ProcessZoneLaw {
+    let cohesive_stress = (std::f64::consts::PI * body.deformable_halves()).sqrt().recip();
+    ProcessZoneLaw::Cohesive { cohesive_stress, factor, law }
+}
+
+fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result<Vec<Theory>, SceneError> {
+    let mut theories = Vec::new();
+    for word in crack.texts("theories") {
+        let theory = match word {
+            "persson_brener" => Theory::PerssonBrener,
+            "cohesive_zone" => Theory::CohesiveZone,
+            _ => Theory::VirtualWork,
+        };
+        if theory == Theory::CohesiveZone && matches!(zone, ProcessZoneLaw::Length(_)) {
+            let message = "the cohesive-zone theory needs a cohesive stress, but the process zone is given as a length";
+            return Err(crack.wrong("theories", message, "give adhesion.process_zone.cohesive_stress"));
+        }
+        theories.push(theory);
+    }
+    if theories.is_empty() {
+        theories.push(Theory::VirtualWork);
+    }
+    if let ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } = zone
+        && (motion == Motion::Opening || theories.contains(&Theory::PerssonBrener))
+    {
+        let message = "the process-zone law \"schapery\" is the length of a closing cohesive zone";
+        return Err(crack.wrong("theories", message, "it takes motion = \"closing\" and no persson_brener"));
+    }
+    Ok(theories)
+}
+
+fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, work: f64) -> Result<CrackControl, SceneError> {
+    Ok(match crack.exactly_one(&["speed", "energy_release_rate", "stress_intensity", "strip"])? {
+        "speed" => CrackControl::Speed(crack.required_number("speed")?),
+        "energy_release_rate" => CrackControl::EnergyReleaseRate(crack.required_number("energy_release_rate")?),
+        "stress_intensity" => {
+            let given = crack.required_number("stress_intensity")?;
+            // Its reduced unit is √(2E0Δγ) with E0 = 1.
+            let unit = if crack.units() == Units::Reduced { (2.0 * work).sqrt() } else { 1.0 };
+            CrackControl::StressIntensity(given * unit)
+        }
+        _ => CrackControl::Strip(strip(&crack.required_table("strip", "it is the load")?, crack, plane, material)?),
+    })
+}
+
+fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial) -> Result<Strip, SceneError> {
+    if table.units() == Units::Reduced {
+        return Err(crack.wrong("strip", "a strip needs lengths and stresses in SI units", "write units = \"si\""));
+    }
+    let lateral = match table.text("lateral") {
+        Some("uniaxial") => SidewaysStrain::Free,
+        _ => SidewaysStrain::Held,
+    };
+    if lateral == SidewaysStrain::Held && material.poisson_ratio.is_none() {
+        let message = "a strip clamped along its length needs material.poisson_ratio";
+        return Err(crack.wrong("strip", message, "or write lateral = \"uniaxial\""));
+    }
+    if lateral == SidewaysStrain::Held && plane == PlaneState::Strain && material.poisson_ratio == Some(0.5) {
+        let message = "an incompressible strip, clamped and in plane strain, cannot be stretched at all";
+        return Err(crack.wrong("strip", message, "use plane = \"stress\", or a Poisson ratio below 0.5"));
+    }
+    let load = match table.exactly_one(&["strain", "stress"])? {
+        "strain" => StripLoad::Strain(table.required_number("strain")?),
+        _ => StripLoad::Stress(table.required_number("stress")?),
+    };
+    Ok(Strip { half_height: table.required_number("half_height")?, load, lateral })
+}
+
+fn fields(top: &Section<'_>) -> Result<Option<Fields>, SceneError> {
+    let Some(table) = top.table("fields") else { return Ok(None) };
+    let (from, to) = (table.required_number("from")?, table.required_number("to")?);
+    if from >= to {
+        return Err(table.wrong("to", format!("`fields.to` ({to:e}) is not above `fields.from` ({from:e})"), "must be the larger one"));
+    }
+    let points = table.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32;
+    Ok(Some(Fields { from, to, points }))
+}

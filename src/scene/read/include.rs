@@ -1,0 +1,47 @@
+//! `material.file`: the [material] table of another file, put where the key stands.
+
+use crate::scene::diagnostic::{SceneError, SourceText};
+use crate::scene::document::{Document, Entry, Node, Value, parse_tree};
+
+/// Replaces `material.file` by the content of that file's [material] table.
+pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
+    let Some(node) = document.root.at("material.file") else { return Ok(()) };
+    let Value::Text(name) = &node.value else { return Ok(()) };
+    let place = node.place.clone();
+    let path = document.folder().join(name);
+    let text = std::fs::read_to_string(&path).map_err(|error| {
+        SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file").help("relative paths start at the scene")
+    })?;
+    let source = SourceText::new(name, text);
+    let tree = parse_tree(&source)?;
+    let Some(Node { value: Value::Table(included), .. }) = tree.get("material") else {
+        return Err(SceneError::at(&place, format!("`material.file` = {name:?} has no [material] table"), "this file"));
+    };
+    if let Some(stray) = tree.entries().iter().find(|entry| entry.key != "material") {
+        return Err(SceneError::at(&stray.key_place, format!("`{}` does not belong in a material file", stray.key), "unknown key")
+            .help("a material file holds one table, [material]"));
+    }
+    let included: Vec<Entry> = included.clone();
+    document.add_to_hash(&source);
+    if let Some(Entry { node: Node { value: Value::Table(given), .. }, .. }) = entry_of(&mut document.root, "material") {
+        given.retain(|entry| entry.key != "file");
+        for new in included {
+            if new.key == "file" {
+                return Err(SceneError::at(&new.key_place, "a material file cannot name another file", "leave it out"));
+            }
+            if let Some(old) = given.iter().find(|old| old.key == new.key) {
+                let message = format!("`material.{}` is given here and in {name:?}", new.key);
+                return Err(SceneError::at(&old.key_place, message, "leave one of the two out"));
+            }
+            given.push(new);
+        }
+    }
+    Ok(())
+}
+
+fn entry_of<'a>(node: &'a mut Node, key: &str) -> Option<&'a mut Entry> {
+    match &mut node.value {
+        Value::Table(entries) => entries.iter_mut().find(|entry| entry.key == key),
+        _ => None,
+    }
+}

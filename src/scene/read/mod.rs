@@ -1,0 +1,120 @@
+//! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
+
+mod crack;
+mod include;
+mod material;
+mod section;
+
+use super::catalogue::Range;
+use super::check::{Units, check};
+use super::diagnostic::{Place, SceneError, nearest};
+use super::document::{Document, Value};
+use super::sweep;
+use super::typed::{Problem, Scene};
+use section::Section;
+
+/// Tables that name a problem; a scene holds exactly one of them.
+const PROBLEMS: [&str; 1] = ["crack"];
+
+/// Wanted accuracy where a scene names none.
+const DEFAULT_ACCURACY: f64 = 1e-9;
+
+/// Replaces included files by their content; to be done once, before `--set`s, sweeps and [`read`].
+///
+/// # Errors
+/// A file that cannot be read, or a key that is given twice.
+pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
+    include::resolve(document)
+}
+
+/// Reads a scene, without its sweep being carried out: a swept number stands at its first value.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read(document: &Document) -> Result<Scene, SceneError> {
+    check(&document.root)?;
+    let units = Units::of(&document.root);
+    let sweeps = sweep::read(&document.root, units)?;
+    let mut first = document.clone();
+    for swept in &sweeps {
+        swept.put(&mut first, 0)?;
+    }
+    let mut scene = read_state(&first)?;
+    scene.sweeps = sweeps;
+    Ok(scene)
+}
+
+/// Reads one state of a scene, ignoring its sweep.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
+    let root = &document.root;
+    check(root)?;
+    let units = Units::of(root);
+    let top = Section::top(root, units);
+    let file = std::path::Path::new(root.place.source.name());
+    let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let material = material::read(&top)?;
+    let problem = match the_problem(&top)? {
+        "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
+        other => return Err(SceneError::general(format!("the problem [{other}] cannot be solved yet"))),
+    };
+    Ok(Scene {
+        title: top.text("title").map_or_else(stem, |title| title.to_owned()),
+        units,
+        accuracy: top.number("accuracy")?.unwrap_or(DEFAULT_ACCURACY),
+        material,
+        problem,
+        sweeps: Vec::new(),
+    })
+}
+
+/// The one problem table of a scene.
+fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
+    let given: Vec<&'static str> = PROBLEMS.into_iter().filter(|name| top.node().get(name).is_some()).collect();
+    match given.as_slice() {
+        [one] => Ok(one),
+        [] => {
+            let known = PROBLEMS.map(|name| format!("[{name}]")).join(", ");
+            Err(SceneError::at(&top.end(), "the scene names no problem", "").help(format!("add one of: {known}")))
+        }
+        [_, second, ..] => {
+            let place = top.key_place(second);
+            Err(SceneError::at(&place, format!("the scene names more than one problem: {}", given.join(", ")), "leave one out"))
+        }
+    }
+}
+
+/// The place of a document's last byte: where something is missing.
+fn end_of(place: &Place) -> Place {
+    let end = place.source.text().trim_end().len();
+    Place { source: place.source.clone(), span: end.saturating_sub(1)..end }
+}
+
+/// The words after "did you mean" for a path, if a known one is near.
+#[must_use]
+pub fn nearest_number(path: &str) -> Option<&'static str> {
+    nearest(path, super::catalogue::keys().filter(|key| is_number(key)).map(|key| key.path))
+}
+
+/// Whether a key takes a number that may be swept.
+#[must_use]
+pub fn is_number(key: &super::catalogue::Key) -> bool {
+    matches!(key.kind, super::catalogue::Kind::Number { .. } | super::catalogue::Kind::Count { .. })
+}
+
+/// The range of a swept key, for checks of its values.
+#[must_use]
+pub fn range_of(key: &super::catalogue::Key) -> Range {
+    match key.kind {
+        super::catalogue::Kind::Number { range, .. } => range,
+        _ => Range::Finite,
+    }
+}
+
+/// Whether a table stands in the document.
+#[must_use]
+pub fn has_table(document: &super::document::Node, path: &str) -> bool {
+    path.is_empty() || document.at(path).is_some_and(|node| matches!(node.value, Value::Table(_)))
+}

@@ -1,0 +1,171 @@
+//! A table of a checked scene, with typed access and the errors that need its place.
+
+use super::end_of;
+use crate::scene::catalogue::{self, Kind};
+use crate::scene::check::{Units, number};
+use crate::scene::diagnostic::{Place, SceneError};
+use crate::scene::document::{Node, Value};
+
+/// A table at a path of a scene.
+pub(super) struct Section<'a> {
+    node: &'a Node,
+    /// Path with real indices, for messages.
+    path: String,
+    units: Units,
+}
+
+impl<'a> Section<'a> {
+    /// The scene itself.
+    pub(super) fn top(root: &'a Node, units: Units) -> Self {
+        Self { node: root, path: String::new(), units }
+    }
+
+    pub(super) const fn node(&self) -> &'a Node {
+        self.node
+    }
+
+    pub(super) const fn units(&self) -> Units {
+        self.units
+    }
+
+    /// The subtable under a key, if it is there.
+    pub(super) fn table(&self, key: &str) -> Option<Section<'a>> {
+        let node = self.node.get(key)?;
+        Some(Section { node, path: self.full(key), units: self.units })
+    }
+
+    /// The subtable under a key.
+    pub(super) fn required_table(&self, key: &str, why: &str) -> Result<Section<'a>, SceneError> {
+        self.table(key).ok_or_else(|| {
+            let path = self.full(key);
+            SceneError::at(&self.end(), format!("the table [{path}] is missing: {why}"), "").help(self.known_keys(&path))
+        })
+    }
+
+    /// The items of a list of tables.
+    pub(super) fn items(&self, key: &str) -> Vec<Section<'a>> {
+        match self.node.get(key).map(|node| &node.value) {
+            Some(Value::List(items)) => items
+                .iter()
+                .enumerate()
+                .map(|(index, node)| Section { node, path: format!("{}.{index}", self.full(key)), units: self.units })
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// A number in coherent units.
+    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
+        let Some(node) = self.node.get(key) else { return Ok(None) };
+        let path = self.full(key);
+        match catalogue::key(&catalogue::generic_path(&path)).map(|entry| entry.kind) {
+            Some(Kind::Number { dimension, .. }) => number(node, &path, dimension, self.units).map(Some),
+            Some(Kind::Count { .. }) => match node.value {
+                Value::Number(value) => Ok(Some(value)),
+                _ => Ok(None),
+            },
+            _ => Ok(None),
+        }
+    }
+
+    /// A number that must be there.
+    pub(super) fn required_number(&self, key: &str) -> Result<f64, SceneError> {
+        self.number(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A text.
+    pub(super) fn text(&self, key: &str) -> Option<&'a str> {
+        match &self.node.get(key)?.value {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// A text that must be there.
+    pub(super) fn required_text(&self, key: &str) -> Result<&'a str, SceneError> {
+        self.text(key).ok_or_else(|| self.missing(key))
+    }
+
+    /// The texts of a list.
+    pub(super) fn texts(&self, key: &str) -> Vec<&'a str> {
+        match self.node.get(key).map(|node| &node.value) {
+            Some(Value::List(items)) => items
+                .iter()
+                .filter_map(|item| match &item.value {
+                    Value::Text(text) => Some(text.as_str()),
+                    _ => None,
+                })
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The one of several keys that is given.
+    pub(super) fn exactly_one(&self, keys: &[&'static str]) -> Result<&'static str, SceneError> {
+        match self.at_most_one(keys)? {
+            Some(key) => Ok(key),
+            None => {
+                let named = keys.iter().map(|key| format!("`{}`", self.full(key))).collect::<Vec<_>>().join(", ");
+                Err(SceneError::at(&self.header(), format!("one of {named} is missing"), "").help("give exactly one of them"))
+            }
+        }
+    }
+
+    /// The one of several keys that is given, or none.
+    pub(super) fn at_most_one(&self, keys: &[&'static str]) -> Result<Option<&'static str>, SceneError> {
+        let given: Vec<&'static str> = keys.iter().copied().filter(|key| self.node.get(key).is_some()).collect();
+        match given.as_slice() {
+            [] => Ok(None),
+            [one] => Ok(Some(one)),
+            [first, second, ..] => {
+                let message = format!("`{}` and `{}` exclude each other", self.full(first), self.full(second));
+                Err(SceneError::at(&self.key_place(second), message, "leave one of the two out"))
+            }
+        }
+    }
+
+    /// A contradiction at a key.
+    pub(super) fn wrong(&self, key: &str, message: impl Into<String>, label: impl Into<String>) -> SceneError {
+        let place = self.node.get(key).map_or_else(|| self.header(), |node| node.place.clone());
+        SceneError::at(&place, message, label)
+    }
+
+    /// The error for a key that must be there.
+    pub(super) fn missing(&self, key: &str) -> SceneError {
+        let path = self.full(key);
+        let meaning = catalogue::key(&catalogue::generic_path(&path)).map_or("", |entry| entry.meaning);
+        SceneError::at(&self.header(), format!("`{path}` is missing"), "in this table").help(format!("{path}: {meaning}"))
+    }
+
+    /// Where a key stands.
+    pub(super) fn key_place(&self, key: &str) -> Place {
+        self.node.entries().iter().find(|entry| entry.key == key).map_or_else(|| self.header(), |entry| entry.key_place.clone())
+    }
+
+    /// Where this table begins: the first line of it.
+    pub(super) fn header(&self) -> Place {
+        if self.path.is_empty() {
+            return self.end();
+        }
+        let mut place = self.node.place.clone();
+        let text = place.source.text().get(place.span.clone()).unwrap_or("");
+        let length = text.find('\n').unwrap_or(text.len());
+        place.span = place.span.start..place.span.start + length;
+        place
+    }
+
+    /// Where this document ends.
+    pub(super) fn end(&self) -> Place {
+        end_of(&self.node.place)
+    }
+
+    /// The dotted path of a key of this table.
+    pub(super) fn full(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    fn known_keys(&self, path: &str) -> String {
+        let keys: Vec<&str> = catalogue::names_in(path).collect();
+        format!("[{path}] knows: {}", keys.join(", "))
+    }
+}

@@ -1,0 +1,189 @@
+//! Sweeps: any number of a scene, at many values.
+
+use super::catalogue::{self, Key, Kind};
+use super::check::{self, Units};
+use super::diagnostic::{Place, SceneError};
+use super::document::{Document, Node, Value};
+use super::read::{has_table, is_number, nearest_number, range_of};
+use super::units::Dimension;
+
+/// One swept number.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// Its dotted path.
+    pub key: String,
+    /// Its values in SI (or reduced) units, in order.
+    pub values: Vec<f64>,
+    /// Its SI unit.
+    pub unit: String,
+    /// Whether the values have equal ratios: a plot of them is then logarithmic.
+    pub logarithmic: bool,
+    place: Place,
+}
+
+impl PartialEq for Sweep {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key && self.values == other.values
+    }
+}
+
+impl Sweep {
+    /// Puts value number `index` into a document.
+    ///
+    /// # Errors
+    /// A path that does not exist.
+    pub fn put(&self, document: &mut Document, index: usize) -> Result<(), SceneError> {
+        let Some(&value) = self.values.get(index) else { return Ok(()) };
+        document.replace(&self.key, Node { value: Value::Number(value), place: self.place.clone() })
+    }
+}
+
+/// The number of states of several sweeps.
+#[must_use]
+pub fn states(sweeps: &[Sweep]) -> usize {
+    sweeps.iter().map(|sweep| sweep.values.len()).product()
+}
+
+/// The value indices of state number `state`, the last sweep varying fastest.
+#[must_use]
+pub fn indices(sweeps: &[Sweep], mut state: usize) -> Vec<usize> {
+    let mut indices: Vec<usize> = sweeps
+        .iter()
+        .rev()
+        .map(|sweep| {
+            let length = sweep.values.len().max(1);
+            let index = state % length;
+            state /= length;
+            index
+        })
+        .collect();
+    indices.reverse();
+    indices
+}
+
+/// More states than this are a slip of the keyboard, or need another program.
+const MOST_STATES: usize = 20_000_000;
+
+/// Reads the `sweep` of a scene.
+pub(super) fn read(root: &Node, units: Units) -> Result<Vec<Sweep>, SceneError> {
+    let Some(node) = root.get("sweep") else { return Ok(Vec::new()) };
+    let tables: Vec<&Node> = match &node.value {
+        Value::List(items) => items.iter().collect(),
+        _ => vec![node],
+    };
+    if tables.is_empty() {
+        return Err(SceneError::at(&node.place, "`sweep` is an empty list", "leave it out for a single state"));
+    }
+    let mut sweeps: Vec<Sweep> = Vec::with_capacity(tables.len());
+    for table in tables {
+        let sweep = read_one(root, table, units)?;
+        if sweeps.iter().any(|other| other.key == sweep.key) {
+            return Err(SceneError::at(&sweep.place, format!("`{}` is swept twice", sweep.key), "leave one out"));
+        }
+        sweeps.push(sweep);
+    }
+    let total = sweeps.iter().try_fold(1_usize, |product, sweep| product.checked_mul(sweep.values.len()));
+    if total.is_none_or(|states| states > MOST_STATES) {
+        return Err(SceneError::at(&node.place, format!("the sweep has more than {MOST_STATES} states"), "make it smaller"));
+    }
+    Ok(sweeps)
+}
+
+fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError> {
+    let missing = |key: &str, place: &Place| SceneError::at(place, format!("`sweep.{key}` is missing"), "in this table");
+    let header = first_line(&table.place);
+    let key_node = table.get("key").ok_or_else(|| missing("key", &header))?;
+    let Value::Text(path) = &key_node.value else { return Err(missing("key", &header)) };
+    let key = swept_key(root, path, &key_node.place)?;
+    let (dimension, unit) = match key.kind {
+        Kind::Number { dimension, .. } => (dimension, if units == Units::Si { dimension.si_unit() } else { "1".to_owned() }),
+        _ => (Dimension::NUMBER, "1".to_owned()),
+    };
+    let value_of = |node: &Node| -> Result<f64, SceneError> {
+        let value = check::number(node, path, dimension, units)?;
+        match key.kind {
+            Kind::Count { least, most } => check::count(node, path, least, most).map(f64::from),
+            _ => check::check_range(node, path, value, range_of(key)).map(|()| value),
+        }
+    };
+    let (values, logarithmic) = match (table.get("values"), table.get("from"), table.get("to"), table.get("points")) {
+        (Some(list), None, None, None) => {
+            let Value::List(items) = &list.value else { return Err(missing("values", &header)) };
+            if items.is_empty() {
+                return Err(SceneError::at(&list.place, "`sweep.values` is an empty list", "name at least one value"));
+            }
+            if let Some(spacing) = table.get("spacing") {
+                return Err(SceneError::at(&spacing.place, "`sweep.spacing` belongs to from, to and points", "leave it out"));
+            }
+            let values = items.iter().map(value_of).collect::<Result<Vec<_>, _>>()?;
+            let spread = values.iter().all(|&value| value > 0.0) && ratio(&values) > 30.0;
+            (values, spread)
+        }
+        (Some(list), ..) => {
+            let message = "`sweep.values` and `sweep.from`, `to`, `points` exclude each other";
+            return Err(SceneError::at(&list.place, message, "give one or the other"));
+        }
+        (None, from, to, points) => {
+            let from = from.ok_or_else(|| missing("from", &header))?;
+            let to = to.ok_or_else(|| missing("to", &header))?;
+            let points = points.ok_or_else(|| missing("points", &header))?;
+            let linear = matches!(table.get("spacing").map(|node| &node.value), Some(Value::Text(word)) if word == "linear");
+            let (first, last) = (value_of(from)?, value_of(to)?);
+            let count = check::count(points, "sweep.points", 1, 10_000_000)?;
+            if !linear && (first <= 0.0 || last <= 0.0) {
+                let place = if first <= 0.0 { &from.place } else { &to.place };
+                let message = "a logarithmic sweep runs over positive values only";
+                return Err(SceneError::at(place, message, "must be greater than 0").help("or write spacing = \"linear\""));
+            }
+            (spread(first, last, count, linear), !linear)
+        }
+    };
+    Ok(Sweep { key: path.clone(), values, unit, logarithmic, place: key_node.place.clone() })
+}
+
+/// The catalogue entry of a swept path, after checking that it is a number and that its table exists.
+fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, SceneError> {
+    let generic = catalogue::generic_path(path);
+    let Some(key) = catalogue::key(&generic).filter(|key| is_number(key)) else {
+        let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
+        let label = nearest_number(path).map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
+        return Err(SceneError::at(place, format!("`sweep.key` = {path:?} {what}"), label));
+    };
+    let table = path.rsplit_once('.').map_or("", |(table, _)| table);
+    if has_table(root, table) {
+        Ok(key)
+    } else {
+        let message = format!("`sweep.key` = {path:?} lies in [{table}], which the scene does not have");
+        Err(SceneError::at(place, message, "a table that is absent is an effect that is not simulated").help(format!("add [{table}]")))
+    }
+}
+
+fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
+    let steps = f64::from(count.saturating_sub(1).max(1));
+    (0..count)
+        .map(|index| {
+            // Both ends are met exactly.
+            let part = f64::from(index) / steps;
+            if index == 0 {
+                first
+            } else if index + 1 == count {
+                last
+            } else if linear {
+                first + (last - first) * part
+            } else {
+                10f64.powf(first.log10() + (last.log10() - first.log10()) * part)
+            }
+        })
+        .collect()
+}
+
+fn ratio(values: &[f64]) -> f64 {
+    let (low, high) = values.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &value| (low.min(value), high.max(value)));
+    high / low
+}
+
+fn first_line(place: &Place) -> Place {
+    let text = place.source.text().get(place.span.clone()).unwrap_or("");
+    let length = text.find('\n').unwrap_or(text.len());
+    Place { source: place.source.clone(), span: place.span.start..place.span.start + length }
+}

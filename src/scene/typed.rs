@@ -1,0 +1,169 @@
+//! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
+
+use super::sweep::Sweep;
+use crate::crack::{CrackBody, Motion};
+use crate::elastic::PlaneState;
+use crate::elastic::pure_shear_strip::SidewaysStrain;
+use crate::material::Material;
+
+pub use super::check::Units;
+
+/// A whole scene at one point of its sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The line that names it, or the name of its file.
+    pub title: String,
+    /// What its numbers are measured in; reduced scenes are coherent with E0 = Δγ = a₀ = reference time = 1.
+    pub units: Units,
+    /// Wanted relative accuracy.
+    pub accuracy: f64,
+    /// The material.
+    pub material: SceneMaterial,
+    /// What is asked.
+    pub problem: Problem,
+    /// What is varied; empty for a single state.
+    pub sweeps: Vec<Sweep>,
+}
+
+/// The deformable solid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneMaterial {
+    /// What it is called.
+    pub name: Option<String>,
+    /// Both series, with Young's moduli (in a reduced scene: plane moduli).
+    pub series: Material,
+    /// Constant Poisson ratio, if given.
+    pub poisson_ratio: Option<f64>,
+}
+
+/// What a scene asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Problem {
+    /// A crack that opens or closes steadily.
+    SteadyCrack(SteadyCrack),
+}
+
+/// A steady crack.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadyCrack {
+    /// Which way the tip moves.
+    pub motion: Motion,
+    /// Which faces deform.
+    pub body: CrackBody,
+    /// Out-of-plane state; in a reduced scene plane stress, as its moduli are plane moduli already.
+    pub plane: PlaneState,
+    /// Δγ (J/m²).
+    pub work_of_adhesion: f64,
+    /// How the process zone is given.
+    pub process_zone: ProcessZoneLaw,
+    /// The theories to solve, in the order named.
+    pub theories: Vec<Theory>,
+    /// What is prescribed.
+    pub control: CrackControl,
+    /// Fields around the tip, if asked for.
+    pub fields: Option<Fields>,
+}
+
+/// A process zone as given in a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ProcessZoneLaw {
+    /// A length (m).
+    Length(f64),
+    /// From a cohesive stress.
+    Cohesive {
+        /// σ_c (Pa).
+        cohesive_stress: f64,
+        /// α.
+        factor: f64,
+        /// How the length follows.
+        law: CohesiveLaw,
+    },
+}
+
+/// How a process-zone length follows from a cohesive stress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CohesiveLaw {
+    /// At the current load.
+    Growing,
+    /// At G = Δγ.
+    Constant,
+    /// Schapery's closing zone.
+    Schapery,
+}
+
+/// A theory of steady cracks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Theory {
+    /// The thesis's.
+    VirtualWork,
+    /// Persson and Brener's.
+    PerssonBrener,
+    /// Dugdale, Schapery and Greenwood's.
+    CohesiveZone,
+}
+
+impl Theory {
+    /// The word in scenes and tables.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::VirtualWork => "virtual_work",
+            Self::PerssonBrener => "persson_brener",
+            Self::CohesiveZone => "cohesive_zone",
+        }
+    }
+
+    /// The name in plots and sentences.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::VirtualWork => "virtual work",
+            Self::PerssonBrener => "Persson–Brener",
+            Self::CohesiveZone => "cohesive zone",
+        }
+    }
+}
+
+/// What is prescribed of a steady crack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CrackControl {
+    /// v (m/s).
+    Speed(f64),
+    /// G (J/m²).
+    EnergyReleaseRate(f64),
+    /// K or K₁ (Pa √m).
+    StressIntensity(f64),
+    /// A strip.
+    Strip(Strip),
+}
+
+/// A long strip clamped at both long edges, cracked along its middle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strip {
+    /// h (m).
+    pub half_height: f64,
+    /// What is prescribed far ahead of the tip.
+    pub load: StripLoad,
+    /// Whether it contracts along its length.
+    pub lateral: SidewaysStrain,
+}
+
+/// The load of a strip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StripLoad {
+    /// Relaxed strain far ahead of the tip.
+    Strain(f64),
+    /// Stress (Pa) far ahead of the tip.
+    Stress(f64),
+}
+
+/// Distances at which fields are evaluated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fields {
+    /// The smallest (m).
+    pub from: f64,
+    /// The largest (m).
+    pub to: f64,
+    /// How many, in equal ratios.
+    pub points: u32,
+}
