@@ -75,7 +75,7 @@ fn sphere_inverses_agree_with_the_stationary_energy() {
         let (error, bound) = judge(row, state.contact_radius, state.relative_error);
         let distance = (1.0 - row.input[3] / fold).abs();
         // The bound may not be a blanket: within a factor of the conditioning 1e-16/√distance of the fold.
-        assert!(bound < 3e-15 + 2e-15 / distance.sqrt(), "bound {bound:e} at a distance {distance:e} from the fold");
+        assert!(bound < 4e-15 + 2e-15 / distance.sqrt(), "bound {bound:e} at a distance {distance:e} from the fold");
         if distance > 0.2 {
             worst_far = worst_far.max(error);
         } else {

@@ -37,8 +37,8 @@
 //!
 //! # How good
 //! The extrema solve ¾h = ln(1 + ⅜(e^{2h} − 1)) + ½ln(α/1.0652) for the distance h from ln√(3/5), Newton from outside, monotone: relative error of T below
-//! 1e-15 for α < 1, and 1e-16/√(1 − α/1.0652) at the merger. The inverses solve for ln T in a bracket, with the residual formed from the
-//! complements 1 − p̄/p* or 1 − Δ/Λ and 1 − s² when T > 1, so that narrow contacts and narrow gaps keep their digits (below 4e-15 in a and b,
+//! 2e-15 for α < 0.9, and 1e-16/√(1 − α/1.0652) at the merger. The inverses solve for ln T in a bracket, with the residual formed from the
+//! complements 1 − p̄/p* or 1 − Δ/Λ and 1 − s² when T > 1, so that narrow contacts and narrow gaps keep their digits (below 1e-14 in a and b,
 //! measured against 50 digits) as far as the input has them. Each state carries its bound; at P, S and the fold it grows to 1e-8.
 //!
 //! Range: kΛ ≪ 1; range of adhesion small against the height of the gap; no trapped air. Full contact holds any tension in this
