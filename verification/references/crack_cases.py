@@ -15,11 +15,12 @@ import cohesive_zone
 import persson_brener
 import raw_crack_work as raw
 from common import COARSE, FINE, confirmed, exact, number
+from condition import of_energy_closure
 from materials import MATERIALS, short
 
 COLUMNS = ["case", "model", "material", "motion", "process_zone", "quantity", "transit_time", "speed",
            "process_zone_length", "alpha", "cohesive_stress", "work_of_adhesion", "distance", "value", "scale",
-           "confirmed_digits", "independence", "method"]
+           "condition", "confirmed_digits", "independence", "method"]
 
 
 def both(function, *arguments):
@@ -49,7 +50,8 @@ def closure_rows(task):
         shared = dict(transit_time=number(time))
         method = ("nested quadrature of 5.19 with 5.11; 5.12; 5.14" if opening
                   else "nested quadrature of 5.37 with 5.30; 5.32")
-        rows = [row(task, "mean_creep" if opening else "mean_relaxation", *mean, method=method, **shared)]
+        rows = [row(task, "mean_creep" if opening else "mean_relaxation", *mean, method=method,
+                    condition=of_energy_closure(material, time, "none"), **shared)]
 
         relaxed = material.relaxed_modulus()
         adhesion = exact(material.adhesion)
@@ -63,12 +65,14 @@ def closure_rows(task):
         speed = exact(task["speed"])
         rows.append(row(task, quantity, *result, process_zone="constant", speed=number(speed),
                         process_zone_length=number(speed * time), method=method,
-                        work_of_adhesion=number(adhesion), **shared))
+                        work_of_adhesion=number(adhesion),
+                        condition=of_energy_closure(material, time, "constant"), **shared))
         cohesive, alpha = exact(material.cohesive), exact(task["alpha"])
         length = alpha * squared[1] / (2 * mp.pi * cohesive ** 2)
         rows.append(row(task, quantity, *result, process_zone="growing", speed=number(length / time),
                         process_zone_length=number(length), alpha=number(alpha), cohesive_stress=number(cohesive),
-                        work_of_adhesion=number(adhesion), method=method + "; length from 5.25 or 5.41", **shared))
+                        work_of_adhesion=number(adhesion), condition=of_energy_closure(material, time, "growing"),
+                        method=method + "; length from 5.25 or 5.41", **shared))
     return rows
 
 

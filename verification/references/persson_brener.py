@@ -22,6 +22,7 @@ Quadrature: y = w/w_c; Gauss panels growing by 4 from below the fastest pole to 
 from mpmath import mp, mpf
 
 from common import COARSE, FINE, confirmed, exact, geometric, number, panels
+from condition import of_persson_brener
 from materials import MATERIALS, short
 
 
@@ -76,11 +77,12 @@ def rows(task):
                       work_of_adhesion=number(adhesion),
                       method="frequency integral of the loss " + ("compliance" if task["motion"] == "opening" else "modulus"))
         out = [dict(shared, process_zone="growing", process_zone_length=number(elastic_length * fine),
-                    speed=number(elastic_length * fine / time), alpha="1.0", cohesive_stress=number(cohesive))]
+                    speed=number(elastic_length * fine / time), alpha="1.0", cohesive_stress=number(cohesive),
+                    condition=of_persson_brener(material, time, "growing"))]
         if task["motion"] == "closing":
             speed = exact(task["speed"])
             out.append(dict(shared, process_zone="constant", process_zone_length=number(speed * time),
-                            speed=number(speed)))
+                            speed=number(speed), condition=of_persson_brener(material, time, "constant")))
     return out
 
 

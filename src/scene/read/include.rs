@@ -6,13 +6,13 @@ use crate::scene::document::{Document, Entry, Node, Value, parse_tree};
 /// Replaces `material.file` by the content of that file's [material] table.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     let Some(node) = document.root.at("material.file") else { return Ok(()) };
-    let Value::Text(name) = &node.value else { return Ok(()) };
+    let Value::Text(name) = node.value.clone() else { return Ok(()) };
     let place = node.place.clone();
-    let path = document.folder().join(name);
+    let path = document.folder().join(&name);
     let text = std::fs::read_to_string(&path).map_err(|error| {
         SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file").help("relative paths start at the scene")
     })?;
-    let source = SourceText::new(name, text);
+    let source = SourceText::new(&name, text);
     let tree = parse_tree(&source)?;
     let Some(Node { value: Value::Table(included), .. }) = tree.get("material") else {
         return Err(SceneError::at(&place, format!("`material.file` = {name:?} has no [material] table"), "this file"));

@@ -1,0 +1,81 @@
+//! The one table writer: CSV with the unit of every column in its header.
+
+use super::Outcome;
+use crate::estimate::Estimate;
+
+/// The states table: swept numbers, theory, status, then each value with its error bound; empty cells where there is no value.
+///
+/// # Errors
+/// Only what the CSV writer itself reports.
+pub fn states(outcome: &Outcome) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut header: Vec<String> = outcome.swept.iter().map(|swept| headed(&swept.key, &swept.unit)).collect();
+    header.extend(["theory".to_owned(), "status".to_owned()]);
+    for column in &outcome.columns {
+        header.push(headed(column.name, &column.unit));
+        header.push(headed(&format!("{}_error", column.name), &column.unit));
+    }
+    header.push("residual [1]".to_owned());
+    header.push("reason".to_owned());
+    writer.write_record(&header)?;
+    for row in &outcome.rows {
+        let mut record: Vec<String> = row.swept.iter().map(|value| number(*value)).collect();
+        record.push(row.theory.clone());
+        record.push(row.status.word().to_owned());
+        for index in 0..outcome.columns.len() {
+            record.extend(cells(row.values.get(index).copied().flatten()));
+        }
+        record.push(row.certificate.map_or_else(String::new, |certificate| number(certificate.residual)));
+        record.push(row.reason.clone().unwrap_or_default());
+        writer.write_record(&record)?;
+    }
+    finished(writer)
+}
+
+/// The fields table, or none if no row has fields.
+///
+/// # Errors
+/// Only what the CSV writer itself reports.
+pub fn fields(outcome: &Outcome) -> Result<Option<Vec<u8>>, csv::Error> {
+    if outcome.rows.iter().all(|row| row.fields.is_empty()) {
+        return Ok(None);
+    }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut header: Vec<String> = outcome.swept.iter().map(|swept| headed(&swept.key, &swept.unit)).collect();
+    header.push("theory".to_owned());
+    let [distance, displacement, stress] = &outcome.field_units;
+    header.push(headed("distance", distance));
+    for (name, unit) in [("displacement", displacement), ("stress", stress)] {
+        header.push(headed(name, unit));
+        header.push(headed(&format!("{name}_error"), unit));
+    }
+    writer.write_record(&header)?;
+    for row in &outcome.rows {
+        for point in &row.fields {
+            let mut record: Vec<String> = row.swept.iter().map(|value| number(*value)).collect();
+            record.push(row.theory.clone());
+            record.push(number(point.distance));
+            record.extend(cells(Some(point.displacement)));
+            record.extend(cells(Some(point.stress)));
+            writer.write_record(&record)?;
+        }
+    }
+    finished(writer).map(Some)
+}
+
+fn finished(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, csv::Error> {
+    writer.into_inner().map_err(|error| csv::Error::from(std::io::Error::other(error.to_string())))
+}
+
+fn headed(name: &str, unit: &str) -> String {
+    format!("{name} [{unit}]")
+}
+
+fn cells(estimate: Option<Estimate>) -> [String; 2] {
+    estimate.map_or_else(Default::default, |estimate| [number(estimate.value), number(estimate.error)])
+}
+
+/// The shortest text that reads back as the same double.
+fn number(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+}

@@ -1,0 +1,137 @@
+//! The folder of a run: written beside its place, moved there in one step, never half there.
+//!
+//! `DIR.partial` holds the journal while a run is under way and the finished files at its end; then it becomes `DIR` by a rename. With
+//! `--force` an existing `DIR` steps aside first and is deleted last.
+
+use super::journal::{Found, Journal, JournalHeader, read};
+use super::row::Row;
+use super::{Outcome, csv_table, plot, summary};
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why a folder cannot be written.
+#[derive(Debug, Error)]
+pub enum FolderError {
+    /// It is there already.
+    #[error("the folder `{0}` exists already: choose another --out, or add --force to replace it")]
+    Exists(String),
+    /// The partial folder belongs to another run.
+    #[error("`{partial}` holds the unfinished run of another scene or build ({found}): remove it, choose another --out, or add --force to drop it")]
+    OtherRun {
+        /// The partial folder.
+        partial: String,
+        /// What it belongs to.
+        found: String,
+    },
+    /// The file system said no.
+    #[error("`{path}` cannot be written: {error}")]
+    Io {
+        /// The path.
+        path: String,
+        /// Its words.
+        error: String,
+    },
+}
+
+/// A folder being filled.
+#[derive(Debug)]
+pub struct RunFolder {
+    target: PathBuf,
+    partial: PathBuf,
+    journal: Journal,
+    force: bool,
+}
+
+/// Name of the journal inside the partial folder.
+const JOURNAL: &str = "journal.jsonl";
+
+fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {
+    move |error| FolderError::Io { path: path.display().to_string(), error: error.to_string() }
+}
+
+/// `DIR.partial` of `DIR`.
+fn partial_of(target: &Path) -> PathBuf {
+    let mut name = target.as_os_str().to_owned();
+    name.push(".partial");
+    PathBuf::from(name)
+}
+
+impl RunFolder {
+    /// Opens the partial folder of a run; gives the states that an earlier, killed run of the same scene finished.
+    ///
+    /// # Errors
+    /// A folder that exists (without `force`), an unfinished run of something else, or a file system that refuses.
+    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<(Self, Vec<Vec<Row>>), FolderError> {
+        if target.exists() && !force {
+            return Err(FolderError::Exists(target.display().to_string()));
+        }
+        let partial = partial_of(target);
+        let journal_path = partial.join(JOURNAL);
+        let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
+            Found::Rows(rows) => rows,
+            Found::Nothing => Vec::new(),
+            Found::Other(_) if force => Vec::new(),
+            Found::Other(found) => {
+                let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
+                return Err(FolderError::OtherRun { partial: partial.display().to_string(), found });
+            }
+        };
+        std::fs::create_dir_all(&partial).map_err(io(&partial))?;
+        let journal = Journal::open(&journal_path, header, &finished).map_err(io(&journal_path))?;
+        Ok((Self { target: target.to_owned(), partial, journal, force }, finished))
+    }
+
+    /// The journal to append finished states to.
+    pub fn journal(&mut self) -> &mut Journal {
+        &mut self.journal
+    }
+
+    /// Writes all files and moves the folder to its place; gives the names of the files.
+    ///
+    /// # Errors
+    /// A file system that refuses; the partial folder then stays, with its journal.
+    pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
+        let Self { target, partial, journal, force } = self;
+        let mut names = Vec::new();
+        let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
+            let path = partial.join(name);
+            std::fs::write(&path, bytes).map_err(io(&path))?;
+            names.push(name.to_owned());
+            Ok(())
+        };
+        let csv_error = |error: csv::Error| FolderError::Io { path: "table".into(), error: error.to_string() };
+        let mut text = serde_json::to_string_pretty(&summary::summary(outcome)).map_err(|error| io(&target)(error.into()))?;
+        text.push('\n');
+        write("summary.json", text.as_bytes())?;
+        write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
+        if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
+            write("fields.csv", &fields)?;
+        }
+        write("scene.toml", scene.as_bytes())?;
+        for (stem, figure) in &outcome.figures {
+            let drawn = |error: plot::PlotError| FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() };
+            match plot::svg(figure) {
+                Ok(svg) => {
+                    write(&format!("{stem}.svg"), svg.as_bytes())?;
+                    write(&format!("{stem}.png"), &plot::png(figure).map_err(drawn)?)?;
+                }
+                Err(plot::PlotError::NotBuilt) => {}
+                Err(error) => return Err(drawn(error)),
+            }
+        }
+        let journal_path = partial.join(JOURNAL);
+        if force && target.exists() {
+            let mut aside = target.as_os_str().to_owned();
+            aside.push(format!(".replaced-{}", std::process::id()));
+            let aside = PathBuf::from(aside);
+            std::fs::rename(&target, &aside).map_err(io(&target))?;
+            journal.remove().map_err(io(&journal_path))?;
+            std::fs::rename(&partial, &target).map_err(io(&target))?;
+            std::fs::remove_dir_all(&aside).map_err(io(&aside))?;
+        } else {
+            journal.remove().map_err(io(&journal_path))?;
+            std::fs::rename(&partial, &target).map_err(io(&target))?;
+        }
+        Ok(names)
+    }
+}

@@ -1,0 +1,129 @@
+//! What comes out: rows of values with errors, certificates, validity, work; as screen table, JSON, CSV and plots.
+
+pub mod csv_table;
+pub mod folder;
+pub mod journal;
+pub mod plot;
+pub mod row;
+pub mod screen;
+pub mod summary;
+
+pub use row::{Certificate, Column, FieldPoint, Row, Status, Work};
+
+use serde::Serialize;
+
+/// Everything that a run gives.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The line that names the scene.
+    pub title: String,
+    /// SHA-256 of all that was read.
+    pub scene_hash: String,
+    /// The problem's name.
+    pub problem: &'static str,
+    /// Effects that were simulated, and that were not.
+    pub effects: Vec<Effect>,
+    /// The method, a sentence each.
+    pub method: Vec<String>,
+    /// Characteristic numbers.
+    pub groups: Vec<Group>,
+    /// Assumptions of the model against this scene.
+    pub validity: Vec<Validity>,
+    /// The swept numbers.
+    pub swept: Vec<SweptColumn>,
+    /// What the values of the rows are.
+    pub columns: Vec<Column>,
+    /// The rows, in the order of the sweep.
+    pub rows: Vec<Row>,
+    /// Wanted relative accuracy.
+    pub accuracy: f64,
+    /// Plots, by file stem.
+    pub figures: Vec<(String, plot::Figure)>,
+    /// Units of the field table: distance, displacement, stress.
+    pub field_units: [String; 3],
+}
+
+/// A swept number.
+#[derive(Debug, Clone, Serialize)]
+pub struct SweptColumn {
+    /// Its path in the scene.
+    pub key: String,
+    /// Its unit.
+    pub unit: String,
+    /// How many values.
+    pub values: usize,
+}
+
+/// An effect and whether it is simulated.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Effect {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether it is on.
+    pub on: bool,
+    /// Because of what in the scene.
+    pub why: String,
+}
+
+/// A characteristic number of a scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Group {
+    /// Name and symbol.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// One assumption of the model, held against the results.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Validity {
+    /// What is compared.
+    pub name: String,
+    /// The worst value over all rows.
+    pub value: Option<f64>,
+    /// Whether the assumption holds.
+    pub verdict: Verdict,
+    /// What it means.
+    pub meaning: String,
+}
+
+/// The verdict on an assumption.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It holds.
+    Good,
+    /// It is doubtful: read the sentence.
+    Caution,
+    /// It cannot be judged from the scene.
+    NotJudged,
+}
+
+impl Outcome {
+    /// The exit code: 0 if any row is solved, else 4 if any is solved inaccurately, else 3. A single inaccurate row also gives 4.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        let any = |status: Status| self.rows.iter().any(|row| row.status == status);
+        if any(Status::Solved) {
+            0
+        } else if any(Status::Inaccurate) || any(Status::NotConverged) {
+            4
+        } else if any(Status::Invalid) {
+            2
+        } else {
+            3
+        }
+    }
+
+    /// The work of all rows.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        let mut total = Work::default();
+        for row in &self.rows {
+            total += row.work;
+        }
+        total
+    }
+}

@@ -1,0 +1,156 @@
+//! The table on the screen: values with as many digits as their error leaves, and the blocks a reader needs before believing them.
+
+use super::{Outcome, Row, Status, Verdict};
+use crate::estimate::Estimate;
+use std::fmt::Write as _;
+
+/// Most rows that are printed one by one; longer sweeps show their first and last.
+const MOST_ROWS: usize = 24;
+
+/// The whole screen output of a run.
+#[must_use]
+pub fn render(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "{}", outcome.title);
+    let _ = writeln!(text, "{}", "─".repeat(outcome.title.chars().count().clamp(20, 100)));
+    if outcome.swept.is_empty() { single(&mut text, outcome) } else { sweep(&mut text, outcome) }
+    effects(&mut text, outcome);
+    validity(&mut text, outcome);
+    let work = outcome.work();
+    let _ = writeln!(
+        text,
+        "\nwork       {} balances, {} kernel evaluations, {} field points",
+        work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
+    );
+    text
+}
+
+/// One state: a line a value, a block a theory.
+fn single(text: &mut String, outcome: &Outcome) {
+    let width = outcome.columns.iter().map(|column| column.name.len()).max().unwrap_or(0);
+    for row in &outcome.rows {
+        let _ = writeln!(text, "\n{}: {}", row.theory, row.status.word());
+        if let Some(reason) = &row.reason {
+            let _ = writeln!(text, "  {reason}");
+        }
+        for (column, value) in outcome.columns.iter().zip(&row.values) {
+            if let Some(estimate) = value {
+                let unit = if column.unit == "1" { "" } else { &column.unit };
+                let _ = writeln!(text, "  {:width$}  {} {unit}", column.name, with_error(*estimate));
+            }
+        }
+        if let Some(certificate) = row.certificate {
+            let admissible = if certificate.admissible { "admissible" } else { "NOT admissible" };
+            let _ = writeln!(text, "  certificate: {admissible}, residual {:.1e}, condition {:.1e}", certificate.residual, certificate.condition);
+        }
+    }
+}
+
+/// A sweep: a line a row, with the columns that vary or matter most.
+fn sweep(text: &mut String, outcome: &Outcome) {
+    let shown: Vec<usize> = (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).take(5).collect();
+    let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
+    header.push("theory".into());
+    header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
+    let mut lines = vec![header];
+    let total = outcome.rows.len();
+    for (index, row) in outcome.rows.iter().enumerate() {
+        if total > MOST_ROWS && index >= MOST_ROWS / 2 && index < total - MOST_ROWS / 2 {
+            if index == MOST_ROWS / 2 {
+                lines.push(vec![format!("… {} more", total - MOST_ROWS)]);
+            }
+            continue;
+        }
+        lines.push(line(row, &shown));
+    }
+    let _ = write!(text, "\n{}", aligned(&lines));
+    for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
+        let count = outcome.rows.iter().filter(|row| row.status == status).count();
+        if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {
+            let _ = writeln!(text, "{count} of {total} rows {}: {}", status.word(), first.reason.as_deref().unwrap_or(""));
+        }
+    }
+}
+
+/// A column is shown in a sweep if it is no copy of a swept number and some row has it.
+fn wanted(outcome: &Outcome, index: usize) -> bool {
+    let Some(column) = outcome.columns.get(index) else { return false };
+    let swept = outcome.swept.iter().any(|swept| swept.key.rsplit('.').next() == Some(column.name));
+    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some))
+}
+
+fn line(row: &Row, shown: &[usize]) -> Vec<String> {
+    let mut cells: Vec<String> = row.swept.iter().map(|value| format!("{value:.4e}")).collect();
+    cells.push(row.theory.clone());
+    if row.status.has_values() {
+        cells.extend(shown.iter().map(|&index| row.values.get(index).copied().flatten().map_or_else(String::new, short)));
+    } else {
+        cells.push(row.status.word().to_owned());
+    }
+    cells
+}
+
+fn aligned(lines: &[Vec<String>]) -> String {
+    let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| lines.iter().filter_map(|line| line.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for line in lines {
+        let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, &width)| format!("{cell:width$}")).collect();
+        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
+    }
+    text
+}
+
+fn effects(text: &mut String, outcome: &Outcome) {
+    let on: Vec<&str> = outcome.effects.iter().filter(|effect| effect.on).map(|effect| effect.name).collect();
+    let off: Vec<&str> = outcome.effects.iter().filter(|effect| !effect.on).map(|effect| effect.name).collect();
+    let _ = writeln!(text, "\nsimulated  {}", on.join(", "));
+    if !off.is_empty() {
+        let _ = writeln!(text, "left out   {}", off.join(", "));
+    }
+}
+
+fn validity(text: &mut String, outcome: &Outcome) {
+    let _ = writeln!(text, "\nvalidity of the model (apart from the error bounds)");
+    for entry in &outcome.validity {
+        let mark = match entry.verdict {
+            Verdict::Good => "good   ",
+            Verdict::Caution => "CAUTION",
+            Verdict::NotJudged => "unknown",
+        };
+        let value = entry.value.map_or_else(String::new, |value| format!(" = {value:.2e}"));
+        let _ = writeln!(text, "  {mark}  {}{value}: {}", entry.name, entry.meaning);
+    }
+}
+
+fn with_unit(name: &str, unit: &str) -> String {
+    if unit == "1" { name.to_owned() } else { format!("{name} [{unit}]") }
+}
+
+/// At most ten digits, as many as the error leaves: for sweep tables.
+fn short(estimate: Estimate) -> String {
+    rounded(estimate, 9)
+}
+
+/// A value with as many digits as its error leaves, and the error: `1.2345678901e-3 ± 2e-14`.
+#[must_use]
+pub fn with_error(estimate: Estimate) -> String {
+    if estimate.error == 0.0 {
+        return format!("{} (exact)", plain(estimate.value));
+    }
+    format!("{} ± {:.0e}", rounded(estimate, 16), estimate.error)
+}
+
+fn rounded(estimate: Estimate, most_digits: usize) -> String {
+    if estimate.value == 0.0 || !estimate.value.is_finite() {
+        return plain(estimate.value);
+    }
+    let relative = estimate.relative_error();
+    let digits = if relative == 0.0 { most_digits } else { ((-relative.log10()).ceil().max(0.0) as usize).min(most_digits) };
+    format!("{:.*e}", digits, estimate.value)
+}
+
+fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+}

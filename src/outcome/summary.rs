@@ -1,0 +1,75 @@
+//! summary.json: the whole outcome but the bulk of a sweep's rows, which stand in the CSV.
+
+use super::{Outcome, Row, Status};
+use crate::estimate::Estimate;
+use serde_json::{Map, Value, json};
+
+/// Most rows written into the summary; longer sweeps are in the CSV only.
+const MOST_ROWS: usize = 64;
+
+/// The summary as JSON. Two runs of the same scene by the same build give the same bytes.
+#[must_use]
+pub fn summary(outcome: &Outcome) -> Value {
+    let count = |status: Status| outcome.rows.iter().filter(|row| row.status == status).count();
+    json!({
+        "title": outcome.title,
+        "problem": outcome.problem,
+        "provenance": {
+            "program": "viscotack",
+            "version": env!("CARGO_PKG_VERSION"),
+            "commit": env!("VISCOTACK_COMMIT"),
+            "scene_sha256": outcome.scene_hash,
+        },
+        "accuracy": outcome.accuracy,
+        "exit_code": outcome.exit_code(),
+        "effects": outcome.effects,
+        "method": outcome.method,
+        "groups": outcome.groups,
+        "validity": outcome.validity,
+        "certificate": certificate(outcome),
+        "work": outcome.work(),
+        "swept": outcome.swept,
+        "columns": outcome.columns,
+        "rows": {
+            "total": outcome.rows.len(),
+            "solved": count(Status::Solved),
+            "inaccurate": count(Status::Inaccurate),
+            "no_such_state": count(Status::NoSuchState),
+            "undefined": count(Status::Undefined),
+            "invalid": count(Status::Invalid),
+            "not_converged": count(Status::NotConverged),
+        },
+        "results": if outcome.rows.len() <= MOST_ROWS { outcome.rows.iter().map(|row| result(outcome, row)).collect() } else { Vec::new() },
+    })
+}
+
+/// The worst of every row's certificate.
+fn certificate(outcome: &Outcome) -> Value {
+    let certificates = || outcome.rows.iter().filter_map(|row| row.certificate);
+    let worst = |of: fn(&super::Certificate) -> f64| certificates().map(|certificate| of(&certificate)).fold(0.0, f64::max);
+    json!({
+        "largest_residual": worst(|certificate| certificate.residual),
+        "largest_condition": worst(|certificate| certificate.condition),
+        "all_admissible": certificates().all(|certificate| certificate.admissible),
+    })
+}
+
+fn result(outcome: &Outcome, row: &Row) -> Value {
+    let mut values = Map::new();
+    for (column, value) in outcome.columns.iter().zip(&row.values) {
+        if let Some(Estimate { value, error }) = value {
+            values.insert(column.name.to_owned(), json!({ "value": value, "error": error, "unit": column.unit }));
+        }
+    }
+    let swept: Map<String, Value> =
+        outcome.swept.iter().zip(&row.swept).map(|(swept, value)| (swept.key.clone(), json!({ "value": value, "unit": swept.unit }))).collect();
+    json!({
+        "swept": swept,
+        "theory": row.theory,
+        "status": row.status,
+        "reason": row.reason,
+        "values": values,
+        "certificate": row.certificate,
+        "work": row.work,
+    })
+}

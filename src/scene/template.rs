@@ -1,0 +1,32 @@
+//! Commented scenes to start from, one a problem.
+
+/// A scene to start from.
+#[derive(Debug, Clone, Copy)]
+pub struct Template {
+    /// The name after `viscotack new`.
+    pub name: &'static str,
+    /// One line about it.
+    pub meaning: &'static str,
+    /// The scene.
+    pub text: &'static str,
+}
+
+/// Every template.
+pub const TEMPLATES: &[Template] = &[
+    Template {
+        name: "crack",
+        meaning: "a crack that opens steadily: toughness against speed",
+        text: include_str!("../../scenes/templates/crack.toml"),
+    },
+    Template {
+        name: "strip",
+        meaning: "a pure-shear strip: crack speed under a held strain",
+        text: include_str!("../../scenes/templates/strip.toml"),
+    },
+];
+
+/// The template of a name.
+#[must_use]
+pub fn template(name: &str) -> Option<&'static Template> {
+    TEMPLATES.iter().find(|template| template.name == name)
+}
