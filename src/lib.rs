@@ -2,6 +2,7 @@
 
 pub mod elastic;
 pub mod estimate;
+pub mod outcome;
 pub mod refusal;
 
 pub use estimate::Estimate;

@@ -1,0 +1,3 @@
+//! What comes out of a calculation: so far, its plots.
+
+pub mod plot;
