@@ -1,6 +1,6 @@
 //! The plotting room: curves on two axes, drawn as a journal would print them.
 //!
-//! A [`Figure`] is plain data: two [`Axis`], a list of [`Curve`], a place for the legend. Whoever computes fills it; [`svg`] and [`png`] draw
+//! A [`Figure`] is plain data: two [`Axis`], a list of [`Curve`], a place for the legend. Whoever computes fills it; [`svg()`] and [`png()`] draw
 //! it, both from one layout. The same figure always gives the same bytes: no dates, no random identifiers, no font looked up on the machine.
 //!
 //! ```
