@@ -1,4 +1,4 @@
-//! Draws one figure of every kind the plotting room has to cope with: `cargo run --example plot_gallery -- DIRECTORY`.
+//! Draws one figure of every kind the plotting room has to cope with, from invented curves: `cargo run --example plot_gallery -- DIRECTORY`.
 
 use std::{error::Error, fs, path::Path};
 
@@ -62,7 +62,7 @@ fn sigmoids() -> Figure {
                 .with_sparse_marker(signs[index]),
         );
     }
-    figure.with_curve(Curve::new("Persson & Brener (2005)", sample(&grid, sigmoid(3e2, 1e4, 0.33))).with_line(Line::Dashed).with_colour(2))
+    figure.with_curve(Curve::new("rival & its scheme", sample(&grid, sigmoid(3e2, 1e4, 0.33))).with_line(Line::Dashed).with_colour(2))
 }
 
 fn linear() -> Figure {
@@ -131,7 +131,7 @@ fn long_legend() -> Figure {
     let labels = [
         "memory Clausen integral, two fields, adaptive quadrature with 64 nodes at each edge",
         r"reduced form, $\lambda = 0.5$, $\hat{p} = p/E^*_\infty$",
-        r"rival: first order in time, $\Delta t = 10^{-3}\tau$ (Barber & Ciavarella 2021), steps halved until nothing changes",
+        r"rival: first order in time, $\Delta t = 10^{-3}\tau$ (name & name, year), steps halved until nothing changes",
         "relaxed elastic limit",
         "glassy elastic limit",
     ];

@@ -27,7 +27,7 @@ pub(super) const UNITS: f64 = 10.0;
 const PLACE_OPENS: char = '\u{e000}';
 const PLACE_CLOSES: char = '\u{e001}';
 
-/// Some SVG readers (librsvg 2.54) drop an ordinary space at the edge of a `<tspan>`.
+/// SVG readers drop an ordinary space at the edge of a `<tspan>`; librsvg 2.54 drops this one as well unless the document asks it to preserve space.
 const NO_BREAK_SPACE: &str = "\u{a0}";
 
 /// What is being made.
@@ -231,7 +231,7 @@ impl Canvas {
         let body = raw.split_once('>').map_or("", |(_, body)| body);
         let millimetres = |length: f64| number(length / style::POINTS_PER_MILLIMETRE);
         let mut document = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}mm" height="{}mm" viewBox="0 0 {} {}" font-family="{}" fill="black" stroke-linejoin="round">"#,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}mm" height="{}mm" viewBox="0 0 {} {}" font-family="{}" fill="black" stroke-linejoin="round" xml:space="preserve">"#,
             millimetres(width),
             millimetres(height),
             self.scene.width,
