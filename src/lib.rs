@@ -6,6 +6,7 @@ pub mod crack;
 pub mod elastic;
 pub mod estimate;
 pub mod material;
+pub mod outcome;
 pub mod refusal;
 pub mod scene;
 pub mod special;

@@ -1,0 +1,250 @@
+//! What a plot shows, as plain data: no drawing library, no pixels.
+
+/// Curves on two axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// A line above the frame; journals mostly want none.
+    pub title: Option<String>,
+    /// The axis along the bottom.
+    pub horizontal: Axis,
+    /// The axis along the left.
+    pub vertical: Axis,
+    /// The curves, drawn in this order: later ones lie on top.
+    pub curves: Vec<Curve>,
+    /// Where the legend goes.
+    pub legend: LegendPlace,
+    /// How wide the picture is on paper.
+    pub width: Width,
+}
+
+impl Figure {
+    /// A figure without curves, one column wide, its legend placed automatically.
+    #[must_use]
+    pub fn new(horizontal: Axis, vertical: Axis) -> Self {
+        Self { title: None, horizontal, vertical, curves: Vec::new(), legend: LegendPlace::Auto, width: Width::OneColumn }
+    }
+
+    /// Puts a title above the frame.
+    #[must_use]
+    pub fn with_title(mut self, title: impl Into<String>) -> Self {
+        self.title = Some(title.into());
+        self
+    }
+
+    /// Adds a curve on top of the others.
+    #[must_use]
+    pub fn with_curve(mut self, curve: Curve) -> Self {
+        self.curves.push(curve);
+        self
+    }
+
+    /// Sets the place of the legend.
+    #[must_use]
+    pub fn with_legend(mut self, legend: LegendPlace) -> Self {
+        self.legend = legend;
+        self
+    }
+
+    /// Sets the width on paper.
+    #[must_use]
+    pub fn with_width(mut self, width: Width) -> Self {
+        self.width = width;
+        self
+    }
+}
+
+/// One axis: its label, its scale, and what part of it is shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity, symbol and unit, as in `"crack speed $v$ (m/s)"`.
+    pub label: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// The lower and upper end; `None` shows all data.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis that shows all data.
+    #[must_use]
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Linear, range: None }
+    }
+
+    /// A logarithmic axis that shows all positive data.
+    #[must_use]
+    pub fn logarithmic(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Logarithmic, range: None }
+    }
+
+    /// Shows the axis from `lower` to `upper` only; the curves are cut at the frame.
+    #[must_use]
+    pub fn with_range(mut self, lower: f64, upper: f64) -> Self {
+        self.range = Some((lower, upper));
+        self
+    }
+}
+
+/// How a value becomes a place on an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Scale {
+    /// Equal differences are equal distances.
+    Linear,
+    /// Equal ratios are equal distances; only positive values have a place.
+    Logarithmic,
+}
+
+/// One curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its line in the legend; an empty label keeps the curve out of the legend.
+    pub label: String,
+    /// The points in drawing order (they need not be sorted: a folded branch is drawn as it runs). A NaN is a gap.
+    pub points: Vec<(f64, f64)>,
+    /// The stroke between the points.
+    pub line: Line,
+    /// The sign on the points.
+    pub marker: Marker,
+    /// On which points the sign is drawn.
+    pub marker_spacing: MarkerSpacing,
+    /// The colour.
+    pub colour: Colour,
+}
+
+impl Curve {
+    /// A curve without markers whose stroke and colour follow from its place in the figure.
+    #[must_use]
+    pub fn new(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            label: label.into(),
+            points,
+            line: Line::Automatic,
+            marker: Marker::None,
+            marker_spacing: MarkerSpacing::EveryPoint,
+            colour: Colour::Automatic,
+        }
+    }
+
+    /// Sets the stroke.
+    #[must_use]
+    pub fn with_line(mut self, line: Line) -> Self {
+        self.line = line;
+        self
+    }
+
+    /// Draws this sign on every point.
+    #[must_use]
+    pub fn with_marker(mut self, marker: Marker) -> Self {
+        self.marker = marker;
+        self
+    }
+
+    /// Draws this sign on a few points only, evenly along the curve: it tells densely sampled curves apart without colour.
+    #[must_use]
+    pub fn with_sparse_marker(mut self, marker: Marker) -> Self {
+        self.marker = marker;
+        self.marker_spacing = MarkerSpacing::Sparse;
+        self
+    }
+
+    /// Takes the colour with this index; curves that belong together share an index.
+    #[must_use]
+    pub fn with_colour(mut self, index: usize) -> Self {
+        self.colour = Colour::Index(index);
+        self
+    }
+}
+
+/// The stroke of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Line {
+    /// A dash pattern that goes with the place of the curve in the figure, so that no two curves look alike in grey print.
+    Automatic,
+    /// Full line.
+    Solid,
+    /// Dashes; in this project the rival, the unstable branch, the case without adhesion.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Dash and dot.
+    DashDotted,
+    /// Long dashes.
+    LongDashed,
+    /// Dash and two dots.
+    DashDoubleDotted,
+    /// No stroke: markers only.
+    None,
+}
+
+/// The sign drawn on a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Marker {
+    /// No sign.
+    None,
+    /// A filled disc.
+    Circle,
+    /// A ring.
+    OpenCircle,
+    /// A filled square.
+    Square,
+    /// A square outline.
+    OpenSquare,
+    /// A filled triangle.
+    Triangle,
+    /// A triangle outline.
+    OpenTriangle,
+    /// A filled diamond.
+    Diamond,
+    /// A diamond outline.
+    OpenDiamond,
+    /// A diagonal cross; in this project the mark of a failure.
+    Cross,
+    /// An upright cross.
+    Plus,
+}
+
+/// On which points the marker is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MarkerSpacing {
+    /// On every point.
+    EveryPoint,
+    /// On a few points, evenly along the drawn length of the curve.
+    Sparse,
+}
+
+/// The colour of a curve, from a palette that the colour-blind can tell apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Colour {
+    /// By the place of the curve in the figure.
+    Automatic,
+    /// By this index: blue, orange, black, green, vermilion, sky blue, purple, and round again.
+    Index(usize),
+}
+
+/// Where the legend is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LegendPlace {
+    /// In a corner or along an edge of the frame that no curve touches; below the frame if there is none.
+    Auto,
+    /// In the upper left corner, whatever lies there.
+    TopLeft,
+    /// In the upper right corner, whatever lies there.
+    TopRight,
+    /// In the lower left corner, whatever lies there.
+    BottomLeft,
+    /// In the lower right corner, whatever lies there.
+    BottomRight,
+    /// Below the frame.
+    Below,
+    /// No legend.
+    Hidden,
+}
+
+/// The width of the picture on paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Width {
+    /// One column of a journal page, 88 mm.
+    OneColumn,
+    /// The full page, 180 mm.
+    TwoColumns,
+}
