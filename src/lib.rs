@@ -7,6 +7,7 @@ pub mod elastic;
 pub mod estimate;
 pub mod material;
 pub mod outcome;
+pub mod plan;
 pub mod refusal;
 pub mod scene;
 pub mod special;

@@ -1,0 +1,57 @@
+//! The papers behind what a scene uses, as `viscotack cite` prints them.
+
+/// A paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Citation {
+    /// Key in BibTeX.
+    pub key: &'static str,
+    /// What it stands for here.
+    pub role: &'static str,
+    /// BibTeX entry.
+    pub bibtex: &'static str,
+}
+
+/// The thesis that the theory is taken from.
+pub const THESIS: Citation = Citation {
+    key: "Mandriota",
+    role: "the energy balance at a moving edge, and steady and delayed cracks (chapters 1, 4, 5)",
+    bibtex: "@phdthesis{Mandriota,\n  author = {Mandriota, C.},\n  title  = {Adhesion and friction in steady and unsteady viscoelastic contacts},\n  school = {Politecnico di Bari}\n}",
+};
+
+/// Persson and Brener's theory of opening cracks.
+pub const PERSSON_BRENER: Citation = Citation {
+    key: "PerssonBrener2005",
+    role: "the theory persson_brener (opening; its closing form here is our energy-consistent counterpart)",
+    bibtex: "@article{PerssonBrener2005,\n  author  = {Persson, B. N. J. and Brener, E. A.},\n  title   = {Crack propagation in viscoelastic solids},\n  journal = {Physical Review E},\n  volume  = {71},\n  pages   = {036123},\n  year    = {2005},\n  doi     = {10.1103/PhysRevE.71.036123}\n}",
+};
+
+/// Schapery's theory of opening cracks.
+pub const SCHAPERY_OPENING: Citation = Citation {
+    key: "Schapery1975",
+    role: "the theory cohesive_zone (opening)",
+    bibtex: "@article{Schapery1975,\n  author  = {Schapery, R. A.},\n  title   = {A theory of crack initiation and growth in viscoelastic media {I}. {T}heoretical development},\n  journal = {International Journal of Fracture},\n  volume  = {11},\n  pages   = {141--159},\n  year    = {1975},\n  doi     = {10.1007/BF00034721}\n}",
+};
+
+/// Schapery's theory of closing cracks.
+pub const SCHAPERY_CLOSING: Citation = Citation {
+    key: "Schapery1989",
+    role: "the theory cohesive_zone and the process-zone law schapery (closing)",
+    bibtex: "@article{Schapery1989,\n  author  = {Schapery, R. A.},\n  title   = {On the mechanics of crack closing and bonding in linear viscoelastic media},\n  journal = {International Journal of Fracture},\n  volume  = {39},\n  pages   = {163--189},\n  year    = {1989},\n  doi     = {10.1007/BF00047448}\n}",
+};
+
+/// Greenwood's computation of both.
+pub const GREENWOOD: Citation = Citation {
+    key: "Greenwood2004",
+    role: "the theory cohesive_zone (both motions)",
+    bibtex: "@article{Greenwood2004,\n  author  = {Greenwood, J. A.},\n  title   = {The theory of viscoelastic crack propagation and healing},\n  journal = {Journal of Physics D: Applied Physics},\n  volume  = {37},\n  pages   = {2557--2569},\n  year    = {2004},\n  doi     = {10.1088/0022-3727/37/18/011}\n}",
+};
+
+/// The pure-shear strip.
+pub const RIVLIN_THOMAS: Citation = Citation {
+    key: "RivlinThomas1953",
+    role: "the strip: energy release rate from the energy density far ahead",
+    bibtex: "@article{RivlinThomas1953,\n  author  = {Rivlin, R. S. and Thomas, A. G.},\n  title   = {Rupture of rubber. {I}. {C}haracteristic energy for tearing},\n  journal = {Journal of Polymer Science},\n  volume  = {10},\n  pages   = {291--318},\n  year    = {1953},\n  doi     = {10.1002/pol.1953.120100303}\n}",
+};
+
+/// Every paper.
+pub const ALL: &[&Citation] = &[&THESIS, &PERSSON_BRENER, &SCHAPERY_OPENING, &SCHAPERY_CLOSING, &GREENWOOD, &RIVLIN_THOMAS];

@@ -1,0 +1,119 @@
+//! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
+
+use super::Plan;
+use crate::outcome::journal::{Journal, JournalHeader};
+use crate::outcome::{Outcome, Row, Status, SweptColumn, Work};
+use crate::refusal::Refusal;
+use crate::scene::document::Document;
+use crate::scene::sweep::{indices, states};
+use crate::scene::typed::Scene;
+use crate::scene::{SceneError, read};
+use rayon::prelude::*;
+use thiserror::Error;
+
+/// States between two entries of the journal: a kill loses at most these.
+const CHUNK: usize = 128;
+
+/// Told after each chunk how many of all states are finished.
+pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
+
+/// Why a run ended without an outcome.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The scene is wrong.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// The physics refuses a number of the scene.
+    #[error("{0}")]
+    Refused(#[from] Refusal),
+    /// The journal cannot be written.
+    #[error("the journal cannot be written: {0}")]
+    Journal(#[from] std::io::Error),
+}
+
+/// What a journal of this scene and build is headed with.
+#[must_use]
+pub fn journal_header(document: &Document, scene: &Scene) -> JournalHeader {
+    JournalHeader {
+        program: format!("viscotack {} {}", env!("CARGO_PKG_VERSION"), env!("VISCOTACK_COMMIT")),
+        scene: document.hash().to_owned(),
+        states: states(&scene.sweeps),
+    }
+}
+
+/// Solves all states of a scene; those in `finished` are taken over.
+///
+/// # Errors
+/// [`RunError`]; a state that cannot be solved is no error, but a row with its reason.
+pub fn run(
+    document: &Document,
+    scene: &Scene,
+    finished: Vec<Vec<Row>>,
+    mut journal: Option<&mut Journal>,
+    progress: Progress<'_>,
+) -> Result<Outcome, RunError> {
+    let plan = Plan::new(scene)?;
+    let total = plan.states();
+    let mut all: Vec<Vec<Row>> = finished.into_iter().take(total).collect();
+    while all.len() < total {
+        progress(all.len(), total);
+        let chunk = all.len()..total.min(all.len() + CHUNK);
+        let solved: Vec<Vec<Row>> = chunk.into_par_iter().map(|state| solve_state(document, scene, state)).collect();
+        if let Some(journal) = journal.as_deref_mut() {
+            journal.append(&solved)?;
+        }
+        all.extend(solved);
+    }
+    progress(total, total);
+    let rows: Vec<Row> = all.into_iter().flatten().collect();
+    Ok(Outcome {
+        title: scene.title.clone(),
+        scene_hash: document.hash().to_owned(),
+        problem: plan.problem(),
+        effects: plan.effects(),
+        method: plan.method(),
+        groups: plan.groups(),
+        validity: plan.validity(&rows),
+        swept: scene
+            .sweeps
+            .iter()
+            .map(|sweep| SweptColumn { key: sweep.key.clone(), unit: sweep.unit.clone(), values: sweep.values.len() })
+            .collect(),
+        columns: plan.columns(),
+        figures: plan.figures(scene, &rows),
+        rows,
+        accuracy: scene.accuracy,
+        field_units: plan.field_units(),
+    })
+}
+
+/// One state: its swept values put into the scene, read, planned, solved.
+fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
+    let places = indices(&scene.sweeps, state);
+    let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
+    let solved = || -> Result<Vec<Row>, String> {
+        if scene.sweeps.is_empty() {
+            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve(state, &swept));
+        }
+        let mut varied = document.clone();
+        for (sweep, &index) in scene.sweeps.iter().zip(&places) {
+            sweep.put(&mut varied, index).map_err(|error| error.to_string())?;
+        }
+        let varied = read::read_state(&varied).map_err(|error| error.to_string())?;
+        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve(state, &swept))
+    };
+    solved().unwrap_or_else(|reason| {
+        // The swept value contradicts the rest of the scene: one row that says so.
+        vec![Row {
+            state,
+            swept: swept.clone(),
+            theory: String::new(),
+            status: Status::Invalid,
+            reason: Some(reason),
+            values: Vec::new(),
+            certificate: None,
+            work: Work::default(),
+            fields: Vec::new(),
+        }]
+    })
+}

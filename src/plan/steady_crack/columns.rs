@@ -1,0 +1,105 @@
+//! The columns of a steady crack's table, and how each is measured against the wanted accuracy.
+
+use crate::outcome::Column;
+use crate::scene::typed::Units;
+
+/// A column with its units and its reference scale.
+pub(super) struct Definition {
+    pub(super) name: &'static str,
+    si_unit: &'static str,
+    reduced_unit: &'static str,
+    meaning: &'static str,
+}
+
+/// Positions of the columns in a row.
+pub(super) mod at {
+    pub(crate) const SPEED: usize = 0;
+    pub(crate) const ENERGY_RELEASE_RATE: usize = 1;
+    pub(crate) const RATIO: usize = 2;
+    pub(crate) const STRESS_INTENSITY: usize = 3;
+    pub(crate) const PROCESS_ZONE: usize = 6;
+    pub(crate) const GLASSY_RADIUS: usize = 9;
+}
+
+pub(super) const COLUMNS: [Definition; 11] = [
+    Definition { name: "speed", si_unit: "m/s", reduced_unit: "a₀/τ", meaning: "Speed v of the tip." },
+    Definition {
+        name: "energy_release_rate",
+        si_unit: "J/m²",
+        reduced_unit: "Δγ",
+        meaning: "G far from the tip, per unit area of crack; accuracy relative to at least Δγ.",
+    },
+    Definition {
+        name: "energy_release_rate_ratio",
+        si_unit: "1",
+        reduced_unit: "1",
+        meaning: "G/Δγ; accuracy relative to at least 1.",
+    },
+    Definition {
+        name: "stress_intensity",
+        si_unit: "Pa √m",
+        reduced_unit: "√(2E0Δγ)",
+        meaning: "K; of a closing crack the remote K₁. Accuracy relative to at least its value at G = Δγ.",
+    },
+    Definition {
+        name: "tip_stress_intensity",
+        si_unit: "Pa √m",
+        reduced_unit: "√(2E0Δγ)",
+        meaning: "Stress intensity at the very tip: K opening, (E∞/E0)K₁ closing.",
+    },
+    Definition {
+        name: "displacement_intensity",
+        si_unit: "√m",
+        reduced_unit: "√(2Δγ/E0)",
+        meaning: "Closing: K₁/E0*, so that one face opens by this times √(8s/π).",
+    },
+    Definition {
+        name: "process_zone",
+        si_unit: "m",
+        reduced_unit: "a₀",
+        meaning: "Process-zone length δ; in Persson and Brener's theory the cut-off length a.",
+    },
+    Definition {
+        name: "crossing_time",
+        si_unit: "s",
+        reduced_unit: "τ",
+        meaning: "Time in which the tip crosses the process zone (Persson and Brener: a/(2πv)).",
+    },
+    Definition {
+        name: "speed_exponent",
+        si_unit: "1",
+        reduced_unit: "1",
+        meaning: "d ln G/d ln v at this speed.",
+    },
+    Definition {
+        name: "glassy_tip_radius",
+        si_unit: "m",
+        reduced_unit: "a₀",
+        meaning: "Radius of the tip of one face seen from very near (opening), or the one radius of a closing tip.",
+    },
+    Definition {
+        name: "relaxed_tip_radius",
+        si_unit: "m",
+        reduced_unit: "a₀",
+        meaning: "Radius of the tip of one face seen from far away (opening).",
+    },
+];
+
+pub(super) fn columns(units: Units) -> Vec<Column> {
+    COLUMNS
+        .iter()
+        .map(|definition| Column {
+            name: definition.name,
+            unit: (if units == Units::Si { definition.si_unit } else { definition.reduced_unit }).to_owned(),
+            meaning: definition.meaning,
+        })
+        .collect()
+}
+
+pub(super) fn field_units(units: Units) -> [String; 3] {
+    match units {
+        Units::Si => ["m", "m", "Pa"],
+        Units::Reduced => ["a₀", "a₀", "E0"],
+    }
+    .map(str::to_owned)
+}

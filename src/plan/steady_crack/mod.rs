@@ -1,0 +1,222 @@
+//! The plan of a steady crack: which theories, by which control, with which fields.
+
+mod columns;
+mod describe;
+mod figures;
+mod solve;
+mod validity;
+
+use crate::crack::cohesive_zone::CohesiveZone;
+use crate::crack::curve::{CurvePoint, SteadyCurve};
+use crate::crack::persson_brener::PerssonBrener;
+use crate::crack::virtual_work::VirtualWork;
+use crate::crack::{Interface, Motion, ProcessZone};
+use crate::elastic::PureShearStrip;
+use crate::material::Material;
+use crate::outcome::{Column, Work};
+use crate::refusal::Refusal;
+use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
+
+/// A steady crack, ready to be solved.
+#[derive(Debug, Clone)]
+pub(super) struct SteadyCrackPlan {
+    crack: SteadyCrack,
+    /// Both series with plane moduli.
+    plane_material: Material,
+    /// Young's moduli and the Poisson ratio, for strips and for the description.
+    youngs_material: Material,
+    poisson_ratio: Option<f64>,
+    units: Units,
+    accuracy: f64,
+    /// Whether a sweep follows.
+    swept: bool,
+}
+
+/// The drive that a control prescribes, or a speed.
+enum Prescribed {
+    Speed(f64),
+    Drive(f64),
+}
+
+impl SteadyCrackPlan {
+    pub(super) fn new(scene: &Scene, crack: &SteadyCrack) -> Result<Self, Refusal> {
+        let youngs_material = scene.material.series.clone();
+        let stiffening = match scene.material.poisson_ratio {
+            Some(ratio) => crack.plane.stiffening(ratio)?,
+            None => 1.0,
+        };
+        Ok(Self {
+            crack: crack.clone(),
+            plane_material: youngs_material.stiffened(stiffening)?,
+            youngs_material,
+            poisson_ratio: scene.material.poisson_ratio,
+            units: scene.units,
+            accuracy: scene.accuracy,
+            swept: !scene.sweeps.is_empty(),
+        })
+    }
+
+    pub(super) fn columns(&self) -> Vec<Column> {
+        columns::columns(self.units)
+    }
+
+    pub(super) fn field_units(&self) -> [String; 3] {
+        columns::field_units(self.units)
+    }
+
+    /// The interface that a theory sees.
+    fn interface(&self, theory: Theory) -> Interface {
+        let process_zone = match self.crack.process_zone {
+            ProcessZoneLaw::Length(length) => ProcessZone::Constant { length },
+            ProcessZoneLaw::Cohesive { cohesive_stress, factor, law } => {
+                // Persson and Brener's cut-off is a = a₀G/Δγ itself: their theory has no α.
+                let factor = if theory == Theory::PerssonBrener { 1.0 } else { factor };
+                match law {
+                    CohesiveLaw::Growing => ProcessZone::Growing { cohesive_stress, factor },
+                    CohesiveLaw::Schapery => ProcessZone::Schapery { cohesive_stress, factor },
+                    CohesiveLaw::Constant => ProcessZone::Constant { length: factor * self.relaxed_zone(cohesive_stress) },
+                }
+            }
+        };
+        Interface { work_of_adhesion: self.crack.work_of_adhesion, process_zone, body: self.crack.body }
+    }
+
+    /// a₀ for a cohesive stress (m).
+    fn relaxed_zone(&self, cohesive_stress: f64) -> f64 {
+        let squared = self.crack.body.intensity_squared(self.crack.work_of_adhesion, self.plane_material.relaxed_modulus());
+        squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
+    }
+
+    /// The curve of a theory.
+    fn curve(&self, theory: Theory) -> Result<TheoryCurve<'_>, Refusal> {
+        let (material, motion, interface) = (&self.plane_material, self.crack.motion, self.interface(theory));
+        Ok(match (theory, self.crack.process_zone) {
+            (Theory::CohesiveZone, ProcessZoneLaw::Cohesive { cohesive_stress, .. }) => {
+                TheoryCurve::CohesiveZone(CohesiveZone::new(material, motion, self.crack.work_of_adhesion, cohesive_stress, self.crack.body)?)
+            }
+            (Theory::CohesiveZone, ProcessZoneLaw::Length(_)) => {
+                return Err(Refusal::Undefined {
+                    quantity: "the cohesive-zone theory",
+                    reason: "the process zone is given as a length, so there is no cohesive stress".into(),
+                });
+            }
+            (Theory::PerssonBrener, _) => TheoryCurve::PerssonBrener(PerssonBrener::new(material, motion, interface)?),
+            (Theory::VirtualWork, _) => TheoryCurve::VirtualWork(VirtualWork::new(material, motion, interface)?),
+        })
+    }
+
+    /// Turns the control into a speed or a drive.
+    fn prescribed(&self) -> Result<Prescribed, Refusal> {
+        let work = self.crack.work_of_adhesion;
+        let drive_of_intensity = |intensity: f64| -> Result<f64, Refusal> {
+            Ok(match self.crack.motion {
+                Motion::Opening => self.crack.body.drive(work, intensity),
+                Motion::Closing => {
+                    let modulus = self.plane_material.solid_modulus("a remote stress intensity of a closing crack")?;
+                    self.crack.body.drive(work, intensity / modulus)
+                }
+            })
+        };
+        Ok(match self.crack.control {
+            CrackControl::Speed(speed) => Prescribed::Speed(speed),
+            CrackControl::EnergyReleaseRate(rate) => {
+                let modulus = self.plane_material.solid_modulus("an energy release rate far from the tip")?;
+                Prescribed::Drive(match self.crack.motion {
+                    Motion::Opening => modulus * (rate / work),
+                    Motion::Closing => rate / work / modulus,
+                })
+            }
+            CrackControl::StressIntensity(intensity) => Prescribed::Drive(drive_of_intensity(intensity)?),
+            CrackControl::Strip(strip) => {
+                let stress = self.strip_stress(&strip)?;
+                Prescribed::Drive(drive_of_intensity(self.strip(&strip)?.stress_intensity_factor(stress)?)?)
+            }
+        })
+    }
+
+    fn strip(&self, strip: &Strip) -> Result<PureShearStrip, Refusal> {
+        PureShearStrip::new(strip.half_height, strip.lateral, self.crack.plane, self.poisson_ratio.unwrap_or(0.0))
+    }
+
+    /// Stress far ahead of the tip (Pa): given, or that of the relaxed material at the given strain.
+    fn strip_stress(&self, strip: &Strip) -> Result<f64, Refusal> {
+        match strip.load {
+            StripLoad::Stress(stress) => Ok(stress),
+            StripLoad::Strain(strain) => {
+                let modulus = self.youngs_material.solid_modulus("the stress of a strip held at a strain")?;
+                self.strip(strip)?.stress_by_grip_displacement(strain * strip.half_height, modulus)
+            }
+        }
+    }
+
+    /// Kernel evaluations of one point of a theory's curve.
+    fn kernels_per_point(&self, theory: Theory) -> u64 {
+        let creep = self.plane_material.creep_kernel_count();
+        let relaxation = self.plane_material.relaxation_kernel_count();
+        let zone = match self.crack.process_zone {
+            ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } => creep,
+            _ => 0,
+        };
+        match (theory, self.crack.motion) {
+            (Theory::CohesiveZone, Motion::Opening) => creep,
+            (Theory::CohesiveZone, Motion::Closing) => 2 * creep,
+            (_, Motion::Opening) => creep,
+            (_, Motion::Closing) => relaxation + zone,
+        }
+    }
+
+    /// What one state is expected to take.
+    pub(super) fn predicted_work(&self) -> Work {
+        // Measured over the shipped scenes: a given speed takes 2 limits, 3 to 8 Newton steps and the certificate; a given load a few more
+        // to bracket it.
+        let points = match (self.crack.control, self.plane_material.is_elastic()) {
+            (_, true) => 4,
+            (CrackControl::Speed(_), _) => 8,
+            _ => 11,
+        };
+        let mut work = Work::default();
+        for &theory in &self.crack.theories {
+            work.closure_evaluations += points;
+            work.kernel_evaluations += points * self.kernels_per_point(theory);
+            if theory == Theory::VirtualWork
+                && let Some(fields) = self.crack.fields
+            {
+                work.field_evaluations += u64::from(fields.points);
+            }
+        }
+        work
+    }
+}
+
+/// The curve of any theory.
+enum TheoryCurve<'a> {
+    VirtualWork(VirtualWork<'a>),
+    PerssonBrener(PerssonBrener<'a>),
+    CohesiveZone(CohesiveZone<'a>),
+}
+
+impl SteadyCurve for TheoryCurve<'_> {
+    fn point(&self, crossing_time: f64) -> Result<CurvePoint, Refusal> {
+        match self {
+            Self::VirtualWork(curve) => curve.point(crossing_time),
+            Self::PerssonBrener(curve) => curve.point(crossing_time),
+            Self::CohesiveZone(curve) => curve.point(crossing_time),
+        }
+    }
+
+    fn material(&self) -> &Material {
+        match self {
+            Self::VirtualWork(curve) => curve.material(),
+            Self::PerssonBrener(curve) => curve.material(),
+            Self::CohesiveZone(curve) => curve.material(),
+        }
+    }
+
+    fn motion(&self) -> Motion {
+        match self {
+            Self::VirtualWork(curve) => curve.motion(),
+            Self::PerssonBrener(curve) => curve.motion(),
+            Self::CohesiveZone(curve) => curve.motion(),
+        }
+    }
+}
