@@ -1,1 +1,3 @@
+//! Speed of steady cracks beside raw quadrature.
+
 fn main() {}

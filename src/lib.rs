@@ -1,5 +1,6 @@
 //! Adhesive contact and fracture of linear viscoelastic solids, from one energy balance at the edge.
 
+pub mod cli;
 pub mod closure;
 pub mod continuation;
 pub mod crack;

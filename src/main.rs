@@ -1,3 +1,5 @@
 //! The command line of viscotack.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    viscotack::cli::main()
+}

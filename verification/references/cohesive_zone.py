@@ -50,7 +50,7 @@ def _points(setting, breaks):
 def opening_influence(setting):
     """A function of (r, 1 - r)."""
     near = [(q * q, 4 / mp.pi * mp.atan(1 / q) * q * w)
-            for q, w in _points(setting, [mpf(0)] + geometric(mpf("1e-5"), mpf(1), 4))]
+            for q, w in _points(setting, [mpf(0)] + geometric(mpf("1e-8"), mpf(1), 4))]
     far = [(p * p, 4 / mp.pi * mp.atan(p) / p * w) for p, w in _points(setting, [mpf(0), mpf(1)])]  # p = 1/q
 
     def influence(r, rest):

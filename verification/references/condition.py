@@ -4,7 +4,7 @@ This is advice to whoever compares in double precision, not a reference value, s
 
 A closing crack whose process zone grows with G is nearly vertical in a plot of G over v: where G is proportional to T,
 delta is too, and v = delta/T stands still. The factor is (<R> - R(T))/R(T), up to about beta/ln(beta): at beta = 1e6 a
-speed rounded to double fixes G to eleven or twelve digits only. Opening cracks have factors below 1.
+speed rounded to double fixes G to eleven digits only. Opening cracks have factors below 1.
 """
 
 from mpmath import mp, mpf

@@ -1,0 +1,48 @@
+//! `viscotack explain`: what a scene simulates and leaves out, by which method, at what cost; nothing is solved.
+
+use super::scene_source::SceneSource;
+use super::{Failure, SceneArguments, print};
+use crate::plan::Plan;
+use serde_json::json;
+use std::fmt::Write as _;
+
+pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Failure> {
+    let source = SceneSource::load(arguments)?;
+    let plan = Plan::new(&source.scene)?;
+    let work = plan.predicted_work();
+    if json {
+        let value = json!({
+            "title": source.scene.title,
+            "problem": plan.problem(),
+            "states": plan.states(),
+            "effects": plan.effects(),
+            "method": plan.method(),
+            "groups": plan.groups(),
+            "predicted_work": work,
+            "accuracy": source.scene.accuracy,
+        });
+        print(&format!("{value:#}\n"));
+        return Ok(0);
+    }
+    let mut text = format!("{}\nproblem: {}, {} states, accuracy {:e}\n", source.scene.title, plan.problem(), plan.states(), source.scene.accuracy);
+    let _ = writeln!(text, "\neffects");
+    for effect in plan.effects() {
+        let _ = writeln!(text, "  {:3}  {:22} {}", if effect.on { "on" } else { "off" }, effect.name, effect.why);
+    }
+    let _ = writeln!(text, "\nmethod");
+    for sentence in plan.method() {
+        let _ = writeln!(text, "  {sentence}");
+    }
+    let _ = writeln!(text, "\ncharacteristic numbers");
+    for group in plan.groups() {
+        let unit = if group.unit == "1" { "" } else { &group.unit };
+        let _ = writeln!(text, "  {:32} {:.6e} {unit}", group.name, group.value);
+    }
+    let _ = writeln!(
+        text,
+        "\npredicted work\n  {} balances, {} kernel evaluations, {} field points",
+        work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
+    );
+    print(&text);
+    Ok(0)
+}

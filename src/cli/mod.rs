@@ -1,0 +1,144 @@
+//! The commands, and nothing else: each reads a scene, asks the plan, and prints.
+//!
+//! Exit codes: 0 solved, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
+
+mod cite;
+mod explain;
+mod new;
+mod run;
+mod scene_source;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Adhesive contact and fracture of linear viscoelastic solids, from one energy balance at the edge.
+#[derive(Debug, Parser)]
+#[command(name = "viscotack", version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("VISCOTACK_COMMIT"), ")"), about)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Print a commented scene to start from
+    New {
+        /// The problem; without it, the problems are listed
+        problem: Option<String>,
+        /// Write it to a file instead, which must not exist
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
+    },
+    /// Solve a scene
+    Run {
+        #[command(flatten)]
+        scene: SceneArguments,
+        /// Write summary.json, tables and plots to this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Replace the folder if it exists
+        #[arg(long, requires = "out")]
+        force: bool,
+        /// Print summary.json instead of the table
+        #[arg(long)]
+        json: bool,
+    },
+    /// Say what a scene simulates and leaves out, why, by which method, at what cost; solves nothing
+    Explain {
+        #[command(flatten)]
+        scene: SceneArguments,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print the JSON schema of a scene, for editors
+    Schema,
+    /// Print the papers behind what a scene uses, as BibTeX
+    Cite {
+        /// The scene; without it, all papers
+        scene: Option<PathBuf>,
+    },
+    /// Print completions for a shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+}
+
+#[derive(Debug, clap::Args)]
+struct SceneArguments {
+    /// The scene, a TOML file
+    scene: PathBuf,
+    /// Put a value into the scene, as in --set crack.speed='"1 mm/s"' or --set sweep.points=20; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    sets: Vec<String>,
+}
+
+/// Ends of a command other than success.
+enum Failure {
+    /// The scene or the call is wrong: exit 2.
+    Wrong(String),
+}
+
+impl From<crate::scene::SceneError> for Failure {
+    fn from(error: crate::scene::SceneError) -> Self {
+        Self::Wrong(error.rendered())
+    }
+}
+
+impl From<crate::plan::RunError> for Failure {
+    fn from(error: crate::plan::RunError) -> Self {
+        match error {
+            crate::plan::RunError::Scene(error) => error.into(),
+            other => Self::Wrong(format!("error: {other}\n")),
+        }
+    }
+}
+
+impl From<crate::outcome::folder::FolderError> for Failure {
+    fn from(error: crate::outcome::folder::FolderError) -> Self {
+        Self::Wrong(format!("error: {error}\n"))
+    }
+}
+
+impl From<crate::refusal::Refusal> for Failure {
+    fn from(refusal: crate::refusal::Refusal) -> Self {
+        Self::Wrong(format!("error: {refusal}\n"))
+    }
+}
+
+/// Runs the command line.
+#[must_use]
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let result = match arguments.command {
+        Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
+        Command::Run { scene, out, force, json } => run::run(&scene, out.as_deref(), force, json),
+        Command::Explain { scene, json } => explain::explain(&scene, json),
+        Command::Schema => {
+            print(&format!("{:#}\n", crate::scene::schema::schema()));
+            Ok(0)
+        }
+        Command::Cite { scene } => cite::cite(scene),
+        Command::Completions { shell } => {
+            let mut bytes = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "viscotack", &mut bytes);
+            print(&String::from_utf8_lossy(&bytes));
+            Ok(0)
+        }
+    };
+    match result {
+        Ok(code) => ExitCode::from(code),
+        Err(Failure::Wrong(message)) => {
+            let _ = std::io::stderr().write_all(message.as_bytes());
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Writes to standard output; a reader that has gone away (`| head`) is no error.
+fn print(text: &str) {
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}

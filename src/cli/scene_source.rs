@@ -1,0 +1,32 @@
+//! A scene from a file and `--set`s, read and typed.
+
+use super::SceneArguments;
+use crate::scene::typed::Scene;
+use crate::scene::{Document, SceneError, read};
+
+/// A scene, as a document to vary and as a typed whole.
+pub(super) struct SceneSource {
+    pub(super) document: Document,
+    pub(super) scene: Scene,
+    /// The text of the file, headed by the `--set`s as comments.
+    pub(super) text: String,
+}
+
+impl SceneSource {
+    pub(super) fn load(arguments: &SceneArguments) -> Result<Self, SceneError> {
+        let mut document = Document::load(&arguments.scene)?;
+        let mut text: String = arguments.sets.iter().map(|set| format!("# --set {}\n", set.replace(['\n', '\r'], " "))).collect();
+        text.push_str(document.root.place.source.text());
+        // Another material file is named before files are read, any other key is set after.
+        let (files, others): (Vec<&String>, Vec<&String>) = arguments.sets.iter().partition(|set| set.trim_start().starts_with("material.file"));
+        for set in files {
+            document.set(set)?;
+        }
+        read::resolve_includes(&mut document)?;
+        for set in others {
+            document.set(set)?;
+        }
+        let scene = read::read(&document)?;
+        Ok(Self { document, scene, text })
+    }
+}
