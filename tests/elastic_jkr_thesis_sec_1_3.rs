@@ -56,13 +56,13 @@ fn energy_released_by_the_rim_is_the_work_of_adhesion() {
                 0.4 * start.force * start.penetration + 0.5 * (start.force + end) * (state.penetration - start.penetration)
             };
             let a = state.contact_radius;
-            assert_relative_eq!(energy(a), sphere.strain_energy(a, state.penetration).unwrap(), max_relative = 1e-12);
+            assert_relative_eq!(energy(a), sphere.strain_energy(a, state.penetration).unwrap(), epsilon = 0.0, max_relative = 1e-12);
             // Stationary total energy U − πa²Δγ: dU/dA = +Δγ, for U grows with the stuck area.
             let release = slope(energy, a) / (2.0 * PI * a);
-            assert_relative_eq!(release, work, max_relative = 1e-7);
+            assert_relative_eq!(release, work, epsilon = 0.0, max_relative = 1e-7);
             let factor = sphere.stress_intensity_factor(a, state.penetration).unwrap();
             assert!(factor > 0.0);
-            assert_relative_eq!(factor * factor / (2.0 * modulus), work, max_relative = 1e-11);
+            assert_relative_eq!(factor * factor / (2.0 * modulus), work, epsilon = 0.0, max_relative = 1e-11);
             // Stable under fixed penetration when the total energy has a minimum there, i.e. G − Δγ grows with a.
             let growth = slope(|a| sphere.stress_intensity_factor(a, state.penetration).unwrap().powi(2) / (2.0 * modulus), a);
             assert_eq!(sphere.is_stable(&state, Control::Penetration), growth > 0.0);
@@ -108,7 +108,7 @@ fn pressure_carries_force_and_depth_and_the_gap_is_abels() {
                     let (left, right) = (end * f64::from(i) / f64::from(m), end * f64::from(i + 1) / f64::from(m));
                     sum + (right - left) / 6.0 * (f(left) + 4.0 * f(0.5 * (left + right)) + f(right))
                 });
-                assert_relative_eq!(sphere.gap(a, r).unwrap(), 2.0 / PI * integral, max_relative = 1e-11);
+                assert_relative_eq!(sphere.gap(a, r).unwrap(), 2.0 / PI * integral, epsilon = 0.0, max_relative = 1e-11);
             }
             assert!(sphere.gap(a, a).unwrap().abs() < f64::MIN_POSITIVE && sphere.pressure(a, a).is_err());
         }
@@ -123,28 +123,33 @@ fn folds_and_jump_in_stand_where_the_branch_turns() {
         let unit = PI * radius * work;
         let load = sphere.pull_off(Control::Load).unwrap();
         let depth = sphere.pull_off(Control::Penetration).unwrap();
-        assert_relative_eq!(load.force, -1.5 * unit, max_relative = 2e-15);
-        assert_relative_eq!(depth.force, -5.0 / 6.0 * unit, max_relative = 3e-15);
+        assert_relative_eq!(load.force, -1.5 * unit, epsilon = 0.0, max_relative = 2e-15);
+        assert_relative_eq!(depth.force, -5.0 / 6.0 * unit, epsilon = 0.0, max_relative = 3e-15);
         for state in [load, depth] {
             // Each is an equilibrium of the printed relations …
             let a = state.contact_radius;
             let lift = (2.0 * PI * a * work / modulus).sqrt();
-            assert_relative_eq!(state.penetration, a * a / radius - lift, max_relative = 2e-15);
-            assert_relative_eq!(state.force, sphere.force(a, state.penetration).unwrap(), max_relative = 4e-15);
+            assert_relative_eq!(state.penetration, a * a / radius - lift, epsilon = 0.0, max_relative = 2e-15);
+            assert_relative_eq!(state.force, sphere.force(a, state.penetration).unwrap(), epsilon = 0.0, max_relative = 4e-15);
         }
         // … and no neighbour passes it.
         for step in [-1e-3, 1e-3] {
             // 1.5e-3 in q moves F/F_A = q(q − 2) by q's square; 5e-4 in y moves y⁴ − 4y = −3 by 6 times its square.
             let force = sphere.state_by_contact_radius(load.contact_radius * (1.0 + step)).unwrap().force;
-            assert_relative_eq!(1.0 - force / load.force, 2.25e-6, max_relative = 2e-3);
+            assert_relative_eq!(1.0 - force / load.force, 2.25e-6, epsilon = 0.0, max_relative = 2e-3);
             let penetration = sphere.state_by_contact_radius(depth.contact_radius * (1.0 + step)).unwrap().penetration;
-            assert_relative_eq!(1.0 - penetration / depth.penetration, 5e-7, max_relative = 2e-3);
+            assert_relative_eq!(1.0 - penetration / depth.penetration, 5e-7, epsilon = 0.0, max_relative = 2e-3);
         }
-        assert_relative_eq!(sphere.unloaded().unwrap().contact_radius.powi(3), 4.5 * unit * radius / modulus, max_relative = 4e-15);
+        assert_relative_eq!(
+            sphere.unloaded().unwrap().contact_radius.powi(3),
+            4.5 * unit * radius / modulus,
+            epsilon = 0.0,
+            max_relative = 4e-15
+        );
         assert!(sphere.unloaded().unwrap().force.abs() < 1e-15 * unit);
         let jump = sphere.jump_in(Control::Penetration).unwrap();
-        assert_relative_eq!(jump.force, -4.0 / 3.0 * unit, max_relative = 3e-15);
-        assert_relative_eq!(jump.contact_radius.powi(3), 2.0 * unit * radius / modulus, max_relative = 4e-15);
+        assert_relative_eq!(jump.force, -4.0 / 3.0 * unit, epsilon = 0.0, max_relative = 3e-15);
+        assert_relative_eq!(jump.contact_radius.powi(3), 2.0 * unit * radius / modulus, epsilon = 0.0, max_relative = 4e-15);
         assert_eq!(sphere.jump_in(Control::Load).unwrap(), sphere.unloaded().unwrap());
     }
 }
@@ -159,17 +164,17 @@ fn inverses_return_to_the_state_they_came_from() {
                 sphere.state_by_force(state.force, branch(Control::Load)).unwrap(),
                 sphere.state_by_penetration(state.penetration, branch(Control::Penetration)).unwrap(),
             ] {
-                assert_relative_eq!(twin.contact_radius, state.contact_radius, max_relative = 2.0 * twin.relative_error);
+                assert_relative_eq!(twin.contact_radius, state.contact_radius, epsilon = 0.0, max_relative = 2.0 * twin.relative_error);
             }
         }
         // The folds themselves are answered, and one part in 1e12 beyond them is refused with the limit as witness.
         for branch in [EquilibriumBranch::Stable, EquilibriumBranch::Unstable] {
             let load = sphere.pull_off(Control::Load).unwrap();
             let state = sphere.state_by_force(load.force, branch).unwrap();
-            assert_relative_eq!(state.contact_radius, load.contact_radius, max_relative = state.relative_error);
+            assert_relative_eq!(state.contact_radius, load.contact_radius, epsilon = 0.0, max_relative = state.relative_error);
             let depth = sphere.pull_off(Control::Penetration).unwrap();
             let state = sphere.state_by_penetration(depth.penetration, branch).unwrap();
-            assert_relative_eq!(state.contact_radius, depth.contact_radius, max_relative = state.relative_error);
+            assert_relative_eq!(state.contact_radius, depth.contact_radius, epsilon = 0.0, max_relative = state.relative_error);
             let refusal = sphere.state_by_force(load.force * (1.0 + 1e-12), branch).unwrap_err();
             assert!(matches!(refusal, Refusal::NoSuchState { limit, .. } if limit < 0.0 && (limit / load.force - 1.0).abs() < 1e-15));
             let refusal = sphere.state_by_penetration(depth.penetration * (1.0 + 1e-12), branch).unwrap_err();
@@ -194,13 +199,13 @@ fn units_do_not_matter() {
                 metres.state_by_force(force, EquilibriumBranch::Stable).unwrap(),
                 millimetres.state_by_force(force, EquilibriumBranch::Stable).unwrap(),
             );
-            assert_relative_eq!(a.contact_radius * 1e3, b.contact_radius, max_relative = 5e-15);
-            assert_relative_eq!(a.penetration * 1e3, b.penetration, max_relative = 5e-14);
+            assert_relative_eq!(a.contact_radius * 1e3, b.contact_radius, epsilon = 0.0, max_relative = 5e-15);
+            assert_relative_eq!(a.penetration * 1e3, b.penetration, epsilon = 0.0, max_relative = 5e-14);
             let (c, d) = (
                 metres.state_by_penetration(a.penetration, EquilibriumBranch::Stable).unwrap(),
                 millimetres.state_by_penetration(a.penetration * 1e3, EquilibriumBranch::Stable).unwrap(),
             );
-            assert_relative_eq!(c.contact_radius * 1e3, d.contact_radius, max_relative = 5e-15);
+            assert_relative_eq!(c.contact_radius * 1e3, d.contact_radius, epsilon = 0.0, max_relative = 5e-15);
             assert_relative_eq!(c.force, d.force, epsilon = 1e-13 * metres.pull_off_force(), max_relative = 1e-13);
         }
     }
@@ -215,9 +220,9 @@ fn limits_are_hertz_and_kendall() {
     let hertz = HertzSphere::new(radius, modulus).unwrap().state_by_force(force).unwrap();
     let state = sphere.state_by_force(force, EquilibriumBranch::Stable).unwrap();
     // q = 1 + √(1 + F/F_A) against √(F/F_A), and a ∝ q^{2/3}: the first correction is (2/3)·10⁻⁴.
-    assert_relative_eq!(state.contact_radius / hertz.contact_radius - 1.0, 2.0 / 3.0 * 1e-4, max_relative = 1e-3);
+    assert_relative_eq!(state.contact_radius / hertz.contact_radius - 1.0, 2.0 / 3.0 * 1e-4, epsilon = 0.0, max_relative = 1e-3);
     let small = sphere.state_by_contact_radius(1e-6 * sphere.pull_off(Control::Load).unwrap().contact_radius).unwrap();
     let punch = KendallPunch::new(small.contact_radius, modulus, work).unwrap();
-    assert_relative_eq!(small.force, -punch.pull_off_force().unwrap(), max_relative = 1e-8);
-    assert_relative_eq!(small.penetration, punch.pull_off_penetration(), max_relative = 1e-8);
+    assert_relative_eq!(small.force, -punch.pull_off_force().unwrap(), epsilon = 0.0, max_relative = 1e-8);
+    assert_relative_eq!(small.penetration, punch.pull_off_penetration(), epsilon = 0.0, max_relative = 1e-8);
 }

@@ -21,14 +21,14 @@ fn number_is_the_height_of_the_neck_in_units_of_the_range() {
         (2.0e-8, 1.1e12, 0.05, 0.4e-9, AdhesionRegime::DerjaguinMullerToporov),
     ] {
         let number = TaborNumber::new(radius, modulus, work, range).unwrap();
-        assert_relative_eq!((number.value() * range).powi(3), radius * (work / modulus).powi(2), max_relative = 4e-15);
+        assert_relative_eq!((number.value() * range).powi(3), radius * (work / modulus).powi(2), epsilon = 0.0, max_relative = 4e-15);
         let neck = -JkrSphere::new(radius, modulus, work).unwrap().pull_off(Control::Load).unwrap().penetration;
-        assert_relative_eq!(neck / range, number.value() * (9.0 * PI / 8.0_f64).powf(2.0 / 3.0) / 3.0, max_relative = 4e-15);
+        assert_relative_eq!(neck / range, number.value() * (9.0 * PI / 8.0_f64).powf(2.0 / 3.0) / 3.0, epsilon = 0.0, max_relative = 4e-15);
         assert_eq!(number.regime(), regime);
         let millimetres = TaborNumber::new(radius * 1e3, modulus * 1e-6, work * 1e-3, range * 1e3).unwrap();
-        assert_relative_eq!(number.value(), millimetres.value(), max_relative = 2e-15);
+        assert_relative_eq!(number.value(), millimetres.value(), epsilon = 0.0, max_relative = 2e-15);
         let jkr = JkrSphere::new(radius, modulus, work).unwrap().pull_off_force();
-        assert_relative_eq!(rigid_pull_off_force(radius, work).unwrap() / jkr, 4.0 / 3.0, max_relative = 1e-15);
+        assert_relative_eq!(rigid_pull_off_force(radius, work).unwrap() / jkr, 4.0 / 3.0, epsilon = 0.0, max_relative = 1e-15);
     }
     assert!(TaborNumber::new(1.0, 1.0, 0.0, 1.0).is_err());
     assert!(TaborNumber::new(1.0, 1.0, 1.0, f64::NAN).is_err());

@@ -439,7 +439,8 @@ fn extremal_fraction(place: f64) -> f64 {
     sine * (sine - 3.0 * cosine)
 }
 
-/// How far a root moves when its residual is off by `residual`: |δ| ≤ min over the three Taylor terms, written as one smooth bound.
+/// How far a root moves when its residual is off by `residual`. Each Taylor term alone would move it by e/f′, √(2e/f″), ∛(6e/f‴); the sum of the
+/// denominators takes the least of the three, and the factors keep it a bound when two are alike and the derivatives are taken at the moved root.
 fn newton_error(residual: f64, (first, second, third): (f64, f64, f64)) -> f64 {
-    residual / (0.5 * first.abs() + (0.25 * residual * second.abs()).sqrt() + 0.25 * (residual * residual * third.abs()).cbrt())
+    residual / (0.25 * first.abs() + 0.25 * (residual * second.abs()).sqrt() + 0.2 * (residual * residual * third.abs()).cbrt())
 }

@@ -169,9 +169,9 @@ impl WestergaardWave {
             let value = if missing < 0.5 { missing - missing_penetration(x) } else { (1.0 + x) * (-x).exp() - fraction };
             (value, -x * (-x).exp())
         })?;
-        // T² = s²/c² = 1/(eˣ − 1); dx = error/(x e^{−x}) and d ln T = −½dx·eˣ/(eˣ − 1).
+        // T² = s²/c² = 1/(eˣ − 1). An error e of Δ/Λ moves x by e·eˣ/x and ln T by half of that over 1 − e^{−x}; the last bit of x moves ln T by half.
         let tangent = 1.0 / x.exp_m1().sqrt();
-        let error = 4.0 * f64::EPSILON * (1.0 + (fraction / x) * (1.0 + x).recip() / -(-x).exp_m1());
+        let error = f64::EPSILON * (2.0 * (1.0 + x) / (x * -(-x).exp_m1()) + x);
         Ok(WaveState { penetration, ..self.state(Edge { tangent }, error) })
     }
 
