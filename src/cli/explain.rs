@@ -24,7 +24,8 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         print(&format!("{value:#}\n"));
         return Ok(0);
     }
-    let mut text = format!("{}\nproblem: {}, {} states, accuracy {:e}\n", source.scene.title, plan.problem(), plan.states(), source.scene.accuracy);
+    let mut text =
+        format!("{}\nproblem: {}, {} states, accuracy {:e}\n", source.scene.title, plan.problem(), plan.states(), source.scene.accuracy);
     let _ = writeln!(text, "\neffects");
     for effect in plan.effects() {
         let _ = writeln!(text, "  {:3}  {:22} {}", if effect.on { "on" } else { "off" }, effect.name, effect.why);

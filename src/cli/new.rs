@@ -14,7 +14,8 @@ pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failu
         return Ok(0);
     };
     let Some(found) = template(name) else {
-        let meant = nearest(name, TEMPLATES.iter().map(|template| template.name)).map_or_else(String::new, |name| format!(" Did you mean {name}?"));
+        let meant =
+            nearest(name, TEMPLATES.iter().map(|template| template.name)).map_or_else(String::new, |name| format!(" Did you mean {name}?"));
         return Err(Failure::Wrong(format!("error: there is no problem `{name}`.{meant} The problems are:\n{}", list())));
     };
     let Some(path) = out else {

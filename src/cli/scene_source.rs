@@ -18,7 +18,8 @@ impl SceneSource {
         let mut text: String = arguments.sets.iter().map(|set| format!("# --set {}\n", set.replace(['\n', '\r'], " "))).collect();
         text.push_str(document.root.place.source.text());
         // Another material file is named before files are read, any other key is set after.
-        let (files, others): (Vec<&String>, Vec<&String>) = arguments.sets.iter().partition(|set| set.trim_start().starts_with("material.file"));
+        let (files, others): (Vec<&String>, Vec<&String>) =
+            arguments.sets.iter().partition(|set| set.trim_start().starts_with("material.file"));
         for set in files {
             document.set(set)?;
         }

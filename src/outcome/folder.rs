@@ -16,7 +16,9 @@ pub enum FolderError {
     #[error("the folder `{0}` exists already: choose another --out, or add --force to replace it")]
     Exists(String),
     /// The partial folder belongs to another run.
-    #[error("`{partial}` holds the unfinished run of another scene or build ({found}): remove it, choose another --out, or add --force to drop it")]
+    #[error(
+        "`{partial}` holds the unfinished run of another scene or build ({found}): remove it, choose another --out, or add --force to drop it"
+    )]
     OtherRun {
         /// The partial folder.
         partial: String,

@@ -114,6 +114,8 @@ pub struct Row {
     pub certificate: Option<Certificate>,
     /// What it took.
     pub work: Work,
+    /// The numbers that the validity of the model is judged by, in the order of the plan's assumptions; none where one does not apply.
+    pub assumptions: Vec<Option<f64>>,
     /// Fields, if asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fields: Vec<FieldPoint>,

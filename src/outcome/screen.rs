@@ -13,7 +13,11 @@ pub fn render(outcome: &Outcome) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "{}", outcome.title);
     let _ = writeln!(text, "{}", "─".repeat(outcome.title.chars().count().clamp(20, 100)));
-    if outcome.swept.is_empty() { single(&mut text, outcome) } else { sweep(&mut text, outcome) }
+    if outcome.swept.is_empty() {
+        single(&mut text, outcome)
+    } else {
+        sweep(&mut text, outcome)
+    }
     effects(&mut text, outcome);
     validity(&mut text, outcome);
     let work = outcome.work();
@@ -41,7 +45,11 @@ fn single(text: &mut String, outcome: &Outcome) {
         }
         if let Some(certificate) = row.certificate {
             let admissible = if certificate.admissible { "admissible" } else { "NOT admissible" };
-            let _ = writeln!(text, "  certificate: {admissible}, residual {:.1e}, condition {:.1e}", certificate.residual, certificate.condition);
+            let _ = writeln!(
+                text,
+                "  certificate: {admissible}, residual {:.1e}, condition {:.1e}",
+                certificate.residual, certificate.condition
+            );
         }
     }
 }

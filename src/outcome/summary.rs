@@ -61,8 +61,12 @@ fn result(outcome: &Outcome, row: &Row) -> Value {
             values.insert(column.name.to_owned(), json!({ "value": value, "error": error, "unit": column.unit }));
         }
     }
-    let swept: Map<String, Value> =
-        outcome.swept.iter().zip(&row.swept).map(|(swept, value)| (swept.key.clone(), json!({ "value": value, "unit": swept.unit }))).collect();
+    let swept: Map<String, Value> = outcome
+        .swept
+        .iter()
+        .zip(&row.swept)
+        .map(|(swept, value)| (swept.key.clone(), json!({ "value": value, "unit": swept.unit })))
+        .collect();
     json!({
         "swept": swept,
         "theory": row.theory,

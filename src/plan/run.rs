@@ -113,6 +113,7 @@ fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
             values: Vec::new(),
             certificate: None,
             work: Work::default(),
+            assumptions: Vec::new(),
             fields: Vec::new(),
         }]
     })

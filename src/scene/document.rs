@@ -114,8 +114,8 @@ impl Document {
             return Err(unreadable(format!("it has {size} bytes, more than {LARGEST_FILE}")));
         }
         let bytes = std::fs::read(path).map_err(|error| unreadable(error.to_string()))?;
-        let text = String::from_utf8(bytes)
-            .map_err(|error| unreadable(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
+        let text =
+            String::from_utf8(bytes).map_err(|error| unreadable(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
         Self::parse(&name, text, path.parent().unwrap_or_else(|| Path::new(".")))
     }
 
@@ -198,7 +198,8 @@ fn replace_in(node: &mut Node, path: &str, whole: &str, new: Node) -> Result<(),
             match head.parse::<usize>().ok().and_then(|index| items.get_mut(index)) {
                 Some(item) => item,
                 None => {
-                    let message = format!("`{whole}` does not exist: the list has {length} items, counted from 0, and `{head}` is none of them");
+                    let message =
+                        format!("`{whole}` does not exist: the list has {length} items, counted from 0, and `{head}` is none of them");
                     return Err(SceneError::at(&new.place, message, "for this key"));
                 }
             }
@@ -282,7 +283,8 @@ fn node_of(value: &Spanned<DeValue<'_>>, source: &SourceText) -> Node {
         DeValue::String(text) => Value::Text(text.to_string()),
         // An integer beyond 64 bits is still a number.
         DeValue::Integer(integer) => Value::Number(
-            i64::from_str_radix(integer.as_str(), integer.radix()).map_or_else(|_| integer.as_str().parse().unwrap_or(f64::NAN), |n| n as f64),
+            i64::from_str_radix(integer.as_str(), integer.radix())
+                .map_or_else(|_| integer.as_str().parse().unwrap_or(f64::NAN), |n| n as f64),
         ),
         DeValue::Float(float) => Value::Number(float.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(flag) => Value::Flag(*flag),

@@ -317,7 +317,7 @@ mod tests {
             ("1_000 m", 1000.0, Dimension::LENGTH),
             ("0.013 ms", 1.3e-5, Dimension::TIME),
             ("20 kPa √m", 2e4, Dimension::STRESS_INTENSITY),
-            ("1 MPa √mm", 1e5 / 10f64.sqrt() , Dimension::STRESS_INTENSITY),
+            ("1 MPa √mm", 1e5 / 10f64.sqrt(), Dimension::STRESS_INTENSITY),
         ] {
             let quantity = parse_quantity(text).unwrap();
             assert!((quantity.value - value).abs() <= f64::EPSILON * value.abs() * f64::from(u8::from(text.contains('√'))), "{text}");

@@ -35,10 +35,7 @@ pub fn reference_rows(name: &str) -> Vec<Row> {
     assert_eq!(stated.trim(), computed, "{name} was changed by hand");
     let mut reader = csv::Reader::from_reader(content.as_bytes());
     let columns = reader.headers().unwrap().clone();
-    reader
-        .records()
-        .map(|record| Row(columns.iter().map(str::to_owned).zip(record.unwrap().iter().map(str::to_owned)).collect()))
-        .collect()
+    reader.records().map(|record| Row(columns.iter().map(str::to_owned).zip(record.unwrap().iter().map(str::to_owned)).collect())).collect()
 }
 
 /// The materials of `reference_data/steady_crack_materials.csv`.

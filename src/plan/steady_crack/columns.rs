@@ -29,12 +29,7 @@ pub(super) const COLUMNS: [Definition; 11] = [
         reduced_unit: "Δγ",
         meaning: "G far from the tip, per unit area of crack; accuracy relative to at least Δγ.",
     },
-    Definition {
-        name: "energy_release_rate_ratio",
-        si_unit: "1",
-        reduced_unit: "1",
-        meaning: "G/Δγ; accuracy relative to at least 1.",
-    },
+    Definition { name: "energy_release_rate_ratio", si_unit: "1", reduced_unit: "1", meaning: "G/Δγ; accuracy relative to at least 1." },
     Definition {
         name: "stress_intensity",
         si_unit: "Pa √m",
@@ -65,12 +60,7 @@ pub(super) const COLUMNS: [Definition; 11] = [
         reduced_unit: "τ",
         meaning: "Time in which the tip crosses the process zone (Persson and Brener: a/(2πv)).",
     },
-    Definition {
-        name: "speed_exponent",
-        si_unit: "1",
-        reduced_unit: "1",
-        meaning: "d ln G/d ln v at this speed.",
-    },
+    Definition { name: "speed_exponent", si_unit: "1", reduced_unit: "1", meaning: "d ln G/d ln v at this speed." },
     Definition {
         name: "glassy_tip_radius",
         si_unit: "m",

@@ -16,7 +16,9 @@ impl SteadyCrackPlan {
         let (growing, law) = match self.crack.process_zone {
             ProcessZoneLaw::Length(_) => (false, "adhesion.process_zone.length fixes it"),
             ProcessZoneLaw::Cohesive { law: CohesiveLaw::Constant, .. } => (false, "law = \"constant\": its length at G = Δγ"),
-            ProcessZoneLaw::Cohesive { law: CohesiveLaw::Growing, .. } => (true, "law = \"growing\": with the square of the stress intensity"),
+            ProcessZoneLaw::Cohesive { law: CohesiveLaw::Growing, .. } => {
+                (true, "law = \"growing\": with the square of the stress intensity")
+            }
             ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } => (true, "law = \"schapery\": by Schapery's closing zone"),
         };
         let theory = |theory: Theory| self.crack.theories.contains(&theory);
@@ -73,8 +75,12 @@ impl SteadyCrackPlan {
                     (Theory::VirtualWork, Motion::Closing) => {
                         "virtual work, closing: the double integral (5.37) collapses exactly to the running mean of the relaxation function"
                     }
-                    (Theory::PerssonBrener, _) => "Persson–Brener: loss integral over the modes outside a cut-off, in closed form for each term",
-                    (Theory::CohesiveZone, _) => "cohesive zone: means of the creep function over a zone of constant stress, by Dawson's integral",
+                    (Theory::PerssonBrener, _) => {
+                        "Persson–Brener: loss integral over the modes outside a cut-off, in closed form for each term"
+                    }
+                    (Theory::CohesiveZone, _) => {
+                        "cohesive zone: means of the creep function over a zone of constant stress, by Dawson's integral"
+                    }
                 }
                 .to_owned(),
             );
@@ -115,7 +121,11 @@ impl SteadyCrackPlan {
                 groups.push(Group { name: "slowest speed scale a₀/τ_max".into(), value: zone / time, unit: unit("m/s", "a₀/τ") });
             }
             if let Some(term) = material.creep_terms().last() {
-                groups.push(Group { name: "fastest speed scale a₀/τ_min".into(), value: zone / term.retardation_time, unit: unit("m/s", "a₀/τ") });
+                groups.push(Group {
+                    name: "fastest speed scale a₀/τ_min".into(),
+                    value: zone / term.retardation_time,
+                    unit: unit("m/s", "a₀/τ"),
+                });
             }
         }
         groups

@@ -24,7 +24,10 @@ impl SteadyCrackPlan {
                 (true, false) => (at::RATIO, "energy_release_rate", r"$G/\Delta\gamma$"),
                 (false, _) => (at::STRESS_INTENSITY, "stress_intensity", "stress intensity $K$ (Pa √m)"),
             };
-            figures.push((format!("{stem}_against_speed"), figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), at::SPEED, column)));
+            figures.push((
+                format!("{stem}_against_speed"),
+                figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), at::SPEED, column),
+            ));
             figures.extend(self.against_swept(scene, &families));
         }
         figures.extend(self.field_figures(scene, rows));
@@ -69,17 +72,18 @@ impl SteadyCrackPlan {
             distance("behind"),
             Axis::logarithmic(if si { "displacement of one face $u$ (m)" } else { "displacement of one face $u/a_0$" }),
         );
-        let mut stress = Figure::new(
-            distance("ahead of"),
-            Axis::logarithmic(if si { r"stress $|\sigma|$ (Pa)" } else { r"stress $|\sigma|/E_0$" }),
-        );
+        let mut stress =
+            Figure::new(distance("ahead of"), Axis::logarithmic(if si { r"stress $|\sigma|$ (Pa)" } else { r"stress $|\sigma|/E_0$" }));
         for (index, row) in states.iter().enumerate() {
             let label = if scene.sweeps.is_empty() { String::new() } else { swept_label(scene, &row.swept) };
             let points = row.fields.iter().map(|point| (point.distance, point.displacement.value)).collect();
             opening = opening.with_curve(Curve::new(label.clone(), points).with_line(Line::Solid).with_colour(index));
             // Tension solid, compression dashed: one curve of |σ| in two pieces.
             let part = |sign: f64| {
-                row.fields.iter().map(|point| (point.distance, if point.stress.value * sign > 0.0 { point.stress.value.abs() } else { f64::NAN })).collect()
+                row.fields
+                    .iter()
+                    .map(|point| (point.distance, if point.stress.value * sign > 0.0 { point.stress.value.abs() } else { f64::NAN }))
+                    .collect()
             };
             let tension = if scene.sweeps.is_empty() { "tension".to_owned() } else { label };
             stress = stress.with_curve(Curve::new(tension, part(1.0)).with_line(Line::Solid).with_colour(index));

@@ -91,9 +91,13 @@ impl SteadyCrackPlan {
     fn curve(&self, theory: Theory) -> Result<TheoryCurve<'_>, Refusal> {
         let (material, motion, interface) = (&self.plane_material, self.crack.motion, self.interface(theory));
         Ok(match (theory, self.crack.process_zone) {
-            (Theory::CohesiveZone, ProcessZoneLaw::Cohesive { cohesive_stress, .. }) => {
-                TheoryCurve::CohesiveZone(CohesiveZone::new(material, motion, self.crack.work_of_adhesion, cohesive_stress, self.crack.body)?)
-            }
+            (Theory::CohesiveZone, ProcessZoneLaw::Cohesive { cohesive_stress, .. }) => TheoryCurve::CohesiveZone(CohesiveZone::new(
+                material,
+                motion,
+                self.crack.work_of_adhesion,
+                cohesive_stress,
+                self.crack.body,
+            )?),
             (Theory::CohesiveZone, ProcessZoneLaw::Length(_)) => {
                 return Err(Refusal::Undefined {
                     quantity: "the cohesive-zone theory",

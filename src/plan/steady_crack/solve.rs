@@ -28,6 +28,7 @@ impl SteadyCrackPlan {
             values: vec![None; COLUMNS.len()],
             certificate: None,
             work: Work::default(),
+            assumptions: Vec::new(),
             fields: Vec::new(),
         };
         if let Err(refusal) = self.fill(theory, &mut row) {
@@ -61,8 +62,12 @@ impl SteadyCrackPlan {
             Motion::Opening => ratio.value >= 1.0 && ratio.value <= beta,
             Motion::Closing => ratio.value <= 1.0 && ratio.value >= 1.0 / beta,
         });
-        row.certificate =
-            Some(Certificate { residual: state.residual, condition: self.condition(&state), admissible: admissible && state.drive.value > 0.0 });
+        row.certificate = Some(Certificate {
+            residual: state.residual,
+            condition: self.condition(&state),
+            admissible: admissible && state.drive.value > 0.0,
+        });
+        row.assumptions = self.assumptions(&row.values);
         if let (Some(fields), Theory::VirtualWork) = (self.crack.fields, theory) {
             row.fields = self.fields(&fields, &state)?;
             row.work.field_evaluations += u64::from(fields.points);
@@ -97,7 +102,8 @@ impl SteadyCrackPlan {
     /// The values of a row in the order of the columns, in the scene's units.
     fn values(&self, theory: Theory, state: &SteadyState) -> Result<Vec<Option<Estimate>>, Refusal> {
         let (work, body, material) = (self.crack.work_of_adhesion, self.crack.body, &self.plane_material);
-        let amplitude = Estimate::relative(body.intensity_squared(work, state.drive.value), state.drive.relative_error() + f64::EPSILON).powf(0.5);
+        let amplitude =
+            Estimate::relative(body.intensity_squared(work, state.drive.value), state.drive.relative_error() + f64::EPSILON).powf(0.5);
         let glassy = material.glassy_modulus();
         let (intensity, tip_intensity, displacement) = match self.crack.motion {
             Motion::Opening => (Some(amplitude), Some(amplitude), None),

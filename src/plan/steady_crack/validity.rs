@@ -1,46 +1,128 @@
-//! Where the model of a steady crack may be doubted, held against the rows.
+//! Where the model of a steady crack may be doubted: numbers formed for every row, and the verdict on the worst of them.
 
 use super::SteadyCrackPlan;
 use super::columns::at;
+use crate::estimate::Estimate;
 use crate::outcome::{Row, Validity, Verdict};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
 
-/// Below this a process zone is shorter than the molecules of a rubber (m).
-const SMALLEST_ZONE: f64 = 1e-9;
+/// Which way an assumption fails.
+#[derive(Clone, Copy)]
+enum Limit {
+    Below(f64),
+    Above(f64),
+}
+
+/// One assumption of the model.
+struct Assumption {
+    name: &'static str,
+    limit: Limit,
+    meaning: &'static str,
+}
+
+/// The assumptions, in the order of [`SteadyCrackPlan::assumptions`].
+const ASSUMPTIONS: [Assumption; 7] = [
+    Assumption {
+        name: "process zone (m)",
+        limit: Limit::Above(1e-9),
+        meaning: "a continuum needs a process zone longer than about 1 nm, the size of a molecule",
+    },
+    Assumption {
+        name: "face slope at the process zone",
+        limit: Limit::Below(0.3),
+        meaning: "linear elasticity wants slopes well below one there",
+    },
+    Assumption {
+        name: "cohesive stress over glassy modulus",
+        limit: Limit::Below(0.3),
+        meaning: "the material about the process zone must stay linear",
+    },
+    Assumption {
+        name: "process zone over strip half-height",
+        limit: Limit::Below(0.05),
+        meaning: "the square-root field of the tip must reach beyond the process zone",
+    },
+    Assumption {
+        name: "memory length v·τ_max over strip half-height",
+        limit: Limit::Below(0.3),
+        meaning: "faster cracks leave stiff material at the clamps, and the energy released is then not that of the relaxed strip",
+    },
+    Assumption {
+        name: "remote stress over cohesive stress",
+        limit: Limit::Below(0.1),
+        meaning: "the far stress must be small against the cohesive stress",
+    },
+    Assumption {
+        name: "remote strain of the strip",
+        limit: Limit::Below(0.2),
+        meaning: "small-strain theory; at large stretch take G from the measured energy density instead",
+    },
+];
 
 impl SteadyCrackPlan {
+    /// The numbers that the assumptions are judged by, for one row.
+    pub(super) fn assumptions(&self, values: &[Option<Estimate>]) -> Vec<Option<f64>> {
+        let value = |column: usize| values.get(column).copied().flatten().map(|estimate| estimate.value);
+        let zone = value(at::PROCESS_ZONE);
+        let cohesive = match self.crack.process_zone {
+            ProcessZoneLaw::Cohesive { cohesive_stress, .. } => Some(cohesive_stress),
+            ProcessZoneLaw::Length(_) => None,
+        };
+        let si = (self.units == Units::Si).then_some(());
+        let (mut zone_over_height, mut memory_over_height, mut stress_ratio, mut strain) = (None, None, None, None);
+        if let CrackControl::Strip(strip) = self.crack.control
+            && let (Ok(stress), Ok(geometry)) = (self.strip_stress(&strip), self.strip(&strip))
+        {
+            let height = strip.half_height;
+            zone_over_height = zone.map(|zone| zone / height);
+            memory_over_height =
+                value(at::SPEED).zip(self.plane_material.longest_retardation_time()).map(|(speed, time)| speed * time / height);
+            stress_ratio = cohesive.map(|cohesive| stress / cohesive);
+            // The stress of unit strain is the stiffness of the strip.
+            strain = geometry
+                .stress_by_grip_displacement(height, self.youngs_material.relaxed_modulus())
+                .ok()
+                .map(|stiffness| stress / stiffness);
+        }
+        vec![
+            si.and(zone),
+            // u(δ)/δ of one face with the tip radius r: √(2r/δ).
+            si.and(value(at::GLASSY_RADIUS).zip(zone).map(|(radius, zone)| (2.0 * radius / zone).sqrt())),
+            si.and(cohesive.map(|stress| stress / self.plane_material.glassy_modulus())),
+            zone_over_height,
+            memory_over_height,
+            stress_ratio,
+            strain,
+        ]
+    }
+
     pub(in crate::plan) fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries = Vec::new();
-        let value = |row: &Row, column: usize| row.values.get(column).copied().flatten().map(|estimate| estimate.value);
-        let column = |column: usize| rows.iter().filter_map(move |row| value(row, column));
-        let largest_zone = column(at::PROCESS_ZONE).fold(0.0, f64::max);
-        let smallest_zone = column(at::PROCESS_ZONE).fold(f64::INFINITY, f64::min);
-        if self.units == Units::Si && smallest_zone.is_finite() {
-            entries.push(judged(
-                "shortest process zone (m)",
-                smallest_zone,
-                smallest_zone >= SMALLEST_ZONE,
-                "a continuum needs a process zone longer than about 1 nm",
-            ));
-        }
-        // Both faces' slope at the end of the process zone, u(δ)/δ with the glassy radius r: √(2r/δ).
-        let slope = rows
+        let mut entries: Vec<Validity> = ASSUMPTIONS
             .iter()
-            .filter_map(|row| Some((2.0 * value(row, at::GLASSY_RADIUS)? / value(row, at::PROCESS_ZONE)?).sqrt()))
-            .fold(0.0, f64::max);
-        if self.units == Units::Si && slope > 0.0 {
-            entries.push(judged("face slope at the process zone", slope, slope < 0.3, "linear elasticity wants slopes well below one there"));
-        }
-        self.strip_validity(rows, largest_zone, &mut entries);
-        if let (ProcessZoneLaw::Cohesive { cohesive_stress, .. }, Units::Si) = (self.crack.process_zone, self.units) {
-            let ratio = cohesive_stress / self.plane_material.glassy_modulus();
-            entries.push(judged("cohesive stress over glassy modulus", ratio, ratio < 0.3, "the material about the process zone must stay linear"));
-        }
+            .enumerate()
+            .filter_map(|(index, assumption)| {
+                let values = rows.iter().filter_map(|row| row.assumptions.get(index).copied().flatten());
+                let (worst, good) = match assumption.limit {
+                    Limit::Below(limit) => {
+                        values.fold(None, |worst: Option<f64>, value| Some(worst.map_or(value, |w| w.max(value)))).map(|w| (w, w < limit))
+                    }
+                    Limit::Above(limit) => {
+                        values.fold(None, |worst: Option<f64>, value| Some(worst.map_or(value, |w| w.min(value)))).map(|w| (w, w > limit))
+                    }
+                }?;
+                Some(Validity {
+                    name: assumption.name.into(),
+                    value: Some(worst),
+                    verdict: if good { Verdict::Good } else { Verdict::Caution },
+                    meaning: assumption.meaning.into(),
+                })
+            })
+            .collect();
         entries.push(Validity {
             name: "constant Poisson ratio".into(),
             value: self.poisson_ratio,
-            verdict: Verdict::Good,
-            meaning: "assumed at all times; real rubbers keep it to a few per cent up to their glass transition".into(),
+            verdict: Verdict::NotJudged,
+            meaning: "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state".into(),
         });
         entries.push(Validity {
             name: "inertia and heat".into(),
@@ -50,41 +132,4 @@ impl SteadyCrackPlan {
         });
         entries
     }
-
-    fn strip_validity(&self, rows: &[Row], largest_zone: f64, entries: &mut Vec<Validity>) {
-        let CrackControl::Strip(strip) = self.crack.control else {
-            return;
-        };
-        if rows.is_empty() {
-            return;
-        }
-        let height = strip.half_height;
-        if largest_zone > 0.0 {
-            let ratio = largest_zone / height;
-            entries.push(judged("process zone over strip half-height", ratio, ratio < 0.05, "the tip's square-root field must reach beyond the process zone"));
-        }
-        let fastest = rows.iter().filter_map(|row| row.values.get(at::SPEED).copied().flatten()).map(|speed| speed.value).fold(0.0, f64::max);
-        if let Some(longest) = self.plane_material.longest_retardation_time() {
-            let ratio = fastest * longest / height;
-            entries.push(judged(
-                "memory length v·τ_max over strip half-height",
-                ratio,
-                ratio < 0.3,
-                "the strip must be relaxed one height from the tip; faster cracks leave stiff material at the clamps, and G is then not the relaxed one",
-            ));
-        }
-        if let (Ok(stress), ProcessZoneLaw::Cohesive { cohesive_stress, .. }) = (self.strip_stress(&strip), self.crack.process_zone) {
-            let ratio = stress / cohesive_stress;
-            entries.push(judged("remote stress over cohesive stress", ratio, ratio < 0.1, "far stress must be small against the cohesive stress"));
-        }
-        // A strain above about 20 % is beyond small-strain theory.
-        if let Ok(stress) = self.strip_stress(&strip) {
-            let strain = stress / self.youngs_material.relaxed_modulus().max(f64::MIN_POSITIVE);
-            entries.push(judged("remote strain (of the state planned)", strain, strain < 0.2, "small-strain theory; G of a rubber at large stretch needs its measured energy density"));
-        }
-    }
-}
-
-fn judged(name: &str, value: f64, good: bool, meaning: &str) -> Validity {
-    Validity { name: name.into(), value: Some(value), verdict: if good { Verdict::Good } else { Verdict::Caution }, meaning: meaning.into() }
 }

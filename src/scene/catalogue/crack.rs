@@ -12,11 +12,17 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::ENERGY_PER_AREA, range: Range::Positive, reduced: "1 (it is the unit)" },
         meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
     },
-    Key { path: "adhesion.process_zone", kind: Kind::Table, meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress." },
+    Key {
+        path: "adhesion.process_zone",
+        kind: Kind::Table,
+        meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress.",
+    },
     Key { path: "adhesion.process_zone.length", kind: LENGTH, meaning: "A fixed process-zone length δ." },
     Key {
         path: "adhesion.process_zone.cohesive_stress",
-        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (a₀ is the unit of length)" },
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (a₀ is the unit of length)"
+        },
         meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory takes it as its constant stress.",
     },
     Key {
@@ -82,7 +88,11 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::STRESS_INTENSITY, range: Range::Positive, reduced: "√(2E0Δγ)" },
         meaning: "K (closing: the remote K₁); the speed is found.",
     },
-    Key { path: "crack.strip", kind: Kind::Table, meaning: "Load through a long strip, clamped at both long edges, with the crack along its middle; the speed is found." },
+    Key {
+        path: "crack.strip",
+        kind: Kind::Table,
+        meaning: "Load through a long strip, clamped at both long edges, with the crack along its middle; the speed is found.",
+    },
     Key { path: "crack.strip.half_height", kind: LENGTH, meaning: "h, half the height of the unloaded strip." },
     Key {
         path: "crack.strip.strain",
@@ -105,5 +115,9 @@ pub(super) const KEYS: &[Key] = &[
     Key { path: "fields", kind: Kind::Table, meaning: "Opening and stress around the tip. Without it no field is evaluated." },
     Key { path: "fields.from", kind: LENGTH, meaning: "Smallest distance from the tip." },
     Key { path: "fields.to", kind: LENGTH, meaning: "Largest distance from the tip." },
-    Key { path: "fields.points", kind: Kind::Count { least: 2, most: 100_000 }, meaning: "How many distances, in equal ratios; default 200." },
+    Key {
+        path: "fields.points",
+        kind: Kind::Count { least: 2, most: 100_000 },
+        meaning: "How many distances, in equal ratios; default 200.",
+    },
 ];

@@ -18,8 +18,16 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 0.1), reduced: "1" },
         meaning: "Wanted bound on each value's error, relative to the larger of the value and its reference scale; default 1e-9.",
     },
-    Key { path: "sweep", kind: Kind::TableOrTables, meaning: "Solve for many values of one number, or of several: all combinations, the last one varying fastest." },
-    Key { path: "sweep.key", kind: Kind::Text, meaning: "The dotted path of the number to vary, for example `crack.speed` or `material.creep.0.compliance`." },
+    Key {
+        path: "sweep",
+        kind: Kind::TableOrTables,
+        meaning: "Solve for many values of one number, or of several: all combinations, the last one varying fastest.",
+    },
+    Key {
+        path: "sweep.key",
+        kind: Kind::Text,
+        meaning: "The dotted path of the number to vary, for example `crack.speed` or `material.creep.0.compliance`.",
+    },
     Key { path: "sweep.from", kind: Kind::NumberOfSweptKey, meaning: "The first value." },
     Key { path: "sweep.to", kind: Kind::NumberOfSweptKey, meaning: "The last value." },
     Key { path: "sweep.points", kind: Kind::Count { least: 1, most: 10_000_000 }, meaning: "How many values from first to last." },

@@ -8,8 +8,16 @@ const TIME: Kind = Kind::Number { dimension: Dimension::TIME, range: Range::Posi
 const FRACTION: Kind = Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 1.0), reduced: "1" };
 
 pub(super) const KEYS: &[Key] = &[
-    Key { path: "material", kind: Kind::Table, meaning: "The deformable solid. Without creep or relaxation terms it is elastic: no memory is simulated." },
-    Key { path: "material.file", kind: Kind::Text, meaning: "A TOML file whose [material] table is read in place of keys given here; relative to the scene." },
+    Key {
+        path: "material",
+        kind: Kind::Table,
+        meaning: "The deformable solid. Without creep or relaxation terms it is elastic: no memory is simulated.",
+    },
+    Key {
+        path: "material.file",
+        kind: Kind::Text,
+        meaning: "A TOML file whose [material] table is read in place of keys given here; relative to the scene.",
+    },
     Key { path: "material.name", kind: Kind::Text, meaning: "What the material is called in tables and plots." },
     Key {
         path: "material.relaxed_modulus",
@@ -33,10 +41,18 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::COMPLIANCE, range: Range::Positive, reduced: "1/E0" },
         meaning: "J_j; with exactly one of the two moduli.",
     },
-    Key { path: "material.creep[].fraction", kind: FRACTION, meaning: "J_j as a fraction of 1/E0 − 1/E∞; with both moduli, all fractions summing to 1." },
+    Key {
+        path: "material.creep[].fraction",
+        kind: FRACTION,
+        meaning: "J_j as a fraction of 1/E0 − 1/E∞; with both moduli, all fractions summing to 1.",
+    },
     Key { path: "material.creep[].retardation_time", kind: TIME, meaning: "τ_j, the time of a creep test." },
     Key { path: "material.relaxation", kind: Kind::Tables, meaning: "Terms E_i exp(−t/ρ_i) of the modulus." },
     Key { path: "material.relaxation[].modulus", kind: MODULUS, meaning: "E_i; with exactly one of the two moduli." },
-    Key { path: "material.relaxation[].fraction", kind: FRACTION, meaning: "E_i as a fraction of E∞ − E0; with both moduli, all fractions summing to 1." },
+    Key {
+        path: "material.relaxation[].fraction",
+        kind: FRACTION,
+        meaning: "E_i as a fraction of E∞ − E0; with both moduli, all fractions summing to 1.",
+    },
     Key { path: "material.relaxation[].relaxation_time", kind: TIME, meaning: "ρ_i, the time of a relaxation test." },
 ];

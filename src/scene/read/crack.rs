@@ -6,9 +6,7 @@ use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::{
-    CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, SceneMaterial, SteadyCrack, Strip, StripLoad, Theory,
-};
+use crate::scene::typed::{CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, SceneMaterial, SteadyCrack, Strip, StripLoad, Theory};
 
 /// α where a scene names none: with it the theory and Persson and Brener's have the same limits.
 const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;

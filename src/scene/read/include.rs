@@ -10,7 +10,8 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     let place = node.place.clone();
     let path = document.folder().join(&name);
     let text = std::fs::read_to_string(&path).map_err(|error| {
-        SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file").help("relative paths start at the scene")
+        SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file")
+            .help("relative paths start at the scene")
     })?;
     let source = SourceText::new(&name, text);
     let tree = parse_tree(&source)?;

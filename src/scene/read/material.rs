@@ -98,7 +98,11 @@ fn from_creep(table: &Section<'_>) -> Result<Material, SceneError> {
 fn from_relaxation(table: &Section<'_>) -> Result<Material, SceneError> {
     let items = table.items("relaxation");
     if items.is_empty() {
-        return Err(table.wrong("relaxation", "`material.relaxation` is an empty list", "add a term, or leave the key out for an elastic material"));
+        return Err(table.wrong(
+            "relaxation",
+            "`material.relaxation` is an empty list",
+            "add a term, or leave the key out for an elastic material",
+        ));
     }
     if table.node().get("viscosity").is_some() {
         let message = "`material.viscosity` belongs to a creep series; a relaxation series flows if relaxed_modulus = 0";
@@ -143,7 +147,11 @@ fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> R
     for item in items {
         let way = item.exactly_one(&[strength, "fraction"])?;
         if *first_way.get_or_insert(way) != way {
-            return Err(item.wrong(way, format!("`{}` among terms given in another way", item.full(way)), "give all terms in the same way"));
+            return Err(item.wrong(
+                way,
+                format!("`{}` among terms given in another way", item.full(way)),
+                "give all terms in the same way",
+            ));
         }
         strengths.push(item.required_number(way)?);
         times.push(item.required_number(time)?);
@@ -152,7 +160,9 @@ fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> R
         let sum: f64 = strengths.iter().sum();
         if (sum - 1.0).abs() > FRACTION_SLACK {
             let message = format!("the fractions sum to {sum}, not to 1");
-            return Err(items.last().map_or_else(|| SceneError::general(message.clone()), |last| last.wrong("fraction", &message, "the last of them")));
+            return Err(items
+                .last()
+                .map_or_else(|| SceneError::general(message.clone()), |last| last.wrong("fraction", &message, "the last of them")));
         }
         Ok((Strengths::Fractions(strengths), times))
     } else {
