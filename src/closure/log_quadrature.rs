@@ -31,8 +31,9 @@ const HALF_RANGE: f64 = 80.0;
 pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64, tolerance: f64) -> Result<Integral, Refusal> {
     let what = "the quadrature of the virtual work";
     let mut evaluations = 0;
-    let mut sum_of = |offset: f64, step: f64| -> f64 {
-        let mut sum = 0.0;
+    // The sum and the sum of magnitudes: where the integrand changes sign, rounding is relative to the latter.
+    let mut sum_of = |offset: f64, step: f64| -> [f64; 2] {
+        let [mut sum, mut magnitude] = [0.0; 2];
         let count = (HALF_RANGE / step) as i64;
         for index in -count..=count {
             let tau = offset + step * index as f64;
@@ -40,17 +41,21 @@ pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64,
             let decaying = (-tau.abs()).exp();
             let (small, large) = (decaying / (1.0 + decaying), 1.0 / (1.0 + decaying));
             let (left, right) = if tau < 0.0 { (small, large) } else { (large, small) };
-            sum += function(left, right) * small * large;
+            let summand = function(left, right) * small * large;
+            sum += summand;
+            magnitude += summand.abs();
             evaluations += 1;
         }
-        sum
+        [sum, magnitude]
     };
     let mut step = FIRST_STEP;
-    let mut sum = sum_of(0.0, step);
+    let [mut sum, mut magnitude] = sum_of(0.0, step);
     let mut last_change = f64::INFINITY;
     for _ in 0..MOST_HALVINGS {
         let coarse = sum * step;
-        sum += sum_of(0.5 * step, step);
+        let [between, between_magnitude] = sum_of(0.5 * step, step);
+        sum += between;
+        magnitude += between_magnitude;
         step *= 0.5;
         let value = sum * step;
         if !value.is_finite() {
@@ -64,7 +69,7 @@ pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64,
         let truncation = if squares { squared.min(change) } else { change };
         last_change = change;
         if truncation <= tolerance * value.abs() || value == 0.0 {
-            let rounding = 4.0 * f64::EPSILON * value.abs();
+            let rounding = 4.0 * f64::EPSILON * magnitude * step;
             return Ok(Integral { value, error: truncation + rounding, evaluations });
         }
     }

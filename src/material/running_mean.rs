@@ -25,7 +25,7 @@ pub struct WeightedMean {
 const KERNEL_ULPS: f64 = 8.0;
 
 impl Material {
-    /// 1/E∞·`glassy` + Σ J_j·k(T/τ_j) + (T/η)·`flow`, with the kernel k ≥ 0 rising from 0 and its derivative dk/d ln z ≥ 0.
+    /// 1/E∞·`glassy` + Σ J_j·k(T/τ_j) + (T/η)·`flow`, with a kernel k ≥ 0 that vanishes at z = 0, and dk/d ln z.
     pub fn creep_mean(&self, time: f64, glassy: f64, flow: f64, kernel: impl Fn(f64) -> (f64, f64)) -> WeightedMean {
         let (mut terms, mut slope, mut error) = (0.0, 0.0, 0.0);
         // Shortest time first: with equal strengths the smallest summands come last in either order, so any order will do.
