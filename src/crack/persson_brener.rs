@@ -15,6 +15,7 @@ use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::Interface;
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
+use std::f64::consts::TAU;
 
 /// Persson and Brener's theory of a steady crack.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,12 +67,13 @@ impl SteadyCurve for PerssonBrener<'_> {
         };
         let drive =
             WeightedMean { value: 1.0 / mean.value, log_slope: -mean.log_slope, relative_error: mean.relative_error + 0.5 * f64::EPSILON };
-        let cut_off = self.interface.zone_length(self.material, self.motion, crossing_time, &drive)?;
+        // The cut-off is crossed in a/v = 2πT, the time that Schapery's length asks for.
+        let cut_off = self.interface.zone_length(self.material, self.motion, TAU * crossing_time, &drive)?;
         Ok(CurvePoint {
             drive: drive.value,
             drive_log_slope: drive.log_slope,
             drive_relative_error: drive.relative_error,
-            crossing_length: cut_off.length / std::f64::consts::TAU,
+            crossing_length: cut_off.length / TAU,
             length_log_slope: cut_off.log_slope,
             length_relative_error: cut_off.relative_error + f64::EPSILON,
             kernel_evaluations: kernels + cut_off.kernel_evaluations,
