@@ -141,7 +141,9 @@ fn bounds_hold_where_the_integrand_cancels() {
         let fields = Fields(|d: f64| (1.0 - (4.0 - excess) * d / zone) / d.sqrt(), |s: f64| s.sqrt());
         let expected = 0.5 * PI * excess / 8.0;
         match process_zone_work(&fields, zone, 1e-3) {
-            Ok(work) => assert!((work.value - expected).abs() <= work.error, "{excess:e}: {:e} {expected:e} ± {:e}", work.value, work.error),
+            Ok(work) => {
+                assert!((work.value - expected).abs() <= work.error, "{excess:e}: {:e} {expected:e} ± {:e}", work.value, work.error)
+            }
             Err(refusal) => assert!(matches!(refusal, Refusal::NotConverged { .. }) && excess < 1e-12, "{excess:e}: {refusal}"),
         }
     }

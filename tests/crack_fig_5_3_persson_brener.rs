@@ -14,7 +14,7 @@
 //!
 //! Tolerance: 1e-13 for the reference times the local condition of a speed rounded to a double; the error bars must hold. Figures of the
 //! comparison are pinned to the digits printed.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 #[path = "support/physics.rs"]
 mod physics;
@@ -77,7 +77,8 @@ fn reference_values_are_reached_to_1e13() {
 fn pair(material: &Material, motion: Motion, alpha: f64, speed: f64) -> [f64; 2] {
     let work = VirtualWork::new(material, motion, interface(growing(alpha))).unwrap();
     let loss = PerssonBrener::new(material, motion, interface(growing(1.0))).unwrap();
-    [at_speed(&work, speed, 1e-15).unwrap(), at_speed(&loss, speed, 1e-15).unwrap()].map(|state| state.energy_release_rate_ratio.unwrap().value)
+    [at_speed(&work, speed, 1e-15).unwrap(), at_speed(&loss, speed, 1e-15).unwrap()]
+        .map(|state| state.energy_release_rate_ratio.unwrap().value)
 }
 
 /// a₀ = E0Δγ/(πσ_c²).
@@ -181,7 +182,9 @@ fn deviations_between_the_limits_are_these() {
         let material = Material::standard_solid(1.9e6, 1.9e6 * beta, 4.7e-3).unwrap();
         for (motion, expected) in [Motion::Opening, Motion::Closing].into_iter().zip(expected) {
             let [(ratio, at_speed), (shift, at_ratio)] = largest_deviations(&material, motion, FRAC_1_PI);
-            println!("β = {beta:e} {motion:?}: G deviates by {ratio:+.5} at v = {at_speed:.3e} a₀/τ, log10 v by {shift:+.5} at a load ratio of {at_ratio:.3e}");
+            println!(
+                "β = {beta:e} {motion:?}: G deviates by {ratio:+.5} at v = {at_speed:.3e} a₀/τ, log10 v by {shift:+.5} at a load ratio of {at_ratio:.3e}"
+            );
             if (ratio - expected[0]).abs() > 5e-4 * expected[0].abs() || (shift - expected[1]).abs() > 5e-4 * expected[1].abs() {
                 wrong.push((beta, motion, [ratio, shift], expected));
             }

@@ -146,12 +146,37 @@ fn fig_5_5b_energy_closure_with_schaperys_length_against_greenwood() {
     // α is a shift by −2 log10 α: the best one centres the range of the shift.
     let best = 10f64.powf(0.25 * (low + high));
     let centred = largest_log_deviation(best);
-    println!("ln(G/G_zone): α = 1 {:+.4} at v̂ = {:.3e}; α = 0.5 {:+.4} at {:.3e}; α = {best:.4} {:+.4} at {:.3e}", one.0, one.1, half.0, half.1, centred.0, centred.1);
+    println!(
+        "ln(G/G_zone): α = 1 {:+.4} at v̂ = {:.3e}; α = 0.5 {:+.4} at {:.3e}; α = {best:.4} {:+.4} at {:.3e}",
+        one.0, one.1, half.0, half.1, centred.0, centred.1
+    );
+    // The α with the smallest largest deviation of ln G, by golden section.
+    let (mut left, mut right) = (1.2, 3.5);
+    for _ in 0..14 {
+        let (a, b) = (right - 0.618 * (right - left), left + 0.618 * (right - left));
+        if largest_log_deviation(a).0.abs() < largest_log_deviation(b).0.abs() {
+            right = b;
+        } else {
+            left = a;
+        }
+    }
+    let closest = 0.5 * (left + right);
+    let smallest = largest_log_deviation(closest).0.abs();
+    println!("smallest of the largest |ln(G/G_zone)|: {smallest:.4} at α = {closest:.3}, 1/α = {:.3}", 1.0 / closest);
     println!("α = 0.5 as a factor of K₁ instead of its integral: {:+.4} at v̂ = {:.3e}", inverse.0, inverse.1);
     println!("log10 v at equal G, α = 1: from {low:+.4} to {high:+.4}; the best α leaves ±{:.4}", 0.5 * (high - low));
     // The overlap that the figure shows at α = 0.5 is not that of (5.43) as printed, which α = 0.5 takes further away (a factor 4.4 in G);
-    // with α in front of K₁ it is near the best there is, a factor 1.3 to 1.4.
-    let pinned = [(one.0, 0.8863), (half.0, 1.4841), (inverse.0, 0.2637), (best, 1.8108), (centred.0, 0.3539), (low, 0.1761), (high, 0.8554)];
+    // with α = 0.5 in front of K₁ it is near the best there is: a factor 1.30, and 1.24 at α = 0.474.
+    let pinned = [
+        (one.0, 0.8863),
+        (half.0, 1.4841),
+        (inverse.0, 0.2637),
+        (best, 1.8108),
+        (centred.0, 0.3539),
+        (low, 0.1761),
+        (high, 0.8554),
+        (smallest, 0.2150),
+    ];
     for (value, expected) in pinned {
         assert!((value - expected).abs() <= 5e-4_f64.max(5e-4 * expected.abs()), "{pinned:?}");
     }
@@ -216,7 +241,9 @@ fn erratum_15_eq_5_43_creep_since_the_material_entered_the_zone_and_alpha_of_k1(
         let integral = |argument: &dyn Fn(f64) -> f64| -> f64 {
             let panels = 400;
             (0..panels)
-                .flat_map(|panel| UNIT_RULE.iter().map(move |&(node, weight)| ((f64::from(panel) + node) / f64::from(panels), weight / f64::from(panels))))
+                .flat_map(|panel| {
+                    UNIT_RULE.iter().map(move |&(node, weight)| ((f64::from(panel) + node) / f64::from(panels), weight / f64::from(panels)))
+                })
                 .map(|(q, weight)| 2.0 * length.sqrt() * weight * material.creep(argument(length * q * q)))
                 .sum()
         };
@@ -232,7 +259,9 @@ fn erratum_15_eq_5_43_creep_since_the_material_entered_the_zone_and_alpha_of_k1(
         // α multiplies K₁: the length at equal K₁ and T falls like 1/α², where that of (5.25) rises like α.
         let twice = schapery(&material, 2.0 * alpha).point(state.crossing_time).unwrap();
         assert!(relative(twice.crossing_length, 0.25 * length) <= 1e-13);
-        let law = |factor: f64| VirtualWork::new(&material, Motion::Closing, interface(growing(factor))).unwrap().point(state.crossing_time).unwrap();
+        let law = |factor: f64| {
+            VirtualWork::new(&material, Motion::Closing, interface(growing(factor))).unwrap().point(state.crossing_time).unwrap()
+        };
         assert!(relative(law(2.0 * alpha).crossing_length, 2.0 * law(alpha).crossing_length) <= 1e-13);
     }
     // At rest (5.43) with α = 1 is Dugdale's length πK²/(8σ₀²), the same as the opening one.
@@ -330,13 +359,12 @@ fn erratum_20_fig_5_5a_overlap_of_the_closing_theories_is_at_1_over_pi_not_at_on
     let largest = |pair: &dyn Fn(f64, f64) -> f64, alpha: f64| -> f64 {
         (-300..=500).map(|index| pair(alpha, unit * 10f64.powf(f64::from(index) / 100.0)).abs()).fold(0.0, f64::max)
     };
-    let figures = [
-        largest(&growing_pair, FRAC_1_PI),
-        largest(&growing_pair, 0.5),
-        largest(&constant_pair, FRAC_1_PI),
-        largest(&constant_pair, 0.5),
-    ];
-    println!("largest |ln G/G_loss|: growing α = 1/π {:.4}, α = 0.5 {:.4}; constant {:.4}, {:.4}", figures[0], figures[1], figures[2], figures[3]);
+    let figures =
+        [largest(&growing_pair, FRAC_1_PI), largest(&growing_pair, 0.5), largest(&constant_pair, FRAC_1_PI), largest(&constant_pair, 0.5)];
+    println!(
+        "largest |ln G/G_loss|: growing α = 1/π {:.4}, α = 0.5 {:.4}; constant {:.4}, {:.4}",
+        figures[0], figures[1], figures[2], figures[3]
+    );
     assert!(figures[1] > 3.0 * figures[0] && figures[3] > 3.0 * figures[2], "{figures:?}");
     // The printed α ≈ 0.5 fails in the slow limit, where both are lines in v: by 2/π.
     let slow = 1e-7 * unit;

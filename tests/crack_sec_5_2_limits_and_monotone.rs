@@ -52,7 +52,11 @@ fn limits_of_speed_are_exact() {
                 let rest = at_speed(&curve, 0.0, 1e-14).unwrap();
                 let fast = at_speed(&curve, f64::INFINITY, 1e-14).unwrap();
                 assert!(rest.energy_release_rate_ratio.unwrap().value == 1.0, "{name} at rest: {:?}", rest.energy_release_rate_ratio);
-                assert!(fast.energy_release_rate_ratio.unwrap().value == fast_limit, "{name}: {:?} {fast_limit:e}", fast.energy_release_rate_ratio);
+                assert!(
+                    fast.energy_release_rate_ratio.unwrap().value == fast_limit,
+                    "{name}: {:?} {fast_limit:e}",
+                    fast.energy_release_rate_ratio
+                );
                 assert!(rest.speed_exponent == 0.0 && fast.speed_exponent == 0.0, "{name}");
                 assert!(rest.crossing_time.is_infinite() && fast.crossing_time == 0.0, "{name}");
                 for bad in [-1.0, f64::NAN] {
@@ -90,11 +94,13 @@ fn energy_release_rate_is_monotone_in_speed_and_between_its_limits() {
                     assert!(ratio.relative_error() < bar, "{name}: bar {:e} at slope {:e}", ratio.relative_error(), state.speed_exponent);
                     if let Some(before) = last {
                         let before_ratio = before.energy_release_rate_ratio.unwrap();
-                        let rise = if motion == Motion::Opening { ratio.value - before_ratio.value } else { before_ratio.value - ratio.value };
+                        let rise =
+                            if motion == Motion::Opening { ratio.value - before_ratio.value } else { before_ratio.value - ratio.value };
                         let noise = ratio.error + before_ratio.error;
                         // The smaller of the two slopes times the step in ln v is a lower bound of the true change up to convexity.
                         let step = (speed / before.speed.value).ln();
-                        let expected = 0.3 * step * state.speed_exponent.abs().min(before.speed_exponent.abs()) * ratio.value.min(before_ratio.value);
+                        let expected =
+                            0.3 * step * state.speed_exponent.abs().min(before.speed_exponent.abs()) * ratio.value.min(before_ratio.value);
                         if expected > 2.0 * noise {
                             assert!(rise > 0.0, "{name} at v = {speed:e}: {rise:e}, expected {expected:e}");
                             strict += 1;
@@ -125,7 +131,12 @@ fn speed_at_a_load_has_a_backward_error_below_1e13() {
                     continue;
                 }
                 let mut wanted: Vec<f64> = (0..8).map(|_| beta.powf(random.unit())).collect();
-                wanted.extend([1.0 + 1e-10 * (beta - 1.0), 1.0 + 1e-6 * (beta - 1.0), beta * (1.0 - 1e-10 * (1.0 - 1.0 / beta)), beta * (1.0 - 1e-5 * (1.0 - 1.0 / beta))]);
+                wanted.extend([
+                    1.0 + 1e-10 * (beta - 1.0),
+                    1.0 + 1e-6 * (beta - 1.0),
+                    beta * (1.0 - 1e-10 * (1.0 - 1.0 / beta)),
+                    beta * (1.0 - 1e-5 * (1.0 - 1.0 / beta)),
+                ]);
                 for ratio in wanted {
                     let drive = match motion {
                         Motion::Opening => ratio * material.relaxed_modulus(),
@@ -137,7 +148,8 @@ fn speed_at_a_load_has_a_backward_error_below_1e13() {
                         continue;
                     }
                     let point = curve.point(state.crossing_time).unwrap();
-                    let backward = relative(point.drive, drive).max(relative(point.crossing_length / state.crossing_time, state.speed.value));
+                    let backward =
+                        relative(point.drive, drive).max(relative(point.crossing_length / state.crossing_time, state.speed.value));
                     assert!(backward <= 1e-13, "{name} G/Δγ = {ratio:e} of {beta:e}: {backward:e}");
                     worst = worst.max(backward);
                     count += 1;
@@ -198,7 +210,13 @@ fn loads_beyond_the_limits_are_refused_with_the_limit() {
                 let drive = if motion == Motion::Opening { ratio * 2.3e5 } else { 1.0 / (ratio * 2.3e5) };
                 match at_drive(&curve, drive, 1e-14) {
                     Err(Refusal::NoSuchState { reason, limit_name, limit }) => {
-                        let expected = if ratio < 1.0 { 1.0 } else if motion == Motion::Opening { 200.0 } else { 1.0 / 200.0 };
+                        let expected = if ratio < 1.0 {
+                            1.0
+                        } else if motion == Motion::Opening {
+                            200.0
+                        } else {
+                            1.0 / 200.0
+                        };
                         assert!(limit_name == "G/work_of_adhesion" && relative(limit, expected) < 1e-12, "{name}: {limit_name} {limit:e}");
                         assert!(reason.len() > 30, "{reason}");
                     }
@@ -227,7 +245,8 @@ fn alpha_is_exactly_a_shift_of_speed() {
             };
             for _ in 0..5 {
                 let ratio = material.stiffening_ratio().powf(random.between(0.05, 0.95));
-                let drive = if motion == Motion::Opening { ratio * material.relaxed_modulus() } else { 1.0 / (ratio * material.relaxed_modulus()) };
+                let drive =
+                    if motion == Motion::Opening { ratio * material.relaxed_modulus() } else { 1.0 / (ratio * material.relaxed_modulus()) };
                 let speed = |curve: Theory| at_drive(&curve, drive, 1e-15).unwrap().speed.value;
                 for (one, two) in [(0.3, 2.5), (1.0 / std::f64::consts::PI, 1.0)] {
                     worst = worst.max(relative(speed(curve(two)) / speed(curve(one)), two / one));
@@ -253,7 +272,8 @@ fn two_halves_are_one_against_rigid_at_half_the_work_of_adhesion() {
             for law in [ProcessZone::Constant { length: 3.1e-7 }, growing(0.4), growing(1.7)] {
                 let halves = Interface { work_of_adhesion: WORK, process_zone: law, body: CrackBody::TwoHalves };
                 let rigid = Interface { work_of_adhesion: 0.5 * WORK, process_zone: law, body: CrackBody::AgainstRigid };
-                let (one, two) = (VirtualWork::new(&material, motion, halves).unwrap(), VirtualWork::new(&material, motion, rigid).unwrap());
+                let (one, two) =
+                    (VirtualWork::new(&material, motion, halves).unwrap(), VirtualWork::new(&material, motion, rigid).unwrap());
                 let speed = random.decade(1e-9, 1e3);
                 let (left, right) = (at_speed(&one, speed, 1e-15).unwrap(), at_speed(&two, speed, 1e-15).unwrap());
                 // The same G/Δγ, so the same K, at the same speed.
@@ -331,7 +351,9 @@ fn metres_and_millimetres_agree() {
                 assert!(relative(two.crossing_length.value, one.crossing_length.value * 1e3) <= 1e-13 * (1.0 + one.speed_exponent.abs()));
                 worst = worst.max(error / (1.0 + one.speed_exponent.abs()));
             }
-            let zone = |material, work, stress| at_speed(&CohesiveZone::new(material, motion, work, stress, CrackBody::AgainstRigid).unwrap(), 3.7e-5, 1e-15).unwrap();
+            let zone = |material, work, stress| {
+                at_speed(&CohesiveZone::new(material, motion, work, stress, CrackBody::AgainstRigid).unwrap(), 3.7e-5, 1e-15).unwrap()
+            };
             let (one, two) = (zone(&si, WORK, STRESS), zone(&other, WORK * 1e-3, STRESS * 1e-6));
             let error = relative(two.energy_release_rate_ratio.unwrap().value, one.energy_release_rate_ratio.unwrap().value);
             assert!(error <= 1e-13 * (1.0 + one.speed_exponent.abs()), "{error:e}");
@@ -387,7 +409,10 @@ fn viscous_cracks_have_a_stress_intensity_and_no_energy_release_rate() {
             assert!(relative(0.5 * squared * mean.value, WORK) <= 1e-14, "{law:?} at {speed:e}");
             assert!(relative(state.crossing_length.value, length) <= 1e-14);
             let back = at_drive(&curve, state.drive.value, 1e-15).unwrap();
-            assert!((back.speed.value - speed).abs() <= back.speed.error + speed * state.drive.relative_error() / state.speed_exponent, "{law:?}");
+            assert!(
+                (back.speed.value - speed).abs() <= back.speed.error + speed * state.drive.relative_error() / state.speed_exponent,
+                "{law:?}"
+            );
             assert!(back.energy_release_rate_ratio.is_none());
         }
         // Slow flow: ⟨J⟩ → T/(2η), K² ∝ v at a constant zone and K² ∝ √v at a growing one.

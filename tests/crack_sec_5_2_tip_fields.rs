@@ -38,7 +38,7 @@ fn trumpet_between_its_two_parabolas_over_twenty_decades() {
         let speed = 3.7e-4;
         let length = speed * 0.023;
         let tip = OpeningTip::new(&material, RIGID, INTENSITY, speed).unwrap();
-        let mut before = None;
+        let mut before: Option<(f64, f64)> = None;
         for index in -200..=200 {
             let s = length * 10f64.powf(f64::from(index) / 20.0);
             let opening = tip.displacement(s).unwrap();
@@ -59,7 +59,7 @@ fn trumpet_between_its_two_parabolas_over_twenty_decades() {
             }
             // Slope ½ at both ends, more between, never less.
             if let Some((last_s, last)) = before {
-                let slope = (opening.value / last as f64).ln() / (s / last_s as f64).ln();
+                let slope = (opening.value / last).ln() / (s / last_s).ln();
                 assert!(slope >= 0.5 - 1e-13, "{slope}");
                 if near * beta < 1e-9 || far < 1e-9 {
                     assert!((slope - 0.5).abs() < 3e-9, "β = {beta:e}, s/vτ = {:e}: slope {slope}", s / length);
@@ -102,8 +102,10 @@ fn naive_difference_of_the_trumpet_loses_its_digits_near_the_tip() {
         let s = speed * 0.023 * 10f64.powi(exponent);
         let length = (speed * term.retardation_time).sqrt();
         // K√(8/π)[√s/E0 − J₁√(vτ)D(√(s/vτ))], Eq 5.11 with the integral done.
-        let naive = INTENSITY * (8.0 / PI).sqrt() * (s.sqrt() / material.relaxed_modulus() - term.compliance * length * dawson(s.sqrt() / length));
-        let near = INTENSITY * (8.0 * s / PI).sqrt() * (1.0 / material.glassy_modulus() + term.compliance * 2.0 / 3.0 * 10f64.powi(exponent));
+        let naive =
+            INTENSITY * (8.0 / PI).sqrt() * (s.sqrt() / material.relaxed_modulus() - term.compliance * length * dawson(s.sqrt() / length));
+        let near =
+            INTENSITY * (8.0 * s / PI).sqrt() * (1.0 / material.glassy_modulus() + term.compliance * 2.0 / 3.0 * 10f64.powi(exponent));
         let value = tip.displacement(s).unwrap().value;
         // The next term is −(4/15)(s/vτ)² J₁.
         assert!(relative(value, near) <= 0.4 * 10f64.powi(exponent) + 3e-15, "{value:e} {near:e}");
@@ -136,7 +138,10 @@ fn closing_stress_between_its_two_hyperbolas_over_twenty_decades() {
                 let scale = material.relaxed_modulus() + lost * far;
                 assert!((modulus - expected).abs() <= 4e-15 * scale, "far, β = {beta}: {modulus:e} {expected:e}");
             }
-            assert!((tip.displacement(d).unwrap().value - displacement * (8.0 * d / PI).sqrt()).abs() <= 4.0 * f64::EPSILON * displacement * d.sqrt());
+            assert!(
+                (tip.displacement(d).unwrap().value - displacement * (8.0 * d / PI).sqrt()).abs()
+                    <= 4.0 * f64::EPSILON * displacement * d.sqrt()
+            );
         }
         assert!(relative(tip.radius(), 4.0 / PI * displacement * displacement) <= 2.0 * f64::EPSILON);
         // Slope −½ at both ends; the far stress recovers K₁ only a factor β beyond vρ, at vτ.
@@ -173,7 +178,10 @@ fn a_compressive_zone_exists_if_one_drop_of_modulus_exceeds_the_factor_4_51() {
     // Many decades apart each drop counts by itself, E_i against all that is left behind it: β = 4⁶ = 4096 without compression …
     let stairs = |factor: f64, count: i32| {
         let terms: Vec<RelaxationTerm> = (0..count)
-            .map(|index| RelaxationTerm { modulus: 7.9e5 * factor.powi(index) * (factor - 1.0), relaxation_time: 10f64.powi(3 - 5 * index) })
+            .map(|index| RelaxationTerm {
+                modulus: 7.9e5 * factor.powi(index) * (factor - 1.0),
+                relaxation_time: 10f64.powi(3 - 5 * index),
+            })
             .collect();
         Material::from_relaxation(7.9e5, &terms).unwrap()
     };
@@ -226,7 +234,9 @@ fn closing_stress_carries_no_net_force_beyond_its_far_field() {
             let expected: f64 = material
                 .relaxation_terms()
                 .iter()
-                .map(|term| term.modulus * 2.0 * (speed * term.relaxation_time).sqrt() * dawson(left / (speed * term.relaxation_time).sqrt()))
+                .map(|term| {
+                    term.modulus * 2.0 * (speed * term.relaxation_time).sqrt() * dawson(left / (speed * term.relaxation_time).sqrt())
+                })
                 .sum::<f64>()
                 * displacement
                 / TAU.sqrt();
@@ -256,7 +266,8 @@ fn fields_in_two_unit_systems_and_for_two_halves() {
         let two = ClosingTip::new(&other, RIGID, 2.3e-4 * root, speed).unwrap().stress(distance * 1e3).unwrap();
         assert!((two.value - one.value * 1e-6).abs() <= 2.0 * (two.error + one.error * 1e-6), "{one:?} {two:?}");
         // Two halves: the same fields of each, twice the gap.
-        let (single, double) = (OpeningTip::new(&si, RIGID, INTENSITY, speed).unwrap(), OpeningTip::new(&si, CrackBody::TwoHalves, INTENSITY, speed).unwrap());
+        let (single, double) =
+            (OpeningTip::new(&si, RIGID, INTENSITY, speed).unwrap(), OpeningTip::new(&si, CrackBody::TwoHalves, INTENSITY, speed).unwrap());
         assert!(relative(double.gap(distance), 2.0 * single.gap(distance)) <= f64::EPSILON);
         assert!(relative(double.tension(distance), single.tension(distance)) <= f64::EPSILON);
     }

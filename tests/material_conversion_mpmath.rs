@@ -13,7 +13,7 @@
 //!
 //! Tolerance: each term within its own error bar and 1e-14 where the term is well conditioned. What a perturbation of the input by half
 //! an ulp does is part of the bar where the two sides start from different doubles. 1e-14 for functions: sums of positive terms.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 #[path = "support/physics.rs"]
 mod physics;
@@ -126,7 +126,10 @@ fn every_converted_term_is_within_its_bar_and_the_bar_is_not_idle() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    println!("{compared} numbers, {tight} well-conditioned terms, worst {worst:.1e}, bar over error: median {median:.1}, largest {:.0}", ratios[ratios.len() - 1]);
+    println!(
+        "{compared} numbers, {tight} well-conditioned terms, worst {worst:.1e}, bar over error: median {median:.1}, largest {:.0}",
+        ratios[ratios.len() - 1]
+    );
     assert!(compared > 250 && tight > 70, "{compared} {tight}");
     assert!(median < 100.0, "the bars are idle: {median}");
 }
@@ -249,7 +252,10 @@ fn round_trips_of_random_materials_stay_within_the_bars() {
             let strength_bar = error.strength + error.strength_input * moved;
             let time_bar = error.time + error.time_input * moved;
             let (strength_error, time_error) = (relative(again_strength, strength), relative(again_time, time));
-            assert!(strength_error <= strength_bar && time_error <= time_bar, "{strength_error:e} {strength_bar:e} {time_error:e} {time_bar:e}");
+            assert!(
+                strength_error <= strength_bar && time_error <= time_bar,
+                "{strength_error:e} {strength_bar:e} {time_error:e} {time_bar:e}"
+            );
             worst_ratio = worst_ratio.max(strength_error / strength_bar);
             terms += 1;
         }
@@ -371,7 +377,12 @@ fn errata_2_5_and_2_6_each_term_has_its_own_time_and_the_two_series_their_own_nu
         |t| material.creep(t),
         time,
     );
-    println!("∫R(t−s)J(s)ds/t: mended {}, with the constants of (2.5) in (2.6) {}, with one τ {}", mended / time, printed / time, one_time / time);
+    println!(
+        "∫R(t−s)J(s)ds/t: mended {}, with the constants of (2.5) in (2.6) {}, with one τ {}",
+        mended / time,
+        printed / time,
+        one_time / time
+    );
     assert!(relative(printed, time) > 0.1, "{printed:e}");
     assert!(relative(one_time, time) > 0.1, "{one_time:e}");
 }
@@ -515,7 +526,9 @@ fn limits_and_interlacing() {
     assert!(relative(one.relaxation_terms()[0].relaxation_time, 0.37 * 2.3e4 / 7.9e8) <= 4.0 * f64::EPSILON);
     assert!(relative(one.stiffening_ratio(), 7.9e8 / 2.3e4) <= 4.0 * f64::EPSILON);
     let elastic = Material::elastic(3.3e6).unwrap();
-    assert!(elastic.is_elastic() && elastic.creep(1.0) == 1.0 / 3.3e6 && elastic.relaxation(1.0) == 3.3e6 && elastic.stiffening_ratio() == 1.0);
+    assert!(
+        elastic.is_elastic() && elastic.creep(1.0) == 1.0 / 3.3e6 && elastic.relaxation(1.0) == 3.3e6 && elastic.stiffening_ratio() == 1.0
+    );
 }
 
 #[test]

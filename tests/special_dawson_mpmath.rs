@@ -85,7 +85,7 @@ fn slopes_of_the_cohesive_kernels() {
     // D/y − D′ with D′ = 1 − 2yD below y = 6.3: its absolute 5e-16 is 1e-14 of the slope at z = 40.
     worst("cohesive_kernel.csv", "intensity_slope", 1e-14, closing_intensity_kernel_slope, relative_error);
     worst("cohesive_kernel.csv", "intensity_slope", 2e-15, closing_intensity_kernel_slope, |z, value, expected| {
-        if z < 3.0 || z > 45.0 { relative(value, expected) } else { 0.0 }
+        if (3.0..=45.0).contains(&z) { 0.0 } else { relative(value, expected) }
     });
     // dM/d ln z = 2 dN/d ln z − 2 dΛ/d ln z changes sign near z = 6.4: relative to the two parts.
     worst("cohesive_kernel.csv", "work_slope", 1e-14, closing_work_kernel_slope, |z, value, expected| {

@@ -6,8 +6,10 @@
 //! ```
 //! D is Dawson's integral, D′ = 1 − 2yD its derivative, u the displacement of ONE half. Written in this way the opening has positive
 //! terms only and keeps its relative accuracy from the glassy tip (s ≪ vτ, u ∝ K/E∞) to the relaxed far field (u ∝ K/E0), over any
-//! number of decades. The closing stress changes sign where the material that was just healed is still stiff: between the tip and the
-//! far field it is compressive if β is large, with a peak near 1.86 vρ for one term. Source: thesis Eqs 5.11–5.18, 5.30–5.36.
+//! number of decades. The closing stress changes sign where the material that was just healed is still stiff: for one term it is
+//! compressive between the tip and the far field if and only if β > 4.512 (= 1 − 1/min D′), with a peak at 1.86 vρ for β = 100. Of terms
+//! many decades apart each counts by itself, against the modulus that is left after it: a broad spectrum may have no compression at any β.
+//! The stress in excess of K₁/√(2πd) carries no net force. Source: thesis Eqs 5.11–5.18, 5.30–5.36.
 
 use super::body::CrackBody;
 use super::process_zone::closing_intensity_mean;

@@ -80,13 +80,13 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
         Ok(LogSlope { value: (speed * (time / point.crossing_length)).ln(), slope: 1.0 - point.length_log_slope })
     };
     let what = "the crossing time at a given speed";
-    let mut root = rooted(what, &function, bracket, tolerance, &mut count)?;
+    let mut root = rooted(what, function, bracket, tolerance, &mut count)?;
     let mut point = count.point(curve, root.argument)?;
     let mut residual = (speed * (root.argument / point.crossing_length)).ln().abs();
     if residual > LARGEST_RESIDUAL {
         // The length lies outside its two limits, as Schapery's may: there is no bracket but one that is looked for.
         let bracket = grown_bracket(&function, root.argument, &mut count)?;
-        root = rooted(what, &function, bracket, tolerance, &mut count)?;
+        root = rooted(what, function, bracket, tolerance, &mut count)?;
         point = count.point(curve, root.argument)?;
         residual = (speed * (root.argument / point.crossing_length)).ln().abs();
     }

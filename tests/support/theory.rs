@@ -60,7 +60,8 @@ pub fn theories<'a>(material: &'a Material, motion: Motion) -> Vec<(String, Theo
     }
     let mut result = Vec::new();
     for law in laws {
-        result.push((format!("virtual work {motion:?} {law:?}"), Theory::Work(VirtualWork::new(material, motion, interface(law)).unwrap())));
+        result
+            .push((format!("virtual work {motion:?} {law:?}"), Theory::Work(VirtualWork::new(material, motion, interface(law)).unwrap())));
         result.push((format!("loss {motion:?} {law:?}"), Theory::Loss(PerssonBrener::new(material, motion, interface(law)).unwrap())));
     }
     let zone = CohesiveZone::new(material, motion, WORK, STRESS, CrackBody::AgainstRigid).unwrap();
