@@ -21,7 +21,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "predicted_work": work,
             "accuracy": source.scene.accuracy,
         });
-        print(&format!("{value:#}\n"));
+        print(&format!("{value:#}\n"))?;
         return Ok(0);
     }
     let mut text =
@@ -44,6 +44,6 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         "\npredicted work\n  {} balances, {} kernel evaluations, {} field points",
         work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
     );
-    print(&text);
+    print(&text)?;
     Ok(0)
 }

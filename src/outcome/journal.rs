@@ -7,7 +7,7 @@ use super::row::Row;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
 use std::io::{BufWriter, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What a journal belongs to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,7 +24,6 @@ pub struct JournalHeader {
 #[derive(Debug)]
 pub struct Journal {
     file: BufWriter<File>,
-    path: PathBuf,
 }
 
 /// What an existing journal held.
@@ -80,7 +79,7 @@ impl Journal {
         file.flush()?;
         std::fs::rename(&fresh, path)?;
         let file = BufWriter::new(OpenOptions::new().append(true).open(path)?);
-        Ok(Self { file, path: path.to_owned() })
+        Ok(Self { file })
     }
 
     /// Adds finished states and hands them to the system.
@@ -92,14 +91,6 @@ impl Journal {
             write_line(&mut self.file, rows)?;
         }
         self.file.flush()
-    }
-
-    /// Removes the journal once the result is written.
-    ///
-    /// # Errors
-    /// A file that cannot be removed.
-    pub fn remove(self) -> std::io::Result<()> {
-        std::fs::remove_file(&self.path)
     }
 }
 

@@ -72,6 +72,9 @@ fn sweep(text: &mut String, outcome: &Outcome) {
         lines.push(line(row, &shown));
     }
     let _ = write!(text, "\n{}", aligned(&lines));
+    let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
+    let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
+    let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
     for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
         let count = outcome.rows.iter().filter(|row| row.status == status).count();
         if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {

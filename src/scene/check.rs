@@ -99,7 +99,10 @@ fn check_value(node: &Node, key: &Key, units: Units) -> Result<(), SceneError> {
 fn check_subtable(node: &Node, key: &str, path: &str, units: Units) -> Result<(), SceneError> {
     match &node.value {
         Value::Table(_) => check_table(node, path, units),
-        _ => Err(wrong_type(node, key, "a table")),
+        _ => {
+            let known = catalogue::names_in(path).collect::<Vec<_>>().join(", ");
+            Err(wrong_type(node, key, "a table").help(format!("[{path}] knows: {known}")))
+        }
     }
 }
 
@@ -178,7 +181,7 @@ pub fn count(node: &Node, key: &str, least: u32, most: u32) -> Result<u32, Scene
             let message = format!("`{key}` = {} is out of range", shortened(node.written()));
             Err(SceneError::at(&node.place, message, format!("must be a whole number from {least} to {most}")))
         }
-        _ => Err(wrong_type(node, key, "a whole number")),
+        _ => Err(wrong_type(node, key, &format!("a whole number from {least} to {most}"))),
     }
 }
 
@@ -187,7 +190,7 @@ pub fn count(node: &Node, key: &str, least: u32, most: u32) -> Result<u32, Scene
 /// # Errors
 /// A type or word that is wrong, with the nearest word.
 pub fn choice(node: &Node, key: &str, words: &[Word]) -> Result<usize, SceneError> {
-    let allowed = || format!("allowed: {}", words.iter().map(|word| format!("{:?}", word.word)).collect::<Vec<_>>().join(", "));
+    let allowed = || allowed_words(words);
     match &node.value {
         Value::Text(text) => words.iter().position(|word| word.word == text).ok_or_else(|| {
             let label = nearest(text, words.iter().map(|word| word.word))
@@ -198,12 +201,17 @@ pub fn choice(node: &Node, key: &str, words: &[Word]) -> Result<usize, SceneErro
     }
 }
 
+/// The line that names the words of a choice.
+pub fn allowed_words(words: &[Word]) -> String {
+    format!("allowed: {}", words.iter().map(|word| format!("{:?}", word.word)).collect::<Vec<_>>().join(", "))
+}
+
 fn check_choices(node: &Node, key: &str, words: &[Word]) -> Result<(), SceneError> {
     let Value::List(items) = &node.value else {
-        return Err(wrong_type(node, key, "a list of texts"));
+        return Err(wrong_type(node, key, "a list of texts").help(allowed_words(words)));
     };
     if items.is_empty() {
-        return Err(SceneError::at(&node.place, format!("`{key}` is an empty list"), "name at least one"));
+        return Err(SceneError::at(&node.place, format!("`{key}` is an empty list"), "name at least one").help(allowed_words(words)));
     }
     let mut seen = Vec::new();
     for item in items {

@@ -101,6 +101,9 @@ pub struct Document {
 /// No scene that a person writes is larger (bytes).
 const LARGEST_FILE: u64 = 16 * 1024 * 1024;
 
+/// No key lies deeper (parts of a path): a longer one is refused before tables are made for it.
+const DEEPEST_PATH: usize = 32;
+
 impl Document {
     /// Reads a scene file.
     ///
@@ -114,8 +117,11 @@ impl Document {
             return Err(unreadable(format!("it has {size} bytes, more than {LARGEST_FILE}")));
         }
         let bytes = std::fs::read(path).map_err(|error| unreadable(error.to_string()))?;
-        let text =
-            String::from_utf8(bytes).map_err(|error| unreadable(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let (whole, bytes) = (error.utf8_error().valid_up_to(), error.as_bytes());
+            let line = 1 + bytes.iter().take(whole).filter(|&&byte| byte == b'\n').count();
+            unreadable(format!("byte {whole}, in line {line}, is not UTF-8 text"))
+        })?;
         Self::parse(&name, text, path.parent().unwrap_or_else(|| Path::new(".")))
     }
 
@@ -164,6 +170,9 @@ impl Document {
             return Err(SceneError::general(format!("`--set {assignment}` has no `=`")).help("write --set table.key=value"));
         };
         let (path, value) = (path.trim(), value.trim());
+        if path.is_empty() {
+            return Err(SceneError::general(format!("`--set {assignment}` names no key")).help("write --set table.key=value"));
+        }
         let as_written = SourceText::new(&format!("--set {path}"), format!("value = {value}"));
         let source = match parse_tree(&as_written) {
             Ok(_) => as_written,
@@ -180,8 +189,12 @@ impl Document {
     /// Puts a value under a dotted path, replacing what is there; tables on the way are made if they are missing.
     ///
     /// # Errors
-    /// A path through a value that is no table, or past the end of a list.
+    /// A path through a value that is no table, past the end of a list, or deeper than any key.
     pub fn replace(&mut self, path: &str, node: Node) -> Result<(), SceneError> {
+        if path.split('.').nth(DEEPEST_PATH).is_some() {
+            let start: String = path.chars().take(60).collect();
+            return Err(SceneError::at(&node.place, format!("`{start}…` is not a key"), "no key lies so deep"));
+        }
         replace_in(&mut self.root, path, path, node)
     }
 }

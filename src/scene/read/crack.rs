@@ -29,7 +29,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Steady
     };
     let plane = plane(&crack, top, material)?;
     let (work_of_adhesion, process_zone) = adhesion(top, body)?;
-    let theories = theories(&crack, motion, process_zone)?;
+    let theories = theories(top, &crack, motion, process_zone)?;
     let control = control(&crack, plane, material, work_of_adhesion)?;
     Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
 }
@@ -105,7 +105,7 @@ fn reduced_zone(body: CrackBody, factor: f64, law: CohesiveLaw) -> ProcessZoneLa
     ProcessZoneLaw::Cohesive { cohesive_stress, factor, law }
 }
 
-fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result<Vec<Theory>, SceneError> {
+fn theories(top: &Section<'_>, crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result<Vec<Theory>, SceneError> {
     let mut theories = Vec::new();
     for word in crack.texts("theories") {
         let theory = match word {
@@ -125,8 +125,11 @@ fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result
     if let ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } = zone
         && (motion == Motion::Opening || theories.contains(&Theory::PerssonBrener))
     {
-        let message = "the process-zone law \"schapery\" is the length of a closing cohesive zone";
-        return Err(crack.wrong("theories", message, "it takes motion = \"closing\" and no persson_brener"));
+        let message = "`adhesion.process_zone.law` = \"schapery\" is the length of a closing cohesive zone";
+        let zone = top.table("adhesion").and_then(|table| table.table("process_zone"));
+        let place = zone.map_or_else(|| crack.key_place("theories"), |zone| zone.key_place("law"));
+        let label = "needs crack.motion = \"closing\", and no \"persson_brener\" in crack.theories";
+        return Err(SceneError::at(&place, message, label));
     }
     Ok(theories)
 }

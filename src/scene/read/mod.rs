@@ -77,7 +77,7 @@ fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
         [one] => Ok(one),
         [] => {
             let known = PROBLEMS.map(|name| format!("[{name}]")).join(", ");
-            Err(SceneError::at(&top.end(), "the scene names no problem", "").help(format!("add one of: {known}")))
+            Err(SceneError::at(&top.end(), "the scene names no problem", "the scene ends here").help(format!("add one of: {known}")))
         }
         [_, second, ..] => {
             let place = top.key_place(second);
@@ -89,7 +89,9 @@ fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
 /// The place of a document's last byte: where something is missing.
 fn end_of(place: &Place) -> Place {
     let end = place.source.text().trim_end().len();
-    Place { source: place.source.clone(), span: end.saturating_sub(1)..end }
+    // The last character, however many bytes it has.
+    let start = place.source.text().get(..end).and_then(|text| text.char_indices().next_back()).map_or(0, |(start, _)| start);
+    Place { source: place.source.clone(), span: start..end }
 }
 
 /// The words after "did you mean" for a path, if a known one is near.
