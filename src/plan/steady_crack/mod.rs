@@ -45,7 +45,7 @@ impl SteadyCrackPlan {
             Some(ratio) => crack.plane.stiffening(ratio)?,
             None => 1.0,
         };
-        Ok(Self {
+        let plan = Self {
             crack: crack.clone(),
             plane_material: youngs_material.stiffened(stiffening)?,
             youngs_material,
@@ -53,7 +53,15 @@ impl SteadyCrackPlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
-        })
+        };
+        if plan.groups().iter().all(|group| group.value.is_finite() && group.value > 0.0) {
+            Ok(plan)
+        } else {
+            Err(Refusal::Undefined {
+                quantity: "the scale of the crack",
+                reason: "the moduli, the work of adhesion and the cohesive stress are so far apart that numbers overflow".into(),
+            })
+        }
     }
 
     pub(super) fn columns(&self) -> Vec<Column> {

@@ -58,7 +58,11 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
     let reduced = table.units() == Units::Reduced;
     let work = match (table.number("work_of_adhesion")?, reduced) {
         (Some(work), true) if (work - 1.0).abs() > 1e-12 => {
-            return Err(table.wrong("work_of_adhesion", "in reduced units the work of adhesion is the unit", "must be 1 (or left out)"));
+            return Err(table.wrong(
+                "work_of_adhesion",
+                "`adhesion.work_of_adhesion`: in reduced units the work of adhesion is the unit",
+                "must be 1 (or left out)",
+            ));
         }
         (Some(work), _) => work,
         (None, true) => 1.0,
@@ -78,7 +82,7 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
     };
     let given = if reduced {
         if zone.node().get("cohesive_stress").is_some() {
-            let message = "in reduced units the cohesive stress is fixed by the unit of length a₀";
+            let message = "`adhesion.process_zone.cohesive_stress`: in reduced units the cohesive stress is fixed by the unit of length a₀";
             return Err(zone.wrong("cohesive_stress", message, "leave it out"));
         }
         zone.number("length")?.map(ProcessZoneLaw::Length).unwrap_or_else(|| reduced_zone(body, factor, law))
@@ -114,7 +118,8 @@ fn theories(top: &Section<'_>, crack: &Section<'_>, motion: Motion, zone: Proces
             _ => Theory::VirtualWork,
         };
         if theory == Theory::CohesiveZone && matches!(zone, ProcessZoneLaw::Length(_)) {
-            let message = "the cohesive-zone theory needs a cohesive stress, but the process zone is given as a length";
+            let message =
+                "`crack.theories` names the cohesive-zone theory, which needs a cohesive stress, but the process zone is given as a length";
             return Err(crack.wrong("theories", message, "give adhesion.process_zone.cohesive_stress"));
         }
         theories.push(theory);
@@ -150,7 +155,7 @@ fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, wor
 
 fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial) -> Result<Strip, SceneError> {
     if table.units() == Units::Reduced {
-        return Err(crack.wrong("strip", "a strip needs lengths and stresses in SI units", "write units = \"si\""));
+        return Err(crack.wrong("strip", "`crack.strip` needs lengths and stresses in SI units", "write units = \"si\""));
     }
     let lateral = match table.text("lateral") {
         Some("uniaxial") => SidewaysStrain::Free,
