@@ -79,7 +79,7 @@ const CASES: &[Case] = &[
     Case { kind: "a number among words", edits: &[("[\"virtual_work\"]", "[3]")], place: "theories", says: &["`crack.theories` is a number: 3", "\"persson_brener\""], ..NONE },
     Case { kind: "a text for a table", edits: &[(ZONE, "process_zone = \"1 MPa\"")], place: "process_zone", says: &["`adhesion.process_zone` is a text: \"1 MPa\"", "must be a table", "length, cohesive_stress"], ..NONE },
     Case { kind: "a table for a list of tables", edits: &[(CREEP, "creep = { fraction = 1 }")], place: "creep", says: &["`material.creep` is a table", "a list of tables"], ..NONE },
-    Case { kind: "numbers for a list of tables", edits: &[(CREEP, "creep = [1, 2]")], place: "creep", says: &["`material.creep` is a number: 1", "must be a table", "compliance, fraction, retardation_time"], ..NONE },
+    Case { kind: "numbers for a list of tables", edits: &[(CREEP, "creep = [1, 2]")], place: "creep", says: &["`material.creep.0` is a number: 1", "must be a table", "compliance, fraction, retardation_time"], ..NONE },
     Case { kind: "a text for a count", edits: &[("points = 5", "points = \"5\"")], place: "points = \"5\"", says: &["`fields.points` is a text: \"5\"", "a whole number from 2 to 100000"], ..NONE },
     Case { kind: "a fractional count", edits: &[("points = 5", "points = 5.5")], place: "5.5", says: &["`fields.points` = 5.5", "a whole number from 2"], ..NONE },
     Case { kind: "a text for the sweep", edits: &[("[sweep]\n", ""), (SWEPT, ""), ("title =", "sweep = \"crack.speed\"\ntitle =")], place: "sweep = ", says: &["`sweep` is a text", "must be a table"], ..NONE },

@@ -47,7 +47,7 @@ fn killed_in_flight(folder: &Folder, mut child: Child, least: usize) -> Option<u
 
 #[test]
 fn a_run_killed_in_flight_is_resumed_to_the_same_bytes() {
-    let scene = long_scene(4_000, 200);
+    let scene = long_scene(2_000, 200);
     let whole = Folder::with(&scene);
     whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
 
@@ -61,7 +61,7 @@ fn a_run_killed_in_flight_is_resumed_to_the_same_bytes() {
     let resumed = folder.call(&["run", "scene.toml", "--out", "DIR"]);
     if second.is_some() {
         assert!(resumed.stderr.contains("resuming: "), "{}", resumed.stderr);
-        assert!(resumed.stderr.contains("of 4000 states"), "{}", resumed.stderr);
+        assert!(resumed.stderr.contains("of 2000 states"), "{}", resumed.stderr);
         assert_eq!(resumed.code, 0);
     }
     assert!(!folder.path("DIR.partial").exists());
@@ -85,7 +85,7 @@ fn interrupted(scene: &str) -> (Folder, Vec<u8>) {
 
 #[test]
 fn journals_cut_at_any_point_lead_to_the_same_bytes() {
-    let scene = long_scene(1_500, 100);
+    let scene = long_scene(600, 60);
     let whole = Folder::with(&scene);
     whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     let expected = whole.files("DIR");
@@ -122,7 +122,7 @@ fn journals_cut_at_any_point_lead_to_the_same_bytes() {
         folder.write("DIR.partial/journal.jsonl", bytes);
         let answer = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
         match kept {
-            Some(states) => assert!(answer.stderr.contains(&format!("resuming: {states} of 1500")), "{kind}: {}", answer.stderr),
+            Some(states) => assert!(answer.stderr.contains(&format!("resuming: {states} of 600")), "{kind}: {}", answer.stderr),
             None => assert!(!answer.stderr.contains("resuming"), "{kind}: {}", answer.stderr),
         }
         assert!(folder.files("DIR") == expected, "{kind}: other bytes");
@@ -134,7 +134,7 @@ fn journals_cut_at_any_point_lead_to_the_same_bytes() {
 
 #[test]
 fn a_finished_state_is_kept_and_not_computed_again() {
-    let (folder, journal) = interrupted(&long_scene(1_500, 100));
+    let (folder, journal) = interrupted(&long_scene(600, 60));
     let text = String::from_utf8(journal).unwrap();
     let mut states: Vec<String> = text.lines().map(str::to_owned).collect();
     let mut rows: serde_json::Value = serde_json::from_str(&states[2]).unwrap();
@@ -150,13 +150,13 @@ fn a_finished_state_is_kept_and_not_computed_again() {
 
 #[test]
 fn the_partial_folder_of_another_scene_is_refused_and_left_alone() {
-    let (folder, journal) = interrupted(&long_scene(1_500, 100));
+    let (folder, journal) = interrupted(&long_scene(600, 60));
     folder.write("DIR.partial/fields.csv", "of the other scene");
     let before = folder.files("DIR.partial");
     for (name, other) in [
-        ("value.toml", long_scene(1_500, 100).replace("\"1 J/m²\"", "\"2 J/m²\"")),
-        ("states.toml", long_scene(1_501, 100)),
-        ("comment.toml", long_scene(1_500, 100) + "# a comment\n"),
+        ("value.toml", long_scene(600, 60).replace("\"1 J/m²\"", "\"2 J/m²\"")),
+        ("states.toml", long_scene(601, 60)),
+        ("comment.toml", long_scene(600, 60) + "# a comment\n"),
     ] {
         folder.write(name, other);
         let answer = folder.call(&["run", name, "--out", "DIR"]).ended(2);
@@ -186,7 +186,7 @@ fn the_partial_folder_of_another_scene_is_refused_and_left_alone() {
 #[test]
 fn a_run_killed_while_it_replaces_a_folder_leaves_the_old_one_or_the_new_one() {
     let old = GOOD.replace("A scene for tests", "old");
-    let folder = Folder::with(&long_scene(1_500, 100));
+    let folder = Folder::with(&long_scene(600, 60));
     folder.write("old.toml", old);
     folder.call(&["run", "old.toml", "--out", "DIR"]).ended(0);
     let before = folder.files("DIR");

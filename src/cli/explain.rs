@@ -37,7 +37,8 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
     let _ = writeln!(text, "\ncharacteristic numbers");
     for group in plan.groups() {
         let unit = if group.unit == "1" { "" } else { &group.unit };
-        let _ = writeln!(text, "  {:32} {:.6e} {unit}", group.name, group.value);
+        let line = format!("  {:32} {:.6e} {unit}", group.name, group.value);
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(
         text,

@@ -58,7 +58,11 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
     }
     let states = lines.map_while(|line| serde_json::from_slice::<Vec<Row>>(line).ok());
     Ok(Found::Rows(
-        states.enumerate().take_while(|(index, rows)| rows.iter().all(|row| row.state == *index)).map(|(_, rows)| rows).collect(),
+        states
+            .enumerate()
+            .take_while(|(index, rows)| !rows.is_empty() && rows.iter().all(|row| row.state == *index))
+            .map(|(_, rows)| rows)
+            .collect(),
     ))
 }
 

@@ -40,7 +40,8 @@ fn single(text: &mut String, outcome: &Outcome) {
         for (column, value) in outcome.columns.iter().zip(&row.values) {
             if let Some(estimate) = value {
                 let unit = if column.unit == "1" { "" } else { &column.unit };
-                let _ = writeln!(text, "  {:width$}  {} {unit}", column.name, with_error(*estimate));
+                let line = format!("  {:width$}  {} {unit}", column.name, with_error(*estimate));
+                let _ = writeln!(text, "{}", line.trim_end());
             }
         }
         if let Some(certificate) = row.certificate {

@@ -27,19 +27,26 @@ pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
     include::resolve(document)
 }
 
-/// Reads a scene, without its sweep being carried out: a swept number stands at its first value.
+/// States of a sweep that are tried before a scene is called wrong.
+const MOST_TRIES: usize = 1000;
+
+/// Reads a scene, without its sweep being carried out: a swept number stands at its first value that fits the rest of the scene.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first thing that is wrong, at the first values.
 pub fn read(document: &Document) -> Result<Scene, SceneError> {
     check(&document.root)?;
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
-    let mut first = document.clone();
-    for swept in &sweeps {
-        swept.put(&mut first, 0)?;
-    }
-    let mut scene = read_state(&first)?;
+    let state = |number: usize| {
+        let mut varied = document.clone();
+        for (swept, index) in sweeps.iter().zip(sweep::indices(&sweeps, number)) {
+            swept.put(&mut varied, index)?;
+        }
+        read_state(&varied)
+    };
+    // A value that contradicts the scene is a row that says so, wherever in the sweep it stands; a scene without any state is wrong.
+    let mut scene = state(0).or_else(|wrong| (1..sweep::states(&sweeps).min(MOST_TRIES)).find_map(|n| state(n).ok()).ok_or(wrong))?;
     scene.sweeps = sweeps;
     Ok(scene)
 }
