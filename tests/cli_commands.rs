@@ -282,6 +282,33 @@ fn sweeps_of_several_numbers_run_over_all_combinations() {
 }
 
 #[test]
+fn every_speed_of_a_closing_cohesive_zone_is_solved() {
+    // Its length runs past the one at rest before it shrinks: a bracket that trusts the limits loses slow tips.
+    let folder = Folder::with(&SINGLE.replace("body =", "motion = \"closing\"\ntheories = [\"cohesive_zone\"]\nbody ="));
+    let sweep = "sweep={ key = \"crack.speed\", from = 1e-14, to = 1e4, points = 73 }";
+    folder.call(&["run", "scene.toml", "--set", sweep, "--out", "DIR"]).ended(0);
+    let states = table(&folder.read("DIR/states.csv"));
+    assert!(cells(&states, "status").iter().all(|status| status == "solved"), "{:?}", cells(&states, "status"));
+    let ratio: Vec<f64> = cells(&states, "energy_release_rate_ratio [1]").iter().map(|cell| cell.parse().unwrap()).collect();
+    // Rounding may hide the fall where the curve is flat, at both ends.
+    assert!(ratio.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-12)), "{ratio:?}");
+    assert!(ratio[0] > 0.999_99 && ratio[72] < 0.010_001, "{ratio:?}");
+}
+
+#[test]
+fn a_viscous_material_is_solved() {
+    let viscous =
+        SINGLE.replace("relaxed_modulus = \"1 MPa\"\n", "viscosity = \"1 MPa s\"\n").replace("fraction = 1", "compliance = \"1 1/MPa\"");
+    let folder = Folder::with(&viscous);
+    let said = folder.call(&["run", "scene.toml", "--set", "adhesion.process_zone={ length = 1e-6 }"]).ended(0);
+    assert!(said.stdout.contains("flow") && !said.stdout.contains("energy_release_rate"), "{}", said.stdout);
+    folder.call(&["explain", "scene.toml"]).ended(0);
+    // At rest it carries no load.
+    let json = folder.call(&["run", "scene.toml", "--set", "crack.speed=0", "--json"]).ended(3).json();
+    assert_eq!(json["results"][0]["status"], "undefined");
+}
+
+#[test]
 fn set_takes_toml_and_bare_texts() {
     let folder = Folder::with(SINGLE);
     let speed = |set: &str| {
@@ -308,9 +335,11 @@ fn set_takes_toml_and_bare_texts() {
         let all = sets.iter().flat_map(|set| ["--set", set]).collect::<Vec<_>>();
         folder.call(&[&["explain", "bare.toml", "--json"], all.as_slice()].concat()).ended(0).json()["groups"][0]["value"].clone()
     };
-    assert_eq!(file(&["material.file=soft.toml"]), 1e5);
-    assert_eq!(file(&["material.file=\"soft.toml\"", "material.relaxed_modulus=2e5"]), 2e5);
-    assert_eq!(file(&["material={ file = \"soft.toml\" }"]), 1e5);
+    // The relaxed modulus comes back through 1/E0, in a few roundings.
+    let near = |modulus: Value, wanted: f64| (modulus.as_f64().unwrap() / wanted - 1.0).abs() < 1e-15;
+    assert!(near(file(&["material.file=soft.toml"]), 1e5));
+    assert!(near(file(&["material.file=\"soft.toml\"", "material.relaxed_modulus=2e5"]), 2e5));
+    assert!(near(file(&["material={ file = \"soft.toml\" }"]), 1e5));
 }
 
 #[test]

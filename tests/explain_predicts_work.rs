@@ -106,6 +106,12 @@ fn every_kind_of_scene_costs_what_is_predicted() {
                             let (predicted, outcome) = solved(parsed(&text), &[]);
                             cases += 1;
                             let name = format!("{motion} {theory} {zone} {control} {accuracy} {material}");
+                            if std::env::var_os("SHOW_WORK").is_some() {
+                                println!(
+                                    "{name}: {} balances a state",
+                                    outcome.work().closure_evaluations as f64 / outcome.rows.len() as f64
+                                );
+                            }
                             wrong.extend(misprediction(predicted, &outcome).map(|complaint| format!("{name}: {complaint}")));
                         }
                     }

@@ -54,7 +54,8 @@ impl SteadyCrackPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
         };
-        if plan.groups().iter().all(|group| group.value.is_finite() && group.value > 0.0) {
+        let viscous = plan.plane_material.relaxed_modulus() == 0.0;
+        if plan.groups().iter().all(|group| group.value.is_finite() && (group.value > 0.0 || viscous)) {
             Ok(plan)
         } else {
             Err(Refusal::Undefined {
@@ -179,12 +180,15 @@ impl SteadyCrackPlan {
 
     /// What one state is expected to take.
     pub(super) fn predicted_work(&self) -> Work {
-        // Measured over the shipped scenes: a given speed takes 2 limits, 3 to 8 Newton steps and the certificate; a given load a few more
-        // to bracket it.
+        // Balances of one state, measured over the 400 kinds of scenes in tests/explain_predicts_work.rs, at accuracies from 1e-3 to 1e-13:
+        // at a given speed 4 to 10, on average 6 (two limits, the Newton steps, the certificate); under a given load 7 to 11, on average 9
+        // (some to bracket the root instead of the limits).
         let points = match (self.crack.control, self.plane_material.is_elastic()) {
+            // At rest the limit is the answer.
+            (CrackControl::Speed(0.0), _) => 1,
             (_, true) => 4,
-            (CrackControl::Speed(_), _) => 8,
-            _ => 11,
+            (CrackControl::Speed(_), _) => 6,
+            _ => 9,
         };
         let mut work = Work::default();
         for &theory in &self.crack.theories {
