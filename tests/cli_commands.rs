@@ -324,6 +324,9 @@ fn set_takes_toml_and_bare_texts() {
     ] {
         assert_eq!(speed(set), 0.002, "{set}");
     }
+    // Minus zero is zero, and a title is one line.
+    assert_eq!(speed("crack.speed=-0.0").to_string(), "0.0");
+    assert!(folder.call(&["run", "scene.toml", "--set", "title=\"a\\nb\""]).ended(0).stdout.starts_with("a b\n───"));
     // The last one counts.
     let json = folder.call(&["run", "scene.toml", "--json", "--set", "crack.speed=1", "--set", "crack.speed=3"]).ended(0).json();
     assert_eq!(json["results"][0]["values"]["speed"]["value"], 3.0);
@@ -368,6 +371,7 @@ fn explain_says_what_is_left_out_and_solves_nothing() {
     // So it takes no time, however long the run would be.
     let long = folder.call(&["explain", "scene.toml", "--set", "sweep.points=1000000"]).ended(0);
     assert!(long.stdout.contains("1000000 states"));
+    assert!(Folder::with(SINGLE).call(&["explain", "scene.toml"]).ended(0).stdout.contains(", 1 state, "));
     // The effects of the plan are those of the run.
     let run = folder.call(&["run", "scene.toml", "--json"]).ended(0).json();
     assert_eq!((&run["effects"], &run["method"], &run["groups"]), (&json["effects"], &json["method"], &json["groups"]));

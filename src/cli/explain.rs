@@ -24,8 +24,13 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         print(&format!("{value:#}\n"))?;
         return Ok(0);
     }
-    let mut text =
-        format!("{}\nproblem: {}, {} states, accuracy {:e}\n", source.scene.title, plan.problem(), plan.states(), source.scene.accuracy);
+    let mut text = format!(
+        "{}\nproblem: {}, {}, accuracy {:e}\n",
+        source.scene.title,
+        plan.problem(),
+        counted(plan.states(), "state"),
+        source.scene.accuracy
+    );
     let _ = writeln!(text, "\neffects");
     for effect in plan.effects() {
         let _ = writeln!(text, "  {:3}  {:22} {}", if effect.on { "on" } else { "off" }, effect.name, effect.why);
@@ -47,4 +52,9 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
     );
     print(&text)?;
     Ok(0)
+}
+
+/// `1 state`, `2 states`.
+fn counted(number: usize, what: &str) -> String {
+    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
 }

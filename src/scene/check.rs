@@ -156,7 +156,8 @@ pub fn number(node: &Node, key: &str, dimension: Dimension, units: Units) -> Res
         _ => return Err(wrong_type(node, key, dimension.example())),
     };
     if value.is_finite() {
-        Ok(value)
+        // Minus zero is zero.
+        Ok(value + 0.0)
     } else {
         let message = format!("`{key}` = {} is not a finite number", shortened(node.written()));
         Err(SceneError::at(&node.place, message, "must be finite").help(format!("allowed: {}", dimension.example())))

@@ -68,7 +68,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         other => return Err(SceneError::general(format!("the problem [{other}] cannot be solved yet"))),
     };
     Ok(Scene {
-        title: top.text("title").map_or_else(stem, |title| title.to_owned()),
+        // One line, whatever the text or the file's name holds.
+        title: top.text("title").map_or_else(stem, str::to_owned).replace(char::is_control, " "),
         units,
         accuracy: top.number("accuracy")?.unwrap_or(DEFAULT_ACCURACY),
         material,
