@@ -90,4 +90,9 @@ impl SteadyCurve for CohesiveZone<'_> {
     fn motion(&self) -> Motion {
         self.motion
     }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        // The work mean M of a closing zone rises above its relaxed value by up to 6 % before it falls back to it.
+        self.motion == Motion::Opening
+    }
 }

@@ -50,6 +50,9 @@ pub trait SteadyCurve {
     /// Which way the tip moves.
     fn motion(&self) -> Motion;
 
+    /// Whether ℓ(T) stays between its values at T = 0 and T = ∞, so that these bracket a root.
+    fn length_is_bounded_by_its_limits(&self) -> bool;
+
     /// G/Δγ at this drive; kept inside the limits 1 and β (or 1/β), which the theory never passes and rounding may by an ulp.
     ///
     /// # Errors

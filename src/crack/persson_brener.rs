@@ -12,7 +12,7 @@
 //! counterpart, the same loss integral over the relaxation modulus, which reaches Δγ/β as it must.
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
-use super::process_zone::Interface;
+use super::process_zone::{Interface, ProcessZone};
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 
@@ -84,5 +84,9 @@ impl SteadyCurve for PerssonBrener<'_> {
 
     fn motion(&self) -> Motion {
         self.motion
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
     }
 }

@@ -53,12 +53,17 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
         let point = count.point(curve, crossing_time)?;
         return finished(curve, Estimate::exact(speed), crossing_time, 0.0, &point, 0.0, count);
     }
-    // F(ln T) = ln(vT/ℓ) rises with T, and ℓ lies between its limits at T = 0 and T = ∞.
+    // F(ln T) = ln(vT/ℓ) rises with T; where ℓ lies between its limits at T = 0 and T = ∞, these bracket the root.
     let lengths = [count.point(curve, 0.0)?.crossing_length, count.point(curve, f64::INFINITY)?.crossing_length];
-    let bracket = bracket_from_limits(lengths, speed);
     let function = |time: f64, count: &mut Count| -> Result<LogSlope, Refusal> {
         let point = count.point(curve, time)?;
         Ok(LogSlope { value: (speed * (time / point.crossing_length)).ln(), slope: 1.0 - point.length_log_slope })
+    };
+    let limits = bracket_from_limits(lengths, speed);
+    let bracket = if curve.length_is_bounded_by_its_limits() {
+        limits
+    } else {
+        grown_bracket(&function, limits[0].sqrt() * limits[1].sqrt(), &mut count)?
     };
     let root = rooted("the crossing time at a given speed", function, bracket, tolerance, &mut count)?;
     let point = count.point(curve, root.argument)?;

@@ -10,7 +10,7 @@
 //! remote intensity K₁.
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
-use super::process_zone::Interface;
+use super::process_zone::{Interface, ProcessZone};
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 
@@ -58,5 +58,9 @@ impl SteadyCurve for VirtualWork<'_> {
 
     fn motion(&self) -> Motion {
         self.motion
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
     }
 }
