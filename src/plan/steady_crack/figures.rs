@@ -150,7 +150,7 @@ fn families<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<Family<'a>> {
     let of = |theory: Theory, set: &[f64]| -> Vec<&'a Row> {
         rows.iter().filter(|row| row.theory == theory.word() && row.swept.get(..outer).unwrap_or(&[]) == set).collect()
     };
-    let mut families: Vec<Family<'a>> = Vec::new();
+    let (mut families, mut indifferent_ones): (Vec<Family<'a>>, Vec<Family<'a>>) = (Vec::new(), Vec::new());
     for (index, set) in sets.iter().enumerate() {
         for (place, &theory) in theories.iter().enumerate() {
             // A theory that does not feel the outer sweep is one curve, drawn once, without its parameters.
@@ -169,7 +169,7 @@ fn families<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<Family<'a>> {
                 (true, false) => format!("{}, {parameters}", theory.name()),
                 (false, false) => parameters,
             };
-            families.push(Family {
+            let family = Family {
                 label,
                 theory,
                 colour: if indifferent {
@@ -180,9 +180,12 @@ fn families<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<Family<'a>> {
                     place
                 },
                 rows,
-            });
+            };
+            if indifferent { indifferent_ones.push(family) } else { families.push(family) }
         }
     }
+    // Drawn last, on top of the families.
+    families.extend(indifferent_ones);
     families
 }
 
