@@ -1,5 +1,6 @@
 //! What every theory of a steady crack has in common: a curve over the time in which the tip crosses its process zone.
 
+use super::steep_closing::Correction;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
@@ -52,6 +53,9 @@ pub trait SteadyCurve {
 
     /// Whether ℓ(T) stays between its values at T = 0 and T = ∞, so that these bracket a root.
     fn length_is_bounded_by_its_limits(&self) -> bool;
+
+    /// A correction of the crossing time at a given speed from a residual in extended precision, where the theory offers one.
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction>;
 
     /// G/Δγ at this drive; kept inside the limits 1 and β (or 1/β), which the theory never passes and rounding may by an ulp.
     ///

@@ -13,6 +13,7 @@
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::{Interface, ProcessZone};
+use super::steep_closing::Correction;
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 
@@ -88,5 +89,9 @@ impl SteadyCurve for PerssonBrener<'_> {
 
     fn length_is_bounded_by_its_limits(&self) -> bool {
         !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
+    }
+
+    fn sharpened(&self, _speed: f64, _crossing_time: f64) -> Option<Correction> {
+        None
     }
 }

@@ -11,6 +11,7 @@
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::{Interface, ProcessZone};
+use super::steep_closing::{self, Correction};
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 
@@ -62,5 +63,12 @@ impl SteadyCurve for VirtualWork<'_> {
 
     fn length_is_bounded_by_its_limits(&self) -> bool {
         !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
+    }
+
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction> {
+        match self.motion {
+            Motion::Opening => None,
+            Motion::Closing => steep_closing::correction(self.material, &self.interface, speed, crossing_time),
+        }
     }
 }

@@ -9,6 +9,7 @@
 
 use crate::crack::curve::{CurvePoint, Motion, SteadyCurve};
 use crate::crack::process_zone::Interface;
+use crate::crack::steep_closing::Correction;
 use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 use crate::special::log_quadrature::integrate_between_edges;
@@ -135,5 +136,9 @@ impl SteadyCurve for RawCrackWork<'_> {
 
     fn length_is_bounded_by_its_limits(&self) -> bool {
         true
+    }
+
+    fn sharpened(&self, _speed: f64, _crossing_time: f64) -> Option<Correction> {
+        None
     }
 }

@@ -9,6 +9,7 @@ mod validity;
 use crate::crack::cohesive_zone::CohesiveZone;
 use crate::crack::curve::{CurvePoint, SteadyCurve};
 use crate::crack::persson_brener::PerssonBrener;
+use crate::crack::steep_closing::Correction;
 use crate::crack::virtual_work::VirtualWork;
 use crate::crack::{Interface, Motion, ProcessZone};
 use crate::elastic::PureShearStrip;
@@ -224,5 +225,9 @@ impl SteadyCurve for TheoryCurve<'_> {
 
     fn length_is_bounded_by_its_limits(&self) -> bool {
         self.inner().length_is_bounded_by_its_limits()
+    }
+
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction> {
+        self.inner().sharpened(speed, crossing_time)
     }
 }
