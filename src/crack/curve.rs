@@ -1,7 +1,8 @@
 //! What every theory of a steady crack has in common: a curve over the time in which the tip crosses its process zone.
 
+use super::process_zone::Interface;
 use super::steep_closing::Correction;
-use crate::material::Material;
+use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +36,34 @@ pub struct CurvePoint {
     pub length_relative_error: f64,
     /// Number of kernel evaluations (terms times means) spent on this point.
     pub kernel_evaluations: u64,
+}
+
+impl CurvePoint {
+    /// The point of a theory whose drive is the inverse of a mean of the material's memory, D = 1/mean, with the interface's zone length.
+    ///
+    /// # Errors
+    /// [`Refusal::Undefined`] for a zone length that does not exist for the material or motion.
+    pub fn of_mean(
+        mean: &WeightedMean,
+        interface: &Interface,
+        material: &Material,
+        motion: Motion,
+        crossing_time: f64,
+        kernel_evaluations: u64,
+    ) -> Result<Self, Refusal> {
+        let drive =
+            WeightedMean { value: 1.0 / mean.value, log_slope: -mean.log_slope, relative_error: mean.relative_error + 0.5 * f64::EPSILON };
+        let zone = interface.zone_length(material, motion, crossing_time, &drive)?;
+        Ok(Self {
+            drive: drive.value,
+            drive_log_slope: drive.log_slope,
+            drive_relative_error: drive.relative_error,
+            crossing_length: zone.length,
+            length_log_slope: zone.log_slope,
+            length_relative_error: zone.relative_error,
+            kernel_evaluations: kernel_evaluations + zone.kernel_evaluations,
+        })
+    }
 }
 
 /// A theory of steady cracks.

@@ -113,17 +113,8 @@ impl SteadyCurve for RawCrackWork<'_> {
             slope = (above / mean).ln() / DERIVATIVE_STEP;
             evaluations += more;
         }
-        let drive = WeightedMean { value: 1.0 / mean, log_slope: -slope, relative_error: error };
-        let zone = self.interface.zone_length(self.material, self.motion, crossing_time, &drive)?;
-        Ok(CurvePoint {
-            drive: drive.value,
-            drive_log_slope: drive.log_slope,
-            drive_relative_error: drive.relative_error,
-            crossing_length: zone.length,
-            length_log_slope: zone.log_slope,
-            length_relative_error: zone.relative_error,
-            kernel_evaluations: evaluations,
-        })
+        let mean = WeightedMean { value: mean, log_slope: slope, relative_error: error };
+        CurvePoint::of_mean(&mean, &self.interface, self.material, self.motion, crossing_time, evaluations)
     }
 
     fn material(&self) -> &Material {
