@@ -67,6 +67,7 @@ pub struct Material {
     steady_viscosity: Option<f64>,
     given: GivenSeries,
     conversion_errors: Vec<ConversionError>,
+    modulus_rounding: f64,
 }
 
 impl Material {
@@ -109,6 +110,7 @@ impl Material {
             steady_viscosity,
             given: GivenSeries::Creep,
             conversion_errors,
+            modulus_rounding: 0.0,
         }
         .representable()
     }
@@ -141,6 +143,7 @@ impl Material {
             steady_viscosity,
             given: GivenSeries::Relaxation,
             conversion_errors,
+            modulus_rounding: 0.0,
         }
         .representable()
     }
@@ -154,7 +157,10 @@ impl Material {
             && self.steady_viscosity.is_none_or(positive)
             && self.creep_terms.iter().all(|term| positive(term.compliance) && positive(term.retardation_time))
             && self.relaxation_terms.iter().all(|term| positive(term.modulus) && positive(term.relaxation_time))
-            && self.conversion_errors.iter().all(|error| error.time.is_finite() && error.strength.is_finite());
+            && self
+                .conversion_errors
+                .iter()
+                .all(|error| [error.time, error.strength, error.time_input, error.strength_input].iter().all(|value| value.is_finite()));
         if whole {
             Ok(self)
         } else {
@@ -249,6 +255,12 @@ impl Material {
         &self.conversion_errors
     }
 
+    /// Relative rounding error that [`Material::stiffened`] left in every modulus; zero for a material as given.
+    #[must_use]
+    pub const fn modulus_rounding(&self) -> f64 {
+        self.modulus_rounding
+    }
+
     /// The longest retardation time (s), or none for a material without creep terms.
     #[must_use]
     pub fn longest_retardation_time(&self) -> Option<f64> {
@@ -268,6 +280,9 @@ impl Material {
     pub fn stiffened(&self, factor: f64) -> Result<Self, Refusal> {
         let factor = require_positive("factor", factor)?;
         let mut scaled = self.clone();
+        // Multiplication by a power of two is exact.
+        let exact = factor.log2().fract() == 0.0;
+        scaled.modulus_rounding += if exact { 0.0 } else { f64::EPSILON };
         scaled.glassy_modulus *= factor;
         scaled.relaxed_modulus *= factor;
         scaled.steady_viscosity = scaled.steady_viscosity.map(|viscosity| viscosity * factor);

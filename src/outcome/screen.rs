@@ -84,11 +84,12 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     }
 }
 
-/// A column is shown in a sweep if it is no copy of a swept number and some row has it.
+/// A column is shown in a sweep if some row has it and it is no copy of a swept number or of a column before it.
 fn wanted(outcome: &Outcome, index: usize) -> bool {
     let Some(column) = outcome.columns.get(index) else { return false };
     let swept = outcome.swept.iter().any(|swept| swept.key.rsplit('.').next() == Some(column.name));
-    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some))
+    let same_as = |other: usize| outcome.rows.iter().all(|row| row.values.get(index) == row.values.get(other));
+    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
 }
 
 fn line(row: &Row, shown: &[usize]) -> Vec<String> {

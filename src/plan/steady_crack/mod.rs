@@ -9,6 +9,7 @@ mod validity;
 use crate::crack::cohesive_zone::CohesiveZone;
 use crate::crack::curve::{CurvePoint, SteadyCurve};
 use crate::crack::persson_brener::PerssonBrener;
+use crate::crack::steep_closing::Correction;
 use crate::crack::virtual_work::VirtualWork;
 use crate::crack::{Interface, Motion, ProcessZone};
 use crate::elastic::PureShearStrip;
@@ -211,28 +212,34 @@ enum TheoryCurve<'a> {
     CohesiveZone(CohesiveZone<'a>),
 }
 
+impl TheoryCurve<'_> {
+    fn inner(&self) -> &dyn SteadyCurve {
+        match self {
+            Self::VirtualWork(curve) => curve,
+            Self::PerssonBrener(curve) => curve,
+            Self::CohesiveZone(curve) => curve,
+        }
+    }
+}
+
 impl SteadyCurve for TheoryCurve<'_> {
     fn point(&self, crossing_time: f64) -> Result<CurvePoint, Refusal> {
-        match self {
-            Self::VirtualWork(curve) => curve.point(crossing_time),
-            Self::PerssonBrener(curve) => curve.point(crossing_time),
-            Self::CohesiveZone(curve) => curve.point(crossing_time),
-        }
+        self.inner().point(crossing_time)
     }
 
     fn material(&self) -> &Material {
-        match self {
-            Self::VirtualWork(curve) => curve.material(),
-            Self::PerssonBrener(curve) => curve.material(),
-            Self::CohesiveZone(curve) => curve.material(),
-        }
+        self.inner().material()
     }
 
     fn motion(&self) -> Motion {
-        match self {
-            Self::VirtualWork(curve) => curve.motion(),
-            Self::PerssonBrener(curve) => curve.motion(),
-            Self::CohesiveZone(curve) => curve.motion(),
-        }
+        self.inner().motion()
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        self.inner().length_is_bounded_by_its_limits()
+    }
+
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction> {
+        self.inner().sharpened(speed, crossing_time)
     }
 }

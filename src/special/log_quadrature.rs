@@ -14,10 +14,14 @@
 use crate::refusal::Refusal;
 
 /// The value of an integral with its error and cost.
-pub(super) struct Integral {
-    pub(super) value: f64,
-    pub(super) error: f64,
-    pub(super) evaluations: u64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Integral {
+    /// The integral.
+    pub value: f64,
+    /// Bound on its absolute error from truncation and rounding.
+    pub error: f64,
+    /// Evaluations of the integrand.
+    pub evaluations: u64,
 }
 
 /// The coarsest step in τ: a quarter of the half-width π of the strip in which the map itself is analytic.
@@ -27,9 +31,12 @@ const MOST_HALVINGS: u32 = 5;
 /// |τ| beyond which √t is below 1e-17.
 const HALF_RANGE: f64 = 80.0;
 
-/// ∫₀¹ f(t, 1 − t) dt; both arguments are passed with full relative accuracy.
-pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64, tolerance: f64) -> Result<Integral, Refusal> {
-    let what = "the quadrature of the virtual work";
+/// ∫₀¹ f(t, 1 − t) dt to a relative `tolerance`; both arguments are passed with full relative accuracy.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] when the integrand is not finite, or the tolerance is not reached (a kink, noise).
+pub fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64, tolerance: f64) -> Result<Integral, Refusal> {
+    let what = "a quadrature with power-law ends";
     let mut evaluations = 0;
     let mut sum_of = |offset: f64, step: f64| -> f64 {
         let mut sum = 0.0;
@@ -54,7 +61,7 @@ pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64,
         step *= 0.5;
         let value = sum * step;
         if !value.is_finite() {
-            return Err(Refusal::NotConverged { what, detail: "a field is not finite inside the process zone".into() });
+            return Err(Refusal::NotConverged { what, detail: "the integrand is not finite inside its range".into() });
         }
         let change = (value - coarse).abs();
         // The error squares at every halving; a factor of ten covers the constant. Where the last change did not square (a kink,
