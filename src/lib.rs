@@ -10,6 +10,7 @@ pub mod material;
 pub mod outcome;
 pub mod plan;
 pub mod refusal;
+pub mod rivals;
 pub mod scene;
 pub mod special;
 

@@ -72,33 +72,54 @@ fn solved(row: &Row, material: &Material) -> (Estimate, f64) {
     }
 }
 
+/// (the double nearest to a decimal number − that number)/that number, exactly, for a decimal of at most 33 digits.
+fn relative_rounding(text: &str) -> f64 {
+    let double: f64 = text.parse().unwrap();
+    let digits = |text: &str| -> (i128, i32) {
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        assert!(whole.len() == 1, "a normalised number: {text}");
+        let padded: String = format!("{whole}{fraction}").chars().chain("0".repeat(36).chars()).take(36).collect();
+        (padded.parse().unwrap(), exponent.parse().unwrap())
+    };
+    let ((exact, exponent), (rounded, other)) = (digits(text), digits(&format!("{double:.35e}")));
+    assert_eq!(exponent, other, "a power of ten between {text} and its double");
+    (rounded - exact) as f64 / exact as f64
+}
+
 #[test]
 fn every_reference_value_is_reached_to_1e13_and_bounded_by_its_error_bar() {
     let materials = reference_materials();
-    let (mut values, mut steep, mut worst, mut wide) = (0, 0, 0.0_f64, 0.0_f64);
+    let (mut values, mut steepest, mut worst, mut wide) = (0, 0.0_f64, 0.0_f64, 0.0_f64);
     for row in reference_rows("steady_crack.csv") {
-        if row.text("model") != "energy_closure" || row.text("independence") != "independent" {
+        if row.text("model") != "energy_closure" || row.text("independence") != "independent" || row.text("process_zone") == "schapery" {
             continue;
         }
         let material = &materials[row.text("material")];
-        let ((estimate, condition), expected) = (solved(&row, material), row.number("value"));
+        let (estimate, condition) = solved(&row, material);
+        // The reference belongs to a speed of 32 digits, the solver to its double. At a condition of 2e4 half an ulp of the speed is
+        // 2e-12 of the value: move the reference by that, to first order (the second order is 1e-24).
+        let moved =
+            if row.text("speed").is_empty() || row.text("process_zone") == "none" { 0.0 } else { relative_rounding(row.text("speed")) };
+        let signed = if row.text("motion") == "opening" { condition } else { -condition };
+        let expected = row.number("value") * (1.0 + signed * moved);
         let scale = if row.text("scale").is_empty() { expected.abs() } else { row.number("scale") };
         let error = (estimate.value - expected).abs();
         let place = format!("{} {}: {:e} instead of {expected:e}", row.text("case"), row.text("quantity"), estimate.value);
-        // The reference belongs to a speed of 32 digits; its rounding to a double moves the value by condition × half an ulp, besides
-        // the rounding of the value itself.
-        let input = 0.5 * f64::EPSILON * (1.0 + condition) * expected.abs();
-        assert!(error <= estimate.error + input, "{place}: error {error:e} above its bar {:e}", estimate.error);
-        values += 1;
-        if condition > 20.0 {
-            steep += 1;
-            continue;
-        }
+        // The value itself is rounded to a double here, half an ulp.
+        assert!(
+            error <= estimate.error + 0.5 * f64::EPSILON * expected.abs(),
+            "{place}: error {error:e} above its bar {:e}",
+            estimate.error
+        );
         assert!(error <= TOLERANCE * scale, "{place}: {:.1e} of the scale", error / scale);
+        values += 1;
+        steepest = steepest.max(condition);
         worst = worst.max(error / scale);
         wide = wide.max(estimate.error / scale);
     }
-    println!("{values} values ({steep} steeper than v^20), worst error {worst:.1e}, widest bar {wide:.1e}");
-    assert!(values - steep >= 60, "only {values} values were compared");
+    println!("{values} values, steepest d ln G/d ln v {steepest:.1e}, worst error {worst:.1e}, widest bar {wide:.1e}");
+    assert!(values >= 500, "only {values} values were compared");
+    assert!(steepest > 1e4, "the cliff of a closing crack is among them");
     assert!(wide < TOLERANCE, "an error bar is wider than the promise: {wide:e}");
 }

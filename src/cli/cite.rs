@@ -12,7 +12,7 @@ pub(super) fn cite(scene: Option<PathBuf>) -> Result<u8, Failure> {
         None => ALL.to_vec(),
     };
     for paper in papers {
-        print(&format!("% {}\n{}\n\n", paper.role, paper.bibtex));
+        print(&format!("% {}\n{}\n\n", paper.role, paper.bibtex))?;
     }
     Ok(0)
 }

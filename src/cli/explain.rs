@@ -21,11 +21,16 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "predicted_work": work,
             "accuracy": source.scene.accuracy,
         });
-        print(&format!("{value:#}\n"));
+        print(&format!("{value:#}\n"))?;
         return Ok(0);
     }
-    let mut text =
-        format!("{}\nproblem: {}, {} states, accuracy {:e}\n", source.scene.title, plan.problem(), plan.states(), source.scene.accuracy);
+    let mut text = format!(
+        "{}\nproblem: {}, {}, accuracy {:e}\n",
+        source.scene.title,
+        plan.problem(),
+        counted(plan.states(), "state"),
+        source.scene.accuracy
+    );
     let _ = writeln!(text, "\neffects");
     for effect in plan.effects() {
         let _ = writeln!(text, "  {:3}  {:22} {}", if effect.on { "on" } else { "off" }, effect.name, effect.why);
@@ -37,13 +42,19 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
     let _ = writeln!(text, "\ncharacteristic numbers");
     for group in plan.groups() {
         let unit = if group.unit == "1" { "" } else { &group.unit };
-        let _ = writeln!(text, "  {:32} {:.6e} {unit}", group.name, group.value);
+        let line = format!("  {:32} {:.6e} {unit}", group.name, group.value);
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(
         text,
         "\npredicted work\n  {} balances, {} kernel evaluations, {} field points",
         work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
     );
-    print(&text);
+    print(&text)?;
     Ok(0)
+}
+
+/// `1 state`, `2 states`.
+fn counted(number: usize, what: &str) -> String {
+    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
 }

@@ -117,16 +117,12 @@ pub fn main() -> ExitCode {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
         Command::Run { scene, out, force, json } => run::run(&scene, out.as_deref(), force, json),
         Command::Explain { scene, json } => explain::explain(&scene, json),
-        Command::Schema => {
-            print(&format!("{:#}\n", crate::scene::schema::schema()));
-            Ok(0)
-        }
+        Command::Schema => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),
         Command::Completions { shell } => {
             let mut bytes = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "viscotack", &mut bytes);
-            print(&String::from_utf8_lossy(&bytes));
-            Ok(0)
+            print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
         }
     };
     match result {
@@ -138,7 +134,13 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Writes to standard output; a reader that has gone away (`| head`) is no error.
-fn print(text: &str) {
-    let _ = std::io::stdout().write_all(text.as_bytes());
+/// Writes to standard output; a reader that has gone away (`| head`) is no error, a full disk is.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::Wrong(format!("error: standard output cannot be written: {error}\n")))
+        }
+        _ => Ok(()),
+    }
 }

@@ -10,7 +10,7 @@ use std::path::Path;
 pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failure> {
     let list = || TEMPLATES.iter().map(|template| format!("  {:8} {}\n", template.name, template.meaning)).collect::<String>();
     let Some(name) = problem else {
-        print(&format!("viscotack new PROBLEM, with one of:\n{}", list()));
+        print(&format!("viscotack new PROBLEM, with one of:\n{}", list()))?;
         return Ok(0);
     };
     let Some(found) = template(name) else {
@@ -19,13 +19,13 @@ pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failu
         return Err(Failure::Wrong(format!("error: there is no problem `{name}`.{meant} The problems are:\n{}", list())));
     };
     let Some(path) = out else {
-        print(found.text);
+        print(found.text)?;
         return Ok(0);
     };
     let written = OpenOptions::new().write(true).create_new(true).open(path).and_then(|mut file| file.write_all(found.text.as_bytes()));
     match written {
         Ok(()) => {
-            print(&format!("wrote {}; now: viscotack run {}\n", path.display(), path.display()));
+            print(&format!("wrote {}; now: viscotack run {}\n", path.display(), path.display()))?;
             Ok(0)
         }
         Err(error) => Err(Failure::Wrong(format!("error: `{}` cannot be written: {error}\n", path.display()))),

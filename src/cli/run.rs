@@ -29,12 +29,12 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
     bar.finish_and_clear();
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
     if json {
-        print(&format!("{:#}\n", summary::summary(&outcome)));
+        print(&format!("{:#}\n", summary::summary(&outcome)))?;
     } else {
-        print(&screen::render(&outcome));
+        print(&screen::render(&outcome))?;
         match (out, files) {
-            (Some(target), Some(files)) => print(&format!("wrote      {}: {}\n", target.display(), files.join(", "))),
-            _ => print("(nothing written; add --out DIR for summary.json, tables and plots)\n"),
+            (Some(target), Some(files)) => print(&format!("wrote      {}: {}\n", target.display(), files.join(", ")))?,
+            _ => print("(nothing written; add --out DIR for summary.json, tables and plots)\n")?,
         }
     }
     Ok(outcome.exit_code())

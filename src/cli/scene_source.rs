@@ -27,6 +27,8 @@ impl SceneSource {
         for set in others {
             document.set(set)?;
         }
+        // A whole [material] given by --set may name a file, too.
+        read::resolve_includes(&mut document)?;
         let scene = read::read(&document)?;
         Ok(Self { document, scene, text })
     }

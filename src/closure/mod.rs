@@ -17,10 +17,8 @@
 //! Steady and unsteady contacts and cracks differ only in the two fields. Each problem of this crate evaluates its balance by a fast
 //! reduced form; this module evaluates it from any two fields by quadrature, and the reduced forms are property-tested against it.
 
-mod log_quadrature;
-
 use crate::refusal::{Refusal, require_positive};
-use log_quadrature::integrate_between_edges;
+use crate::special::log_quadrature::integrate_between_edges;
 
 /// The two fields at an edge that the balance needs.
 pub trait EdgeFields {

@@ -13,6 +13,7 @@
 use super::body::CrackBody;
 use super::curve::{CurvePoint, Motion, SteadyCurve};
 use super::process_zone::closing_intensity_mean;
+use super::steep_closing::Correction;
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 use crate::special::cohesive_kernel::{closing_work_kernel, closing_work_kernel_slope, opening_kernel, opening_kernel_slope};
@@ -89,5 +90,14 @@ impl SteadyCurve for CohesiveZone<'_> {
 
     fn motion(&self) -> Motion {
         self.motion
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        // The work mean M of a closing zone rises above its relaxed value by up to 6 % before it falls back to it.
+        self.motion == Motion::Opening
+    }
+
+    fn sharpened(&self, _speed: f64, _crossing_time: f64) -> Option<Correction> {
+        None
     }
 }

@@ -1,6 +1,8 @@
 //! What every theory of a steady crack has in common: a curve over the time in which the tip crosses its process zone.
 
-use crate::material::Material;
+use super::process_zone::Interface;
+use super::steep_closing::Correction;
+use crate::material::{Material, WeightedMean};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +38,34 @@ pub struct CurvePoint {
     pub kernel_evaluations: u64,
 }
 
+impl CurvePoint {
+    /// The point of a theory whose drive is the inverse of a mean of the material's memory, D = 1/mean, with the interface's zone length.
+    ///
+    /// # Errors
+    /// [`Refusal::Undefined`] for a zone length that does not exist for the material or motion.
+    pub fn of_mean(
+        mean: &WeightedMean,
+        interface: &Interface,
+        material: &Material,
+        motion: Motion,
+        crossing_time: f64,
+        kernel_evaluations: u64,
+    ) -> Result<Self, Refusal> {
+        let drive =
+            WeightedMean { value: 1.0 / mean.value, log_slope: -mean.log_slope, relative_error: mean.relative_error + 0.5 * f64::EPSILON };
+        let zone = interface.zone_length(material, motion, crossing_time, &drive)?;
+        Ok(Self {
+            drive: drive.value,
+            drive_log_slope: drive.log_slope,
+            drive_relative_error: drive.relative_error,
+            crossing_length: zone.length,
+            length_log_slope: zone.log_slope,
+            length_relative_error: zone.relative_error,
+            kernel_evaluations: kernel_evaluations + zone.kernel_evaluations,
+        })
+    }
+}
+
 /// A theory of steady cracks.
 pub trait SteadyCurve {
     /// The point that belongs to a crossing time T > 0 (s); T = ∞ is the crack at rest, T = 0 the infinitely fast one.
@@ -49,6 +79,12 @@ pub trait SteadyCurve {
 
     /// Which way the tip moves.
     fn motion(&self) -> Motion;
+
+    /// Whether ℓ(T) stays between its values at T = 0 and T = ∞, so that these bracket a root.
+    fn length_is_bounded_by_its_limits(&self) -> bool;
+
+    /// A correction of the crossing time at a given speed from a residual in extended precision, where the theory offers one.
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction>;
 
     /// G/Δγ at this drive; kept inside the limits 1 and β (or 1/β), which the theory never passes and rounding may by an ulp.
     ///

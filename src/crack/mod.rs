@@ -30,6 +30,7 @@ pub mod near_tip;
 pub mod persson_brener;
 pub mod process_zone;
 pub mod solve;
+pub mod steep_closing;
 pub mod virtual_work;
 
 pub use body::CrackBody;

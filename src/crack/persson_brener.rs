@@ -12,8 +12,9 @@
 //! counterpart, the same loss integral over the relaxation modulus, which reaches Δγ/β as it must.
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
-use super::process_zone::Interface;
-use crate::material::{Material, WeightedMean};
+use super::process_zone::{Interface, ProcessZone};
+use super::steep_closing::Correction;
+use crate::material::Material;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
@@ -65,18 +66,12 @@ impl SteadyCurve for PerssonBrener<'_> {
             }
             Motion::Closing => (self.material.relaxation_mean(crossing_time, 1.0, loss_kernel), self.material.relaxation_kernel_count()),
         };
-        let drive =
-            WeightedMean { value: 1.0 / mean.value, log_slope: -mean.log_slope, relative_error: mean.relative_error + 0.5 * f64::EPSILON };
         // The cut-off is crossed in a/v = 2πT, the time that Schapery's length asks for.
-        let cut_off = self.interface.zone_length(self.material, self.motion, TAU * crossing_time, &drive)?;
+        let point = CurvePoint::of_mean(&mean, &self.interface, self.material, self.motion, TAU * crossing_time, kernels)?;
         Ok(CurvePoint {
-            drive: drive.value,
-            drive_log_slope: drive.log_slope,
-            drive_relative_error: drive.relative_error,
-            crossing_length: cut_off.length / TAU,
-            length_log_slope: cut_off.log_slope,
-            length_relative_error: cut_off.relative_error + f64::EPSILON,
-            kernel_evaluations: kernels + cut_off.kernel_evaluations,
+            crossing_length: point.crossing_length / TAU,
+            length_relative_error: point.length_relative_error + f64::EPSILON,
+            ..point
         })
     }
 
@@ -86,5 +81,13 @@ impl SteadyCurve for PerssonBrener<'_> {
 
     fn motion(&self) -> Motion {
         self.motion
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
+    }
+
+    fn sharpened(&self, _speed: f64, _crossing_time: f64) -> Option<Correction> {
+        None
     }
 }

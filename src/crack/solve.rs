@@ -10,12 +10,15 @@ use crate::refusal::Refusal;
 
 /// Growth of a bracket that no limit of the theory gives; 60 steps then span 1e290.
 const BRACKET_GROWTH: f64 = 65_536.0;
-/// How far outside its two limits a length may lie, as a factor: 1.1997 is reached, see [`bracket_from_limits`].
-const BRACKET_MARGIN: f64 = 1.25;
 /// A relative residual above this is no solution: the root was outside the bracket, or the curve is not a number there.
 const LARGEST_RESIDUAL: f64 = 1e-8;
 /// Steps of bracket growth before a search is given up.
 const MOST_GROWTH_STEPS: u32 = 130;
+
+/// Slopes d ln v/d ln T below this magnify rounding enough to be worth a residual in extended precision.
+const STEEP: f64 = 0.3;
+/// The first change brings the error from eps over the slope to rounding, the second confirms it.
+const SHARPENINGS: u32 = 2;
 
 /// A steady crack, solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,27 +75,41 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
         }
         return Ok(state);
     }
-    // F(ln T) = ln(vT/ℓ) rises with T, and ℓ lies between its limits at T = 0 and T = ∞, or close by.
+    // F(ln T) = ln(vT/ℓ) rises with T; where ℓ lies between its limits at T = 0 and T = ∞, these bracket the root.
     let lengths = [count.point(curve, 0.0)?.crossing_length, count.point(curve, f64::INFINITY)?.crossing_length];
-    let bracket = bracket_from_limits(lengths, speed);
     let function = |time: f64, count: &mut Count| -> Result<LogSlope, Refusal> {
         let point = count.point(curve, time)?;
         Ok(LogSlope { value: (speed * (time / point.crossing_length)).ln(), slope: 1.0 - point.length_log_slope })
     };
-    let what = "the crossing time at a given speed";
-    let mut root = rooted(what, function, bracket, tolerance, &mut count)?;
-    let mut point = count.point(curve, root.argument)?;
-    let mut residual = (speed * (root.argument / point.crossing_length)).ln().abs();
-    if residual > LARGEST_RESIDUAL {
-        // The length lies outside its two limits, as Schapery's may: there is no bracket but one that is looked for.
-        let bracket = grown_bracket(&function, root.argument, &mut count)?;
-        root = rooted(what, function, bracket, tolerance, &mut count)?;
-        point = count.point(curve, root.argument)?;
-        residual = (speed * (root.argument / point.crossing_length)).ln().abs();
-    }
+    let limits = bracket_from_limits(lengths, speed);
+    let bracket = if curve.length_is_bounded_by_its_limits() {
+        limits
+    } else {
+        grown_bracket(&function, limits[0].sqrt() * limits[1].sqrt(), &mut count)?
+    };
+    let root = rooted("the crossing time at a given speed", function, bracket, tolerance, &mut count)?;
+    let mut crossing_time = root.argument;
+    let mut point = count.point(curve, crossing_time)?;
+    let mut residual = (speed * (crossing_time / point.crossing_length)).ln().abs();
     // The last Newton step landed closer than its own length; what remains is the residual at the point itself and rounding.
-    let time_error = (residual + point.length_relative_error + 3.0 * f64::EPSILON) / (1.0 - point.length_log_slope);
-    finished(curve, Estimate::exact(speed), root.argument, time_error, &point, residual, count)
+    let mut time_error = (residual + point.length_relative_error + 3.0 * f64::EPSILON) / (1.0 - point.length_log_slope);
+    if 1.0 - point.length_log_slope < STEEP {
+        // Rounding is magnified by the inverse of this slope: take the residual in extended precision where the theory can.
+        for _ in 0..SHARPENINGS {
+            let Some(sharper) = curve.sharpened(speed, crossing_time) else { break };
+            // A converted series carries its own errors, which more digits of the residual do not mend.
+            if sharper.error >= time_error {
+                break;
+            }
+            let next = crossing_time * sharper.change.exp();
+            residual = (next / crossing_time).ln().abs() * (1.0 - point.length_log_slope);
+            // Half an ulp of T itself, and what the last change may have left.
+            time_error = sharper.error + f64::EPSILON + sharper.change * sharper.change;
+            crossing_time = next;
+            point = count.point(curve, crossing_time)?;
+        }
+    }
+    finished(curve, Estimate::exact(speed), crossing_time, time_error, &point, residual, count)
 }
 
 /// The state under a drive D (see [`CurvePoint`]; [`super::CrackBody::drive`] makes it from a stress intensity), to a relative `tolerance`.
@@ -211,15 +228,11 @@ fn rooted(
     }
 }
 
-/// T = ℓ/v at the smallest and the largest length, widened; a length of zero or infinity leaves that end far out.
-///
-/// A closing cohesive zone is shorter in between than at either limit: its M exceeds M(∞) = 2, by the factor 1/q with q artanh q = 1 at
-/// most (the positive part of its kernel alone), which is 1.1997. Schapery's length may lie further outside: D rises over relaxation
-/// times, N only over the longer retardation times.
+/// T = ℓ/v at the smallest and the largest length, a little widened; a length of zero or infinity leaves that end far out.
 fn bracket_from_limits(lengths: [f64; 2], speed: f64) -> [f64; 2] {
     let (small, large) = (lengths[0].min(lengths[1]), lengths[0].max(lengths[1]));
-    let lower = small / speed / BRACKET_MARGIN;
-    let upper = large / speed * BRACKET_MARGIN;
+    let lower = small / speed * (1.0 - 1e-12);
+    let upper = large / speed * (1.0 + 1e-12);
     [if lower > 0.0 { lower } else { 1e-290 }, if upper.is_finite() && upper > 0.0 { upper } else { 1e290 }]
 }
 

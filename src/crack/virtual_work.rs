@@ -10,8 +10,9 @@
 //! remote intensity K₁.
 
 use super::curve::{CurvePoint, Motion, SteadyCurve};
-use super::process_zone::Interface;
-use crate::material::{Material, WeightedMean};
+use super::process_zone::{Interface, ProcessZone};
+use super::steep_closing::{self, Correction};
+use crate::material::Material;
 use crate::refusal::Refusal;
 
 /// The virtual-work theory of a steady crack.
@@ -38,18 +39,7 @@ impl SteadyCurve for VirtualWork<'_> {
             Motion::Opening => (self.material.mean_creep(crossing_time), self.material.creep_kernel_count()),
             Motion::Closing => (self.material.mean_relaxation(crossing_time), self.material.relaxation_kernel_count()),
         };
-        let drive =
-            WeightedMean { value: 1.0 / mean.value, log_slope: -mean.log_slope, relative_error: mean.relative_error + 0.5 * f64::EPSILON };
-        let zone = self.interface.zone_length(self.material, self.motion, crossing_time, &drive)?;
-        Ok(CurvePoint {
-            drive: drive.value,
-            drive_log_slope: drive.log_slope,
-            drive_relative_error: drive.relative_error,
-            crossing_length: zone.length,
-            length_log_slope: zone.log_slope,
-            length_relative_error: zone.relative_error,
-            kernel_evaluations: kernels + zone.kernel_evaluations,
-        })
+        CurvePoint::of_mean(&mean, &self.interface, self.material, self.motion, crossing_time, kernels)
     }
 
     fn material(&self) -> &Material {
@@ -58,5 +48,16 @@ impl SteadyCurve for VirtualWork<'_> {
 
     fn motion(&self) -> Motion {
         self.motion
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        !matches!(self.interface.process_zone, ProcessZone::Schapery { .. })
+    }
+
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction> {
+        match self.motion {
+            Motion::Opening => None,
+            Motion::Closing => steep_closing::correction(self.material, &self.interface, speed, crossing_time),
+        }
     }
 }

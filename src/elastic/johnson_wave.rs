@@ -45,8 +45,8 @@
 //! picture: nothing here says when it fails, for it has no edge (Johnson 1995 needs a flaw).
 
 use super::control::{Control, EquilibriumBranch};
-use super::root;
 use super::westergaard_wave::{Edge, WaveState, WestergaardWave, missing_penetration};
+use crate::continuation::signed_root::signed_root;
 use crate::refusal::{Refusal, require_finite, require_positive};
 
 /// The adhesion parameter from which an unloaded wave closes by itself: 3/(4·3^{1/4}), reached at ka/2 = π/3.
@@ -194,7 +194,7 @@ impl JohnsonWave {
                 WaveBranch::Wide => (2.0 * (missing / alpha).ln(), snap_in),
             }
         };
-        let place = root::bracketed("the contact width of an adhesive wave", below, above, 0.5 * (below + above), |place| {
+        let place = signed_root("the contact width of an adhesive wave", below, above, 0.5 * (below + above), |place| {
             let value = if place > 0.0 {
                 missing - (Edge { tangent: place.exp() }.cosine_squared() + alpha * (0.5 * place).exp())
             } else {
@@ -243,16 +243,11 @@ impl JohnsonWave {
             // α√T·x < 4αT^{1/4} for small T, because √T·ln(1/T²) peaks against T^{1/4} at 8/e.
             EquilibriumBranch::Unstable => (fold, (4.0 * (-fraction / (4.0 * alpha)).ln()).min(fold)),
         };
-        let place = root::bracketed(
-            "the contact width of an adhesive wave at a given penetration",
-            below,
-            above,
-            0.5 * (below + above),
-            |place| {
+        let place =
+            signed_root("the contact width of an adhesive wave at a given penetration", below, above, 0.5 * (below + above), |place| {
                 let value = if place > 0.0 { missing - self.missing_fraction(place) } else { self.penetration_fraction(place) - fraction };
                 (value, self.penetration_slope(place))
-            },
-        )?;
+            })?;
         let edge = Edge { tangent: place.exp() };
         let pull = alpha * (0.5 * place).exp() * edge.depth();
         let size = if place > 0.0 { missing + pull } else { 2.0 * edge.penetration_fraction() + pull };
@@ -421,7 +416,7 @@ impl JohnsonWave {
         // At T < e⁻⁴ and T^{3/2} < α/8 the bracket's second term wins: x > 8, so α(½x − 2) > ¼αx > 2xT^{3/2}.
         let below = (2.0 / 3.0 * (alpha / 8.0).ln()).min(-4.0);
         let above = 0.15_f64.ln();
-        root::bracketed("the fold of the penetration of an adhesive wave", below, above, 0.5 * (below + above), |place| {
+        signed_root("the fold of the penetration of an adhesive wave", below, above, 0.5 * (below + above), |place| {
             let edge = Edge { tangent: place.exp() };
             let (depth, cosine, sine) = (edge.depth(), edge.cosine_squared(), edge.sine_squared());
             let closing = 2.0 * (1.5 * place).exp() * cosine;

@@ -31,7 +31,6 @@ pub mod johnson_wave;
 pub mod kendall_punch;
 pub mod plane_modulus;
 pub mod pure_shear_strip;
-mod root;
 pub mod strip_energy;
 pub mod tabor;
 pub mod westergaard_wave;

@@ -36,7 +36,7 @@
 //!
 //! Range: kΛ ≪ 1, frictionless (or incompressible) contact.
 
-use super::root;
+use crate::continuation::signed_root::signed_root;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use std::f64::consts::PI;
 
@@ -165,7 +165,7 @@ impl WestergaardWave {
         // (1 + x)e^{−x} = Δ/Λ with x = −2 ln s; the far end follows from (2L + 5)e^{−4} < e^{L}, L = −ln(Δ/Λ).
         let far = 4.0 - 2.0 * fraction.ln();
         let start = if missing < 0.5 { (2.0 * missing).sqrt() } else { 1.0 - fraction.ln() };
-        let x = root::bracketed("the contact width of a wave at a given penetration", far, 0.0, start.min(0.5 * far), |x| {
+        let x = signed_root("the contact width of a wave at a given penetration", far, 0.0, start.min(0.5 * far), |x| {
             let value = if missing < 0.5 { missing - missing_penetration(x) } else { (1.0 + x) * (-x).exp() - fraction };
             (value, -x * (-x).exp())
         })?;

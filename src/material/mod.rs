@@ -67,6 +67,7 @@ pub struct Material {
     steady_viscosity: Option<f64>,
     given: GivenSeries,
     conversion_errors: Vec<ConversionError>,
+    modulus_rounding: f64,
 }
 
 impl Material {
@@ -101,7 +102,7 @@ impl Material {
             None => 1.0 / (1.0 / glassy_modulus + creep_terms.iter().rev().map(|term| term.compliance).sum::<f64>()),
         };
         let (relaxation_terms, conversion_errors) = conversion::relaxation_from_creep(glassy_modulus, &creep_terms, steady_viscosity)?;
-        Ok(Self {
+        Self {
             glassy_modulus,
             relaxed_modulus,
             creep_terms,
@@ -109,7 +110,9 @@ impl Material {
             steady_viscosity,
             given: GivenSeries::Creep,
             conversion_errors,
-        })
+            modulus_rounding: 0.0,
+        }
+        .representable()
     }
 
     /// A material from its relaxation series: the relaxed modulus (0 for a viscous material) and terms in any order.
@@ -132,7 +135,7 @@ impl Material {
         let (creep_terms, conversion_errors) = conversion::creep_from_relaxation(relaxed_modulus, &relaxation_terms)?;
         let steady_viscosity =
             (relaxed_modulus == 0.0).then(|| relaxation_terms.iter().map(|term| term.modulus * term.relaxation_time).sum());
-        Ok(Self {
+        Self {
             glassy_modulus,
             relaxed_modulus,
             creep_terms,
@@ -140,7 +143,32 @@ impl Material {
             steady_viscosity,
             given: GivenSeries::Relaxation,
             conversion_errors,
-        })
+            modulus_rounding: 0.0,
+        }
+        .representable()
+    }
+
+    /// The material, unless a number of it, given or converted, overflowed or underflowed.
+    fn representable(self) -> Result<Self, Refusal> {
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        let solid = self.steady_viscosity.is_none();
+        let whole = positive(self.glassy_modulus)
+            && (if solid { positive(self.relaxed_modulus) } else { self.relaxed_modulus == 0.0 })
+            && self.steady_viscosity.is_none_or(positive)
+            && self.creep_terms.iter().all(|term| positive(term.compliance) && positive(term.retardation_time))
+            && self.relaxation_terms.iter().all(|term| positive(term.modulus) && positive(term.relaxation_time))
+            && self
+                .conversion_errors
+                .iter()
+                .all(|error| [error.time, error.strength, error.time_input, error.strength_input].iter().all(|value| value.is_finite()));
+        if whole {
+            Ok(self)
+        } else {
+            Err(Refusal::Undefined {
+                quantity: "the other series of the material",
+                reason: "the moduli and times are so large, so small or so far apart that numbers overflow".into(),
+            })
+        }
     }
 
     /// The standard linear solid of the thesis, by its two moduli and its RETARDATION time (thesis chapters 3 and 5).
@@ -227,6 +255,12 @@ impl Material {
         &self.conversion_errors
     }
 
+    /// Relative rounding error that [`Material::stiffened`] left in every modulus; zero for a material as given.
+    #[must_use]
+    pub const fn modulus_rounding(&self) -> f64 {
+        self.modulus_rounding
+    }
+
     /// The longest retardation time (s), or none for a material without creep terms.
     #[must_use]
     pub fn longest_retardation_time(&self) -> Option<f64> {
@@ -246,6 +280,9 @@ impl Material {
     pub fn stiffened(&self, factor: f64) -> Result<Self, Refusal> {
         let factor = require_positive("factor", factor)?;
         let mut scaled = self.clone();
+        // Multiplication by a power of two is exact.
+        let exact = factor.log2().fract() == 0.0;
+        scaled.modulus_rounding += if exact { 0.0 } else { f64::EPSILON };
         scaled.glassy_modulus *= factor;
         scaled.relaxed_modulus *= factor;
         scaled.steady_viscosity = scaled.steady_viscosity.map(|viscosity| viscosity * factor);
@@ -255,7 +292,7 @@ impl Material {
         for term in &mut scaled.relaxation_terms {
             term.modulus *= factor;
         }
-        Ok(scaled)
+        scaled.representable()
     }
 }
 

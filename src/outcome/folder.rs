@@ -15,6 +15,9 @@ pub enum FolderError {
     /// It is there already.
     #[error("the folder `{0}` exists already: choose another --out, or add --force to replace it")]
     Exists(String),
+    /// It is there, and no run has written it: other work would be lost.
+    #[error("`{0}` is not replaced: it holds no summary.json, so it was not written by a run; choose another --out")]
+    NotARun(String),
     /// The partial folder belongs to another run.
     #[error(
         "`{partial}` holds the unfinished run of another scene or build ({found}): remove it, choose another --out, or add --force to drop it"
@@ -46,16 +49,29 @@ pub struct RunFolder {
 
 /// Name of the journal inside the partial folder.
 const JOURNAL: &str = "journal.jsonl";
+/// Name of the summary: where it stands, the folder was written by a run.
+const SUMMARY: &str = "summary.json";
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {
     move |error| FolderError::Io { path: path.display().to_string(), error: error.to_string() }
 }
 
-/// `DIR.partial` of `DIR`.
+/// `DIR.partial` of `DIR`, and of `DIR/`, as shells complete it.
 fn partial_of(target: &Path) -> PathBuf {
-    let mut name = target.as_os_str().to_owned();
-    name.push(".partial");
+    beside(target, ".partial")
+}
+
+/// A path beside another, its name with an ending.
+fn beside(target: &Path, ending: &str) -> PathBuf {
+    // Collecting the components drops a stroke at the end.
+    let mut name = target.components().collect::<PathBuf>().into_os_string();
+    name.push(ending);
     PathBuf::from(name)
+}
+
+/// Whether a folder may be replaced by a run: it is empty, or a run has written it.
+fn replaceable(target: &Path) -> bool {
+    target.join(SUMMARY).is_file() || std::fs::read_dir(target).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 impl RunFolder {
@@ -67,12 +83,19 @@ impl RunFolder {
         if target.exists() && !force {
             return Err(FolderError::Exists(target.display().to_string()));
         }
+        if target.exists() && !replaceable(target) {
+            return Err(FolderError::NotARun(target.display().to_string()));
+        }
         let partial = partial_of(target);
         let journal_path = partial.join(JOURNAL);
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
             Found::Rows(rows) => rows,
             Found::Nothing => Vec::new(),
-            Found::Other(_) if force => Vec::new(),
+            Found::Other(_) if force => {
+                // Its files must not end among those of this run.
+                std::fs::remove_dir_all(&partial).map_err(io(&partial))?;
+                Vec::new()
+            }
             Found::Other(found) => {
                 let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
                 return Err(FolderError::OtherRun { partial: partial.display().to_string(), found });
@@ -104,7 +127,7 @@ impl RunFolder {
         let csv_error = |error: csv::Error| FolderError::Io { path: "table".into(), error: error.to_string() };
         let mut text = serde_json::to_string_pretty(&summary::summary(outcome)).map_err(|error| io(&target)(error.into()))?;
         text.push('\n');
-        write("summary.json", text.as_bytes())?;
+        write(SUMMARY, text.as_bytes())?;
         write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
         if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
             write("fields.csv", &fields)?;
@@ -121,19 +144,18 @@ impl RunFolder {
                 Err(error) => return Err(drawn(error)),
             }
         }
-        let journal_path = partial.join(JOURNAL);
+        // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a spare file.
         if force && target.exists() {
-            let mut aside = target.as_os_str().to_owned();
-            aside.push(format!(".replaced-{}", std::process::id()));
-            let aside = PathBuf::from(aside);
+            let aside = beside(&target, &format!(".replaced-{}", std::process::id()));
             std::fs::rename(&target, &aside).map_err(io(&target))?;
-            journal.remove().map_err(io(&journal_path))?;
             std::fs::rename(&partial, &target).map_err(io(&target))?;
             std::fs::remove_dir_all(&aside).map_err(io(&aside))?;
         } else {
-            journal.remove().map_err(io(&journal_path))?;
             std::fs::rename(&partial, &target).map_err(io(&target))?;
         }
+        drop(journal);
+        let spare = target.join(JOURNAL);
+        std::fs::remove_file(&spare).map_err(io(&spare))?;
         Ok(names)
     }
 }

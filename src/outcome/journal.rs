@@ -7,7 +7,7 @@ use super::row::Row;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
 use std::io::{BufWriter, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What a journal belongs to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,7 +24,6 @@ pub struct JournalHeader {
 #[derive(Debug)]
 pub struct Journal {
     file: BufWriter<File>,
-    path: PathBuf,
 }
 
 /// What an existing journal held.
@@ -59,7 +58,11 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
     }
     let states = lines.map_while(|line| serde_json::from_slice::<Vec<Row>>(line).ok());
     Ok(Found::Rows(
-        states.enumerate().take_while(|(index, rows)| rows.iter().all(|row| row.state == *index)).map(|(_, rows)| rows).collect(),
+        states
+            .enumerate()
+            .take_while(|(index, rows)| !rows.is_empty() && rows.iter().all(|row| row.state == *index))
+            .map(|(_, rows)| rows)
+            .collect(),
     ))
 }
 
@@ -80,7 +83,7 @@ impl Journal {
         file.flush()?;
         std::fs::rename(&fresh, path)?;
         let file = BufWriter::new(OpenOptions::new().append(true).open(path)?);
-        Ok(Self { file, path: path.to_owned() })
+        Ok(Self { file })
     }
 
     /// Adds finished states and hands them to the system.
@@ -92,14 +95,6 @@ impl Journal {
             write_line(&mut self.file, rows)?;
         }
         self.file.flush()
-    }
-
-    /// Removes the journal once the result is written.
-    ///
-    /// # Errors
-    /// A file that cannot be removed.
-    pub fn remove(self) -> std::io::Result<()> {
-        std::fs::remove_file(&self.path)
     }
 }
 

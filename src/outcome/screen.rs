@@ -40,7 +40,8 @@ fn single(text: &mut String, outcome: &Outcome) {
         for (column, value) in outcome.columns.iter().zip(&row.values) {
             if let Some(estimate) = value {
                 let unit = if column.unit == "1" { "" } else { &column.unit };
-                let _ = writeln!(text, "  {:width$}  {} {unit}", column.name, with_error(*estimate));
+                let line = format!("  {:width$}  {} {unit}", column.name, with_error(*estimate));
+                let _ = writeln!(text, "{}", line.trim_end());
             }
         }
         if let Some(certificate) = row.certificate {
@@ -72,6 +73,9 @@ fn sweep(text: &mut String, outcome: &Outcome) {
         lines.push(line(row, &shown));
     }
     let _ = write!(text, "\n{}", aligned(&lines));
+    let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
+    let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
+    let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
     for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
         let count = outcome.rows.iter().filter(|row| row.status == status).count();
         if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {
@@ -80,11 +84,12 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     }
 }
 
-/// A column is shown in a sweep if it is no copy of a swept number and some row has it.
+/// A column is shown in a sweep if some row has it and it is no copy of a swept number or of a column before it.
 fn wanted(outcome: &Outcome, index: usize) -> bool {
     let Some(column) = outcome.columns.get(index) else { return false };
     let swept = outcome.swept.iter().any(|swept| swept.key.rsplit('.').next() == Some(column.name));
-    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some))
+    let same_as = |other: usize| outcome.rows.iter().all(|row| row.values.get(index) == row.values.get(other));
+    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
 }
 
 fn line(row: &Row, shown: &[usize]) -> Vec<String> {

@@ -12,7 +12,7 @@ use super::units::{Dimension, parse_quantity};
 /// # Errors
 /// The first thing that is wrong, in the order of the text.
 pub fn check(root: &Node) -> Result<(), SceneError> {
-    check_table(root, "", Units::of(root))
+    check_table(root, "", "", Units::of(root))
 }
 
 /// How numbers are read.
@@ -35,20 +35,23 @@ impl Units {
     }
 }
 
-fn check_table(table: &Node, path: &str, units: Units) -> Result<(), SceneError> {
+/// Checks a table: `path` is its path with real indices, for messages, `generic` the one that the catalogue knows.
+fn check_table(table: &Node, path: &str, generic: &str, units: Units) -> Result<(), SceneError> {
+    let below = |path: &str, key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
     for entry in table.entries() {
-        let below = if path.is_empty() { entry.key.clone() } else { format!("{path}.{}", entry.key) };
-        let Some(key) = catalogue::key(&below) else {
-            return Err(unknown_key(entry, path, &below));
+        let path_of_key = below(path, &entry.key);
+        let Some(key) = catalogue::key(&below(generic, &entry.key)) else {
+            return Err(unknown_key(entry, path, generic));
         };
-        check_value(&entry.node, key, units)?;
+        check_value(&entry.node, key, &path_of_key, units)?;
     }
     Ok(())
 }
 
 /// The error for a key that the catalogue does not have.
-fn unknown_key(entry: &Entry, table: &str, path: &str) -> SceneError {
-    let known: Vec<&str> = catalogue::names_in(table).collect();
+fn unknown_key(entry: &Entry, table: &str, generic: &str) -> SceneError {
+    let known: Vec<&str> = catalogue::names_in(generic).collect();
+    let path = if table.is_empty() { entry.key.clone() } else { format!("{table}.{}", entry.key) };
     let place = if table.is_empty() { "a scene".to_owned() } else { format!("[{table}]") };
     let meant = nearest(&entry.key, known.iter().copied());
     let label = meant.map_or_else(|| "unknown key".to_owned(), |name| format!("did you mean `{name}`?"));
@@ -60,53 +63,58 @@ fn unknown_key(entry: &Entry, table: &str, path: &str) -> SceneError {
     SceneError::at(&entry.key_place, format!("`{path}` is not a key"), label).help(help)
 }
 
-fn check_value(node: &Node, key: &Key, units: Units) -> Result<(), SceneError> {
+fn check_value(node: &Node, key: &Key, path: &str, units: Units) -> Result<(), SceneError> {
     match key.kind {
         Kind::Number { dimension, range, reduced } => {
-            let value = number(node, key.path, dimension, units)?;
-            check_range(node, key.path, value, range).map_err(|error| match units {
+            let value = number(node, path, dimension, units)?;
+            check_range(node, path, value, range).map_err(|error| match units {
                 Units::Reduced => error.help(format!("allowed: {}, in units of {reduced}", range.words())),
                 Units::Si => error,
             })
         }
-        Kind::Count { least, most } => count(node, key.path, least, most).map(|_| ()),
-        Kind::Choice(words) => choice(node, key.path, words).map(|_| ()),
-        Kind::Choices(words) => check_choices(node, key.path, words),
+        Kind::Count { least, most } => count(node, path, least, most).map(|_| ()),
+        Kind::Choice(words) => choice(node, path, words).map(|_| ()),
+        Kind::Choices(words) => check_choices(node, path, words),
         Kind::Text => match &node.value {
             Value::Text(_) => Ok(()),
-            _ => Err(wrong_type(node, key.path, "a text in quotes")),
+            _ => Err(wrong_type(node, path, "a text in quotes")),
         },
         Kind::NumberOfSweptKey => match &node.value {
             Value::Text(_) | Value::Number(_) => Ok(()),
-            _ => Err(wrong_type(node, key.path, "a number, or a text with a unit")),
+            _ => Err(wrong_type(node, path, "a number, or a text with a unit")),
         },
         Kind::NumbersOfSweptKey => match &node.value {
             Value::List(items) => items.iter().try_for_each(|item| match &item.value {
                 Value::Text(_) | Value::Number(_) => Ok(()),
-                _ => Err(wrong_type(item, key.path, "numbers, or texts with a unit")),
+                _ => Err(wrong_type(item, path, "numbers, or texts with a unit")),
             }),
-            _ => Err(wrong_type(node, key.path, "a list of numbers")),
+            _ => Err(wrong_type(node, path, "a list of numbers")),
         },
-        Kind::Table => check_subtable(node, key.path, key.path, units),
-        Kind::Tables => check_list(node, key.path, &format!("{}[]", key.path), units),
+        Kind::Table => check_subtable(node, path, key.path, units),
+        Kind::Tables => check_list(node, path, &format!("{}[]", key.path), units),
         Kind::TableOrTables => match &node.value {
-            Value::List(_) => check_list(node, key.path, key.path, units),
-            _ => check_subtable(node, key.path, key.path, units),
+            Value::List(_) => check_list(node, path, key.path, units),
+            _ => check_subtable(node, path, key.path, units),
         },
     }
 }
 
-fn check_subtable(node: &Node, key: &str, path: &str, units: Units) -> Result<(), SceneError> {
+fn check_subtable(node: &Node, path: &str, generic: &str, units: Units) -> Result<(), SceneError> {
     match &node.value {
-        Value::Table(_) => check_table(node, path, units),
-        _ => Err(wrong_type(node, key, "a table")),
+        Value::Table(_) => check_table(node, path, generic, units),
+        _ => {
+            let known = catalogue::names_in(generic).collect::<Vec<_>>().join(", ");
+            Err(wrong_type(node, path, "a table").help(format!("[{path}] knows: {known}")))
+        }
     }
 }
 
-fn check_list(node: &Node, key: &str, item_path: &str, units: Units) -> Result<(), SceneError> {
+fn check_list(node: &Node, path: &str, generic: &str, units: Units) -> Result<(), SceneError> {
     match &node.value {
-        Value::List(items) => items.iter().try_for_each(|item| check_subtable(item, key, item_path, units)),
-        _ => Err(wrong_type(node, key, "a list of tables")),
+        Value::List(items) => {
+            items.iter().enumerate().try_for_each(|(index, item)| check_subtable(item, &format!("{path}.{index}"), generic, units))
+        }
+        _ => Err(wrong_type(node, path, "a list of tables")),
     }
 }
 
@@ -148,9 +156,11 @@ pub fn number(node: &Node, key: &str, dimension: Dimension, units: Units) -> Res
         _ => return Err(wrong_type(node, key, dimension.example())),
     };
     if value.is_finite() {
-        Ok(value)
+        // Minus zero is zero.
+        Ok(value + 0.0)
     } else {
-        Err(SceneError::at(&node.place, format!("`{key}` = {} is not a finite number", shortened(node.written())), "must be finite"))
+        let message = format!("`{key}` = {} is not a finite number", shortened(node.written()));
+        Err(SceneError::at(&node.place, message, "must be finite").help(format!("allowed: {}", dimension.example())))
     }
 }
 
@@ -178,7 +188,7 @@ pub fn count(node: &Node, key: &str, least: u32, most: u32) -> Result<u32, Scene
             let message = format!("`{key}` = {} is out of range", shortened(node.written()));
             Err(SceneError::at(&node.place, message, format!("must be a whole number from {least} to {most}")))
         }
-        _ => Err(wrong_type(node, key, "a whole number")),
+        _ => Err(wrong_type(node, key, &format!("a whole number from {least} to {most}"))),
     }
 }
 
@@ -187,7 +197,7 @@ pub fn count(node: &Node, key: &str, least: u32, most: u32) -> Result<u32, Scene
 /// # Errors
 /// A type or word that is wrong, with the nearest word.
 pub fn choice(node: &Node, key: &str, words: &[Word]) -> Result<usize, SceneError> {
-    let allowed = || format!("allowed: {}", words.iter().map(|word| format!("{:?}", word.word)).collect::<Vec<_>>().join(", "));
+    let allowed = || allowed_words(words);
     match &node.value {
         Value::Text(text) => words.iter().position(|word| word.word == text).ok_or_else(|| {
             let label = nearest(text, words.iter().map(|word| word.word))
@@ -198,12 +208,17 @@ pub fn choice(node: &Node, key: &str, words: &[Word]) -> Result<usize, SceneErro
     }
 }
 
+/// The line that names the words of a choice.
+pub fn allowed_words(words: &[Word]) -> String {
+    format!("allowed: {}", words.iter().map(|word| format!("{:?}", word.word)).collect::<Vec<_>>().join(", "))
+}
+
 fn check_choices(node: &Node, key: &str, words: &[Word]) -> Result<(), SceneError> {
     let Value::List(items) = &node.value else {
-        return Err(wrong_type(node, key, "a list of texts"));
+        return Err(wrong_type(node, key, "a list of texts").help(allowed_words(words)));
     };
     if items.is_empty() {
-        return Err(SceneError::at(&node.place, format!("`{key}` is an empty list"), "name at least one"));
+        return Err(SceneError::at(&node.place, format!("`{key}` is an empty list"), "name at least one").help(allowed_words(words)));
     }
     let mut seen = Vec::new();
     for item in items {

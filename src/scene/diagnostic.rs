@@ -53,13 +53,13 @@ impl SceneError {
     /// An error at a place: the message is a full sentence with key and value, the label stands under the caret.
     #[must_use]
     pub fn at(place: &Place, message: impl Into<String>, label: impl Into<String>) -> Self {
-        Self { message: message.into(), label: label.into(), help: None, place: Some(place.clone()) }
+        Self { message: one_line(&message.into()), label: one_line(&label.into()), help: None, place: Some(place.clone()) }
     }
 
     /// An error without a place in a text (a file that cannot be read, a folder that exists).
     #[must_use]
     pub fn general(message: impl Into<String>) -> Self {
-        Self { message: message.into(), label: String::new(), help: None, place: None }
+        Self { message: one_line(&message.into()), label: String::new(), help: None, place: None }
     }
 
     /// The same error with a line that says what is allowed, or what to do.
@@ -103,6 +103,11 @@ impl Diagnostic for SceneError {
         let label = (!self.label.is_empty()).then(|| self.label.clone());
         Some(Box::new(std::iter::once(LabeledSpan::new(label, place.span.start, place.span.len()))))
     }
+}
+
+/// A message on one line: keys and values from a file may hold line feeds, or codes that command a terminal.
+fn one_line(text: &str) -> String {
+    text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect()
 }
 
 /// The known name nearest to a misspelt one, if any is near enough to be meant.

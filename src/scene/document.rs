@@ -3,6 +3,8 @@
 use super::diagnostic::{Place, SceneError, SourceText};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -101,6 +103,9 @@ pub struct Document {
 /// No scene that a person writes is larger (bytes).
 const LARGEST_FILE: u64 = 16 * 1024 * 1024;
 
+/// No key lies deeper (parts of a path): a longer one is refused before tables are made for it.
+const DEEPEST_PATH: usize = 32;
+
 impl Document {
     /// Reads a scene file.
     ///
@@ -109,13 +114,7 @@ impl Document {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let name = path.display().to_string();
         let unreadable = |reason: String| SceneError::general(format!("the scene file `{name}` cannot be read: {reason}"));
-        let size = std::fs::metadata(path).map_err(|error| unreadable(error.to_string()))?.len();
-        if size > LARGEST_FILE {
-            return Err(unreadable(format!("it has {size} bytes, more than {LARGEST_FILE}")));
-        }
-        let bytes = std::fs::read(path).map_err(|error| unreadable(error.to_string()))?;
-        let text =
-            String::from_utf8(bytes).map_err(|error| unreadable(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
+        let text = read_text(path).map_err(unreadable)?;
         Self::parse(&name, text, path.parent().unwrap_or_else(|| Path::new(".")))
     }
 
@@ -164,6 +163,9 @@ impl Document {
             return Err(SceneError::general(format!("`--set {assignment}` has no `=`")).help("write --set table.key=value"));
         };
         let (path, value) = (path.trim(), value.trim());
+        if path.is_empty() {
+            return Err(SceneError::general(format!("`--set {assignment}` names no key")).help("write --set table.key=value"));
+        }
         let as_written = SourceText::new(&format!("--set {path}"), format!("value = {value}"));
         let source = match parse_tree(&as_written) {
             Ok(_) => as_written,
@@ -180,8 +182,12 @@ impl Document {
     /// Puts a value under a dotted path, replacing what is there; tables on the way are made if they are missing.
     ///
     /// # Errors
-    /// A path through a value that is no table, or past the end of a list.
+    /// A path through a value that is no table, past the end of a list, or deeper than any key.
     pub fn replace(&mut self, path: &str, node: Node) -> Result<(), SceneError> {
+        if path.split('.').nth(DEEPEST_PATH).is_some() {
+            let start: String = path.chars().take(60).collect();
+            return Err(SceneError::at(&node.place, format!("`{start}…` is not a key"), "no key lies so deep"));
+        }
         replace_in(&mut self.root, path, path, node)
     }
 }
@@ -233,6 +239,22 @@ fn replace_in(node: &mut Node, path: &str, whole: &str, new: Node) -> Result<(),
     }
 }
 
+/// The text of a file, or the reason why it cannot be read.
+pub(super) fn read_text(path: &Path) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    // Devices and pipes do not tell their size, so that it is limited while reading.
+    let opened = File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes));
+    opened.map_err(|error| error.to_string())?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(format!("it has more than {LARGEST_FILE} bytes"));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let whole = error.utf8_error().valid_up_to();
+        let line = 1 + error.as_bytes().iter().take(whole).filter(|&&byte| byte == b'\n').count();
+        format!("byte {whole}, in line {line}, is not UTF-8 text")
+    })
+}
+
 /// A text as a TOML basic string.
 fn toml_text(text: &str) -> String {
     let mut quoted = String::from("\"");
@@ -259,8 +281,10 @@ fn toml_text(text: &str) -> String {
 pub fn parse_tree(source: &SourceText) -> Result<Node, SceneError> {
     let table = DeTable::parse(source.text()).map_err(|error| {
         let span = error.span().unwrap_or(0..0);
+        let words = source.text().get(span.clone()).filter(|words| !words.trim().is_empty() && words.len() <= 60);
+        let what = words.map_or_else(|| error.message().to_owned(), |words| format!("{} `{}`", error.message(), words.trim()));
         let place = Place { source: source.clone(), span };
-        SceneError::at(&place, format!("this is not TOML: {}", error.message()), "here")
+        SceneError::at(&place, format!("this is not TOML: {what}"), "here")
     })?;
     Ok(Node { place: Place { source: source.clone(), span: table.span() }, value: table_value(table.get_ref(), source) })
 }

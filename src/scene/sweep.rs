@@ -90,7 +90,10 @@ pub(super) fn read(root: &Node, units: Units) -> Result<Vec<Sweep>, SceneError> 
 }
 
 fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError> {
-    let missing = |key: &str, place: &Place| SceneError::at(place, format!("`sweep.{key}` is missing"), "in this table");
+    let missing = |key: &str, place: &Place| {
+        let meaning = catalogue::key(&format!("sweep.{key}")).map_or("", |entry| entry.meaning);
+        SceneError::at(place, format!("`sweep.{key}` is missing"), "in this table").help(format!("sweep.{key}: {meaning}"))
+    };
     let header = first_line(&table.place);
     let key_node = table.get("key").ok_or_else(|| missing("key", &header))?;
     let Value::Text(path) = &key_node.value else { return Err(missing("key", &header)) };
@@ -135,7 +138,11 @@ fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError
                 let message = "a logarithmic sweep runs over positive values only";
                 return Err(SceneError::at(place, message, "must be greater than 0").help("or write spacing = \"linear\""));
             }
-            (spread(first, last, count, linear), !linear)
+            let mut values = spread(first, last, count, linear);
+            if matches!(key.kind, Kind::Count { .. }) {
+                values.iter_mut().for_each(|value| *value = value.round());
+            }
+            (values, !linear)
         }
     };
     Ok(Sweep { key: path.clone(), values, unit, logarithmic, place: key_node.place.clone() })
@@ -144,6 +151,9 @@ fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError
 /// The catalogue entry of a swept path, after checking that it is a number and that its table exists.
 fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, SceneError> {
     let generic = catalogue::generic_path(path);
+    if generic == "sweep" || generic.starts_with("sweep.") || generic.starts_with("sweep[]") {
+        return Err(SceneError::at(place, format!("`sweep.key` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
+    }
     let Some(key) = catalogue::key(&generic).filter(|key| is_number(key)) else {
         let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
         let label = nearest_number(path).map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
@@ -153,6 +163,12 @@ fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, Sce
     if has_table(root, table) {
         Ok(key)
     } else {
+        if let Some((list, index)) = table.rsplit_once('.')
+            && let Some(Node { value: Value::List(items), .. }) = root.at(list)
+        {
+            let message = format!("`sweep.key` = {path:?} does not exist: `{list}` has {} items, counted from 0", items.len());
+            return Err(SceneError::at(place, message, format!("{index} is none of them")));
+        }
         let message = format!("`sweep.key` = {path:?} lies in [{table}], which the scene does not have");
         Err(SceneError::at(place, message, "a table that is absent is an effect that is not simulated").help(format!("add [{table}]")))
     }
@@ -160,6 +176,7 @@ fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, Sce
 
 fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
     let steps = f64::from(count.saturating_sub(1).max(1));
+    let (low, high) = (first.min(last), first.max(last));
     (0..count)
         .map(|index| {
             // Both ends are met exactly.
@@ -169,9 +186,10 @@ fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
             } else if index + 1 == count {
                 last
             } else if linear {
-                first + (last - first) * part
+                (first + (last - first) * part).clamp(low, high)
             } else {
-                10f64.powf(first.log10() + (last.log10() - first.log10()) * part)
+                // Rounding must not carry a value past an end, which may be the end of what is allowed.
+                10f64.powf(first.log10() + (last.log10() - first.log10()) * part).clamp(low, high)
             }
         })
         .collect()

@@ -4,3 +4,4 @@ pub mod cohesive_kernel;
 pub mod dawson;
 pub mod exponential_mean;
 pub mod gauss_legendre;
+pub mod log_quadrature;

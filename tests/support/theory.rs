@@ -3,6 +3,7 @@
 
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
+use viscotack::crack::steep_closing::Correction;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, CurvePoint, Interface, Motion, ProcessZone, SteadyCurve};
 use viscotack::{Material, Refusal};
@@ -35,6 +36,22 @@ impl SteadyCurve for Theory<'_> {
             Self::Work(curve) => curve.motion(),
             Self::Loss(curve) => curve.motion(),
             Self::Zone(curve) => curve.motion(),
+        }
+    }
+
+    fn length_is_bounded_by_its_limits(&self) -> bool {
+        match self {
+            Self::Work(curve) => curve.length_is_bounded_by_its_limits(),
+            Self::Loss(curve) => curve.length_is_bounded_by_its_limits(),
+            Self::Zone(curve) => curve.length_is_bounded_by_its_limits(),
+        }
+    }
+
+    fn sharpened(&self, speed: f64, crossing_time: f64) -> Option<Correction> {
+        match self {
+            Self::Work(curve) => curve.sharpened(speed, crossing_time),
+            Self::Loss(curve) => curve.sharpened(speed, crossing_time),
+            Self::Zone(curve) => curve.sharpened(speed, crossing_time),
         }
     }
 }

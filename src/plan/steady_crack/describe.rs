@@ -28,7 +28,11 @@ impl SteadyCrackPlan {
             Effect {
                 name: "memory",
                 on: !elastic,
-                why: if elastic { "the material has no creep or relaxation terms".into() } else { format!("{terms} terms") },
+                why: if elastic {
+                    "the material has no creep or relaxation terms".into()
+                } else {
+                    if terms == 1 { "1 term".into() } else { format!("{terms} terms") }
+                },
             },
             Effect {
                 name: "flow",

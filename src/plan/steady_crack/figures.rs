@@ -147,19 +147,45 @@ fn families<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<Family<'a>> {
         }
     }
     let sets = thinned(sets, (MOST_CURVES / theories.len().max(1)).max(1));
-    let mut families = Vec::new();
+    let of = |theory: Theory, set: &[f64]| -> Vec<&'a Row> {
+        rows.iter().filter(|row| row.theory == theory.word() && row.swept.get(..outer).unwrap_or(&[]) == set).collect()
+    };
+    let (mut families, mut indifferent_ones): (Vec<Family<'a>>, Vec<Family<'a>>) = (Vec::new(), Vec::new());
     for (index, set) in sets.iter().enumerate() {
         for (place, &theory) in theories.iter().enumerate() {
-            let rows = rows.iter().filter(|row| row.theory == theory.word() && row.swept.get(..outer).unwrap_or(&[]) == *set).collect();
-            let parameters = if outer > 0 { swept_label(scene, set) } else { String::new() };
+            // A theory that does not feel the outer sweep is one curve, drawn once, without its parameters.
+            let same = |other: &&[f64]| {
+                let (first, second) = (of(theory, set), of(theory, other));
+                first.len() == second.len() && first.iter().zip(&second).all(|(left, right)| left.values == right.values)
+            };
+            let indifferent = sets.len() > 1 && sets.iter().all(same);
+            if indifferent && index > 0 {
+                continue;
+            }
+            let rows = of(theory, set);
+            let parameters = if outer > 0 && !indifferent { swept_label(scene, set) } else { String::new() };
             let label = match (theories.len() > 1, parameters.is_empty()) {
                 (_, true) => theory.name().to_owned(),
                 (true, false) => format!("{}, {parameters}", theory.name()),
                 (false, false) => parameters,
             };
-            families.push(Family { label, theory, colour: if outer > 0 { index } else { place }, rows });
+            let family = Family {
+                label,
+                theory,
+                colour: if indifferent {
+                    sets.len()
+                } else if outer > 0 {
+                    index
+                } else {
+                    place
+                },
+                rows,
+            };
+            if indifferent { indifferent_ones.push(family) } else { families.push(family) }
         }
     }
+    // Drawn last, on top of the families.
+    families.extend(indifferent_ones);
     families
 }
 

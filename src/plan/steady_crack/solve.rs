@@ -40,6 +40,8 @@ impl SteadyCrackPlan {
             };
             row.reason = Some(refusal.to_string());
             row.values = vec![None; COLUMNS.len()];
+            row.certificate = None;
+            row.assumptions.clear();
             row.fields.clear();
         }
         row
@@ -72,7 +74,7 @@ impl SteadyCrackPlan {
             row.fields = self.fields(&fields, &state)?;
             row.work.field_evaluations += u64::from(fields.points);
         }
-        Ok(())
+        representable(row)
     }
 
     fn state(&self, theory: Theory, tolerance: f64, work: &mut Work) -> Result<SteadyState, Refusal> {
@@ -181,4 +183,23 @@ impl SteadyCrackPlan {
             })
             .collect()
     }
+}
+
+/// Lets a row pass whose every number is finite: infinities and NaNs stand in no table, and JSON has no word for them.
+fn representable(row: &mut Row) -> Result<(), Refusal> {
+    for assumption in &mut row.assumptions {
+        *assumption = assumption.filter(|value| value.is_finite());
+    }
+    let finite = |estimate: &Estimate| estimate.value.is_finite() && estimate.error.is_finite();
+    let overflow = |quantity| Refusal::Undefined { quantity, reason: "the numbers of the scene are so far apart that it overflows".into() };
+    if let Some((column, _)) = COLUMNS.iter().zip(&row.values).find(|(_, value)| value.as_ref().is_some_and(|value| !finite(value))) {
+        return Err(overflow(column.name));
+    }
+    if row.certificate.is_some_and(|certificate| !(certificate.residual.is_finite() && certificate.condition.is_finite())) {
+        return Err(overflow("the certificate"));
+    }
+    if row.fields.iter().any(|point| !(point.distance.is_finite() && finite(&point.displacement) && finite(&point.stress))) {
+        return Err(overflow("a field"));
+    }
+    Ok(())
 }

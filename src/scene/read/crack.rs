@@ -29,7 +29,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Steady
     };
     let plane = plane(&crack, top, material)?;
     let (work_of_adhesion, process_zone) = adhesion(top, body)?;
-    let theories = theories(&crack, motion, process_zone)?;
+    let theories = theories(top, &crack, motion, process_zone)?;
     let control = control(&crack, plane, material, work_of_adhesion)?;
     Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
 }
@@ -58,7 +58,11 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
     let reduced = table.units() == Units::Reduced;
     let work = match (table.number("work_of_adhesion")?, reduced) {
         (Some(work), true) if (work - 1.0).abs() > 1e-12 => {
-            return Err(table.wrong("work_of_adhesion", "in reduced units the work of adhesion is the unit", "must be 1 (or left out)"));
+            return Err(table.wrong(
+                "work_of_adhesion",
+                "`adhesion.work_of_adhesion`: in reduced units the work of adhesion is the unit",
+                "must be 1 (or left out)",
+            ));
         }
         (Some(work), _) => work,
         (None, true) => 1.0,
@@ -78,7 +82,7 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
     };
     let given = if reduced {
         if zone.node().get("cohesive_stress").is_some() {
-            let message = "in reduced units the cohesive stress is fixed by the unit of length a₀";
+            let message = "`adhesion.process_zone.cohesive_stress`: in reduced units the cohesive stress is fixed by the unit of length a₀";
             return Err(zone.wrong("cohesive_stress", message, "leave it out"));
         }
         zone.number("length")?.map(ProcessZoneLaw::Length).unwrap_or_else(|| reduced_zone(body, factor, law))
@@ -105,7 +109,7 @@ fn reduced_zone(body: CrackBody, factor: f64, law: CohesiveLaw) -> ProcessZoneLa
     ProcessZoneLaw::Cohesive { cohesive_stress, factor, law }
 }
 
-fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result<Vec<Theory>, SceneError> {
+fn theories(top: &Section<'_>, crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result<Vec<Theory>, SceneError> {
     let mut theories = Vec::new();
     for word in crack.texts("theories") {
         let theory = match word {
@@ -114,7 +118,8 @@ fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result
             _ => Theory::VirtualWork,
         };
         if theory == Theory::CohesiveZone && matches!(zone, ProcessZoneLaw::Length(_)) {
-            let message = "the cohesive-zone theory needs a cohesive stress, but the process zone is given as a length";
+            let message =
+                "`crack.theories` names the cohesive-zone theory, which needs a cohesive stress, but the process zone is given as a length";
             return Err(crack.wrong("theories", message, "give adhesion.process_zone.cohesive_stress"));
         }
         theories.push(theory);
@@ -125,8 +130,11 @@ fn theories(crack: &Section<'_>, motion: Motion, zone: ProcessZoneLaw) -> Result
     if let ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } = zone
         && (motion == Motion::Opening || theories.contains(&Theory::PerssonBrener))
     {
-        let message = "the process-zone law \"schapery\" is the length of a closing cohesive zone";
-        return Err(crack.wrong("theories", message, "it takes motion = \"closing\" and no persson_brener"));
+        let message = "`adhesion.process_zone.law` = \"schapery\" is the length of a closing cohesive zone";
+        let zone = top.table("adhesion").and_then(|table| table.table("process_zone"));
+        let place = zone.map_or_else(|| crack.key_place("theories"), |zone| zone.key_place("law"));
+        let label = "needs crack.motion = \"closing\", and no \"persson_brener\" in crack.theories";
+        return Err(SceneError::at(&place, message, label));
     }
     Ok(theories)
 }
@@ -147,7 +155,7 @@ fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, wor
 
 fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial) -> Result<Strip, SceneError> {
     if table.units() == Units::Reduced {
-        return Err(crack.wrong("strip", "a strip needs lengths and stresses in SI units", "write units = \"si\""));
+        return Err(crack.wrong("strip", "`crack.strip` needs lengths and stresses in SI units", "write units = \"si\""));
     }
     let lateral = match table.text("lateral") {
         Some("uniaxial") => SidewaysStrain::Free,

@@ -1,7 +1,7 @@
 //! `material.file`: the [material] table of another file, put where the key stands.
 
 use crate::scene::diagnostic::{SceneError, SourceText};
-use crate::scene::document::{Document, Entry, Node, Value, parse_tree};
+use crate::scene::document::{Document, Entry, Node, Value, parse_tree, read_text};
 
 /// Replaces `material.file` by the content of that file's [material] table.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
@@ -9,7 +9,7 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     let Value::Text(name) = node.value.clone() else { return Ok(()) };
     let place = node.place.clone();
     let path = document.folder().join(&name);
-    let text = std::fs::read_to_string(&path).map_err(|error| {
+    let text = read_text(&path).map_err(|error| {
         SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file")
             .help("relative paths start at the scene")
     })?;

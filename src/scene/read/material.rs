@@ -19,7 +19,10 @@ pub(super) fn read(top: &Section<'_>) -> Result<SceneMaterial, SceneError> {
         None => elastic(&table)?,
     };
     if table.units() == Units::Reduced && (series.relaxed_modulus() - 1.0).abs() > 1e-9 {
-        let message = format!("in reduced units the relaxed modulus is the unit, but it comes out as {}", series.relaxed_modulus());
+        let message = format!(
+            "in reduced units the relaxed modulus is the unit, but `material.relaxed_modulus` comes out as {}",
+            series.relaxed_modulus()
+        );
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
     Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio })
@@ -40,7 +43,9 @@ fn uses_fractions(table: &Section<'_>) -> bool {
 fn elastic(table: &Section<'_>) -> Result<Material, SceneError> {
     let modulus = match (relaxed(table)?, table.number("glassy_modulus")?) {
         (Some(relaxed), Some(glassy)) if (relaxed - glassy).abs() > FRACTION_SLACK * glassy => {
-            let message = "two different moduli are given, but no creep or relaxation terms that lead from one to the other";
+            let message = format!(
+                "`material.relaxed_modulus` ({relaxed:e}) and `material.glassy_modulus` ({glassy:e}) differ, but there are no creep or relaxation terms that lead from one to the other"
+            );
             return Err(table.wrong("glassy_modulus", message, "leave one out, or add material.creep or material.relaxation"));
         }
         (Some(modulus), _) | (None, Some(modulus)) => modulus,
@@ -159,7 +164,10 @@ fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> R
     if first_way == Some("fraction") {
         let sum: f64 = strengths.iter().sum();
         if (sum - 1.0).abs() > FRACTION_SLACK {
-            let message = format!("the fractions sum to {sum}, not to 1");
+            let message = format!(
+                "the fractions of `material.{}` sum to {sum}, not to 1",
+                if time == "retardation_time" { "creep" } else { "relaxation" }
+            );
             return Err(items
                 .last()
                 .map_or_else(|| SceneError::general(message.clone()), |last| last.wrong("fraction", &message, "the last of them")));

@@ -27,19 +27,26 @@ pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
     include::resolve(document)
 }
 
-/// Reads a scene, without its sweep being carried out: a swept number stands at its first value.
+/// States of a sweep that are tried before a scene is called wrong.
+const MOST_TRIES: usize = 1000;
+
+/// Reads a scene, without its sweep being carried out: a swept number stands at its first value that fits the rest of the scene.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first thing that is wrong, at the first values.
 pub fn read(document: &Document) -> Result<Scene, SceneError> {
     check(&document.root)?;
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
-    let mut first = document.clone();
-    for swept in &sweeps {
-        swept.put(&mut first, 0)?;
-    }
-    let mut scene = read_state(&first)?;
+    let state = |number: usize| {
+        let mut varied = document.clone();
+        for (swept, index) in sweeps.iter().zip(sweep::indices(&sweeps, number)) {
+            swept.put(&mut varied, index)?;
+        }
+        read_state(&varied)
+    };
+    // A value that contradicts the scene is a row that says so, wherever in the sweep it stands; a scene without any state is wrong.
+    let mut scene = state(0).or_else(|wrong| (1..sweep::states(&sweeps).min(MOST_TRIES)).find_map(|n| state(n).ok()).ok_or(wrong))?;
     scene.sweeps = sweeps;
     Ok(scene)
 }
@@ -61,7 +68,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         other => return Err(SceneError::general(format!("the problem [{other}] cannot be solved yet"))),
     };
     Ok(Scene {
-        title: top.text("title").map_or_else(stem, |title| title.to_owned()),
+        // One line, whatever the text or the file's name holds.
+        title: top.text("title").map_or_else(stem, str::to_owned).replace(char::is_control, " "),
         units,
         accuracy: top.number("accuracy")?.unwrap_or(DEFAULT_ACCURACY),
         material,
@@ -77,7 +85,7 @@ fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
         [one] => Ok(one),
         [] => {
             let known = PROBLEMS.map(|name| format!("[{name}]")).join(", ");
-            Err(SceneError::at(&top.end(), "the scene names no problem", "").help(format!("add one of: {known}")))
+            Err(SceneError::at(&top.end(), "the scene names no problem", "the scene ends here").help(format!("add one of: {known}")))
         }
         [_, second, ..] => {
             let place = top.key_place(second);
@@ -89,7 +97,9 @@ fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
 /// The place of a document's last byte: where something is missing.
 fn end_of(place: &Place) -> Place {
     let end = place.source.text().trim_end().len();
-    Place { source: place.source.clone(), span: end.saturating_sub(1)..end }
+    // The last character, however many bytes it has.
+    let start = place.source.text().get(..end).and_then(|text| text.char_indices().next_back()).map_or(0, |(start, _)| start);
+    Place { source: place.source.clone(), span: start..end }
 }
 
 /// The words after "did you mean" for a path, if a known one is near.

@@ -2,7 +2,7 @@
 
 use super::end_of;
 use crate::scene::catalogue::{self, Kind};
-use crate::scene::check::{Units, number};
+use crate::scene::check::{Units, allowed_words, number};
 use crate::scene::diagnostic::{Place, SceneError};
 use crate::scene::document::{Node, Value};
 
@@ -38,7 +38,7 @@ impl<'a> Section<'a> {
     pub(super) fn required_table(&self, key: &str, why: &str) -> Result<Section<'a>, SceneError> {
         self.table(key).ok_or_else(|| {
             let path = self.full(key);
-            SceneError::at(&self.end(), format!("the table [{path}] is missing: {why}"), "").help(self.known_keys(&path))
+            SceneError::at(&self.end(), format!("the table [{path}] is missing: {why}"), "the scene ends here").help(known_keys(&path))
         })
     }
 
@@ -106,7 +106,7 @@ impl<'a> Section<'a> {
             Some(key) => Ok(key),
             None => {
                 let named = keys.iter().map(|key| format!("`{}`", self.full(key))).collect::<Vec<_>>().join(", ");
-                Err(SceneError::at(&self.header(), format!("one of {named} is missing"), "").help("give exactly one of them"))
+                Err(SceneError::at(&self.header(), format!("one of {named} is missing"), "in this table").help("give exactly one of them"))
             }
         }
     }
@@ -133,8 +133,16 @@ impl<'a> Section<'a> {
     /// The error for a key that must be there.
     pub(super) fn missing(&self, key: &str) -> SceneError {
         let path = self.full(key);
-        let meaning = catalogue::key(&catalogue::generic_path(&path)).map_or("", |entry| entry.meaning);
-        SceneError::at(&self.header(), format!("`{path}` is missing"), "in this table").help(format!("{path}: {meaning}"))
+        let help = catalogue::key(&catalogue::generic_path(&path)).map_or_else(String::new, |entry| {
+            let takes = match entry.kind {
+                Kind::Number { reduced, .. } if self.units == Units::Reduced => format!(" It is a plain number, in units of {reduced}."),
+                Kind::Number { dimension, .. } => format!(" It is {}.", dimension.example()),
+                Kind::Choice(words) => format!(" It is a word; {}.", allowed_words(words)),
+                _ => String::new(),
+            };
+            format!("{path}: {}{takes}", entry.meaning)
+        });
+        SceneError::at(&self.header(), format!("`{path}` is missing"), "in this table").help(help)
     }
 
     /// Where a key stands.
@@ -163,9 +171,9 @@ impl<'a> Section<'a> {
     pub(super) fn full(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
+}
 
-    fn known_keys(&self, path: &str) -> String {
-        let keys: Vec<&str> = catalogue::names_in(path).collect();
-        format!("[{path}] knows: {}", keys.join(", "))
-    }
+fn known_keys(path: &str) -> String {
+    let keys: Vec<String> = catalogue::names_in(path).map(|name| format!("{path}.{name}")).collect();
+    format!("it may hold {}", keys.join(", "))
 }

@@ -1,6 +1,7 @@
-//! The one scalar root finder of this room: Newton's step kept inside a shrinking bracket.
+//! One safeguarded root of a monotone function of an unknown that may have either sign.
 //!
-//! Private, and meant to give way to `continuation` once that room has its own.
+//! Newton's step kept inside a shrinking bracket. For a positive unknown that may span many decades use [`super::root`], which works in its
+//! logarithm and returns the evidence; this one is for unknowns that pass through zero, such as a logarithm itself.
 
 use crate::refusal::Refusal;
 
@@ -13,13 +14,7 @@ const MAX_STEPS: usize = 1200;
 /// The two end values are taken on trust and never evaluated: an end that is itself the root, spoilt by rounding, is then approached
 /// and returned instead of refused. `function` gives the value and the derivative. Ends when a step no longer changes the point by more
 /// than one unit in the last place, which is the accuracy of the root as far as the function's own rounding allows.
-pub(super) fn bracketed(
-    what: &'static str,
-    below: f64,
-    above: f64,
-    start: f64,
-    function: impl Fn(f64) -> (f64, f64),
-) -> Result<f64, Refusal> {
+pub fn signed_root(what: &'static str, below: f64, above: f64, start: f64, function: impl Fn(f64) -> (f64, f64)) -> Result<f64, Refusal> {
     let (mut below, mut above, mut point) = (below, above, start);
     let mut last_step = (above - below).abs();
     for _ in 0..MAX_STEPS {

@@ -14,10 +14,14 @@
 use crate::refusal::Refusal;
 
 /// The value of an integral with its error and cost.
-pub(super) struct Integral {
-    pub(super) value: f64,
-    pub(super) error: f64,
-    pub(super) evaluations: u64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Integral {
+    /// The integral.
+    pub value: f64,
+    /// Bound on its absolute error from truncation and rounding.
+    pub error: f64,
+    /// Evaluations of the integrand.
+    pub evaluations: u64,
 }
 
 /// The coarsest step in τ: half of the half-width π of the strip in which the map itself is analytic. A dyadic number, so that no node
@@ -32,9 +36,12 @@ const LONGEST_HALF_RANGE: f64 = 300.0;
 /// Beyond `HALF_RANGE` the sum goes on while a summand is above this part of it: at a stiff edge √t comes with a factor β.
 const NEGLIGIBLE: f64 = 1e-18;
 
-/// ∫₀¹ f(t, 1 − t) dt; both arguments are passed with full relative accuracy.
-pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64, tolerance: f64) -> Result<Integral, Refusal> {
-    let what = "the quadrature of the virtual work";
+/// ∫₀¹ f(t, 1 − t) dt to a relative `tolerance`; both arguments are passed with full relative accuracy.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] when the integrand is not finite, or the tolerance is not reached (a kink, noise).
+pub fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64, tolerance: f64) -> Result<Integral, Refusal> {
+    let what = "a quadrature with power-law ends";
     let mut evaluations = 0;
     // The sum and the sum of magnitudes: where the integrand changes sign, rounding is relative to the latter.
     let mut sum_of = |offset: f64, step: f64| -> [f64; 2] {
@@ -69,7 +76,7 @@ pub(super) fn integrate_between_edges(mut function: impl FnMut(f64, f64) -> f64,
         step *= 0.5;
         let value = sum * step;
         if !value.is_finite() {
-            return Err(Refusal::NotConverged { what, detail: "a field is not finite inside the process zone".into() });
+            return Err(Refusal::NotConverged { what, detail: "the integrand is not finite inside its range".into() });
         }
         let change = (value - coarse).abs();
         // With an error C·q at one step, C·q² at the next and C·q⁴ at the one after, the last two changes are C·q and C·q², and

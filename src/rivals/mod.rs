@@ -1,0 +1,3 @@
+//! The ways others would compute the same: cited, never chosen by a plan, used by tests, studies and benchmarks only.
+
+pub mod raw_crack_work;
