@@ -13,7 +13,7 @@
 //! Oracle: the two asymptotes with their next terms, the vanishing net force of the closing stress, mpmath values through
 //! `crack_sec_5_2_5_3_raw_double_integrals`.
 //!
-//! Tolerance: 1e-14 relative beyond the next term of an asymptote. Naive differences are shown to lose all digits.
+//! Tolerance: 1e-14 relative beyond the next term of an asymptote. The naive difference is shown to lose β ulp: six digits at β = 1e6.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 #[path = "support/physics.rs"]
@@ -92,7 +92,7 @@ fn two_radii_of_the_trumpet_eqs_5_16_and_5_18() {
 }
 
 #[test]
-fn naive_difference_of_the_trumpet_loses_its_digits_near_the_tip() {
+fn naive_difference_of_the_trumpet_loses_beta_ulp_near_the_tip() {
     let material = Material::standard_solid(7.9e3, 7.9e9, 0.023).unwrap();
     let speed = 3.7e-4;
     let tip = OpeningTip::new(&material, RIGID, INTENSITY, speed).unwrap();
