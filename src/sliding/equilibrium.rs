@@ -10,6 +10,7 @@
 //! Under load control the moved contacts keep the penetration of the contact as it is, not its load. Source: thesis Secs 3.2 and 3.3.
 
 use super::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
+use super::edge_newton::{EdgeResidual, Edges, solve_edges};
 use crate::refusal::{Refusal, require_positive};
 use std::f64::consts::PI;
 
@@ -58,10 +59,6 @@ pub struct Equilibrium {
     pub admissibility: Admissibility,
 }
 
-/// Newton steps before giving up.
-const MOST_STEPS: u32 = 40;
-/// Step of the difference quotients, relative to the smaller of a and π − a.
-const DIFFERENCE: f64 = 1e-6;
 /// Points at which the gap is looked at.
 const GAP_POINTS: u32 = 48;
 
@@ -88,44 +85,15 @@ pub fn equilibrium(
     require_positive("reduced_work", adhesion.reduced_work)?;
     require_positive("trailing_zone", adhesion.trailing_zone)?;
     require_positive("leading_zone", adhesion.leading_zone)?;
-    let what = "the edges of a sliding contact";
-    let mut contact = start;
-    let mut evaluations = 1;
-    let mut here = closures(memory, adhesion, prescribed, contact)?;
-    for _ in 0..MOST_STEPS {
-        let size = largest(&here.residual);
-        if size <= tolerance {
-            return accepted(here, adhesion, evaluations);
-        }
-        let step = newton_step(memory, adhesion, prescribed, contact, &here)?;
-        evaluations += 2;
-        // Halve the step until the residual falls; a step that would close the contact or the gap is cut to a third of what is left.
-        let room = 0.33 * contact.half_width.min(PI - contact.half_width);
-        let mut scale = 1.0_f64.min(room / step.0.abs().max(f64::MIN_POSITIVE)).min(0.5 / step.1.abs().max(f64::MIN_POSITIVE));
-        let mut improved = false;
-        for _ in 0..12 {
-            let tried =
-                WaveContact { half_width: contact.half_width + scale * step.0, eccentricity: contact.eccentricity + scale * step.1 };
-            evaluations += 1;
-            match closures(memory, adhesion, prescribed, tried) {
-                Ok(there) if largest(&there.residual) < size => {
-                    contact = tried;
-                    here = there;
-                    improved = true;
-                    break;
-                }
-                _ => scale *= 0.5,
-            }
-        }
-        if !improved {
-            // Rounding: accept what cannot be improved if it is small, otherwise say so.
-            if size <= tolerance.max(1e-9) {
-                return accepted(here, adhesion, evaluations);
-            }
-            return Err(Refusal::NotConverged { what, detail: format!("a residual of {size:.1e} does not fall any more") });
-        }
+    let evaluate = |contact| closures(memory, adhesion, prescribed, contact);
+    let Edges { solution, residual, evaluations } = solve_edges("the edges of an adhesive sliding contact", evaluate, start, tolerance)?;
+    accepted(solution, adhesion, residual, evaluations)
+}
+
+impl EdgeResidual for Closures {
+    fn residual(&self) -> [f64; 2] {
+        self.residual
     }
-    Err(Refusal::NotConverged { what, detail: format!("{MOST_STEPS} Newton steps were not enough") })
 }
 
 fn closures(memory: &ContactMemory, adhesion: &WaveAdhesion, prescribed: Prescribed, contact: WaveContact) -> Result<Closures, Refusal> {
@@ -150,36 +118,8 @@ fn closures(memory: &ContactMemory, adhesion: &WaveAdhesion, prescribed: Prescri
     Ok(Closures { state, trailing_moved, leading_moved, residual })
 }
 
-/// The Newton step in (half-width, eccentricity).
-fn newton_step(
-    memory: &ContactMemory,
-    adhesion: &WaveAdhesion,
-    prescribed: Prescribed,
-    contact: WaveContact,
-    here: &Closures,
-) -> Result<(f64, f64), Refusal> {
-    let small = DIFFERENCE * contact.half_width.min(PI - contact.half_width);
-    let wider = WaveContact { half_width: contact.half_width + small, ..contact };
-    let ahead = WaveContact { eccentricity: contact.eccentricity + small, ..contact };
-    let column = |moved: WaveContact| -> Result<[f64; 2], Refusal> {
-        let there = closures(memory, adhesion, prescribed, moved)?;
-        Ok([(there.residual[0] - here.residual[0]) / small, (there.residual[1] - here.residual[1]) / small])
-    };
-    let (width, shift) = (column(wider)?, column(ahead)?);
-    let determinant = width[0] * shift[1] - width[1] * shift[0];
-    let step = (
-        -(here.residual[0] * shift[1] - here.residual[1] * shift[0]) / determinant,
-        -(width[0] * here.residual[1] - width[1] * here.residual[0]) / determinant,
-    );
-    if step.0.is_finite() && step.1.is_finite() {
-        Ok(step)
-    } else {
-        Err(Refusal::NotConverged { what: "the edges of a sliding contact", detail: "the Jacobian is singular: a fold is near".into() })
-    }
-}
-
-fn accepted(closures: Closures, adhesion: &WaveAdhesion, evaluations: u32) -> Result<Equilibrium, Refusal> {
-    let Closures { state, trailing_moved, leading_moved, residual } = closures;
+fn accepted(closures: Closures, adhesion: &WaveAdhesion, residual: f64, evaluations: u32) -> Result<Equilibrium, Refusal> {
+    let Closures { state, trailing_moved, leading_moved, .. } = closures;
     let pulled = |contact: &ContactState| contact.edge_amplitudes().0 < 0.0 && contact.edge_amplitudes().1 < 0.0;
     let edges_pulled = pulled(&state) && pulled(&trailing_moved) && pulled(&leading_moved);
     let width = 2.0 * (PI - state.contact().half_width);
@@ -203,13 +143,9 @@ fn accepted(closures: Closures, adhesion: &WaveAdhesion, evaluations: u32) -> Re
     Ok(Equilibrium {
         trailing_release: release(&trailing_moved, adhesion.trailing_zone),
         leading_release: release(&leading_moved, adhesion.leading_zone),
-        residual: largest(&residual),
+        residual,
         evaluations,
         admissibility,
         state,
     })
-}
-
-fn largest(residual: &[f64; 2]) -> f64 {
-    residual[0].abs().max(residual[1].abs())
 }

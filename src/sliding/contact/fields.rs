@@ -131,7 +131,8 @@ impl ContactState {
 /// f has a square root in its denominator at both edges. Nearer to the near edge than one scale, where that root would be almost inside the
 /// range, the vanishing whole is used: the integral is −e^{d/scale} ∫₀^d e^{−t/scale} f dt.
 fn memory_between_edges(from_near: f64, from_far: f64, scale: f64, f: impl Fn(f64, f64) -> f64) -> f64 {
-    if from_near < scale {
+    // Nearer to the far edge the direct integral is short and harmless, and the whole would cancel against almost itself.
+    if from_near < scale && from_near < from_far {
         let [before] = memory_integrals(from_near, f64::INFINITY, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
         -before
     } else {
