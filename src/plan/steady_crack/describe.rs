@@ -22,7 +22,7 @@ impl SteadyCrackPlan {
             ProcessZoneLaw::Cohesive { law: CohesiveLaw::Schapery, .. } => (true, "law = \"schapery\": by Schapery's closing zone"),
         };
         let theory = |theory: Theory| self.crack.theories.contains(&theory);
-        let named = |on: bool| if on { "named in crack.theories" } else { "not named in crack.theories" }.to_owned();
+        let named = |on: bool| if on { "named in crack.theories, or the default" } else { "not named in crack.theories" }.to_owned();
         vec![
             Effect { name: "adhesion", on: true, why: "[adhesion] is given".into() },
             Effect {
