@@ -150,7 +150,7 @@ fn finite_at_every_load_and_ratio() {
 /// Erratum: in the closed form below thesis (3.36) the third parameter of ₂F₁ is printed (1 + ζ)/ζ; it is 1 + i/ζ.
 #[test]
 fn erratum_7_third_parameter_of_the_hypergeometric_form_in_thesis_sec_3_3() {
-    let (ratio, x) = (2.0, 0.9);
+    let (ratio, x): (f64, f64) = (2.0, 0.9);
     // ₂F₁(1, ib; c; z) on the circle by its series, (1)_m/m! = 1, averaged twice (Cesàro) to converge: terms fall only as m^{Re(ib − c)}.
     let b = 1.0 / ratio;
     let closed_form = |third: (f64, f64)| {

@@ -51,7 +51,7 @@ pub fn clausen(angle: Angle) -> f64 {
     let x = angle.signed();
     let size = x.abs();
     if size == 0.0 {
-        return 0.0;
+        return x;
     }
     if size <= NEAR_BELOW {
         let scaled = x / (2.0 * PI);
