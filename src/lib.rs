@@ -12,6 +12,7 @@ pub mod plan;
 pub mod refusal;
 pub mod rivals;
 pub mod scene;
+pub mod sliding;
 pub mod special;
 
 pub use estimate::Estimate;

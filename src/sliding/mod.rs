@@ -1,0 +1,32 @@
+//! Steady sliding on a wave: the kernel between pressure and displacement (thesis Sec 2.2.2 and Eq 3.24).
+//!
+//! # Notation
+//! ```text
+//!      →  the indenter slides to +x at v; the frame moves with it
+//!   ‾‾\__/‾‾‾\__/‾‾    Λ cos kx          w(x) = −∫ 𝒢(x − ξ) p(ξ) dξ      over one period
+//!   ////////////////   w > 0 into the body, p > 0 compression
+//! ```
+//! | symbol | meaning | reduced by |
+//! |---|---|---|
+//! | x | position in the moving frame | 1/k |
+//! | w | displacement of the surface, without its mean | Λ |
+//! | p | pressure | E0*kΛ/2 |
+//! | ζ_j = kvτ_j | sliding per RETARDATION time τ_j | |
+//! | j_j = J_jE0 | relative compliance of a creep term | 1/E0 |
+//! | β = E∞/E0 | stiffening ratio; 1/β + Σj_j = 1 | |
+//! | Ĉ_m = 1/β + Σj_j/(1 − imζ_j) | compliance seen by the harmonic e^{imx} | 1/E0 |
+//! | L(x) = log\|2 sin(x/2)\| | the elastic half-plane, [`crate::special::log_sine`] | |
+//! | 𝓛(x; ζ) | its memory, [`crate::special::memory_clausen`] | |
+//! | kd, A_m, S_m = 1 − A_m | layer thickness and compliance factors, [`layer`] | |
+//!
+//! E0* = E0/(1 − ν²). The sign of v is free: v < 0 mirrors every field.
+
+pub mod green;
+pub mod layer;
+pub mod layer_green;
+pub mod memory;
+
+pub use green::HalfPlaneGreen;
+pub use layer::{Backing, Layer};
+pub use layer_green::LayerGreen;
+pub use memory::{MemoryTerm, SlidingMemory};
