@@ -89,7 +89,8 @@ fn figure_2_4_limits_and_lopsidedness() {
 
 #[test]
 fn reversing_the_speed_mirrors_the_kernel() {
-    let memory = SlidingMemory::new(0.25, &[MemoryTerm { compliance: 0.5, ratio: 3.0 }, MemoryTerm { compliance: 0.25, ratio: 0.02 }]).unwrap();
+    let memory =
+        SlidingMemory::new(0.25, &[MemoryTerm { compliance: 0.5, ratio: 3.0 }, MemoryTerm { compliance: 0.25, ratio: 0.02 }]).unwrap();
     let (forward, backward) = (HalfPlaneGreen::new(memory.clone()).unwrap(), HalfPlaneGreen::new(memory.reversed()).unwrap());
     let layer = Layer::new(Backing::Confined, 0.5, 0.3).unwrap();
     let (thin, thin_backward) = (LayerGreen::new(forward.clone(), layer).unwrap(), LayerGreen::new(backward.clone(), layer).unwrap());
@@ -104,7 +105,11 @@ fn reversing_the_speed_mirrors_the_kernel() {
 fn splitting_a_term_or_adding_a_vanishing_one_changes_nothing() {
     let term = |compliance: f64, ratio: f64| MemoryTerm { compliance, ratio };
     let whole = HalfPlaneGreen::new(SlidingMemory::new(0.1, &[term(0.9, 0.6)]).unwrap()).unwrap();
-    for terms in [vec![term(0.45, 0.6), term(0.45, 0.6)], vec![term(0.3, 0.6), term(0.6, 0.6 * (1.0 + 1e-15))], vec![term(0.9, 0.6), term(0.0, 77.0)]] {
+    for terms in [
+        vec![term(0.45, 0.6), term(0.45, 0.6)],
+        vec![term(0.3, 0.6), term(0.6, 0.6 * (1.0 + 1e-15))],
+        vec![term(0.9, 0.6), term(0.0, 77.0)],
+    ] {
         let split = HalfPlaneGreen::new(SlidingMemory::new(0.1, &terms).unwrap()).unwrap();
         for x in [-2.0, -0.1, 0.3, 1.4] {
             assert!((split.value(x).unwrap().value - whole.value(x).unwrap().value).abs() < 3e-15);
@@ -115,7 +120,8 @@ fn splitting_a_term_or_adding_a_vanishing_one_changes_nothing() {
 #[test]
 fn two_unit_systems_and_the_dimensional_kernel() {
     // A rubber of three terms in pascals and metres, and the same in megapascals and millimetres.
-    let terms = |modulus: f64| [(2e-7, 0.3), (5e-8, 4e-3), (1e-8, 2e-5)].map(|(j, t)| CreepTerm { compliance: j / modulus, retardation_time: t });
+    let terms =
+        |modulus: f64| [(2e-7, 0.3), (5e-8, 4e-3), (1e-8, 2e-5)].map(|(j, t)| CreepTerm { compliance: j / modulus, retardation_time: t });
     let (si, other) = (Material::from_creep(2e8, &terms(1.0), None).unwrap(), Material::from_creep(200.0, &terms(1e-6), None).unwrap());
     let green = HalfPlaneGreen::new(SlidingMemory::of_material(&si, 400.0, 0.1).unwrap()).unwrap();
     let scaled = HalfPlaneGreen::new(SlidingMemory::of_material(&other, 0.4, 100.0).unwrap()).unwrap();
@@ -132,7 +138,8 @@ fn two_unit_systems_and_the_dimensional_kernel() {
         let response: f64 = (0..cells)
             .map(|cell| {
                 let middle = width * (f64::from(cell) + 0.5);
-                let weight = green.antiderivative(x - middle + 0.5 * width).unwrap().value - green.antiderivative(x - middle - 0.5 * width).unwrap().value;
+                let weight = green.antiderivative(x - middle + 0.5 * width).unwrap().value
+                    - green.antiderivative(x - middle - 0.5 * width).unwrap().value;
                 -weight * middle.cos()
             })
             .sum();
@@ -241,4 +248,22 @@ fn erratum_23_no_mean_in_the_kernel_of_thesis_2_30() {
     }
     // Both sides of the printed sum, k = ±m, make −(1/π)Re Ĉ_m e^{imx}/m; its weight per term grows as 1/|k| towards the one left out.
     assert!(Layer::new(Backing::Free, 0.3, 1e-9).unwrap().compliance_factor(1.0) > 1e27);
+}
+
+/// Erratum: thesis (3.8) is ½∫(v₊σ₋ − v₋σ₊); with the kernel put in, only its odd part is left. (3.9) prints the whole one, which does not vanish for
+/// an elastic body. Two line loads, one of each state, show it: the even part cancels in (3.8).
+#[test]
+fn erratum_22_only_the_odd_part_of_the_kernel_in_thesis_3_9() {
+    let distance = 0.8;
+    for (beta, ratio) in [(1.0, 1.0), (10.0, 0.0), (10.0, 0.9)] {
+        let green = standard(beta, ratio);
+        let at = |x: f64| green.value(x).unwrap().value;
+        // σ₋ a unit load at `distance`, σ₊ one at 0: v₊ at the former, v₋ at the latter.
+        let work = 0.5 * (at(distance) - at(-distance));
+        let symmetric = 0.5 * (at(distance) + at(-distance));
+        let (mended, printed) = (at(distance) - symmetric, at(distance));
+        assert!((work - mended).abs() < 1e-15);
+        assert!((work - printed).abs() > 0.01, "the printed kernel keeps the even part");
+        assert_eq!(work == 0.0, beta == 1.0 || ratio == 0.0, "no dissipation without memory, {work:e}");
+    }
 }

@@ -50,7 +50,9 @@ fn every_factor_of_the_file() {
 #[test]
 fn printed_forms_overflow_and_cancel() {
     // The reason for the stable forms: the printed expression in double precision (theory 6).
-    let printed = |q: f64, kappa: f64, constant: f64| (2.0 * q - kappa * (2.0 * q).sinh()) / (constant + 2.0 * q * q + kappa * (2.0 * q).cosh()) + 1.0;
+    let printed = |q: f64, kappa: f64, constant: f64| {
+        (2.0 * q - kappa * (2.0 * q).sinh()) / (constant + 2.0 * q * q + kappa * (2.0 * q).cosh()) + 1.0
+    };
     let stable = |q: f64| Layer::new(Backing::Confined, 0.5, q).unwrap().correction(1.0);
     assert!((printed(1.0, 1.0, 1.0) / stable(1.0) - 1.0).abs() < 1e-14);
     assert!((printed(20.0, 1.0, 1.0) / stable(20.0) - 1.0).abs() > 1e-3, "1 % wrong at 20");

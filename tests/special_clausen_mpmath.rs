@@ -63,7 +63,7 @@ fn functional_equations_parity_and_period() {
 #[test]
 fn no_nan_comes_out() {
     assert!(Angle::new(f64::NAN).is_err() && Angle::new(f64::NEG_INFINITY).is_err());
-    assert_eq!(log_sine(angle(0.0)), f64::NEG_INFINITY);
+    assert!(log_sine(angle(0.0)).is_infinite() && log_sine(angle(0.0)) < 0.0);
     assert_eq!(clausen(angle(0.0)).to_bits(), 0.0_f64.to_bits());
     for exponent in -320..=300 {
         let x = 10f64.powi(exponent);

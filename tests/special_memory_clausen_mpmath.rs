@@ -49,7 +49,14 @@ fn every_value_of_the_file() {
             *slot = slot.max(error);
         }
     }
-    println!("{} values: I {:.1e} absolute, {:.1e} scaled; I - I(0) {:.1e} relative; L {:.1e}", rows.len(), worst[0], worst[1], worst[2], worst[3]);
+    println!(
+        "{} values: I {:.1e} absolute, {:.1e} scaled; I - I(0) {:.1e} relative; L {:.1e}",
+        rows.len(),
+        worst[0],
+        worst[1],
+        worst[2],
+        worst[3]
+    );
     assert!(worst[0] < 1e-14 && worst[1] < 2e-14 && worst[2] < 2e-14 && worst[3] < 2e-14, "{worst:?}");
 }
 
@@ -142,7 +149,10 @@ fn finite_at_every_load_and_ratio() {
         let memory = MemoryClausen::new(1.7 * 10f64.powi(exponent)).unwrap();
         for x in [0.0, 5e-324, 1e-300, 1e-100, 1e-17, 1e-3, 1.0, PI, -1e-200, -1e-9, -2.0] {
             let here = angle(x);
-            assert!(memory.integral(here).is_finite() && memory.increment(here).is_finite() && memory.logarithm(here).is_finite(), "{exponent} {x:e}");
+            assert!(
+                memory.integral(here).is_finite() && memory.increment(here).is_finite() && memory.logarithm(here).is_finite(),
+                "{exponent} {x:e}"
+            );
         }
     }
 }
@@ -160,7 +170,8 @@ fn erratum_7_third_parameter_of_the_hypergeometric_form_in_thesis_sec_3_3() {
             let m = f64::from(index);
             sum = (sum.0 + term.0, sum.1 + term.1);
             mean = (mean.0 + (sum.0 - mean.0) / (m + 1.0), mean.1 + (sum.1 - mean.1) / (m + 1.0));
-            mean_of_means = (mean_of_means.0 + (mean.0 - mean_of_means.0) / (m + 1.0), mean_of_means.1 + (mean.1 - mean_of_means.1) / (m + 1.0));
+            mean_of_means =
+                (mean_of_means.0 + (mean.0 - mean_of_means.0) / (m + 1.0), mean_of_means.1 + (mean.1 - mean_of_means.1) / (m + 1.0));
             // term·(ib + m)/(c + m)·e^{ix}
             let (numerator, denominator) = ((m, b), (third.0 + m, third.1));
             let size = denominator.0 * denominator.0 + denominator.1 * denominator.1;
@@ -177,17 +188,4 @@ fn erratum_7_third_parameter_of_the_hypergeometric_form_in_thesis_sec_3_3() {
     let ours = MemoryClausen::new(ratio).unwrap().integral(angle(x));
     assert!((closed_form((1.0, b)) - ours).abs() < 1e-4, "mended: {} against {ours}", closed_form((1.0, b)));
     assert!((closed_form((1.0 + b, 0.0)) - ours).abs() > 0.05, "printed: {} against {ours}", closed_form((1.0 + b, 0.0)));
-}
-
-/// Erratum: thesis (3.9) prints the whole kernel where its odd part must stand; 𝓛's even part is what stores, its odd part what dissipates, and the
-/// odd part alone vanishes in both elastic limits.
-#[test]
-fn odd_part_of_the_kernel_vanishes_without_memory_thesis_3_9() {
-    let odd = |ratio: f64| {
-        let memory = MemoryClausen::new(ratio).unwrap();
-        0.5 * (memory.logarithm(angle(0.8)) - memory.logarithm(angle(-0.8)))
-    };
-    assert!(odd(1e-9).abs() < 1e-8 && odd(1e9).abs() < 1e-8 && odd(1.0).abs() > 0.2);
-    // No odd part in L itself.
-    assert!(odd(0.0).abs() < 1e-16);
 }

@@ -11,7 +11,7 @@
 //! term (the ratio of neighbours is below e^{−1.8kd} from mkd = 20 on). It is summed by Horner's rule in e^{ix}, whose rounding is bounded by
 //! ε Σ m|A_m|/m: the same as one ulp of x would do. A thin free layer bends by A_1 ≈ −6/(kd)³, and the bound is relative to that.
 //!
-//! Cost: M complex products a value, 1 ns each. Layers with kd < 1e-5 (a wave of more than 6e5 thicknesses) are refused: 2.5e6 harmonics.
+//! Cost: M complex products a value, 5 to 7 ns each (12 µs at kd = 0.01), ten times that to prepare. Layers with kd < 1e-5 (a wave of more than 6e5 thicknesses) are refused: 2.5e6 harmonics.
 
 use super::green::HalfPlaneGreen;
 use super::layer::Layer;
@@ -48,7 +48,11 @@ impl LayerGreen {
     pub fn new(half_plane: HalfPlaneGreen, layer: Layer) -> Result<Self, Refusal> {
         let thickness = layer.thickness_times_wave_number();
         if thickness < THINNEST {
-            return Err(Refusal::out_of_range("thickness_times_wave_number", thickness, "at least 1e-5: thinner layers need too many harmonics"));
+            return Err(Refusal::out_of_range(
+                "thickness_times_wave_number",
+                thickness,
+                "at least 1e-5: thinner layers need too many harmonics",
+            ));
         }
         let count = (LAST_PRODUCT / thickness).ceil().max(1.0) as usize;
         let mut amplitudes = Vec::with_capacity(count);

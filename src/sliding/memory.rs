@@ -49,10 +49,10 @@ impl SlidingMemory {
         if (sum - 1.0).abs() > SUM_TOLERANCE {
             return Err(Refusal::out_of_range("glassy_compliance + sum of compliances", sum, "one: compliances are relative to 1/E0"));
         }
-        if terms.iter().any(|term| term.ratio > 0.0) {
-            if let Some(backward) = terms.iter().find(|term| term.ratio < 0.0) {
-                return Err(Refusal::out_of_range("ratio", backward.ratio, "of the sign of the other ratios: all terms slide one way"));
-            }
+        if terms.iter().any(|term| term.ratio > 0.0)
+            && let Some(backward) = terms.iter().find(|term| term.ratio < 0.0)
+        {
+            return Err(Refusal::out_of_range("ratio", backward.ratio, "of the sign of the other ratios: all terms slide one way"));
         }
         Ok(Self { glassy_compliance, terms: terms.to_vec(), conversion: vec![(0.0, 0.0); terms.len()] })
     }

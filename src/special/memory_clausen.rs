@@ -137,7 +137,8 @@ impl MemoryClausen {
             return Ok(Self { ratio, at_load: 0.0, regime: Regime::Frozen });
         }
         // A ratio below 1/f64::MAX has no finite inverse; h grows only as its logarithm.
-        let at_load = if size >= 1e-300 { -harmonic_on_imaginary_axis(1.0 / size) } else { size.ln() - super::exponential_integral::EULER_GAMMA };
+        let at_load =
+            if size >= 1e-300 { -harmonic_on_imaginary_axis(1.0 / size) } else { size.ln() - super::exponential_integral::EULER_GAMMA };
         let regime = if size >= 1.0 {
             Regime::Fast(NearLoad::new(size, at_load, NEAR_DEGREE))
         } else {
@@ -260,7 +261,8 @@ impl NearLoad {
             return 0.0;
         }
         let scaled = x / self.scale;
-        scaled * horner(self.integral.get(1..).unwrap_or_default(), scaled) + self.ratio * exponential_beyond_line(x / self.ratio) * x.abs().ln()
+        scaled * horner(self.integral.get(1..).unwrap_or_default(), scaled)
+            + self.ratio * exponential_beyond_line(x / self.ratio) * x.abs().ln()
     }
 }
 
