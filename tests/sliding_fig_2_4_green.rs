@@ -255,7 +255,7 @@ fn erratum_23_no_mean_in_the_kernel_of_thesis_2_30() {
 #[test]
 fn erratum_22_only_the_odd_part_of_the_kernel_in_thesis_3_9() {
     let distance = 0.8;
-    for (beta, ratio) in [(1.0, 1.0), (10.0, 0.0), (10.0, 0.9)] {
+    for (beta, ratio, elastic) in [(1.0, 1.0, true), (10.0, 0.0, true), (10.0, 0.9, false)] {
         let green = standard(beta, ratio);
         let at = |x: f64| green.value(x).unwrap().value;
         // σ₋ a unit load at `distance`, σ₊ one at 0: v₊ at the former, v₋ at the latter.
@@ -264,6 +264,6 @@ fn erratum_22_only_the_odd_part_of_the_kernel_in_thesis_3_9() {
         let (mended, printed) = (at(distance) - symmetric, at(distance));
         assert!((work - mended).abs() < 1e-15);
         assert!((work - printed).abs() > 0.01, "the printed kernel keeps the even part");
-        assert_eq!(work == 0.0, beta == 1.0 || ratio == 0.0, "no dissipation without memory, {work:e}");
+        assert_eq!(work.abs() < 1e-15, elastic, "no dissipation without memory, {work:e}");
     }
 }
