@@ -6,7 +6,7 @@
 //! ```
 //! Both members carry full RELATIVE accuracy (3e-16) of the double that was given, also next to a multiple of π: outside [−π, π] they
 //! are arc tangents of the sine and cosine, whose argument reduction is exact in every mathematical library in use (Payne and Hanek,
-//! *ACM SIGNUM Newsletter* 18 (1983), 19–24, [doi:10.1145/1057600.1057602](https://doi.org/10.1145/1057600.1057602)). What is lost is
+//! *ACM SIGNUM Newsletter* 18 (1983), 19–24). What is lost is
 //! what the double does not hold: one ulp of x = 2πn is an error of 1.4e-15·n in r.
 
 use crate::refusal::{Refusal, require_finite};

@@ -9,10 +9,10 @@
 //! | \|x\| ≤ 1.8 | x − x log\|x\| + x Σ ζ(2k)/(k(2k+1)) (x/2π)^{2k} | 17, 1.09 digits each at 1.8 |
 //! | else, y = π − \|x\| | y log 2 − y Σ (1 − 4^{−k})ζ(2k)/(k(2k+1)) (y/π)^{2k} | 24, 0.74 digits each at y = 1.34 |
 //!
-//! Accuracy: relative, for every double, because the argument is an [`Angle`]; the largest relative error over `clausen.csv` is 4e-16.
-//! Sources: Lewin, *Polylogarithms and Associated Functions* (1981), Secs 4.2–4.3; Grosjean, *J. Comput. Appl. Math.* 11 (1984),
-//! 331–342, [doi:10.1016/0377-0427(84)90008-6](https://doi.org/10.1016/0377-0427(84)90008-6). Both series are the twice integrated
-//! product forms of the sine and cosine (DLMF 4.22.1, 4.22.2).
+//! Accuracy: relative, for every double, because the argument is an [`Angle`]; the largest relative error over the 58 rows of `clausen.csv` is
+//! 2.2e-16.
+//! Sources: Lewin, *Polylogarithms and Associated Functions* (1981), Ch 4; DLMF 25.12.9 (the integral). Both series are the twice
+//! integrated product forms of the sine and cosine, DLMF 4.22.1 and 4.22.2.
 
 use super::angle::Angle;
 use super::even_zeta::EVEN_ZETA;

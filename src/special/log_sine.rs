@@ -4,7 +4,7 @@
 //! L(x) = log|2 sin(x/2)| = −Σ_{m≥1} cos(mx)/m = −Cl₂′(x)       even, period 2π, mean zero; −∞ at x = 0, log 2 at x = π
 //! ```
 //! Absolute error at most 2e-16·(1 + |L|); L vanishes at ±π/3, where the relative error of any double is unbounded.
-//! Source: DLMF 4.26 and 25.11; the Fourier series is Li₁ on the circle.
+//! Source: the real part of log(1 − e^{ix}); its Fourier series is DLMF 4.6.1 on the unit circle.
 
 use super::angle::Angle;
 
