@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Everything that must pass: format, lints, documentation, tests, the reduced cross-check of the references.
-#   ci/test.sh           about ten minutes on two cores from nothing, two minutes when built
-#   ci/test.sh --full    also regenerates every reference at full precision and compares (about half an hour)
+#   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
+#   ci/test.sh --full    also regenerates every reference at full precision and compares (about an hour)
 # Needs Rust. The cross-check needs python3 with mpmath: without it, it is skipped in plain words, and fails where CI=true.
 set -euo pipefail
 cd "$(dirname "$0")/.."
