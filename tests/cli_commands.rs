@@ -191,6 +191,8 @@ fn a_load_outside_the_limits_has_no_state_and_names_the_limit() {
         assert!(reason.contains(words), "{reason}");
         let witness: f64 = reason.rsplit(" = ").next().unwrap().trim_end_matches(')').parse().unwrap();
         assert!((witness / limit - 1.0).abs() < 1e-12, "{reason}");
+        let stated = row["witness"]["value"].as_f64().unwrap();
+        assert!((stated / limit - 1.0).abs() < 1e-12 && row["witness"]["name"] == "G/work_of_adhesion", "{row}");
         let said = folder.call(&["run", "scene.toml", "--set", &motion, "--out", "DIR"]).ended(3);
         assert!(said.stdout.contains("no_such_state") && said.stdout.contains(words), "{}", said.stdout);
         assert!(folder.path("DIR/summary.json").is_file(), "what was found is written");

@@ -208,3 +208,26 @@ fn a_run_killed_while_it_replaces_a_folder_leaves_the_old_one_or_the_new_one() {
     assert!(folder.read("DIR/summary.json").contains("A scene for tests"));
     assert!(!folder.path("DIR.partial").exists());
 }
+
+#[test]
+fn two_runs_into_one_folder_do_not_meet() {
+    let folder = Folder::with(&long_scene(6_000, 200));
+    let mut child = start(&folder);
+    let begun = Instant::now();
+    while lines(&folder, "DIR.partial/journal.jsonl") <= 10 {
+        assert!(begun.elapsed() < Duration::from_secs(60), "no line was journalled");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let before = lines(&folder, "DIR.partial/journal.jsonl");
+    let second = folder.call(&["run", "scene.toml", "--out", "DIR"]);
+    assert!(child.try_wait().unwrap().is_none(), "the first run ended too soon for this test to mean anything");
+    assert_eq!(second.code, 2, "{}", second.stderr);
+    assert!(second.stderr.contains("DIR.partial") && second.stderr.contains("another run"), "{}", second.stderr);
+    assert!(lines(&folder, "DIR.partial/journal.jsonl") >= before, "the journal of the first run was touched");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    // The lock goes with the run.
+    let resumed = folder.call(&["run", "scene.toml", "--out", "DIR", "--set", "sweep.points=3"]);
+    assert_eq!(resumed.code, 2, "another scene's journal is refused, not locked: {}", resumed.stderr);
+    assert!(resumed.stderr.contains("unfinished run"), "{}", resumed.stderr);
+}

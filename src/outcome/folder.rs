@@ -3,7 +3,7 @@
 //! `DIR.partial` holds the journal while a run is under way and the finished files at its end; then it becomes `DIR` by a rename. With
 //! `--force` an existing `DIR` steps aside first and is deleted last.
 
-use super::journal::{Found, Journal, JournalHeader, read};
+use super::journal::{Found, Journal, JournalHeader, is_held, read};
 use super::row::Row;
 use super::{Outcome, csv_table, plot, summary};
 use std::path::{Path, PathBuf};
@@ -28,6 +28,9 @@ pub enum FolderError {
         /// What it belongs to.
         found: String,
     },
+    /// Another run is filling it now.
+    #[error("`{0}` is being written by another run: wait for it, or choose another --out")]
+    Busy(String),
     /// The file system said no.
     #[error("`{path}` cannot be written: {error}")]
     Io {
@@ -88,6 +91,9 @@ impl RunFolder {
         }
         let partial = partial_of(target);
         let journal_path = partial.join(JOURNAL);
+        if is_held(&journal_path) {
+            return Err(FolderError::Busy(partial.display().to_string()));
+        }
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
             Found::Rows(rows) => rows,
             Found::Nothing => Vec::new(),

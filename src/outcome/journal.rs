@@ -66,6 +66,12 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
     ))
 }
 
+/// Whether another run is writing this journal now. The system drops the lock of a run that ends or is killed.
+#[must_use]
+pub fn is_held(path: &Path) -> bool {
+    File::open(path).is_ok_and(|file| matches!(file.try_lock(), Err(std::fs::TryLockError::WouldBlock)))
+}
+
 impl Journal {
     /// Opens a journal anew with the states that are finished already.
     ///
@@ -82,7 +88,10 @@ impl Journal {
         }
         file.flush()?;
         std::fs::rename(&fresh, path)?;
-        let file = BufWriter::new(OpenOptions::new().append(true).open(path)?);
+        let file = OpenOptions::new().append(true).open(path)?;
+        // Held until the run ends; a file system without locks is no reason not to run.
+        let _ = file.try_lock();
+        let file = BufWriter::new(file);
         Ok(Self { file })
     }
 

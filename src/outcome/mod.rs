@@ -8,7 +8,7 @@ pub mod row;
 pub mod screen;
 pub mod summary;
 
-pub use row::{Certificate, Column, FieldPoint, Row, Status, Work};
+pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
 
 use serde::Serialize;
 

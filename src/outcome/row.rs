@@ -95,6 +95,15 @@ pub struct FieldPoint {
     pub stress: Estimate,
 }
 
+/// The limit that a state which does not exist would have passed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Witness {
+    /// What the limit is one of.
+    pub name: String,
+    /// Its value, in the units of the scene.
+    pub value: f64,
+}
+
 /// One solved state of one theory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
@@ -108,6 +117,9 @@ pub struct Row {
     pub status: Status,
     /// Why, for everything but [`Status::Solved`].
     pub reason: Option<String>,
+    /// For [`Status::NoSuchState`]: the limit that was passed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub witness: Option<Witness>,
     /// Values in the order of the columns; none where a quantity does not exist.
     pub values: Vec<Option<Estimate>>,
     /// The evidence, for rows with values.

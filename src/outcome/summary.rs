@@ -72,6 +72,7 @@ fn result(outcome: &Outcome, row: &Row) -> Value {
         "theory": row.theory,
         "status": row.status,
         "reason": row.reason,
+        "witness": row.witness,
         "values": values,
         "certificate": row.certificate,
         "work": row.work,

@@ -110,6 +110,7 @@ fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
             theory: String::new(),
             status: Status::Invalid,
             reason: Some(reason),
+            witness: None,
             values: Vec::new(),
             certificate: None,
             work: Work::default(),

@@ -5,7 +5,7 @@ use super::{Prescribed, SteadyCrackPlan};
 use crate::crack::near_tip::{ClosingTip, OpeningTip};
 use crate::crack::{Motion, SteadyState, at_drive, at_speed};
 use crate::estimate::Estimate;
-use crate::outcome::{Certificate, FieldPoint, Row, Status, Work};
+use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::{Fields, Theory, Units};
 use std::f64::consts::{PI, TAU};
@@ -25,6 +25,7 @@ impl SteadyCrackPlan {
             theory: theory.word().to_owned(),
             status: Status::Solved,
             reason: None,
+            witness: None,
             values: vec![None; COLUMNS.len()],
             certificate: None,
             work: Work::default(),
@@ -39,6 +40,9 @@ impl SteadyCrackPlan {
                 Refusal::NotConverged { .. } => Status::NotConverged,
             };
             row.reason = Some(refusal.to_string());
+            if let Refusal::NoSuchState { limit_name, limit, .. } = refusal {
+                row.witness = Some(Witness { name: limit_name.to_owned(), value: limit });
+            }
             row.values = vec![None; COLUMNS.len()];
             row.certificate = None;
             row.assumptions.clear();
