@@ -60,7 +60,7 @@ pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, proce
 /// The smallest sliding ratio of the material, a length in 1/k.
 fn thinnest_layer(contact: &ContactState) -> f64 {
     let memory = &contact.memory;
-    let creep = memory.creep.iter().map(|mode| mode.ratio);
+    let creep = memory.creep().iter().map(|mode| mode.ratio);
     let relaxation = memory.relaxation.iter().map(|mode| mode.ratio);
     creep.chain(relaxation).fold(f64::INFINITY, f64::min)
 }

@@ -57,7 +57,7 @@ impl ContactState {
         let memory = &self.memory;
         let [flat, odd, wave] = self.elastic_fields(point);
         let field = |strengths: (f64, f64)| wave + strengths.0 * flat + strengths.1 * odd;
-        let mut pressure = memory.stiffening_ratio * field(self.strengths(None));
+        let mut pressure = memory.stiffening_ratio() * field(self.strengths(None));
         for relaxation in &memory.relaxation {
             // M_ε f(y) = ∫_y^a e^{−(ξ−y)/ε} f dξ/ε, from y towards the leading edge; M_ε f(−a) = 0.
             let strengths = self.strengths(Some(relaxation.ratio));
@@ -81,7 +81,7 @@ impl ContactState {
         let (half_root, depth) = (0.5 * x, (0.5 * x / s).asinh());
         let wave = 2.0 * (sine * half_root - s * s * depth);
         let mut gap = cos_e * wave + sin_e * cosine * x - self.flat_strength * depth;
-        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(&self.memory.creep) {
+        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(self.memory.creep()) {
             // From y towards the trailing edge of the next period: the integral over the whole gap vanishes, like M_ε f over the contact.
             let remembered = memory_between_edges(point.from_leading, point.from_trailing, creep.ratio, |from_leading, from_trailing| {
                 let (cosine, sine) = self.outside_angle(ArcPoint { from_trailing, from_leading });
@@ -95,7 +95,7 @@ impl ContactState {
     /// Strengths of H₀ and H₁ in f₀, or in f_i for a relaxation ratio ε_i.
     fn strengths(&self, relaxation_ratio: Option<f64>) -> (f64, f64) {
         let (mut flat, mut odd) = (self.flat_strength, 0.0);
-        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(&self.memory.creep) {
+        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(self.memory.creep()) {
             let pole = relaxation_ratio.map_or(1.0, |ratio| creep.ratio / (creep.ratio - ratio));
             flat -= load * pole * 2.0 / PI * outside_sine;
             odd -= load * pole * 2.0 / PI * outside_cosine;

@@ -1,14 +1,8 @@
-//! The material in the groups of a sliding contact: both series at one sliding rate kv.
+//! The material of a sliding contact: the creep side of [`SlidingMemory`] with the relaxation terms that belong to it.
 
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
-
-/// A creep term: its relative compliance j_j = J_jE0 and its sliding ratio ζ_j = kvτ_j.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct CreepMode {
-    pub(super) compliance: f64,
-    pub(super) ratio: f64,
-}
+use crate::sliding::memory::{MemoryTerm, SlidingMemory};
 
 /// A relaxation term: its relative modulus E_i/E0 and its sliding ratio ε_i = kvρ_i.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,11 +11,11 @@ pub(super) struct RelaxationMode {
     pub(super) ratio: f64,
 }
 
-/// A solid that slides at a rate kv > 0.
+/// A solid that slides at a rate kv > 0, with both of its series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMemory {
-    pub(super) stiffening_ratio: f64,
-    pub(super) creep: Vec<CreepMode>,
+    kernel: SlidingMemory,
+    stiffening_ratio: f64,
     pub(super) relaxation: Vec<RelaxationMode>,
 }
 
@@ -31,21 +25,14 @@ impl ContactMemory {
     /// # Errors
     /// [`Refusal::Undefined`] for a viscous material; [`Refusal::OutOfRange`] unless the rate is positive and finite.
     pub fn new(material: &Material, rate: f64) -> Result<Self, Refusal> {
-        let relaxed = material.solid_modulus("a steady sliding contact")?;
         let rate = require_positive("rate", rate)?;
-        Ok(Self {
-            stiffening_ratio: material.stiffening_ratio(),
-            creep: material
-                .creep_terms()
-                .iter()
-                .map(|term| CreepMode { compliance: term.compliance * relaxed, ratio: rate * term.retardation_time })
-                .collect(),
-            relaxation: material
-                .relaxation_terms()
-                .iter()
-                .map(|term| RelaxationMode { modulus: term.modulus / relaxed, ratio: rate * term.relaxation_time })
-                .collect(),
-        })
+        let relaxed = material.solid_modulus("a steady sliding contact")?;
+        let relaxation = material
+            .relaxation_terms()
+            .iter()
+            .map(|term| RelaxationMode { modulus: term.modulus / relaxed, ratio: rate * term.relaxation_time })
+            .collect();
+        Ok(Self { kernel: SlidingMemory::of_material(material, rate, 1.0)?, stiffening_ratio: material.stiffening_ratio(), relaxation })
     }
 
     /// β = E∞/E0.
@@ -54,16 +41,14 @@ impl ContactMemory {
         self.stiffening_ratio
     }
 
-    /// 1/β + Σ j_j/(1 − iζ_j): the compliance in the first harmonic, as (real, imaginary) part.
+    /// The creep terms, and the compliance that each harmonic sees.
     #[must_use]
-    pub fn first_harmonic_compliance(&self) -> (f64, f64) {
-        let (mut real, mut imaginary) = (1.0 / self.stiffening_ratio, 0.0);
-        for mode in &self.creep {
-            // 1/(1 − iζ) = (1 + iζ)/(1 + ζ²), by hypot so that nothing overflows.
-            let magnitude = mode.ratio.hypot(1.0);
-            real += mode.compliance / magnitude / magnitude;
-            imaginary += mode.compliance * (mode.ratio / magnitude) / magnitude;
-        }
-        (real, imaginary)
+    pub const fn kernel(&self) -> &SlidingMemory {
+        &self.kernel
+    }
+
+    /// j_j and ζ_j of every creep term.
+    pub(super) fn creep(&self) -> &[MemoryTerm] {
+        self.kernel.terms()
     }
 }

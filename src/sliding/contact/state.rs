@@ -65,9 +65,9 @@ impl ContactState {
         let sine = (0.5 * half_width).sin();
         let square = sine * sine;
         let (sin_e, cos_e) = eccentricity.sin_cos();
-        let outside: Vec<OutsideIntegrals> = memory.creep.iter().map(|mode| outside_integrals(half_width, mode.ratio)).collect();
+        let outside: Vec<OutsideIntegrals> = memory.creep().iter().map(|mode| outside_integrals(half_width, mode.ratio)).collect();
         // Rows M_{ε_i} f_i(−a) = 0: the loads j_jV_j under cos e W − sin e S, and under H₀.
-        let count = memory.creep.len();
+        let count = memory.creep().len();
         let mut matrix = DMatrix::zeros(count, count);
         let mut wave_side = DVector::zeros(count);
         let mut flat_side = DVector::zeros(count);
@@ -76,7 +76,7 @@ impl ContactState {
             // Rows are divided by M_ε H₀(−a), columns by their O^s: everything is then of order one.
             wave_side[row] = wave / flat;
             flat_side[row] = 1.0;
-            for (column, creep) in memory.creep.iter().enumerate() {
+            for (column, creep) in memory.creep().iter().enumerate() {
                 let OutsideIntegrals { cosine, sine, .. } = outside[column];
                 let pole = creep.ratio / (creep.ratio - relaxation.ratio);
                 matrix[(row, column)] = 2.0 / PI * pole * (cosine / sine * (odd / flat) + 1.0);
@@ -111,7 +111,7 @@ impl ContactState {
             |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(&outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
         let (root_cosine, root_sine) = (root(|integrals| integrals.root_cosine), root(|integrals| integrals.root_sine));
         let effective = (cos_e * elastic + PI * flat_strength * (1.0 - square) - root_sine, sin_e * elastic - root_cosine);
-        let (real, imaginary) = memory.first_harmonic_compliance();
+        let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
         let norm = real * real + imaginary * imaginary;
         let first_harmonic = ((effective.0 * real + effective.1 * imaginary) / norm, (effective.1 * real - effective.0 * imaginary) / norm);
         let state = Self {
@@ -175,7 +175,7 @@ impl ContactState {
             odd -= load * 2.0 / PI * outside_cosine * sine;
             even -= load * 2.0 / PI * outside_sine * cosine;
         }
-        let beta = self.memory.stiffening_ratio;
+        let beta = self.memory.stiffening_ratio();
         (beta * (even - odd), beta * (even + odd))
     }
 
