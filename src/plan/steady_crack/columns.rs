@@ -64,13 +64,13 @@ pub(super) const COLUMNS: [Definition; 11] = [
     Definition {
         name: "glassy_tip_radius",
         si_unit: "m",
-        reduced_unit: "a₀",
+        reduced_unit: "Δγ/E0",
         meaning: "Radius of the tip of one face seen from very near (opening), or the one radius of a closing tip.",
     },
     Definition {
         name: "relaxed_tip_radius",
         si_unit: "m",
-        reduced_unit: "a₀",
+        reduced_unit: "Δγ/E0",
         meaning: "Radius of the tip of one face seen from far away (opening).",
     },
 ];
@@ -89,7 +89,8 @@ pub(super) fn columns(units: Units) -> Vec<Column> {
 pub(super) fn field_units(units: Units) -> [String; 3] {
     match units {
         Units::Si => ["m", "m", "Pa"],
-        Units::Reduced => ["a₀", "a₀", "E0"],
+        // With E0 = Δγ = a₀ = 1 there are two lengths, a₀ and Δγ/E0: an opening K/E0·√s is measured by the root of both.
+        Units::Reduced => ["a₀", "√(a₀Δγ/E0)", "√(E0Δγ/a₀)"],
     }
     .map(str::to_owned)
 }

@@ -70,10 +70,16 @@ impl SteadyCrackPlan {
         };
         let mut opening = Figure::new(
             distance("behind"),
-            Axis::logarithmic(if si { "displacement of one face $u$ (m)" } else { "displacement of one face $u/a_0$" }),
+            Axis::logarithmic(if si {
+                "displacement of one face $u$ (m)"
+            } else {
+                r"displacement of one face $u/\sqrt{a_0 \Delta\gamma/E_0}$"
+            }),
         );
-        let mut stress =
-            Figure::new(distance("ahead of"), Axis::logarithmic(if si { r"stress $|\sigma|$ (Pa)" } else { r"stress $|\sigma|/E_0$" }));
+        let mut stress = Figure::new(
+            distance("ahead of"),
+            Axis::logarithmic(if si { r"stress $|\sigma|$ (Pa)" } else { r"stress $|\sigma|/\sqrt{E_0 \Delta\gamma/a_0}$" }),
+        );
         for (index, row) in states.iter().enumerate() {
             let label = if scene.sweeps.is_empty() { String::new() } else { swept_label(scene, &row.swept) };
             let points = row.fields.iter().map(|point| (point.distance, point.displacement.value)).collect();

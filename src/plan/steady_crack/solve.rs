@@ -118,7 +118,7 @@ impl SteadyCrackPlan {
                 (remote, Some(amplitude.scaled(glassy)), Some(amplitude))
             }
         };
-        let radius = |intensity: Estimate| Estimate { ..intensity.powf(2.0).scaled(4.0 / PI) };
+        let radius = |intensity: Estimate| intensity.powf(2.0).scaled(4.0 / PI);
         let (glassy_radius, relaxed_radius) = match self.crack.motion {
             Motion::Opening => (
                 Some(radius(amplitude.scaled(1.0 / glassy))),
@@ -131,7 +131,9 @@ impl SteadyCrackPlan {
         let time_error = state.crossing_length.relative_error() + state.speed.relative_error() + f64::EPSILON;
         // Reduced: K in √(2E0Δγ), K₁/E0 in √(2Δγ/E0), with E0 = Δγ = 1.
         let unit = if self.units == Units::Reduced { 0.5_f64.sqrt() } else { 1.0 };
-        let exponent_error = 8.0 * state.drive.relative_error() / (1.0 + state.speed_exponent.abs()).recip();
+        // The exponent is s/(1 − l) of two slopes of the curve: on a cliff, where 1 − l is small, their errors are magnified by its square.
+        let slope_error = 8.0 * f64::EPSILON + state.drive.relative_error() + state.crossing_length.relative_error();
+        let exponent_error = slope_error * (1.0 + state.speed_exponent.abs()).powi(2);
         Ok(vec![
             Some(state.speed),
             state.energy_release_rate_ratio.map(|ratio| ratio.scaled(work)),
@@ -141,7 +143,7 @@ impl SteadyCrackPlan {
             displacement.map(|value| value.scaled(unit)),
             Some(zone),
             state.crossing_time.is_finite().then(|| Estimate::relative(state.crossing_time, time_error)),
-            Some(Estimate::new(state.speed_exponent, exponent_error.max(16.0 * f64::EPSILON))),
+            Some(Estimate::new(state.speed_exponent, exponent_error)),
             glassy_radius,
             relaxed_radius,
         ])
