@@ -540,3 +540,16 @@ fn a_reader_that_goes_away_is_no_error_and_a_full_disk_is() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("standard output cannot be written"));
     }
 }
+
+#[test]
+fn a_single_state_ends_with_its_worst_theory() {
+    // On the cliff of a closing crack the virtual-work theory has a residual in extended precision, Persson and Brener's has not.
+    let folder = Folder::with(
+        "units = \"reduced\"\naccuracy = 1e-10\n[material]\nglassy_modulus = 1e6\nrelaxation = [{ fraction = 1, relaxation_time = 1 }]\n\
+         [adhesion]\n[crack]\nmotion = \"closing\"\ntheories = [\"virtual_work\", \"persson_brener\"]\nspeed = 3.18e-7\n",
+    );
+    let json = folder.call(&["run", "scene.toml", "--json"]).ended(4).json();
+    assert_eq!((&json["results"][0]["status"], &json["results"][1]["status"]), (&Value::from("solved"), &Value::from("inaccurate")));
+    // The same two rows in a sweep: one is solved, and each carries its status.
+    folder.call(&["run", "scene.toml", "--set", "sweep={key=\"crack.speed\",values=[3.18e-7]}"]).ended(0);
+}

@@ -102,11 +102,13 @@ pub enum Verdict {
 }
 
 impl Outcome {
-    /// The exit code: 0 if any row is solved, else 4 if any is solved inaccurately, else 3. A single inaccurate row also gives 4.
+    /// The exit code. A sweep gives 0 if any row is solved; a single state only if every theory asked for is. Otherwise 4 if a row is
+    /// inaccurate or did not converge, 2 if one contradicts the scene, 3 if no such state exists.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         let any = |status: Status| self.rows.iter().any(|row| row.status == status);
-        if any(Status::Solved) {
+        let solved = if self.swept.is_empty() { self.rows.iter().all(|row| row.status == Status::Solved) } else { any(Status::Solved) };
+        if solved {
             0
         } else if any(Status::Inaccurate) || any(Status::NotConverged) {
             4
