@@ -34,6 +34,7 @@ pub mod layer;
 pub mod layer_green;
 pub mod memory;
 pub mod speed_path;
+pub mod steady;
 
 pub use green::HalfPlaneGreen;
 pub use layer::{Backing, Layer};

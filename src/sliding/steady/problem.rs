@@ -1,0 +1,94 @@
+//! What is asked of a steady sliding contact, in reduced units.
+
+use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
+use crate::sliding::equilibrium::WaveAdhesion;
+use std::f64::consts::PI;
+
+/// The rigid body that slides.
+///
+/// | reduced quantity | [`Indenter::Wave`] Λcos kx | [`Indenter::Parabola`] x²/2R, lengths in any L |
+/// |---|---|---|
+/// | lengths along the surface | 1/k | L |
+/// | displacements, penetration | Λ | L²/R |
+/// | pressures and stresses | E0*kΛ/2 | E0*L/2R |
+/// | rate | kv | v/L |
+/// | adhesion Γ | Δγ/(πE0*kΛ²) | ΔγR²/(πE0*L³) |
+/// | mean pressure | mean over a wavelength | F/2πL for a load F per width, in E0*L/2R |
+/// | friction stress | E0*k²Λ²/2, mean over a wavelength | force per width over 2πL, in E0*L²/2R² |
+/// | energies per width (U, δL_P) | E0*Λ²/2 | E0*L⁴/2R² |
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Indenter {
+    /// A sinusoidal wave on a half-plane.
+    Wave,
+    /// One parabola (a long cylinder): the wave as k → 0 at fixed 1/R = k²Λ. Penetrations are relative to a datum L away.
+    Parabola,
+}
+
+/// What is prescribed besides the speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingControl {
+    /// Mean pressure p̄; may be zero or negative with adhesion.
+    MeanPressure(f64),
+    /// Penetration Δ: 0 where the crest touches, 1 at full contact. Not available for [`Indenter::Parabola`].
+    Penetration(f64),
+    /// Half the contact width a; the mean pressure is found.
+    HalfWidth(f64),
+}
+
+/// A steady sliding contact: everything but the material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingProblem {
+    /// kv (1/s), zero or more; at zero the solid is relaxed.
+    pub rate: f64,
+    /// The indenter.
+    pub indenter: Indenter,
+    /// Adhesion; none for the adhesiveless contact.
+    pub adhesion: Option<WaveAdhesion>,
+    /// What is prescribed.
+    pub control: SlidingControl,
+    /// Wanted |error| ≤ accuracy·max(|value|, scale) of every output, scale one in reduced units.
+    pub accuracy: f64,
+}
+
+impl SlidingProblem {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] or, for a penetration of a parabola, [`Refusal::Undefined`].
+    pub fn checked(&self) -> Result<(), Refusal> {
+        require_non_negative("rate", self.rate)?;
+        require_positive("accuracy", self.accuracy)?;
+        match self.control {
+            SlidingControl::MeanPressure(pressure) => require_finite("mean_pressure", pressure)?,
+            SlidingControl::Penetration(penetration) => require_finite("penetration", penetration)?,
+            SlidingControl::HalfWidth(half_width) => require_positive("half_width", half_width)?,
+        };
+        match (self.indenter, self.control) {
+            (Indenter::Wave, SlidingControl::HalfWidth(half_width)) if half_width >= PI => {
+                return Err(Refusal::out_of_range("half_width", half_width, "below π (in 1/k): full contact has no edge"));
+            }
+            (Indenter::Parabola, SlidingControl::Penetration(_)) => {
+                return Err(Refusal::Undefined {
+                    quantity: "the penetration of a cylinder",
+                    reason: "a line load sinks into a half-plane without bound; prescribe the load or the contact width".into(),
+                });
+            }
+            _ => {}
+        }
+        match (self.adhesion, self.control) {
+            (Some(adhesion), _) => {
+                require_positive("reduced_work", adhesion.reduced_work)?;
+                require_positive("trailing_zone", adhesion.trailing_zone)?;
+                require_positive("leading_zone", adhesion.leading_zone)?;
+            }
+            (None, SlidingControl::MeanPressure(pressure)) if pressure <= 0.0 => {
+                return Err(Refusal::out_of_range("mean_pressure", pressure, "greater than 0: nothing pulls without adhesion"));
+            }
+            (None, SlidingControl::Penetration(penetration)) if penetration <= 0.0 => {
+                return Err(Refusal::out_of_range("penetration", penetration, "greater than 0: nothing pulls without adhesion"));
+            }
+            (None, _) => {}
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,105 @@
+//! What a steady sliding contact turns out to be, every number with its error; reduced units as in [`Indenter`](super::Indenter).
+
+use crate::estimate::Estimate;
+use crate::sliding::contact::ContactState;
+
+/// How the contact ends up.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SlidingOutcome {
+    /// A contact with two edges.
+    Partial(Box<PartialContact>),
+    /// Full contact, as no partial contact exists.
+    Full(FullContact),
+}
+
+/// A contact with two edges.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartialContact {
+    /// The numbers.
+    pub values: PartialValues,
+    /// The solved contact, from which pressure and gap follow at any point.
+    pub state: ContactState,
+    /// The evidence.
+    pub certificate: SlidingCertificate,
+    /// What it took.
+    pub work: SlidingWork,
+}
+
+/// The numbers of a contact with two edges.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartialValues {
+    /// a: half the contact width.
+    pub half_width: Estimate,
+    /// e: the middle of the contact ahead of the crest.
+    pub eccentricity: Estimate,
+    /// x of the trailing edge, −l₁ = e − a.
+    pub trailing_edge: Estimate,
+    /// x of the leading edge, l₂ = e + a.
+    pub leading_edge: Estimate,
+    /// Δ.
+    pub penetration: Estimate,
+    /// p̄.
+    pub mean_pressure: Estimate,
+    /// Friction stress, positive against the motion.
+    pub friction_stress: Estimate,
+    /// μ/(kΛ), of a parabola μR/L: friction stress over mean pressure; none unless the mean pressure is positive beyond its error.
+    pub friction_coefficient: Option<Estimate>,
+    /// U = ½∫p w.
+    pub interface_work: Estimate,
+    /// What adhesion adds; none without it.
+    pub adhesion: Option<AdhesiveValues>,
+}
+
+/// The numbers that only an adhesive contact has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AdhesiveValues {
+    /// G₁/Δγ of the trailing edge.
+    pub trailing_release: Estimate,
+    /// G₂/Δγ of the leading edge.
+    pub leading_release: Estimate,
+    /// δL_P of the trailing edge over Δγδ: the work of the interface that is not stored, 1 − G₁/Δγ (3.21).
+    pub trailing_nonconservative: Estimate,
+    /// δL_P of the leading edge over Δγδ, 1 − G₂/Δγ (3.22).
+    pub leading_nonconservative: Estimate,
+    /// Γ(G₁ − G₂)/Δγ, the adhesive part of the friction stress (3.40 times the mean pressure).
+    pub adhesive_friction_stress: Estimate,
+}
+
+/// The evidence for a partial contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingCertificate {
+    /// Largest relative defect of the two edge conditions.
+    pub residual: f64,
+    /// Largest condition number of the linear systems of its contacts.
+    pub condition: f64,
+    /// Signs of the edges and of the gap were checked.
+    pub admissible: bool,
+    /// Largest error over max(|value|, 1) of all outputs.
+    pub accuracy: f64,
+}
+
+/// Work counters.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct SlidingWork {
+    /// Contacts solved: each one small linear system.
+    pub contacts: u64,
+    /// Evaluations of both edge conditions.
+    pub closure_evaluations: u64,
+    /// Contacts on the path from the slow or the fast one.
+    pub path_steps: u64,
+}
+
+/// Full contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FullContact {
+    /// p̄, if prescribed.
+    pub mean_pressure: Option<f64>,
+    /// Friction stress, ½Im E(kv)/E0.
+    pub friction_stress: Estimate,
+    /// Friction stress over mean pressure, if that is positive.
+    pub friction_coefficient: Option<Estimate>,
+    /// The limit that partial contact has passed.
+    pub limit_name: &'static str,
+    /// Its value.
+    pub limit: f64,
+}
