@@ -1,8 +1,10 @@
 //! Pressure inside and gap outside of a solved contact, at any point given by its distances to the two edges.
 
-use super::quadrature::memory_integrals;
-use super::state::{ContactState, root_factor};
+use super::indenter::Indenter;
+use super::quadrature::{ArcRange, memory_integrals};
+use super::state::ContactState;
 use crate::refusal::{Refusal, require_positive};
+use crate::special::gauss_legendre::UnitRule;
 use std::f64::consts::PI;
 
 /// A point of an arc by its distances to the two ends, so that neither is lost to rounding.
@@ -33,21 +35,21 @@ impl ContactState {
         checked(distance, width).map(|distance| ArcPoint { from_trailing: width - distance, from_leading: distance })
     }
 
-    /// A point of the gap at a distance d (0 < d < 2π − 2a) behind the trailing edge.
+    /// A point of the gap at a distance d (0 < d < 2π − 2a, of a parabola any d > 0) behind the trailing edge.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the gap.
     pub fn behind_trailing(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = 2.0 * (PI - self.contact.half_width);
+        let width = self.indenter.gap_width(self.contact.half_width);
         checked(distance, width).map(|distance| ArcPoint { from_trailing: distance, from_leading: width - distance })
     }
 
-    /// A point of the gap at a distance d (0 < d < 2π − 2a) ahead of the leading edge.
+    /// A point of the gap at a distance d (0 < d < 2π − 2a, of a parabola any d > 0) ahead of the leading edge.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the gap.
     pub fn ahead_of_leading(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = 2.0 * (PI - self.contact.half_width);
+        let width = self.indenter.gap_width(self.contact.half_width);
         checked(distance, width).map(|distance| ArcPoint { from_trailing: width - distance, from_leading: distance })
     }
 
@@ -58,15 +60,8 @@ impl ContactState {
         let [flat, odd, wave] = self.elastic_fields(point);
         let field = |strengths: (f64, f64)| wave + strengths.0 * flat + strengths.1 * odd;
         let mut pressure = memory.stiffening_ratio() * field(self.strengths(None));
-        for relaxation in &memory.relaxation {
-            // M_ε f(y) = ∫_y^a e^{−(ξ−y)/ε} f dξ/ε, from y towards the leading edge; M_ε f(−a) = 0.
-            let strengths = self.strengths(Some(relaxation.ratio));
-            let remembered =
-                memory_between_edges(point.from_trailing, point.from_leading, relaxation.ratio, |from_trailing, from_leading| {
-                    let [flat, odd, wave] = self.elastic_fields(ArcPoint { from_trailing, from_leading });
-                    wave + strengths.0 * flat + strengths.1 * odd
-                });
-            pressure -= relaxation.modulus * remembered / relaxation.ratio;
+        for (term, relaxation) in memory.relaxation.iter().enumerate() {
+            pressure -= relaxation.modulus * self.remembered_inside(point, term);
         }
         pressure
     }
@@ -74,29 +69,58 @@ impl ContactState {
     /// The gap in Λ at a point outside the contact.
     #[must_use]
     pub fn gap(&self, point: ArcPoint) -> f64 {
-        let s = (0.5 * self.contact.half_width).sin();
-        let (sin_e, cos_e) = self.contact.eccentricity.sin_cos();
-        let (cosine, sine) = self.outside_angle(point);
-        let x = root_factor(point.from_trailing, point.from_leading);
-        let (half_root, depth) = (0.5 * x, (0.5 * x / s).asinh());
-        let wave = 2.0 * (sine * half_root - s * s * depth);
-        let mut gap = cos_e * wave + sin_e * cosine * x - self.flat_strength * depth;
-        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(self.memory.creep()) {
-            // From y towards the trailing edge of the next period: the integral over the whole gap vanishes, like M_ε f over the contact.
-            let remembered = memory_between_edges(point.from_leading, point.from_trailing, creep.ratio, |from_leading, from_trailing| {
-                let (cosine, sine) = self.outside_angle(ArcPoint { from_trailing, from_leading });
-                (outside_cosine * sine + outside_sine * cosine) / root_factor(from_trailing, from_leading)
-            });
-            gap -= load * 2.0 / PI * remembered;
+        let s = self.indenter.half_sine(self.contact.half_width);
+        let shift = self.indenter.shift(self.contact.eccentricity);
+        let (root, angle) = self.outside(point);
+        let (wave, depth) = self.indenter.gaps(angle, root, s, shift);
+        let mut gap = wave - self.flat_strength * depth;
+        for (term, (load, creep)) in self.loads.iter().zip(self.memory.creep()).enumerate() {
+            gap -= load * 2.0 / PI * creep.ratio * self.remembered_outside(point, term);
         }
         gap
     }
 
-    /// Strengths of H₀ and H₁ in f₀, or in f_i for a relaxation ratio ε_i.
-    fn strengths(&self, relaxation_ratio: Option<f64>) -> (f64, f64) {
+    /// M_ε f_i(y) = ∫_y^a e^{−(ξ−y)/ε} f_i dξ/ε, from y towards the leading edge; M_ε f_i(−a) = 0.
+    pub(super) fn remembered_inside(&self, point: ArcPoint, term: usize) -> f64 {
+        let Some(relaxation) = self.memory.relaxation.get(term) else { return 0.0 };
+        let strengths = self.strengths(Some(term));
+        let between = Between {
+            from_near: point.from_trailing,
+            from_far: point.from_leading,
+            opposite: self.indenter.gap_width(self.contact.half_width),
+            rule: self.resolution.arc_rule(),
+        };
+        let remembered = between.memory(relaxation.ratio, |from_trailing, from_leading| {
+            let [flat, odd, wave] = self.elastic_fields(ArcPoint { from_trailing, from_leading });
+            wave + strengths.0 * flat + strengths.1 * odd
+        });
+        remembered / relaxation.ratio
+    }
+
+    /// ∫_y^{2π−a} e^{−(ξ−y)/ζ} (O^c sin(ξ/2) + O^s cos(ξ/2))/|X| dξ/ζ, from y towards the trailing edge of the next period; the integral over
+    /// the whole gap vanishes.
+    pub(super) fn remembered_outside(&self, point: ArcPoint, term: usize) -> f64 {
+        let (Some(creep), Some(&(outside_cosine, outside_sine))) = (self.memory.creep().get(term), self.outside.get(term)) else {
+            return 0.0;
+        };
+        let between = Between {
+            from_near: point.from_leading,
+            from_far: point.from_trailing,
+            opposite: 2.0 * self.contact.half_width,
+            rule: self.resolution.arc_rule(),
+        };
+        let remembered = between.memory(creep.ratio, |from_leading, from_trailing| {
+            let (root, (sine, cosine)) = self.outside(ArcPoint { from_trailing, from_leading });
+            (outside_cosine * sine + outside_sine * cosine) / root
+        });
+        remembered / creep.ratio
+    }
+
+    /// Strengths of H₀ and H₁ in f₀, or in f_i.
+    pub(super) fn strengths(&self, relaxation: Option<usize>) -> (f64, f64) {
         let (mut flat, mut odd) = (self.flat_strength, 0.0);
-        for ((load, &(outside_cosine, outside_sine)), creep) in self.loads.iter().zip(&self.outside).zip(self.memory.creep()) {
-            let pole = relaxation_ratio.map_or(1.0, |ratio| creep.ratio / (creep.ratio - ratio));
+        for (creep, (load, &(outside_cosine, outside_sine))) in self.loads.iter().zip(&self.outside).enumerate() {
+            let pole = relaxation.map_or(1.0, |relaxation| self.memory.pole(creep, relaxation));
             flat -= load * pole * 2.0 / PI * outside_sine;
             odd -= load * pole * 2.0 / PI * outside_cosine;
         }
@@ -105,39 +129,50 @@ impl ContactState {
 
     /// H₀, H₁ and cos e W − sin e S inside the contact.
     fn elastic_fields(&self, point: ArcPoint) -> [f64; 3] {
-        let a = self.contact.half_width;
-        let (sin_e, cos_e) = self.contact.eccentricity.sin_cos();
+        let (a, indenter) = (self.contact.half_width, self.indenter);
         let y = if point.from_trailing < point.from_leading { point.from_trailing - a } else { a - point.from_leading };
-        let (sine, cosine) = (0.5 * y).sin_cos();
-        let x = root_factor(point.from_trailing, point.from_leading);
-        [cosine / x, sine / x, cos_e * cosine * x - sin_e * (0.5 * sine * x + cosine * y.sin() / x)]
+        let root = 2.0 * (indenter.half_sine(point.from_trailing) * indenter.half_sine(point.from_leading)).sqrt();
+        indenter.pressures(indenter.half_sine_cosine(y), root, indenter.shift(self.contact.eccentricity))
     }
 
-    /// (cos(y/2), sin(y/2)) in the gap, a < y < 2π − a.
-    fn outside_angle(&self, point: ArcPoint) -> (f64, f64) {
-        let a = self.contact.half_width;
-        if point.from_trailing < point.from_leading {
-            let half = 0.5 * (a + point.from_trailing);
-            (-half.cos(), half.sin())
-        } else {
-            let half = 0.5 * (a + point.from_leading);
-            (half.cos(), half.sin())
-        }
+    /// |X| and (sin(y/2), cos(y/2)) in the gap, a < y < 2π − a.
+    fn outside(&self, point: ArcPoint) -> (f64, (f64, f64)) {
+        let (a, indenter) = (self.contact.half_width, self.indenter);
+        let behind = point.from_trailing < point.from_leading;
+        let (near, far) = if behind { (point.from_trailing, point.from_leading) } else { (point.from_leading, point.from_trailing) };
+        // sin(far/2) = sin(a + near/2), but for rounding near the other end.
+        let other = if indenter == Indenter::Parabola { indenter.half_sine(2.0 * a + near) } else { indenter.half_sine(far) };
+        let (sine, cosine) = indenter.half_sine_cosine(a + near);
+        (2.0 * (indenter.half_sine(near) * other).sqrt(), (sine, if behind { -cosine } else { cosine }))
     }
 }
 
-/// ∫ e^{−(ξ−y)/scale} f dξ from a point to the far edge of its arc, for an f whose integral over the WHOLE arc (from the near edge) vanishes.
-///
-/// f has a square root in its denominator at both edges. Nearer to the near edge than one scale, where that root would be almost inside the
-/// range, the vanishing whole is used: the integral is −e^{d/scale} ∫₀^d e^{−t/scale} f dt.
-fn memory_between_edges(from_near: f64, from_far: f64, scale: f64, f: impl Fn(f64, f64) -> f64) -> f64 {
-    // Nearer to the far edge the direct integral is short and harmless, and the whole would cancel against almost itself.
-    if from_near < scale && from_near < from_far {
-        let [before] = memory_integrals(from_near, f64::INFINITY, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
-        -before
-    } else {
-        let [after] = memory_integrals(from_far, scale, |distance, rest| [f(from_near + distance, rest)]);
-        after
+/// A point between the two edges of an arc.
+struct Between {
+    from_near: f64,
+    from_far: f64,
+    /// Length of the arcs on both sides.
+    opposite: f64,
+    rule: &'static UnitRule,
+}
+
+impl Between {
+    /// ∫ e^{−(ξ−y)/scale} f dξ from the point to the far edge, for an f whose integral over the WHOLE arc (from the near edge) vanishes.
+    ///
+    /// f has a square root in its denominator at both edges. Nearer to the near edge than one scale, where that root would be almost inside the
+    /// range, the vanishing whole is used: the integral is −e^{d/scale} ∫₀^d e^{−t/scale} f dt.
+    fn memory(&self, scale: f64, f: impl Fn(f64, f64) -> f64) -> f64 {
+        let &Self { from_near, from_far, opposite, rule } = self;
+        // Nearer to the far edge the direct integral is short and harmless, and the whole would cancel against almost itself.
+        if from_near < scale && from_near < from_far {
+            let arc = ArcRange { length: from_near, before: opposite, behind: from_far, starts_at_edge: true };
+            let [before] = memory_integrals(arc, f64::INFINITY, rule, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
+            -before
+        } else {
+            let arc = ArcRange { length: from_far, before: from_near, behind: opposite, starts_at_edge: false };
+            let [after] = memory_integrals(arc, scale, rule, |distance, rest| [f(from_near + distance, rest)]);
+            after
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The material of a sliding contact: the creep side of [`SlidingMemory`] with the relaxation terms that belong to it.
 
 use crate::material::Material;
-use crate::refusal::{Refusal, require_positive};
+use crate::refusal::{Refusal, require_non_negative};
 use crate::sliding::memory::{MemoryTerm, SlidingMemory};
 
 /// A relaxation term: its relative modulus E_i/E0 and its sliding ratio ε_i = kvρ_i.
@@ -11,7 +11,7 @@ pub(super) struct RelaxationMode {
     pub(super) ratio: f64,
 }
 
-/// A solid that slides at a rate kv > 0, with both of its series.
+/// A solid that slides at a rate kv, with both of its series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMemory {
     kernel: SlidingMemory,
@@ -20,13 +20,16 @@ pub struct ContactMemory {
 }
 
 impl ContactMemory {
-    /// The groups of a material at the rate kv (1/s): wave number times sliding speed.
+    /// The groups of a material at the rate kv (1/s): wave number times sliding speed. At rate zero the solid is relaxed and remembers nothing.
     ///
     /// # Errors
-    /// [`Refusal::Undefined`] for a viscous material; [`Refusal::OutOfRange`] unless the rate is positive and finite.
+    /// [`Refusal::Undefined`] for a viscous material; [`Refusal::OutOfRange`] unless the rate is finite and not negative.
     pub fn new(material: &Material, rate: f64) -> Result<Self, Refusal> {
-        let rate = require_positive("rate", rate)?;
+        let rate = require_non_negative("rate", rate)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
+        if rate == 0.0 {
+            return Ok(Self { kernel: SlidingMemory::new(1.0, &[])?, stiffening_ratio: 1.0, relaxation: Vec::new() });
+        }
         let relaxation = material
             .relaxation_terms()
             .iter()
@@ -45,6 +48,21 @@ impl ContactMemory {
     #[must_use]
     pub const fn kernel(&self) -> &SlidingMemory {
         &self.kernel
+    }
+
+    /// ζ_j/(ζ_j − ε_i).
+    pub(super) fn pole(&self, creep: usize, relaxation: usize) -> f64 {
+        match (self.kernel.terms().get(creep), self.relaxation.get(relaxation)) {
+            (Some(creep), Some(relaxation)) => creep.ratio / (creep.ratio - relaxation.ratio),
+            _ => f64::NAN,
+        }
+    }
+
+    /// The smallest sliding ratio of both series, a length in 1/k; infinite without terms.
+    pub(super) fn thinnest_layer(&self) -> f64 {
+        let creep = self.creep().iter().map(|mode| mode.ratio);
+        let relaxation = self.relaxation.iter().map(|mode| mode.ratio);
+        creep.chain(relaxation).fold(f64::INFINITY, f64::min)
     }
 
     /// j_j and ζ_j of every creep term.

@@ -36,13 +36,18 @@
 //! ```
 //! Every integral is one-dimensional. Source: our own; the problem is thesis Eqs 3.16–3.24.
 
-mod edge_work;
 mod fields;
+mod indenter;
 mod memory;
+mod panel;
+mod process_zone;
 mod quadrature;
+mod resolution;
 mod state;
 
-pub use edge_work::{Edge, edge_work};
 pub use fields::ArcPoint;
+pub use indenter::Indenter;
 pub use memory::ContactMemory;
+pub use process_zone::{Edge, ProcessZone, edge_work};
+pub use resolution::Resolution;
 pub use state::{ContactState, Prescribed, WaveContact};

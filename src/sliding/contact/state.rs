@@ -1,17 +1,20 @@
 //! A contact with given edges: the linear system for the memory loads, and the totals.
 
+use super::indenter::Indenter;
 use super::memory::ContactMemory;
-use super::quadrature::memory_integrals;
+use super::quadrature::{ArcRange, memory_integrals};
+use super::resolution::Resolution;
 use crate::refusal::{Refusal, require_finite};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// What is prescribed besides the two edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Prescribed {
     /// Mean pressure over a wavelength, in E0*kΛ/2.
     MeanPressure(f64),
-    /// Penetration Δ in Λ: 0 where the crest touches, 1 at the mean level of full contact.
+    /// Penetration Δ in Λ: 0 where the crest touches, 1 at the mean level of full contact. Of a parabola: relative to a datum one unit away.
     Penetration(f64),
 }
 
@@ -28,7 +31,9 @@ pub struct WaveContact {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactState {
     pub(super) contact: WaveContact,
-    pub(super) memory: ContactMemory,
+    pub(super) indenter: Indenter,
+    pub(super) resolution: Resolution,
+    pub(super) memory: Arc<ContactMemory>,
     /// D.
     pub(super) flat_strength: f64,
     /// j_jV_j of every creep term.
@@ -37,8 +42,17 @@ pub struct ContactState {
     pub(super) outside: Vec<(f64, f64)>,
     mean_pressure: f64,
     penetration: f64,
-    first_harmonic: (f64, f64),
+    totals: Totals,
     condition: f64,
+}
+
+/// Weighted integrals of the pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Totals {
+    /// ∫p e^{−iy}dy.
+    Harmonic { real: f64, imaginary: f64 },
+    /// ∫p y dy and ∫p y² dy.
+    Moments { first: f64, second: f64 },
 }
 
 /// Integrals over the gap with the memory of one creep term.
@@ -51,83 +65,93 @@ struct OutsideIntegrals {
 }
 
 impl ContactState {
-    /// Solves the contact with given edges.
+    /// Solves the contact of a wave with given edges, to rounding.
     ///
     /// # Errors
     /// [`Refusal::OutOfRange`] for a half-width outside 0 < a < π or a prescription that is not finite; [`Refusal::NotConverged`] if the linear
     /// system is singular to rounding.
     pub fn new(memory: &ContactMemory, contact: WaveContact, prescribed: Prescribed) -> Result<Self, Refusal> {
+        Self::at_resolution(&Arc::new(memory.clone()), Indenter::Wave, contact, prescribed, Resolution::Finest)
+    }
+
+    /// Solves a contact with given edges.
+    ///
+    /// # Errors
+    /// As [`ContactState::new`].
+    pub fn at_resolution(
+        memory: &Arc<ContactMemory>,
+        indenter: Indenter,
+        contact: WaveContact,
+        prescribed: Prescribed,
+        resolution: Resolution,
+    ) -> Result<Self, Refusal> {
         let WaveContact { half_width, eccentricity } = contact;
-        if !(half_width > 0.0 && half_width < PI) {
-            return Err(Refusal::out_of_range("half_width", half_width, "greater than 0 and below π (in 1/k)"));
+        if !(half_width > 0.0 && half_width < indenter.widest()) {
+            return Err(Refusal::out_of_range("half_width", half_width, "greater than 0 and, of a wave, below π (in 1/k)"));
         }
         require_finite("eccentricity", eccentricity)?;
-        let sine = (0.5 * half_width).sin();
-        let square = sine * sine;
-        let (sin_e, cos_e) = eccentricity.sin_cos();
-        let outside: Vec<OutsideIntegrals> = memory.creep().iter().map(|mode| outside_integrals(half_width, mode.ratio)).collect();
+        let s = indenter.half_sine(half_width);
+        let square = s * s;
+        let shift = indenter.shift(eccentricity);
+        let outside: Vec<OutsideIntegrals> =
+            memory.creep().iter().map(|mode| outside_integrals(indenter, half_width, mode.ratio, resolution)).collect();
         // Rows M_{ε_i} f_i(−a) = 0: the loads j_jV_j under cos e W − sin e S, and under H₀.
         let count = memory.creep().len();
         let mut matrix = DMatrix::zeros(count, count);
-        let mut wave_side = DVector::zeros(count);
-        let mut flat_side = DVector::zeros(count);
+        let mut sides = DMatrix::zeros(count, 2);
         for (row, relaxation) in memory.relaxation.iter().enumerate() {
-            let [flat, odd, wave] = inside_integrals(half_width, relaxation.ratio, cos_e, sin_e);
+            let [flat, odd, wave] = inside_integrals(indenter, half_width, relaxation.ratio, shift, resolution);
             // Rows are divided by M_ε H₀(−a), columns by their O^s: everything is then of order one.
-            wave_side[row] = wave / flat;
-            flat_side[row] = 1.0;
-            for (column, creep) in memory.creep().iter().enumerate() {
-                let OutsideIntegrals { cosine, sine, .. } = outside[column];
-                let pole = creep.ratio / (creep.ratio - relaxation.ratio);
-                matrix[(row, column)] = 2.0 / PI * pole * (cosine / sine * (odd / flat) + 1.0);
+            sides[(row, 0)] = wave / flat;
+            sides[(row, 1)] = 1.0;
+            for (column, integrals) in outside.iter().enumerate() {
+                matrix[(row, column)] = 2.0 / PI * memory.pole(column, row) * (integrals.cosine / integrals.sine * (odd / flat) + 1.0);
             }
         }
-        let singular =
-            || Refusal::NotConverged { what: "the memory loads of a sliding contact", detail: "the linear system is singular".into() };
-        let condition = condition_number(&matrix);
-        let factors = matrix.lu();
-        let scaled = |side: &DVector<f64>| -> Result<Vec<f64>, Refusal> {
-            if count == 0 {
-                return Ok(Vec::new());
-            }
-            let solution = factors.solve(side).ok_or_else(singular)?;
-            Ok(solution.iter().zip(&outside).map(|(load, integrals)| load / integrals.sine).collect())
+        let condition_of = matrix.clone();
+        if count > 0 && !matrix.lu().solve_mut(&mut sides) {
+            return Err(Refusal::NotConverged { what: "the memory loads of a sliding contact", detail: "the linear system is singular".into() });
+        }
+        let scaled = |side: usize| -> Vec<f64> {
+            outside.iter().enumerate().map(|(row, integrals)| sides[(row, side)] / integrals.sine).collect()
         };
-        let (wave_loads, flat_loads) = (scaled(&wave_side)?, scaled(&flat_side)?);
+        let (wave_loads, flat_loads) = (scaled(0), scaled(1));
         let depth_of = |loads: &[f64]| loads.iter().zip(&outside).map(|(load, integrals)| load * integrals.depth).sum::<f64>() / PI;
-        // Δ = fixed − D·(ln s + ...): both controls are linear in D.
-        let fixed = 1.0 - cos_e * (1.0 - square + 2.0 * square * sine.ln()) - depth_of(&wave_loads);
-        let per_flat = -sine.ln() - depth_of(&flat_loads);
+        // Δ and p̄ are linear in D.
+        let crest = match indenter {
+            // 1 − cos e (1 − s² + 2s² ln s), without cancellation at small s and e.
+            Indenter::Wave => {
+                let half = (0.5 * eccentricity).sin();
+                2.0 * half * half + shift.1 * square * (1.0 - 2.0 * s.ln())
+            }
+            Indenter::Parabola => 0.5 * eccentricity * eccentricity + square * (1.0 - 2.0 * s.ln()),
+        };
+        let fixed = crest - depth_of(&wave_loads);
+        let per_flat = -s.ln() - depth_of(&flat_loads);
         let flat_strength = match prescribed {
-            Prescribed::MeanPressure(pressure) => 2.0 * (require_finite("mean_pressure", pressure)? - square * cos_e),
+            Prescribed::MeanPressure(pressure) => 2.0 * (require_finite("mean_pressure", pressure)? - square * shift.1),
             Prescribed::Penetration(penetration) => (require_finite("penetration", penetration)? - fixed) / per_flat,
         };
         let loads: Vec<f64> = wave_loads.iter().zip(&flat_loads).map(|(wave, flat)| wave + flat_strength * flat).collect();
-        let mean_pressure = square * cos_e + 0.5 * flat_strength;
+        let mean_pressure = square * shift.1 + 0.5 * flat_strength;
         let penetration = fixed + flat_strength * per_flat;
-        // ∫q e^{−iy}: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
-        let elastic = PI * square * (2.0 - square);
-        let root =
-            |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(&outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
-        let (root_cosine, root_sine) = (root(|integrals| integrals.root_cosine), root(|integrals| integrals.root_sine));
-        let effective = (cos_e * elastic + PI * flat_strength * (1.0 - square) - root_sine, sin_e * elastic - root_cosine);
-        let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
-        let norm = real * real + imaginary * imaginary;
-        let first_harmonic = ((effective.0 * real + effective.1 * imaginary) / norm, (effective.1 * real - effective.0 * imaginary) / norm);
+        let totals = totals(memory, indenter, contact, flat_strength, mean_pressure, &loads, &outside);
         let state = Self {
             contact,
-            memory: memory.clone(),
+            indenter,
+            resolution,
+            memory: Arc::clone(memory),
             flat_strength,
             loads,
             outside: outside.iter().map(|integrals| (integrals.cosine, integrals.sine)).collect(),
             mean_pressure,
             penetration,
-            first_harmonic,
-            condition,
+            totals,
+            condition: condition_number(&condition_of),
         };
         require_finite("mean_pressure", state.mean_pressure)?;
         require_finite("penetration", state.penetration)?;
-        require_finite("first_harmonic", state.first_harmonic.0 + state.first_harmonic.1)?;
+        require_finite("friction_stress", state.friction_stress())?;
         Ok(state)
     }
 
@@ -135,6 +159,12 @@ impl ContactState {
     #[must_use]
     pub const fn contact(&self) -> WaveContact {
         self.contact
+    }
+
+    /// The indenter.
+    #[must_use]
+    pub const fn indenter(&self) -> Indenter {
+        self.indenter
     }
 
     /// p̄ in E0*kΛ/2.
@@ -149,28 +179,65 @@ impl ContactState {
         self.penetration
     }
 
-    /// Friction stress in E0*k²Λ²/2, positive against the motion: −Im[e^{−ie} ∫p e^{−iy}dy]/2π.
+    /// Friction stress in E0*k²Λ²/2, positive against the motion: −Im[e^{−ie} ∫p e^{−iy}dy]/2π, of a parabola ∫p (y + e)dy/2π.
     #[must_use]
     pub fn friction_stress(&self) -> f64 {
-        let (sin_e, cos_e) = self.contact.eccentricity.sin_cos();
-        -(self.first_harmonic.1 * cos_e - self.first_harmonic.0 * sin_e) / (2.0 * PI)
+        let eccentricity = self.contact.eccentricity;
+        match self.totals {
+            Totals::Harmonic { real, imaginary } => {
+                let (sin_e, cos_e) = eccentricity.sin_cos();
+                -(imaginary * cos_e - real * sin_e) / (2.0 * PI)
+            }
+            Totals::Moments { first, .. } => first / (2.0 * PI) + eccentricity * self.mean_pressure,
+        }
     }
 
-    /// U = ½∫p w in E0*Λ²/2: ½[Re(e^{−ie}∫p e^{−iy}) + 2π(Δ − 1)p̄].
+    /// U = ½∫p w in E0*Λ²/2: ½[Re(e^{−ie}∫p e^{−iy}) + 2π(Δ − 1)p̄], of a parabola ½[2πp̄Δ − ½∫p (y + e)²].
     #[must_use]
     pub fn interface_work(&self) -> f64 {
-        let (sin_e, cos_e) = self.contact.eccentricity.sin_cos();
-        0.5 * (self.first_harmonic.0 * cos_e + self.first_harmonic.1 * sin_e + 2.0 * PI * (self.penetration - 1.0) * self.mean_pressure)
+        0.5 * (self.profile_work() + 2.0 * PI * self.penetration * self.mean_pressure)
+    }
+
+    /// What the release rate is the rise of as an edge moves out: U at fixed penetration; of a parabola, whose load is kept, ½[∫p h − 2πp̄Δ] with
+    /// the profile h = −(y + e)²/2 (the limit of U as the compliance of the half-plane grows without bound).
+    #[must_use]
+    pub fn potential(&self) -> f64 {
+        match self.indenter {
+            Indenter::Wave => self.interface_work(),
+            Indenter::Parabola => 0.5 * (self.profile_work() - 2.0 * PI * self.penetration * self.mean_pressure),
+        }
+    }
+
+    /// ∫p h over the contact with the profile h measured from the crest.
+    fn profile_work(&self) -> f64 {
+        let eccentricity = self.contact.eccentricity;
+        match self.totals {
+            Totals::Harmonic { real, imaginary } => {
+                let (sin_e, cos_e) = eccentricity.sin_cos();
+                real * cos_e + imaginary * sin_e - 2.0 * PI * self.mean_pressure
+            }
+            Totals::Moments { first, second } => {
+                -0.5 * second - eccentricity * first - PI * eccentricity * eccentricity * self.mean_pressure
+            }
+        }
+    }
+
+    /// What a contact with a moved edge keeps of this one: the penetration, of a parabola the load.
+    #[must_use]
+    pub const fn held(&self) -> Prescribed {
+        match self.indenter {
+            Indenter::Wave => Prescribed::Penetration(self.penetration),
+            Indenter::Parabola => Prescribed::MeanPressure(self.mean_pressure),
+        }
     }
 
     /// Edge amplitudes (trailing, leading): p ~ k/√(2 sin a·d) at a distance d inside; negative where the edge is pulled.
     #[must_use]
     pub fn edge_amplitudes(&self) -> (f64, f64) {
-        let half = 0.5 * self.contact.half_width;
-        let (sine, cosine) = half.sin_cos();
-        let sin_e = self.contact.eccentricity.sin();
-        // f₀·X at ±a: −sin e·(±cos(a/2) sin a) + D cos(a/2) − Σ loads·(2/π)(±O^c sin(a/2) + O^s cos(a/2)).
-        let (mut odd, mut even) = (-sin_e * cosine * self.contact.half_width.sin(), self.flat_strength * cosine);
+        let (sine, cosine) = self.indenter.half_sine_cosine(self.contact.half_width);
+        let (sin_e, _) = self.indenter.shift(self.contact.eccentricity);
+        // f₀·X at ±a: −sin e·(±2 sin(a/2) cos²(a/2)) + D cos(a/2) − Σ loads·(2/π)(±O^c sin(a/2) + O^s cos(a/2)).
+        let (mut odd, mut even) = (-2.0 * sin_e * cosine * cosine * sine, self.flat_strength * cosine);
         for (load, &(outside_cosine, outside_sine)) in self.loads.iter().zip(&self.outside) {
             odd -= load * 2.0 / PI * outside_cosine * sine;
             even -= load * 2.0 / PI * outside_sine * cosine;
@@ -186,33 +253,73 @@ impl ContactState {
     }
 }
 
-/// X at a distance from one edge of an arc and the rest of the arc to the other: 2√(sin(d/2) sin(rest/2)).
-pub(super) fn root_factor(distance: f64, rest: f64) -> f64 {
-    2.0 * ((0.5 * distance).sin() * (0.5 * rest).sin()).sqrt()
+/// Weighted integrals of the pressure from those of the effective pressure q.
+fn totals(
+    memory: &ContactMemory,
+    indenter: Indenter,
+    contact: WaveContact,
+    flat_strength: f64,
+    mean_pressure: f64,
+    loads: &[f64],
+    outside: &[OutsideIntegrals],
+) -> Totals {
+    let WaveContact { half_width, eccentricity } = contact;
+    let square = indenter.half_sine(half_width).powi(2);
+    let root = |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
+    let (root_cosine, root_sine) = (root(|integrals| integrals.root_cosine), root(|integrals| integrals.root_sine));
+    match indenter {
+        Indenter::Wave => {
+            // ∫q e^{−iy}: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
+            let (sin_e, cos_e) = eccentricity.sin_cos();
+            let elastic = PI * square * (2.0 - square);
+            let effective = (cos_e * elastic + PI * flat_strength * (1.0 - square) - root_sine, sin_e * elastic - root_cosine);
+            let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
+            let norm = real * real + imaginary * imaginary;
+            Totals::Harmonic {
+                real: (effective.0 * real + effective.1 * imaginary) / norm,
+                imaginary: (effective.1 * real - effective.0 * imaginary) / norm,
+            }
+        }
+        Indenter::Parabola => {
+            // Moments of q: X, −e y/X and D/X inside, and the loads; ∫|X|e_j and ∫|X|e_j (a + v) are −root_cosine and 2 root_sine.
+            let squared = half_width * half_width;
+            let first = -0.5 * PI * eccentricity * squared + root_cosine;
+            let second = PI * squared * squared / 8.0 + 0.5 * PI * flat_strength * squared + 2.0 * root_sine;
+            // Ĉ(κ) = 1 + iκΣjζ − κ²Σjζ² takes them to p.
+            let (mut once, mut twice) = (0.0, 0.0);
+            for mode in memory.creep() {
+                once += mode.compliance * mode.ratio;
+                twice += mode.compliance * mode.ratio * mode.ratio;
+            }
+            let load = 2.0 * PI * mean_pressure;
+            let first = first + once * load;
+            Totals::Moments { first, second: second + 2.0 * once * first - 2.0 * twice * load }
+        }
+    }
 }
 
 /// M_ε at the trailing edge of H₀, H₁ and cos e W − sin e S.
-fn inside_integrals(half_width: f64, ratio: f64, cos_e: f64, sin_e: f64) -> [f64; 3] {
-    memory_integrals(2.0 * half_width, ratio, |distance, rest| {
-        let x = root_factor(distance, rest);
+fn inside_integrals(indenter: Indenter, half_width: f64, ratio: f64, shift: (f64, f64), resolution: Resolution) -> [f64; 3] {
+    let gap = indenter.gap_width(half_width);
+    let arc = ArcRange { length: 2.0 * half_width, before: gap, behind: gap, starts_at_edge: true };
+    memory_integrals(arc, ratio, resolution.arc_rule(), |distance, rest| {
+        let root = 2.0 * (indenter.half_sine(distance) * indenter.half_sine(rest)).sqrt();
         let y = if distance < rest { distance - half_width } else { half_width - rest };
-        let (sine, cosine) = (0.5 * y).sin_cos();
-        let wave = cosine * x;
-        let slope = 0.5 * sine * x + cosine * y.sin() / x;
-        [cosine / x, sine / x, cos_e * wave - sin_e * slope].map(|value| value / ratio)
+        indenter.pressures(indenter.half_sine_cosine(y), root, shift).map(|value| value / ratio)
     })
 }
 
 /// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.
-fn outside_integrals(half_width: f64, ratio: f64) -> OutsideIntegrals {
-    let length = 2.0 * (PI - half_width);
-    let s = (0.5 * half_width).sin();
-    let [cosine, sine, depth, root_cosine, root_sine] = memory_integrals(length, ratio, |distance, rest| {
-        let x = root_factor(distance, rest);
+fn outside_integrals(indenter: Indenter, half_width: f64, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
+    let width = 2.0 * half_width;
+    let arc = ArcRange { length: indenter.gap_width(half_width), before: width, behind: width, starts_at_edge: true };
+    let s = indenter.half_sine(half_width);
+    let [cosine, sine, depth, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution.arc_rule(), |distance, rest| {
+        let other = if rest < distance { indenter.half_sine(rest) } else { indenter.half_sine(width + distance) };
+        let root = 2.0 * (indenter.half_sine(distance) * other).sqrt();
         // η/2 = π − (a + v)/2.
-        let half = 0.5 * (half_width + distance);
-        let (cosine, sine) = (-half.cos(), half.sin());
-        [cosine / x, sine / x, (0.5 * x / s).asinh(), x * cosine, x * sine]
+        let (sine, cosine) = indenter.half_sine_cosine(half_width + distance);
+        [-cosine / root, sine / root, (0.5 * root / s).asinh(), -root * cosine, root * sine]
     });
     OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
 }

@@ -4,6 +4,7 @@ mod problem;
 mod solution;
 mod solve;
 
-pub use problem::{Indenter, SlidingControl, SlidingProblem};
+pub use super::contact::Indenter;
+pub use problem::{SlidingControl, SlidingProblem};
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
 pub use solve::steady_sliding;

@@ -1,28 +1,9 @@
 //! What is asked of a steady sliding contact, in reduced units.
 
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
+use crate::sliding::contact::Indenter;
 use crate::sliding::equilibrium::WaveAdhesion;
 use std::f64::consts::PI;
-
-/// The rigid body that slides.
-///
-/// | reduced quantity | [`Indenter::Wave`] Λcos kx | [`Indenter::Parabola`] x²/2R, lengths in any L |
-/// |---|---|---|
-/// | lengths along the surface | 1/k | L |
-/// | displacements, penetration | Λ | L²/R |
-/// | pressures and stresses | E0*kΛ/2 | E0*L/2R |
-/// | rate | kv | v/L |
-/// | adhesion Γ | Δγ/(πE0*kΛ²) | ΔγR²/(πE0*L³) |
-/// | mean pressure | mean over a wavelength | F/2πL for a load F per width, in E0*L/2R |
-/// | friction stress | E0*k²Λ²/2, mean over a wavelength | force per width over 2πL, in E0*L²/2R² |
-/// | energies per width (U, δL_P) | E0*Λ²/2 | E0*L⁴/2R² |
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Indenter {
-    /// A sinusoidal wave on a half-plane.
-    Wave,
-    /// One parabola (a long cylinder): the wave as k → 0 at fixed 1/R = k²Λ. Penetrations are relative to a datum L away.
-    Parabola,
-}
 
 /// What is prescribed besides the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,11 +1,11 @@
 //! Solving a [`SlidingProblem`].
 
-use super::problem::{Indenter, SlidingControl, SlidingProblem};
+use super::problem::{SlidingControl, SlidingProblem};
 use super::solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactState, Prescribed};
+use crate::sliding::contact::{ContactState, Indenter, Prescribed};
 use crate::sliding::speed_path::{adhesive_contact, adhesiveless_contact, full_contact_friction};
 
 /// The steady contact of a material on a sliding indenter.

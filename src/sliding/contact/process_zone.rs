@@ -1,0 +1,232 @@
+//! The work of the tension inside a moved edge on the gap outside the old one.
+//!
+//! ```text
+//! (1/2δ) ∫₀^δ tension₊(d) gap₋(δ − d) dd          tension₊ of the contact re-solved with that edge moved out by δ,
+//!                                                  gap₋ of the contact as it is; at equilibrium 2πΓ
+//! ```
+//! Both fields are memories of elastic ones. They are marched over the zone from panel to panel, all terms on the same nodes: the panels grow in
+//! equal ratios away from both ends, from the thinnest layer of the material, and those of the gap are those of the tension mirrored. Nodes and
+//! steps depend on the material, the speed and δ alone and serve every contact on the way to an equilibrium.
+//!
+//! | memory | remembers | known where |
+//! |---|---|---|
+//! | tension at the leading edge, M_ε | what is nearer to the edge | 0 at the edge |
+//! | tension at the trailing edge, M_ε | what is farther inside | 0 at the edge; if ε < δ by an integral along the contact at δ |
+//! | gap behind the trailing edge, ζM_ζ | what is nearer to the edge | 0 at the edge |
+//! | gap ahead of the leading edge, ζM_ζ | what is farther away | 0 at the edge; if ζ < δ by an integral along the gap at δ |
+//!
+//! Source: thesis Eqs 3.26–3.30.
+
+use super::fields::ArcPoint;
+use super::indenter::Indenter;
+use super::memory::ContactMemory;
+use super::panel::{March, NODES, Panel, Step, Values};
+use super::resolution::Resolution;
+use super::state::ContactState;
+use std::f64::consts::PI;
+
+/// One of the two edges of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Edge {
+    /// Where the contact opens, at −a.
+    Trailing,
+    /// Where the contact closes, at +a.
+    Leading,
+}
+
+/// Never more panels than this in each half: 2^(2·40) from the thinnest layer to the zone.
+const MOST_PANELS: usize = 40;
+/// The panel next to the edge: its length in units of the thinnest layer.
+const FIRST_PANEL: f64 = 1.0;
+
+/// (1/2δ) ∫ tension₊·gap₋ at an edge, in reduced units; `moved` is the contact with that edge moved out by `process_zone`.
+#[must_use]
+pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, process_zone: f64) -> f64 {
+    ProcessZone::new(&contact.memory, contact.indenter, edge, process_zone, contact.resolution).work(contact, moved)
+}
+
+/// The process zone of one edge of a sliding contact: panels, and the steps of every term.
+#[derive(Debug, Clone)]
+pub struct ProcessZone {
+    edge: Edge,
+    indenter: Indenter,
+    length: f64,
+    panels: Vec<Panel>,
+    /// Half sines and cosines of the distances, panel by panel.
+    angles: Vec<[(f64, f64); NODES]>,
+    inside: Vec<TermMarch>,
+    outside: Vec<TermMarch>,
+}
+
+/// The march of one term.
+#[derive(Debug, Clone)]
+struct TermMarch {
+    layer: f64,
+    march: March,
+    /// One for each panel.
+    steps: Vec<Step>,
+}
+
+impl ProcessZone {
+    /// The zone of an edge.
+    #[must_use]
+    pub fn new(memory: &ContactMemory, indenter: Indenter, edge: Edge, length: f64, resolution: Resolution) -> Self {
+        let panels = panels(length, memory.thinnest_layer(), resolution.panel_ratio());
+        let angles = panels.iter().map(|panel| panel.distances.map(|distance| indenter.half_sine_cosine(distance))).collect();
+        let term = |layer: f64, nearer: bool| {
+            let march = match (nearer, layer < length) {
+                (true, _) => March::Nearer,
+                (false, true) => March::Farther,
+                (false, false) => March::FartherFromEdge,
+            };
+            TermMarch { layer, march, steps: panels.iter().map(|panel| Step::new(panel, layer, march)).collect() }
+        };
+        let inside = memory.relaxation.iter().map(|mode| term(mode.ratio, edge == Edge::Leading)).collect();
+        let outside = memory.creep().iter().map(|mode| term(mode.ratio, edge == Edge::Trailing)).collect();
+        Self { edge, indenter, length, panels, angles, inside, outside }
+    }
+
+    /// δ.
+    #[must_use]
+    pub const fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
+    #[must_use]
+    pub fn work(&self, contact: &ContactState, moved: &ContactState) -> f64 {
+        let pressures = self.pressures(moved);
+        let gaps = self.gaps(contact);
+        let mut work = 0.0;
+        for ((panel, pressure), gap) in self.panels.iter().zip(&pressures).zip(gaps.iter().rev()) {
+            // The mirrored panel has its nodes in the opposite order.
+            for index in 0..NODES {
+                work -= panel.weights[index] * pressure[index] * gap[NODES - 1 - index];
+            }
+        }
+        work / (2.0 * self.length)
+    }
+
+    /// p at the nodes of the zone inside the edge.
+    fn pressures(&self, state: &ContactState) -> Vec<Values> {
+        let indenter = self.indenter;
+        let half_width = state.contact.half_width;
+        let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
+        let shift = indenter.shift(state.contact.eccentricity);
+        let side = match self.edge {
+            Edge::Trailing => -1.0,
+            Edge::Leading => 1.0,
+        };
+        let elastic: Vec<[Values; 3]> = self
+            .angles
+            .iter()
+            .map(|angles| {
+                let mut fields = [Values::zeros(), Values::zeros(), Values::zeros()];
+                for (index, &(sine, cosine)) in angles.iter().enumerate() {
+                    // sin((2a − d)/2), and y/2 = ±(a − d)/2.
+                    let far = whole.0 * cosine - whole.1 * sine;
+                    let root = 2.0 * (sine * far).sqrt();
+                    let half = (side * (half_edge.0 * cosine - half_edge.1 * sine), indenter.cosine_of_sum(half_edge, (-sine, cosine)));
+                    for (field, value) in fields.iter_mut().zip(indenter.pressures(half, root, shift)) {
+                        field[index] = value;
+                    }
+                }
+                fields
+            })
+            .collect();
+        let combined = |(flat, odd): (f64, f64), [even, uneven, wave]: &[Values; 3]| wave + even * flat + uneven * odd;
+        let beta = state.memory.stiffening_ratio();
+        let now = state.strengths(None);
+        let mut pressures: Vec<Values> = elastic.iter().map(|fields| combined(now, fields) * beta).collect();
+        for (term, (march, mode)) in self.inside.iter().zip(&state.memory.relaxation).enumerate() {
+            let strengths = state.strengths(Some(term));
+            let far = || {
+                let inside = ArcPoint { from_trailing: self.length, from_leading: 2.0 * half_width - self.length };
+                state.remembered_inside(inside, term)
+            };
+            self.march(march, far, |panel| elastic.get(panel).map(|fields| combined(strengths, fields)), |panel, memory| {
+                if let Some(pressure) = pressures.get_mut(panel) {
+                    *pressure -= memory * mode.modulus;
+                }
+            });
+        }
+        pressures
+    }
+
+    /// The gap at the nodes of the zone outside the edge.
+    fn gaps(&self, state: &ContactState) -> Vec<Values> {
+        let indenter = self.indenter;
+        let half_width = state.contact.half_width;
+        let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
+        let shift = indenter.shift(state.contact.eccentricity);
+        let side = match self.edge {
+            Edge::Trailing => -1.0,
+            Edge::Leading => 1.0,
+        };
+        let mut gaps = Vec::with_capacity(self.panels.len());
+        let mut loads = Vec::with_capacity(self.panels.len());
+        for angles in &self.angles {
+            let (mut gap, mut even, mut odd) = (Values::zeros(), Values::zeros(), Values::zeros());
+            for (index, &(sine, cosine)) in angles.iter().enumerate() {
+                // sin(a + d/2), and (a + d)/2.
+                let root = 2.0 * (sine * (whole.0 * cosine + whole.1 * sine)).sqrt();
+                let half = (half_edge.0 * cosine + half_edge.1 * sine, side * indenter.cosine_of_sum(half_edge, (sine, cosine)));
+                let (wave, depth) = indenter.gaps(half, root, half_edge.0, shift);
+                gap[index] = wave - state.flat_strength * depth;
+                even[index] = half.1 / root;
+                odd[index] = half.0 / root;
+            }
+            gaps.push(gap);
+            loads.push((even, odd));
+        }
+        for (term, march) in self.outside.iter().enumerate() {
+            let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
+            let far = || {
+                let outside =
+                    ArcPoint { from_trailing: indenter.gap_width(half_width) - self.length, from_leading: self.length };
+                state.remembered_outside(outside, term)
+            };
+            let field = |panel: usize| loads.get(panel).map(|(even, odd): &(Values, Values)| odd * outside_cosine + even * outside_sine);
+            self.march(march, far, field, |panel, memory| {
+                if let Some(gap) = gaps.get_mut(panel) {
+                    *gap -= memory * (load * march.layer * 2.0 / PI);
+                }
+            });
+        }
+        gaps
+    }
+
+    /// Marches a memory u = Mf over the zone; `far` gives it at the far end, where it is asked for.
+    fn march(
+        &self,
+        term: &TermMarch,
+        far: impl Fn() -> f64,
+        field: impl Fn(usize) -> Option<Values>,
+        mut use_memory: impl FnMut(usize, &Values),
+    ) {
+        let mut value = if term.march == March::Farther { far() } else { 0.0 };
+        for step in 0..self.panels.len() {
+            let index = if term.march == March::Farther { self.panels.len() - 1 - step } else { step };
+            let (Some(panel), Some(factored), Some(field)) = (self.panels.get(index), term.steps.get(index), field(index)) else { continue };
+            let times_root = Values::from_fn(|node, _| panel.roots[node] * field[node]);
+            let (memory, out) = factored.advance(&times_root, value);
+            use_memory(index, &memory);
+            value = out;
+        }
+    }
+}
+
+/// Panels from the edge to the far end, growing away from both ends.
+fn panels(length: f64, thinnest: f64, ratio: f64) -> Vec<Panel> {
+    let middle = (0.5 * length).sqrt();
+    let first = middle.min((FIRST_PANEL * thinnest).sqrt());
+    let count = ((middle / first).ln() / ratio.ln()).ceil().clamp(0.0, MOST_PANELS as f64) as usize;
+    // The last break is the middle itself; a first panel beyond the resolvable range is longer.
+    let step = if count == 0 { 1.0 } else { (middle / first).powf(1.0 / count as f64).min(ratio) };
+    let mut breaks: Vec<f64> = (0..=count).rev().map(|power| middle / step.powi(i32::try_from(power).unwrap_or(i32::MAX))).collect();
+    breaks.insert(0, 0.0);
+    let halves = breaks.windows(2).filter_map(|pair| if let [low, high] = *pair { Some((low, high)) } else { None });
+    let mut panels: Vec<Panel> = halves.clone().map(|(low, high)| Panel::new(low, high, None)).collect();
+    panels.extend(halves.rev().map(|(low, high)| Panel::new(low, high, Some(length))));
+    panels
+}
