@@ -14,33 +14,7 @@ use super::edge_newton::{EdgeResidual, Edges, solve_edges};
 use crate::refusal::{Refusal, require_positive};
 use std::f64::consts::PI;
 
-/// Adhesion of a wave contact in reduced units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WaveAdhesion {
-    /// Γ = Δγ/(πE0*kΛ²).
-    pub reduced_work: f64,
-    /// δ of the trailing edge, in 1/k.
-    pub trailing_zone: f64,
-    /// δ of the leading edge, in 1/k.
-    pub leading_zone: f64,
-}
-
-/// What was checked of an accepted state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Admissibility {
-    /// Both edges are pulled, in the contact and in both moved ones.
-    pub edges_pulled: bool,
-    /// The smallest gap found outside the contact, over the largest.
-    pub smallest_gap: f64,
-}
-
-impl Admissibility {
-    /// Whether the state can exist.
-    #[must_use]
-    pub fn holds(&self) -> bool {
-        self.edges_pulled && self.smallest_gap > 0.0
-    }
-}
+pub use super::edge_balance::{Admissibility, WaveAdhesion};
 
 /// An adhesive sliding contact in equilibrium at both edges.
 #[derive(Debug, Clone, PartialEq)]

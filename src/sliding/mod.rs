@@ -27,6 +27,7 @@
 
 pub mod adhesiveless;
 pub mod contact;
+pub mod edge_balance;
 mod edge_newton;
 pub mod equilibrium;
 pub mod green;

@@ -35,14 +35,6 @@ impl Indenter {
         }
     }
 
-    /// cos(x/2).
-    pub(super) fn half_cosine(self, x: f64) -> f64 {
-        match self {
-            Self::Wave => (0.5 * x).cos(),
-            Self::Parabola => 1.0,
-        }
-    }
-
     /// sin(x/2) and cos(x/2).
     pub(super) fn half_sine_cosine(self, x: f64) -> (f64, f64) {
         match self {
@@ -65,6 +57,13 @@ impl Indenter {
             Self::Wave => first.1 * second.1 - first.0 * second.0,
             Self::Parabola => 1.0,
         }
+    }
+
+    /// s² cos(a/2), the size of a pressure of the wave or parabola at a half-width a.
+    #[must_use]
+    pub fn half_angle_scale(self, half_width: f64) -> f64 {
+        let (sine, cosine) = self.half_sine_cosine(half_width);
+        sine * sine * cosine
     }
 
     /// Width of the gap from the trailing edge back to the next leading edge.

@@ -161,6 +161,12 @@ impl ContactState {
         self.contact
     }
 
+    /// β, or 1 at rest: how much stiffer than relaxed the edges are.
+    #[must_use]
+    pub fn stiffest(&self) -> f64 {
+        self.memory.stiffening_ratio()
+    }
+
     /// The indenter.
     #[must_use]
     pub const fn indenter(&self) -> Indenter {

@@ -1,10 +1,14 @@
 //! A steady sliding contact from a problem to numbers with errors.
 
+mod accuracy;
+mod elastic_start;
+mod path;
 mod problem;
 mod solution;
 mod solve;
 
 pub use super::contact::Indenter;
-pub use problem::{SlidingControl, SlidingProblem};
+pub use super::edge_balance::{SlidingControl, WaveAdhesion};
+pub use problem::SlidingProblem;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
-pub use solve::steady_sliding;
+pub use solve::{full_contact_friction, steady_sliding};

@@ -2,19 +2,8 @@
 
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use crate::sliding::contact::Indenter;
-use crate::sliding::equilibrium::WaveAdhesion;
+use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
 use std::f64::consts::PI;
-
-/// What is prescribed besides the speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SlidingControl {
-    /// Mean pressure p̄; may be zero or negative with adhesion.
-    MeanPressure(f64),
-    /// Penetration Δ: 0 where the crest touches, 1 at full contact. Not available for [`Indenter::Parabola`].
-    Penetration(f64),
-    /// Half the contact width a; the mean pressure is found.
-    HalfWidth(f64),
-}
 
 /// A steady sliding contact: everything but the material.
 #[derive(Debug, Clone, Copy, PartialEq)]

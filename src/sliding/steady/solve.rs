@@ -1,89 +1,97 @@
 //! Solving a [`SlidingProblem`].
+//!
+//! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, under a
+//! load above snap-in or past a fold where the contact was widening, full contact, in closed form.
 
-use super::problem::{SlidingControl, SlidingProblem};
-use super::solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
+use super::accuracy::solved;
+use super::path::{From, NoStart, PathEnd, start_at_rate};
+use super::problem::SlidingProblem;
+use super::solution::{FullContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactState, Indenter, Prescribed};
-use crate::sliding::speed_path::{adhesive_contact, adhesiveless_contact, full_contact_friction};
+use crate::sliding::contact::{ContactMemory, Indenter};
+use crate::sliding::edge_balance::SlidingControl;
+use std::sync::Arc;
 
 /// The steady contact of a material on a sliding indenter.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off.
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off and past a fold where the contact
+/// was narrowing; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
-    let prescribed = match problem.control {
-        SlidingControl::MeanPressure(pressure) => Prescribed::MeanPressure(pressure),
-        SlidingControl::Penetration(penetration) => Prescribed::Penetration(penetration),
-        SlidingControl::HalfWidth(_) => {
-            return Err(Refusal::NotConverged { what: "half-width control", detail: "not built yet".into() });
+    let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
+    let mut work = SlidingWork::default();
+    let mut last = None;
+    let mut slow = None;
+    for from in [From::Slow, From::Fast] {
+        match start_at_rate(material, problem, from, &mut work) {
+            Ok(start) => match solved(&memory, problem, &start, &mut work) {
+                Ok(contact) => return Ok(SlidingOutcome::Partial(Box::new(contact))),
+                Err(refusal) => last = Some(refusal),
+            },
+            Err(NoStart::Elastic(refusal @ (Refusal::OutOfRange { .. } | Refusal::Undefined { .. }))) => return Err(refusal),
+            Err(none) if from == From::Slow => slow = Some(none),
+            Err(_) => {}
         }
-    };
-    if problem.indenter == Indenter::Parabola {
-        return Err(Refusal::NotConverged { what: "a parabola", detail: "not built yet".into() });
+        if material.is_elastic() || problem.rate == 0.0 {
+            break;
+        }
     }
-    let estimate = |value: f64| Estimate::new(value, 1e-8 * value.abs().max(1.0));
-    let found = match problem.adhesion {
-        Some(adhesion) => adhesive_contact(material, problem.rate, &adhesion, prescribed, 1e-8).map(|path| {
-            let values = AdhesiveValues {
-                trailing_release: estimate(path.contact.trailing_release),
-                leading_release: estimate(path.contact.leading_release),
-                trailing_nonconservative: estimate(1.0 - path.contact.trailing_release),
-                leading_nonconservative: estimate(1.0 - path.contact.leading_release),
-                adhesive_friction_stress: estimate(adhesion.reduced_work * (path.contact.trailing_release - path.contact.leading_release)),
-            };
-            (path.contact.state, Some(values), path.steps, path.evaluations)
+    match (slow, last) {
+        (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
+            full_contact(material, problem, limit_name, limit)
+        }
+        (Some(NoStart::Fold(PathEnd { rate, widening: true })), _) if problem.indenter == Indenter::Wave => {
+            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", rate)
+        }
+        (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
+        (Some(NoStart::Fold(PathEnd { rate, .. })), _) => Err(Refusal::NoSuchState {
+            reason: "the contact that grows out of the slow one ends at a fold before this speed, and none comes from the fast side".into(),
+            limit_name: "rate kv (1/s)",
+            limit: rate,
         }),
-        None => adhesiveless_contact(material, problem.rate, prescribed, 1e-8)
-            .map(|path| (path.contact.state, None, path.steps, path.evaluations)),
-    };
-    match (found, problem.control) {
-        (Ok((state, adhesion, steps, evaluations)), _) => {
-            Ok(SlidingOutcome::Partial(Box::new(partial(state, adhesion, steps, evaluations, estimate))))
-        }
-        (Err(Refusal::NoSuchState { limit_name, limit, .. }), SlidingControl::MeanPressure(pressure)) if pressure > limit => {
-            let friction = Estimate::relative(full_contact_friction(material, problem.rate)?, 1e-14);
-            Ok(SlidingOutcome::Full(FullContact {
-                mean_pressure: Some(pressure),
-                friction_stress: friction,
-                friction_coefficient: (pressure > 0.0).then(|| friction.scaled(1.0 / pressure)),
-                limit_name,
-                limit,
-            }))
-        }
-        (Err(refusal), _) => Err(refusal),
+        (None, Some(refusal)) => Err(refusal),
+        (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
     }
 }
 
-fn partial(
-    state: ContactState,
-    adhesion: Option<AdhesiveValues>,
-    steps: u32,
-    evaluations: u32,
-    estimate: impl Fn(f64) -> Estimate,
-) -> PartialContact {
-    let contact = state.contact();
-    PartialContact {
-        values: PartialValues {
-            half_width: estimate(contact.half_width),
-            eccentricity: estimate(contact.eccentricity),
-            trailing_edge: estimate(contact.eccentricity - contact.half_width),
-            leading_edge: estimate(contact.eccentricity + contact.half_width),
-            penetration: estimate(state.penetration()),
-            mean_pressure: estimate(state.mean_pressure()),
-            friction_stress: estimate(state.friction_stress()),
-            friction_coefficient: (state.mean_pressure() > 0.0).then(|| estimate(state.friction_stress() / state.mean_pressure())),
-            interface_work: estimate(state.interface_work()),
-            adhesion,
-        },
-        certificate: SlidingCertificate { residual: 1e-8, condition: state.condition(), admissible: true, accuracy: 1e-8 },
-        work: SlidingWork {
-            contacts: 3 * u64::from(evaluations),
-            closure_evaluations: u64::from(evaluations),
-            path_steps: u64::from(steps),
-        },
-        state,
+/// Whether the limit that an elastic contact has passed is snap-in.
+fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
+    problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(pressure) if pressure >= limit)
+}
+
+fn full_contact(
+    material: &Material,
+    problem: &SlidingProblem,
+    limit_name: &'static str,
+    limit: f64,
+) -> Result<SlidingOutcome, Refusal> {
+    let mean_pressure = match problem.control {
+        SlidingControl::MeanPressure(pressure) => Some(pressure),
+        _ => None,
+    };
+    let friction_stress = full_contact_friction(material, problem.rate)?;
+    Ok(SlidingOutcome::Full(FullContact {
+        mean_pressure,
+        friction_stress,
+        friction_coefficient: mean_pressure.filter(|&pressure| pressure > 0.0).map(|pressure| friction_stress.scaled(1.0 / pressure)),
+        limit_name,
+        limit,
+    }))
+}
+
+/// The friction stress of full contact, ½ Im E(kv)/E0, in E0*k²Λ²/2: half the loss of the first harmonic, whatever the adhesion.
+///
+/// # Errors
+/// [`Refusal::OutOfRange`] for a negative rate; [`Refusal::Undefined`] for a viscous material.
+pub fn full_contact_friction(material: &Material, rate: f64) -> Result<Estimate, Refusal> {
+    let relaxed = material.solid_modulus("the friction of a full contact in units of E0")?;
+    if rate == 0.0 {
+        return Ok(Estimate::exact(0.0));
     }
+    // A sum of positive terms, each good to a few ulp.
+    let terms = material.relaxation_terms().len() as f64;
+    Ok(Estimate::relative(0.5 * material.complex_modulus(rate)?.loss / relaxed, (4.0 + terms) * f64::EPSILON))
 }

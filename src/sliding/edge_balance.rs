@@ -1,0 +1,265 @@
+//! What must hold at the two edges of a sliding contact, and the edges at which it does.
+//!
+//! ```text
+//! adhesive       work_i(l₁, l₂) = (1/2δ_i) ∫ tension₊ gap₋ = 2πΓ     at the trailing (i = 1) and at the leading edge (i = 2)
+//! adhesiveless   k_i(l₁, l₂) = 0                                     no edge is singular
+//! ```
+//! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ) − 1 is nearly linear in the edges: that is the residual. The unknowns
+//! are the half-width and the eccentricity, or, at a prescribed half-width, the mean pressure and the eccentricity. Every adhesive contact has
+//! four roots, three of them unphysical with residuals of 1e-15: after each solve the signs of the amplitudes, also in the moved contacts, and
+//! the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
+//!
+//! Source: thesis Secs 3.2 and 3.3.
+
+use super::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
+use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
+use crate::refusal::Refusal;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Adhesion of a wave contact in reduced units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WaveAdhesion {
+    /// Γ = Δγ/(πE0*kΛ²).
+    pub reduced_work: f64,
+    /// δ of the trailing edge, in 1/k.
+    pub trailing_zone: f64,
+    /// δ of the leading edge, in 1/k.
+    pub leading_zone: f64,
+}
+
+/// What is prescribed of a contact besides its speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingControl {
+    /// Mean pressure p̄; may be zero or negative with adhesion.
+    MeanPressure(f64),
+    /// Penetration Δ: 0 where the crest touches, 1 at full contact. Not available for [`Indenter::Parabola`].
+    Penetration(f64),
+    /// Half the contact width a; the mean pressure is found.
+    HalfWidth(f64),
+}
+
+/// What was checked of an accepted state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Admissibility {
+    /// Both edges are pulled, in the contact and in both moved ones; without adhesion: neither is singular.
+    pub edges_pulled: bool,
+    /// The smallest gap found outside the contact, over the largest.
+    pub smallest_gap: f64,
+}
+
+impl Admissibility {
+    /// Whether the state can exist.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.edges_pulled && self.smallest_gap > 0.0
+    }
+}
+
+/// Points at which the gap is looked at, on each side of the contact.
+const GAP_POINTS: u32 = 16;
+/// Longest step of an unknown in units of the room that it has.
+const LONGEST_STEP: f64 = 0.33;
+/// Steps of difference quotients in units of the same room.
+const DIFFERENCE: f64 = 1e-6;
+/// A gap this far below zero, over the largest, is rounding.
+const GAP_ROUNDING: f64 = 1e-13;
+
+/// The conditions at one pair of unknowns.
+#[derive(Debug, Clone)]
+pub struct EdgeStates {
+    /// The contact.
+    pub state: ContactState,
+    /// The contacts with the trailing and with the leading edge moved out; none without adhesion.
+    pub moved: Option<(ContactState, ContactState)>,
+    /// The two residuals.
+    residual: [f64; 2],
+}
+
+impl TwoResiduals for EdgeStates {
+    fn residual(&self) -> [f64; 2] {
+        self.residual
+    }
+}
+
+/// The two conditions for one material, speed, adhesion and control.
+#[derive(Debug, Clone)]
+pub struct EdgeBalance {
+    memory: Arc<ContactMemory>,
+    indenter: Indenter,
+    adhesion: Option<(WaveAdhesion, ProcessZone, ProcessZone)>,
+    control: SlidingControl,
+    resolution: Resolution,
+}
+
+impl EdgeBalance {
+    /// Prepares the conditions; all numbers are taken as checked.
+    #[must_use]
+    pub fn new(
+        memory: Arc<ContactMemory>,
+        indenter: Indenter,
+        adhesion: Option<WaveAdhesion>,
+        control: SlidingControl,
+        resolution: Resolution,
+    ) -> Self {
+        let adhesion = adhesion.map(|adhesion| {
+            let zone = |edge, length| ProcessZone::new(&memory, indenter, edge, length, resolution);
+            (adhesion, zone(Edge::Trailing, adhesion.trailing_zone), zone(Edge::Leading, adhesion.leading_zone))
+        });
+        Self { memory, indenter, adhesion, control, resolution }
+    }
+
+    /// The adhesion.
+    #[must_use]
+    pub fn adhesion(&self) -> Option<WaveAdhesion> {
+        self.adhesion.as_ref().map(|(adhesion, ..)| *adhesion)
+    }
+
+    /// Contacts solved for one evaluation.
+    #[must_use]
+    pub const fn contacts_per_evaluation(&self) -> u64 {
+        if self.adhesion.is_some() { 3 } else { 1 }
+    }
+
+    /// The edges and the prescription that a pair of unknowns stands for.
+    fn placed(&self, [first, eccentricity]: [f64; 2]) -> (WaveContact, Prescribed) {
+        match self.control {
+            SlidingControl::MeanPressure(pressure) => (WaveContact { half_width: first, eccentricity }, Prescribed::MeanPressure(pressure)),
+            SlidingControl::Penetration(penetration) => {
+                (WaveContact { half_width: first, eccentricity }, Prescribed::Penetration(penetration))
+            }
+            SlidingControl::HalfWidth(half_width) => (WaveContact { half_width, eccentricity }, Prescribed::MeanPressure(first)),
+        }
+    }
+
+    /// The conditions at a pair of unknowns.
+    ///
+    /// # Errors
+    /// Those of the contacts; [`Refusal::NotConverged`] where a work is not a number.
+    pub fn evaluate(&self, unknowns: [f64; 2]) -> Result<EdgeStates, Refusal> {
+        let (contact, prescribed) = self.placed(unknowns);
+        let solve = |contact, prescribed| ContactState::at_resolution(&self.memory, self.indenter, contact, prescribed, self.resolution);
+        let state = solve(contact, prescribed)?;
+        let Some((adhesion, trailing, leading)) = &self.adhesion else {
+            let half = self.indenter.half_angle_scale(contact.half_width);
+            let (behind, ahead) = state.edge_amplitudes();
+            let scale = self.memory.stiffening_ratio() * half;
+            return Ok(EdgeStates { state, moved: None, residual: [behind / scale, ahead / scale] });
+        };
+        let moved = |out: f64, shift: f64| {
+            let edges = WaveContact { half_width: contact.half_width + 0.5 * out, eccentricity: contact.eccentricity + shift };
+            solve(edges, state.held())
+        };
+        let trailing_moved = moved(trailing.length(), -0.5 * trailing.length())?;
+        let leading_moved = moved(leading.length(), 0.5 * leading.length())?;
+        let target = 2.0 * PI * adhesion.reduced_work;
+        let defect = |work: f64| if work > 0.0 { (work / target).sqrt() - 1.0 } else { -1.0 + work / target };
+        let residual = [defect(trailing.work(&state, &trailing_moved)), defect(leading.work(&state, &leading_moved))];
+        if residual.iter().any(|value| value.is_nan()) {
+            return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
+        }
+        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), residual })
+    }
+
+    /// The room that each unknown has: a length for edges, a pressure for the mean pressure.
+    #[must_use]
+    pub fn room(&self, [first, _]: [f64; 2]) -> [f64; 2] {
+        match self.control {
+            SlidingControl::HalfWidth(half_width) => {
+                let arc = half_width.min(self.indenter.widest() - half_width);
+                [self.indenter.half_angle_scale(half_width) + first.abs(), arc]
+            }
+            _ => {
+                let arc = first.min(self.indenter.widest() - first);
+                [arc, arc]
+            }
+        }
+    }
+
+    /// Solves both conditions from a pair of unknowns; the root is not yet checked for admissibility.
+    ///
+    /// # Errors
+    /// [`Refusal::NotConverged`].
+    pub fn solve(&self, start: [f64; 2], jacobian: Option<Jacobian>, tolerance: f64) -> Result<Solution<EdgeStates>, Refusal> {
+        self.with_equations(|equations| equations.solve(start, jacobian, tolerance))
+    }
+
+    /// The difference steps of the unknowns.
+    #[must_use]
+    pub fn differences(&self, unknowns: [f64; 2]) -> [f64; 2] {
+        self.room(unknowns).map(|room| DIFFERENCE * room)
+    }
+
+    fn with_equations<R>(
+        &self,
+        run: impl FnOnce(
+            &TwoEquations<'_, &dyn Fn([f64; 2]) -> Result<EdgeStates, Refusal>, &dyn Fn([f64; 2], [f64; 2]) -> f64>,
+        ) -> Result<R, Refusal>,
+    ) -> Result<R, Refusal> {
+        let evaluate = |unknowns| self.evaluate(unknowns);
+        let limit = |unknowns: [f64; 2], step: [f64; 2]| {
+            let room = self.room(unknowns);
+            // The eccentricity may move by more than the narrower arc allows the edges to.
+            let part = |index: usize, share: f64| share * room[index] / step[index].abs().max(f64::MIN_POSITIVE);
+            part(0, LONGEST_STEP).min(part(1, 2.0 * LONGEST_STEP))
+        };
+        let differences = |unknowns| self.differences(unknowns);
+        run(&TwoEquations {
+            what: if self.adhesion.is_some() { "the edges of an adhesive sliding contact" } else { "the edges of an adhesiveless sliding contact" },
+            evaluate: &(&evaluate as &dyn Fn([f64; 2]) -> Result<EdgeStates, Refusal>),
+            limit: &(&limit as &dyn Fn([f64; 2], [f64; 2]) -> f64),
+            differences: &differences,
+        })
+    }
+
+    /// Looks at the signs of a root.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] only if a point of the gap is out of it: a defect.
+    pub fn admissibility(&self, states: &EdgeStates) -> Result<Admissibility, Refusal> {
+        let state = &states.state;
+        let pulled = |contact: &ContactState| contact.edge_amplitudes().0 < 0.0 && contact.edge_amplitudes().1 < 0.0;
+        let edges_pulled = states.moved.as_ref().is_none_or(|(trailing, leading)| pulled(state) && pulled(trailing) && pulled(leading));
+        // Far from a parabola nothing can touch: its gap is looked at as far as the contact and its memory reach.
+        let half_width = state.contact().half_width;
+        let half_gap = match self.indenter {
+            Indenter::Wave => PI - half_width,
+            Indenter::Parabola => 10.0 * half_width,
+        };
+        let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+        for index in 1..=GAP_POINTS {
+            // Dense at both edges, where interpenetration begins.
+            let part = 1.0 - (0.5 * PI * f64::from(index) / f64::from(GAP_POINTS)).cos();
+            for point in [state.behind_trailing(part * half_gap)?, state.ahead_of_leading(part * half_gap)?] {
+                let gap = state.gap(point);
+                smallest = smallest.min(gap);
+                largest = largest.max(gap);
+            }
+        }
+        // Without adhesion the gap opens as the distance to the power 3/2 and may be lost to rounding at the edge.
+        let rounding = if states.moved.is_none() { GAP_ROUNDING * largest } else { 0.0 };
+        Ok(Admissibility { edges_pulled, smallest_gap: (smallest + rounding) / largest })
+    }
+
+    /// Solves both conditions and checks the root.
+    ///
+    /// # Errors
+    /// [`Refusal::NotConverged`], also for a root that cannot exist.
+    pub fn solve_admissible(
+        &self,
+        start: [f64; 2],
+        jacobian: Option<Jacobian>,
+        tolerance: f64,
+    ) -> Result<(Solution<EdgeStates>, Admissibility), Refusal> {
+        let found = self.solve(start, jacobian, tolerance)?;
+        let admissibility = self.admissibility(&found.solution)?;
+        if admissibility.holds() {
+            Ok((found, admissibility))
+        } else {
+            Err(Refusal::NotConverged {
+                what: "the edges of a sliding contact",
+                detail: "the root found is unphysical (a pressed edge or interpenetrating faces)".into(),
+            })
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! From a start to a contact whose every number carries its error.
+//!
+//! The two conditions are solved at one level of resolution, then evaluated at the next finer one: what they are off there is corrected by one
+//! step, and its size is the error of the coarser level. An error of a condition moves the unknowns by the inverse Jacobian and each output by
+//! its own derivatives, which differences give as well. So
+//! ```text
+//! error of an output = |∂output/∂unknowns · J⁻¹| · (residual left + θ·(change of the residual from level to level) + rounding)
+//!                    + θ·|change of the output from level to level at the same edges| + its own rounding
+//! ```
+//! θ is the ratio of the errors of two levels. Where the sum is above the request, the next level follows.
+
+use super::path::Start;
+use super::problem::SlidingProblem;
+use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
+use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_two_by_two};
+use crate::estimate::Estimate;
+use crate::refusal::Refusal;
+use crate::sliding::contact::{ContactMemory, Resolution};
+use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, WaveAdhesion};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// θ: the error of a level over that of the level before, an upper bound of what `tests/sliding_sec_3_process_zone.rs` measures.
+const LEVEL_RATIO: f64 = 0.02;
+/// Rounding of a condition, and of an output over its size.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// The residual asked for, over the accuracy.
+const RESIDUAL_SHARE: f64 = 0.03;
+/// Number of outputs.
+const OUTPUTS: usize = 12;
+
+/// Half-width, eccentricity, trailing and leading edge, Δ, p̄, friction stress, μ, U, G₁, G₂, Γ(G₁ − G₂).
+type Outputs = [f64; OUTPUTS];
+
+/// Solves a contact from a start to the accuracy of the problem, or as near to it as double precision allows.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] if no admissible root is near.
+pub(super) fn solved(
+    memory: &Arc<ContactMemory>,
+    problem: &SlidingProblem,
+    start: &Start,
+    work: &mut SlidingWork,
+) -> Result<PartialContact, Refusal> {
+    let balance_at =
+        |resolution| EdgeBalance::new(Arc::clone(memory), problem.indenter, problem.adhesion, problem.control, resolution);
+    let mut resolution = if problem.accuracy > 1e-4 { Resolution::Coarse } else if problem.accuracy > 1e-9 { Resolution::Medium } else { Resolution::Fine };
+    let mut start = *start;
+    let mut balance = balance_at(resolution);
+    loop {
+        let Some(finer) = resolution.finer() else {
+            return Err(Refusal::NotConverged { what: "the accuracy of a sliding contact", detail: "no finer level is left".into() });
+        };
+        let count = |evaluations: u64, work: &mut SlidingWork| {
+            work.closure_evaluations += evaluations;
+            work.contacts += balance.contacts_per_evaluation() * evaluations;
+        };
+        let (found, admissibility) =
+            balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).max(ROUNDING))?;
+        count(u64::from(found.evaluations), work);
+        let here = outputs(&found.solution, problem.adhesion);
+        let Sensitivity { jacobian, outputs: slopes } = sensitivity(&balance, found.unknowns, &found.solution, &here, problem.adhesion)?;
+        let fine_balance = balance_at(finer);
+        let fine = fine_balance.evaluate(found.unknowns)?;
+        count(3, work);
+        let change = [0, 1].map(|index| fine.residual()[index] - found.solution.residual()[index]);
+        let fine_outputs = outputs(&fine, problem.adhesion);
+        let singular = || Refusal::NotConverged { what: "the edges of a sliding contact", detail: "the Jacobian is singular: a fold is near".into() };
+        let correction = solve_two_by_two(&jacobian, fine.residual()).ok_or_else(singular)?;
+        let unknowns = [found.unknowns[0] - correction[0], found.unknowns[1] - correction[1]];
+        // Below rounding a second evaluation shows nothing new.
+        let (states, unknowns) = if largest(fine.residual()) > ROUNDING {
+            count(1, work);
+            (fine_balance.evaluate(unknowns)?, unknowns)
+        } else {
+            (fine, found.unknowns)
+        };
+        let left = [0, 1].map(|index| states.residual()[index].abs() + LEVEL_RATIO * change[index].abs() + rounding_of_conditions(&states));
+        let inverse = inverse_columns(&jacobian).ok_or_else(singular)?;
+        let values = outputs(&states, problem.adhesion);
+        let own = rounding_of_outputs(&states, problem.adhesion);
+        let estimates: Vec<Estimate> = (0..OUTPUTS)
+            .map(|output| {
+                let slope = slopes[output];
+                let by_condition: f64 = (0..2)
+                    .map(|condition| {
+                        (slope[0] * inverse[condition][0] + slope[1] * inverse[condition][1]).abs() * left[condition]
+                    })
+                    .sum();
+                let by_level = LEVEL_RATIO * (fine_outputs[output] - here[output]).abs();
+                Estimate::new(values[output], by_condition + by_level + own[output])
+            })
+            .collect();
+        let partial = partial_values(&estimates, problem.adhesion.is_some());
+        let accuracy = achieved(&estimates, problem.adhesion.is_some(), partial.friction_coefficient.is_some());
+        if accuracy <= problem.accuracy || finer.finer().is_none() {
+            let condition = states.moved.as_ref().map_or(states.state.condition(), |(trailing, leading)| {
+                states.state.condition().max(trailing.condition()).max(leading.condition())
+            });
+            return Ok(PartialContact {
+                values: partial,
+                certificate: SlidingCertificate {
+                    residual: largest(states.residual()),
+                    condition,
+                    admissible: admissibility.holds(),
+                    accuracy,
+                },
+                work: *work,
+                state: states.state,
+            });
+        }
+        start = Start { unknowns, jacobian: Some(jacobian) };
+        resolution = finer;
+        balance = fine_balance;
+    }
+}
+
+/// How residuals and outputs follow the unknowns.
+struct Sensitivity {
+    jacobian: Jacobian,
+    /// [∂output/∂first, ∂output/∂second] of every output.
+    outputs: [[f64; 2]; OUTPUTS],
+}
+
+fn sensitivity(
+    balance: &EdgeBalance,
+    unknowns: [f64; 2],
+    states: &EdgeStates,
+    here: &Outputs,
+    adhesion: Option<WaveAdhesion>,
+) -> Result<Sensitivity, Refusal> {
+    let small = balance.differences(unknowns);
+    let mut jacobian = [[0.0; 2]; 2];
+    let mut slopes = [[0.0; 2]; OUTPUTS];
+    for index in 0..2 {
+        let mut moved = unknowns;
+        moved[index] += small[index];
+        let there = balance.evaluate(moved)?;
+        for (row, entry) in jacobian.iter_mut().enumerate() {
+            entry[index] = (there.residual()[row] - states.residual()[row]) / small[index];
+        }
+        for (slope, (after, before)) in slopes.iter_mut().zip(outputs(&there, adhesion).iter().zip(here)) {
+            slope[index] = (after - before) / small[index];
+        }
+    }
+    Ok(Sensitivity { jacobian, outputs: slopes })
+}
+
+/// The columns of the inverse of a 2 × 2 matrix.
+fn inverse_columns(matrix: &Jacobian) -> Option<[[f64; 2]; 2]> {
+    Some([solve_two_by_two(matrix, [1.0, 0.0])?, solve_two_by_two(matrix, [0.0, 1.0])?])
+}
+
+fn outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
+    let state = &states.state;
+    let contact = state.contact();
+    let friction = state.friction_stress();
+    let (trailing, leading) = releases(states, adhesion);
+    [
+        contact.half_width,
+        contact.eccentricity,
+        contact.eccentricity - contact.half_width,
+        contact.eccentricity + contact.half_width,
+        state.penetration(),
+        state.mean_pressure(),
+        friction,
+        friction / state.mean_pressure(),
+        state.interface_work(),
+        trailing,
+        leading,
+        adhesion.map_or(0.0, |adhesion| adhesion.reduced_work * (trailing - leading)),
+    ]
+}
+
+/// G/Δγ of both edges: [U(edge moved) − U]/(2πΓδ) at fixed penetration.
+fn releases(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> (f64, f64) {
+    let (Some(adhesion), Some((trailing, leading))) = (adhesion, &states.moved) else { return (0.0, 0.0) };
+    let release = |moved: f64, zone: f64| (moved - states.state.potential()) / (2.0 * PI * adhesion.reduced_work * zone);
+    (release(trailing.potential(), adhesion.trailing_zone), release(leading.potential(), adhesion.leading_zone))
+}
+
+/// Rounding of a residual: that of the fields over the tension that the closure asks for.
+fn rounding_of_conditions(states: &EdgeStates) -> f64 {
+    ROUNDING * (1.0 + states.state.condition())
+}
+
+fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
+    let state = &states.state;
+    let WaveSizes { length, pressure, penetration, friction, energy } = sizes(states);
+    let condition = 1.0 + state.condition().ln().max(0.0);
+    let unit = ROUNDING * condition;
+    let mut rounding = [0.0; OUTPUTS];
+    for (index, size) in [length, length, length, length, penetration, pressure, friction].into_iter().enumerate() {
+        rounding[index] = unit * size;
+    }
+    rounding[7] = unit * friction / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
+    rounding[8] = unit * energy;
+    if let Some(adhesion) = adhesion {
+        // A difference of energies over δ.
+        let (trailing, leading) = (unit * energy / (PI * adhesion.trailing_zone), unit * energy / (PI * adhesion.leading_zone));
+        rounding[9] = trailing / adhesion.reduced_work;
+        rounding[10] = leading / adhesion.reduced_work;
+        rounding[11] = trailing + leading;
+    }
+    rounding
+}
+
+/// The sizes of the terms that outputs are sums of.
+struct WaveSizes {
+    length: f64,
+    pressure: f64,
+    penetration: f64,
+    friction: f64,
+    energy: f64,
+}
+
+fn sizes(states: &EdgeStates) -> WaveSizes {
+    let state = &states.state;
+    let contact = state.contact();
+    let length = contact.half_width + contact.eccentricity.abs();
+    let scale = state.indenter().half_angle_scale(contact.half_width);
+    let pressure = scale + state.mean_pressure().abs();
+    let reach = match state.indenter() {
+        crate::sliding::contact::Indenter::Wave => length.min(1.0),
+        crate::sliding::contact::Indenter::Parabola => length,
+    };
+    let stiff = state.stiffest();
+    let penetration = state.penetration().abs() + pressure;
+    let friction = stiff * reach * pressure;
+    WaveSizes { length, pressure, penetration, friction, energy: PI * (penetration * state.mean_pressure().abs() + reach * friction) }
+}
+
+fn partial_values(estimates: &[Estimate], adhesive: bool) -> PartialValues {
+    let at = |index: usize| estimates.get(index).copied().unwrap_or(Estimate::new(f64::NAN, f64::INFINITY));
+    let opposite = |estimate: Estimate| Estimate::new(1.0 - estimate.value, estimate.error + f64::EPSILON);
+    let mean_pressure = at(5);
+    PartialValues {
+        half_width: at(0),
+        eccentricity: at(1),
+        trailing_edge: at(2),
+        leading_edge: at(3),
+        penetration: at(4),
+        mean_pressure,
+        friction_stress: at(6),
+        friction_coefficient: (mean_pressure.value > mean_pressure.error).then(|| at(7)),
+        interface_work: at(8),
+        adhesion: adhesive.then(|| AdhesiveValues {
+            trailing_release: at(9),
+            leading_release: at(10),
+            trailing_nonconservative: opposite(at(9)),
+            leading_nonconservative: opposite(at(10)),
+            adhesive_friction_stress: at(11),
+        }),
+    }
+}
+
+/// Largest error over max(|value|, 1).
+fn achieved(estimates: &[Estimate], adhesive: bool, coefficient: bool) -> f64 {
+    let counts = |index: usize| (index != 7 || coefficient) && (index < 9 || adhesive);
+    estimates
+        .iter()
+        .enumerate()
+        .filter(|&(index, _)| counts(index))
+        .map(|(_, estimate)| estimate.error / estimate.value.abs().max(1.0))
+        .fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) })
+}

@@ -1,0 +1,138 @@
+//! A contact at any speed, reached from the slow or from the fast one, whose forms are known.
+//!
+//! Far below the process zone over the longest time the solid is relaxed, far above the contact over the shortest it is glassy; both contacts
+//! are elastic. From there the speed is changed in steps, each contact being the start of the next (with secant prediction in ln speed). A step
+//! whose contact is far from its prediction is a jump to another root: it is refused and halved, not accepted. Paths are followed coarsely; only
+//! the contact at their end is solved to the accuracy asked for.
+
+use super::elastic_start::elastic_unknown;
+use super::problem::SlidingProblem;
+use super::solution::SlidingWork;
+use crate::continuation::two_unknowns::Jacobian;
+use crate::material::Material;
+use crate::refusal::Refusal;
+use crate::sliding::contact::{ContactMemory, Resolution};
+use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
+use std::sync::Arc;
+
+/// The longest step in ln speed.
+const LONGEST_STEP: f64 = 1.5;
+/// The step that is tried first.
+const FIRST_STEP: f64 = 0.5;
+/// A path whose steps fall below this has met a fold.
+const SHORTEST_STEP: f64 = 1e-3;
+/// The slow start: slowest sliding ratio over the smaller process zone.
+const SLOW: f64 = 0.1;
+/// The fast start: fastest sliding ratio over the contact, by the relaxation times.
+const FAST: f64 = 30.0;
+/// Largest distance of a contact from its prediction, in units of the room of its unknowns.
+const JUMP: f64 = 0.15;
+/// Residual of the contacts on the way.
+const TOLERANCE: f64 = 1e-4;
+
+/// A contact from which the one asked for is found in a few steps.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Start {
+    pub(super) unknowns: [f64; 2],
+    pub(super) jacobian: Option<Jacobian>,
+}
+
+/// A path that does not reach its end.
+#[derive(Debug, Clone)]
+pub(super) struct PathEnd {
+    /// The last rate reached.
+    pub(super) rate: f64,
+    /// Whether the contact was widening there.
+    pub(super) widening: bool,
+}
+
+/// Why there is no start.
+#[derive(Debug, Clone)]
+pub(super) enum NoStart {
+    /// The elastic contact does not exist, or a number is wrong.
+    Elastic(Refusal),
+    /// A fold was met.
+    Fold(PathEnd),
+}
+
+/// From which side the speed is approached.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum From {
+    Slow,
+    Fast,
+}
+
+/// Follows the contact of a material to the rate of the problem; adds to `work`.
+pub(super) fn start_at_rate(material: &Material, problem: &SlidingProblem, from: From, work: &mut SlidingWork) -> Result<Start, NoStart> {
+    let modulus = match from {
+        From::Slow => 1.0,
+        From::Fast => material.stiffening_ratio(),
+    };
+    let first = elastic_unknown(problem, modulus).map_err(NoStart::Elastic)?;
+    let at_rest = Start { unknowns: [first, 0.0], jacobian: None };
+    let (Some(longest), Some(shortest)) = (
+        material.longest_retardation_time(),
+        material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp),
+    ) else {
+        return Ok(at_rest);
+    };
+    if problem.rate == 0.0 {
+        return Ok(at_rest);
+    }
+    let half_width = match problem.control {
+        SlidingControl::HalfWidth(half_width) => half_width,
+        _ => first,
+    };
+    let zone = problem.adhesion.map_or(0.1 * half_width, |adhesion| adhesion.trailing_zone.min(adhesion.leading_zone));
+    let begin = match from {
+        From::Slow => (SLOW * zone / longest).min(problem.rate),
+        From::Fast => (FAST * half_width / shortest).max(problem.rate),
+    };
+    follow(material, problem, at_rest, begin, work)
+}
+
+/// Changes the rate from `begin` to that of the problem.
+fn follow(material: &Material, problem: &SlidingProblem, start: Start, begin: f64, work: &mut SlidingWork) -> Result<Start, NoStart> {
+    let mut at = |log_rate: f64, start: &Start| -> Result<(Start, EdgeBalance), Refusal> {
+        let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
+        let balance = EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse);
+        let found = balance.solve(start.unknowns, start.jacobian, TOLERANCE);
+        let evaluations = u64::from(found.as_ref().map_or(0, |found| found.evaluations));
+        work.closure_evaluations += evaluations;
+        work.contacts += balance.contacts_per_evaluation() * evaluations;
+        let found = found?;
+        Ok((Start { unknowns: found.unknowns, jacobian: found.jacobian }, balance))
+    };
+    let (target, mut log_rate) = (problem.rate.ln(), begin.ln());
+    let direction = (target - log_rate).signum();
+    let (mut here, _) = at(log_rate, &start).map_err(|_| NoStart::Fold(PathEnd { rate: begin, widening: false }))?;
+    work.path_steps += 1;
+    let mut before: Option<(f64, Start)> = None;
+    let mut step = FIRST_STEP;
+    while direction * (target - log_rate) > 0.0 {
+        let next = if (target - log_rate).abs() <= step { target } else { log_rate + direction * step };
+        let predicted = before.map_or(here, |(then, there)| {
+            let part = (next - log_rate) / (log_rate - then);
+            let along = |index: usize| here.unknowns[index] + part * (here.unknowns[index] - there.unknowns[index]);
+            Start { unknowns: [along(0), along(1)], jacobian: here.jacobian }
+        });
+        let accepted = at(next, &predicted).ok().filter(|(found, balance)| {
+            let room = balance.room(here.unknowns);
+            (0..2).all(|index| (found.unknowns[index] - predicted.unknowns[index]).abs() < JUMP * room[index])
+        });
+        if let Some((found, _)) = accepted {
+            before = Some((log_rate, here));
+            (log_rate, here) = (next, found);
+            work.path_steps += 1;
+            step = (1.5 * step).min(LONGEST_STEP);
+        } else {
+            step *= 0.5;
+            // Where the contact closes or opens fast, an old prediction is worse than none.
+            if step < SHORTEST_STEP {
+                let widening = before.is_some_and(|(_, there)| here.unknowns[0] > there.unknowns[0]);
+                return Err(NoStart::Fold(PathEnd { rate: log_rate.exp(), widening }));
+            }
+        }
+    }
+    Ok(here)
+}

@@ -1,0 +1,141 @@
+//! Source: thesis Secs 3.2 and 3.3, solved by `sliding::steady`.
+//!
+//! Goal: every error bar bounds the true error and is no more than a hundred times wider, for requests from 1e-3 to 1e-10, and the request or the floor is reached.
+//!
+//! Parameters: random problems: n = 1, 2, 6, 12 terms; β from 1 to 1000; ζ of the slowest term from 1e-6 to 1e4 (faster ones over up to eight
+//! decades); Γ from 0 to 0.05; process zones 1e-4 to 0.03 (edges not equal); mean pressure, penetration and half-width prescribed; wave and parabola.
+//!
+//! Oracle: the same problem with 1e-10 asked for, whose integrals take twice the nodes at every place; that the finest level is right is shown by other tests
+//! (Fourier symbol, rivals, references).
+//!
+//! Tolerance: none for bars; a request counts as reached if the certificate says so, and where it is not, the state is printed.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use proptest::prelude::Rng;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+use rayon::prelude::*;
+use viscotack::material::CreepTerm;
+use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
+use viscotack::{Estimate, Material, Refusal};
+
+struct Uniform(TestRng);
+
+impl Uniform {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn log_between(&mut self, low: f64, high: f64) -> f64 {
+        self.between(low.ln(), high.ln()).exp()
+    }
+}
+
+fn draw(random: &mut Uniform) -> (Material, SlidingProblem, String) {
+    let count = [1, 2, 6, 12][random.between(0.0, 4.0) as usize];
+    let beta = if random.between(0.0, 1.0) < 0.05 { 1.0 } else { random.log_between(1.1, 1000.0) };
+    let relaxed = 1.3e6;
+    let decades = random.between(0.0, 8.0);
+    let terms: Vec<CreepTerm> = (0..if beta > 1.0 { count } else { 0 })
+        .map(|index| CreepTerm {
+            compliance: (1.0 - 1.0 / beta) / relaxed / f64::from(count),
+            retardation_time: 0.37 * 10f64.powf(-decades * f64::from(index) / f64::from(count)),
+        })
+        .collect();
+    let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+    let indenter = if random.between(0.0, 1.0) < 0.75 { Indenter::Wave } else { Indenter::Parabola };
+    let work = if random.between(0.0, 1.0) < 0.2 { 0.0 } else { random.log_between(1e-4, 0.05) };
+    let adhesion = (work > 0.0).then(|| WaveAdhesion {
+        reduced_work: work,
+        trailing_zone: random.log_between(1e-4, 0.03),
+        leading_zone: random.log_between(1e-4, 0.03),
+    });
+    let kind = random.between(0.0, 3.0) as u32;
+    let control = match kind {
+        0 => SlidingControl::HalfWidth(random.between(0.3, 2.5)),
+        1 if indenter == Indenter::Wave => SlidingControl::Penetration(random.between(0.1, 0.7)),
+        _ => SlidingControl::MeanPressure(random.between(if work > 0.0 { -0.02 } else { 0.02 }, 0.4)),
+    };
+    let rate = random.log_between(1e-6, 1e4) / 0.37;
+    let text = format!("n = {count} β = {beta:.1} ζ = {:.1e} Γ = {work:.4} {indenter:?} {control:?} {adhesion:?}", rate * 0.37);
+    (material, SlidingProblem { rate, indenter, adhesion, control, accuracy: 1e-10 }, text)
+}
+
+fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {
+    let mut list = vec![
+        ("a", values.half_width),
+        ("e", values.eccentricity),
+        ("−l₁", values.trailing_edge),
+        ("l₂", values.leading_edge),
+        ("Δ", values.penetration),
+        ("p̄", values.mean_pressure),
+        ("friction", values.friction_stress),
+        ("U", values.interface_work),
+    ];
+    list.extend(values.friction_coefficient.map(|value| ("μ", value)));
+    if let Some(adhesion) = values.adhesion {
+        list.push(("G₁", adhesion.trailing_release));
+        list.push(("G₂", adhesion.leading_release));
+        list.push(("μ_a", adhesion.adhesive_friction_stress));
+    }
+    list
+}
+
+#[test]
+fn bars_bound_the_error_and_are_not_idle() {
+    let mut random = Uniform(TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+    let cases: Vec<_> = (0..400).map(|_| draw(&mut random)).collect();
+    let start = std::time::Instant::now();
+    let results: Vec<_> = cases
+        .par_iter()
+        .map(|(material, problem, text)| {
+            let best = steady_sliding(material, problem);
+            let mut lines = Vec::new();
+            let mut ratios = Vec::new();
+            let mut kind = "partial";
+            match &best {
+                Ok(SlidingOutcome::Partial(best)) => {
+                    if best.certificate.accuracy > 1e-10 {
+                        lines.push(format!("floor {:.1e}: {text}", best.certificate.accuracy));
+                    }
+                    for accuracy in [1e-3, 1e-5, 1e-7, 1e-8] {
+                        let found = steady_sliding(material, &SlidingProblem { accuracy, ..*problem });
+                        let Ok(SlidingOutcome::Partial(found)) = found else {
+                            lines.push(format!("LOST at {accuracy:e}: {text}"));
+                            continue;
+                        };
+                        for ((name, rough), (_, exact)) in listed(&found.values).into_iter().zip(listed(&best.values)) {
+                            let error = (rough.value - exact.value).abs();
+                            if error > rough.error + exact.error {
+                                lines.push(format!("UNBOUND {name} at {accuracy:e}: {error:.1e} > {:.1e} + {:.1e}: {text}", rough.error, exact.error));
+                            }
+                            ratios.push((rough.error, error.max(exact.error)));
+                        }
+                    }
+                }
+                Ok(SlidingOutcome::Full(full)) => {
+                    kind = "full";
+                    let _ = full;
+                }
+                Err(Refusal::NoSuchState { .. }) => kind = "none",
+                Err(refusal) => {
+                    kind = "failed";
+                    lines.push(format!("FAILED {refusal}: {text}"));
+                }
+            }
+            (kind, lines, ratios)
+        })
+        .collect();
+    println!("{:?}", start.elapsed());
+    let mut ratios: Vec<f64> = Vec::new();
+    let mut counts = std::collections::BTreeMap::new();
+    for (kind, lines, pairs) in &results {
+        *counts.entry(*kind).or_insert(0) += 1;
+        for line in lines {
+            println!("{line}");
+        }
+        ratios.extend(pairs.iter().filter(|(bar, _)| *bar > 1e-11).map(|(bar, error)| bar / error));
+    }
+    ratios.sort_by(f64::total_cmp);
+    let at = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
+    println!("{counts:?}; bar over error: 1 % {:.1e}, median {:.1e}, 90 % {:.1e}", at(0.01), at(0.5), at(0.9));
+}
