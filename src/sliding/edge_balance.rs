@@ -161,6 +161,19 @@ impl EdgeBalance {
         Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), residual })
     }
 
+    /// G/Δγ of both edges at a root: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none without adhesion.
+    ///
+    /// # Errors
+    /// Those of the reversed contact.
+    pub fn releases(&self, states: &EdgeStates) -> Result<Option<(f64, f64)>, Refusal> {
+        let (Some((adhesion, trailing, leading)), Some((trailing_moved, leading_moved))) = (&self.adhesion, &states.moved) else {
+            return Ok(None);
+        };
+        let reversed = states.state.reversed()?;
+        let target = 2.0 * PI * adhesion.reduced_work;
+        Ok(Some((trailing.release(&reversed, trailing_moved) / target, leading.release(&reversed, leading_moved) / target)))
+    }
+
     /// The room that each unknown has: a length for edges, a pressure for the mean pressure.
     #[must_use]
     pub fn room(&self, [first, _]: [f64; 2]) -> [f64; 2] {

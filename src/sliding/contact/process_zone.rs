@@ -15,7 +15,16 @@
 //! | gap behind the trailing edge, ζM_ζ | what is nearer to the edge | 0 at the edge |
 //! | gap ahead of the leading edge, ζM_ζ | what is farther away | 0 at the edge; if ζ < δ by an integral along the gap at δ |
 //!
-//! Source: thesis Eqs 3.26–3.30.
+//! # The energy release rate by the same integral
+//! With the gap* of the contact that slides the OTHER way over the same edges at the same penetration in place of the gap,
+//! ```text
+//! U(edge moved) − U = ½ ∫₀^δ tension₊(d) gap*(δ − d) dd
+//! ```
+//! for the kernel 𝒢ᵀ of the reversed motion is the transpose of 𝒢: with 𝒢ᵀp* = h in the contact, ∫p₊h = ∫p*𝒢p₊ − ∫p₊gap* and ∫p h = ∫p*𝒢p, whose first
+//! terms are equal. So G needs no difference of energies, which would lose the digits of Γδ. The reversed contact is the mirror image of
+//! one with eccentricity −e. For an elastic solid gap* is the gap, and G = Δγ. Source: our own.
+//!
+//! Source of the closure: thesis Eqs 3.26–3.30.
 
 use super::fields::ArcPoint;
 use super::indenter::Indenter;
@@ -58,6 +67,14 @@ pub struct ProcessZone {
     outside: Vec<TermMarch>,
 }
 
+/// The other edge: the one that the mirror image of a contact has there.
+const fn mirrored(edge: Edge) -> Edge {
+    match edge {
+        Edge::Trailing => Edge::Leading,
+        Edge::Leading => Edge::Trailing,
+    }
+}
+
 /// The march of one term.
 #[derive(Debug, Clone)]
 struct TermMarch {
@@ -67,22 +84,30 @@ struct TermMarch {
     steps: Vec<Step>,
 }
 
+impl TermMarch {
+    fn new(panels: &[Panel], length: f64, layer: f64, nearer: bool) -> Self {
+        let march = match (nearer, layer < length) {
+            (true, _) => March::Nearer,
+            (false, true) => March::Farther,
+            (false, false) => March::FartherFromEdge,
+        };
+        Self { layer, march, steps: panels.iter().map(|panel| Step::new(panel, layer, march)).collect() }
+    }
+}
+
+fn outside_marches(memory: &ContactMemory, panels: &[Panel], length: f64, edge: Edge) -> Vec<TermMarch> {
+    memory.creep().iter().map(|mode| TermMarch::new(panels, length, mode.ratio, edge == Edge::Trailing)).collect()
+}
+
 impl ProcessZone {
     /// The zone of an edge.
     #[must_use]
     pub fn new(memory: &ContactMemory, indenter: Indenter, edge: Edge, length: f64, resolution: Resolution) -> Self {
         let panels = panels(length, memory.thinnest_layer(), resolution.panel_ratio());
         let angles = panels.iter().map(|panel| panel.distances.map(|distance| indenter.half_sine_cosine(distance))).collect();
-        let term = |layer: f64, nearer: bool| {
-            let march = match (nearer, layer < length) {
-                (true, _) => March::Nearer,
-                (false, true) => March::Farther,
-                (false, false) => March::FartherFromEdge,
-            };
-            TermMarch { layer, march, steps: panels.iter().map(|panel| Step::new(panel, layer, march)).collect() }
-        };
-        let inside = memory.relaxation.iter().map(|mode| term(mode.ratio, edge == Edge::Leading)).collect();
-        let outside = memory.creep().iter().map(|mode| term(mode.ratio, edge == Edge::Trailing)).collect();
+        let inside =
+            memory.relaxation.iter().map(|mode| TermMarch::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
+        let outside = outside_marches(memory, &panels, length, edge);
         Self { edge, indenter, length, panels, angles, inside, outside }
     }
 
@@ -95,10 +120,21 @@ impl ProcessZone {
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
     pub fn work(&self, contact: &ContactState, moved: &ContactState) -> f64 {
-        let pressures = self.pressures(moved);
-        let gaps = self.gaps(contact);
+        self.integral(&self.pressures(moved), &self.gaps(contact, self.edge, &self.outside))
+    }
+
+    /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the
+    /// other way ([`ContactState::reversed`]); NaN if a field is.
+    #[must_use]
+    pub fn release(&self, reversed: &ContactState, moved: &ContactState) -> f64 {
+        let edge = mirrored(self.edge);
+        let marches = outside_marches(&reversed.memory, &self.panels, self.length, edge);
+        self.integral(&self.pressures(moved), &self.gaps(reversed, edge, &marches))
+    }
+
+    fn integral(&self, pressures: &[Values], gaps: &[Values]) -> f64 {
         let mut work = 0.0;
-        for ((panel, pressure), gap) in self.panels.iter().zip(&pressures).zip(gaps.iter().rev()) {
+        for ((panel, pressure), gap) in self.panels.iter().zip(pressures).zip(gaps.iter().rev()) {
             // The mirrored panel has its nodes in the opposite order.
             for index in 0..NODES {
                 work -= panel.weights[index] * pressure[index] * gap[NODES - 1 - index];
@@ -153,13 +189,13 @@ impl ProcessZone {
         pressures
     }
 
-    /// The gap at the nodes of the zone outside the edge.
-    fn gaps(&self, state: &ContactState) -> Vec<Values> {
+    /// The gap at the nodes of the zone outside an edge.
+    fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Values> {
         let indenter = self.indenter;
         let half_width = state.contact.half_width;
         let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
         let shift = indenter.shift(state.contact.eccentricity);
-        let side = match self.edge {
+        let side = match edge {
             Edge::Trailing => -1.0,
             Edge::Leading => 1.0,
         };
@@ -179,7 +215,7 @@ impl ProcessZone {
             gaps.push(gap);
             loads.push((even, odd));
         }
-        for (term, march) in self.outside.iter().enumerate() {
+        for (term, march) in marches.iter().enumerate() {
             let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
             let far = || {
                 let outside =

@@ -155,6 +155,16 @@ impl ContactState {
         Ok(state)
     }
 
+    /// The mirror image of the contact with the same edges and penetration (of a parabola: load) that slides the other way: a contact with the
+    /// opposite eccentricity. What is ahead of its leading edge lies behind the trailing edge of the contact that slides backward.
+    ///
+    /// # Errors
+    /// As [`ContactState::new`].
+    pub fn reversed(&self) -> Result<Self, Refusal> {
+        let contact = WaveContact { eccentricity: -self.contact.eccentricity, ..self.contact };
+        Self::at_resolution(&self.memory, self.indenter, contact, self.held(), self.resolution)
+    }
+
     /// The edges.
     #[must_use]
     pub const fn contact(&self) -> WaveContact {
@@ -224,6 +234,18 @@ impl ContactState {
             }
             Totals::Moments { first, second } => {
                 -0.5 * second - eccentricity * first - PI * eccentricity * eccentricity * self.mean_pressure
+            }
+        }
+    }
+
+    /// Sizes of what cancels in the first and second moment of a parabola's pressure: 2πp̄Σjζ and 2πp̄Σjζ². Nothing does for a wave.
+    pub(in crate::sliding) fn cancelled_moments(&self) -> (f64, f64) {
+        match self.indenter {
+            Indenter::Wave => (0.0, 0.0),
+            Indenter::Parabola => {
+                let load = 2.0 * PI * self.mean_pressure.abs();
+                let moment = |power: i32| self.memory.creep().iter().map(|mode| mode.compliance * mode.ratio.powi(power)).sum::<f64>();
+                (load * moment(1), load * moment(2))
             }
         }
     }
