@@ -6,8 +6,8 @@
 //! ```
 //! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ) − 1 is nearly linear in the edges: that is the residual. The unknowns
 //! are the half-width and the eccentricity, or, at a prescribed half-width, the mean pressure and the eccentricity. Every adhesive contact has
-//! four roots, three of them unphysical with residuals of 1e-15: after each solve the signs of the amplitudes, also in the moved contacts, and
-//! the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
+//! four roots, as a pressed edge with interpenetrating faces does the same work as a pulled one: the residual takes the sign of the amplitude, so
+//! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
@@ -153,8 +153,14 @@ impl EdgeBalance {
         let trailing_moved = moved(trailing.length(), -0.5 * trailing.length())?;
         let leading_moved = moved(leading.length(), 0.5 * leading.length())?;
         let target = 2.0 * PI * adhesion.reduced_work;
-        let defect = |work: f64| if work > 0.0 { (work / target).sqrt() - 1.0 } else { -1.0 + work / target };
-        let residual = [defect(trailing.work(&state, &trailing_moved)), defect(leading.work(&state, &leading_moved))];
+        // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
+        let defect = |work: f64, amplitude: f64| {
+            let root = if work > 0.0 { (work / target).sqrt() } else { work / target };
+            if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 }
+        };
+        let amplitudes = state.edge_amplitudes();
+        let residual =
+            [defect(trailing.work(&state, &trailing_moved), amplitudes.0), defect(leading.work(&state, &leading_moved), amplitudes.1)];
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }

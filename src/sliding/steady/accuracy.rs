@@ -162,7 +162,8 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusa
 
 /// Rounding of a residual: that of the fields over the tension that the closure asks for.
 fn rounding_of_conditions(states: &EdgeStates) -> f64 {
-    ROUNDING * (1.0 + states.state.condition())
+    // Tension and gap each lose some digits between their terms.
+    4.0 * ROUNDING * (1.0 + states.state.condition())
 }
 
 fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
@@ -208,7 +209,7 @@ fn sizes(states: &EdgeStates) -> WaveSizes {
     let penetration = state.penetration().abs() + pressure;
     let (first, second) = state.cancelled_moments();
     let friction = stiff * reach * pressure + first;
-    let energy = PI * (penetration * state.mean_pressure().abs() + reach * friction) + second;
+    let energy = 2.0 * PI * (penetration * state.mean_pressure().abs() + reach * friction) + second;
     WaveSizes { length, pressure, penetration, friction, energy }
 }
 
