@@ -114,9 +114,12 @@ fn bars_bound_the_error_and_are_not_idle() {
                 }
                 Ok(SlidingOutcome::Full(full)) => {
                     kind = "full";
-                    let _ = full;
+                    lines.push(format!("FULL past {} = {:e}: {text}", full.limit_name, full.limit));
                 }
-                Err(Refusal::NoSuchState { .. }) => kind = "none",
+                Err(refusal @ Refusal::NoSuchState { .. }) => {
+                    kind = "none";
+                    lines.push(format!("NONE {refusal}: {text}"));
+                }
                 Err(refusal) => {
                     kind = "failed";
                     lines.push(format!("FAILED {refusal}: {text}"));

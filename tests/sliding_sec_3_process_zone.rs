@@ -111,7 +111,8 @@ fn work_marched_over_the_zone_is_that_of_the_fields_point_by_point() {
             let (expected, size) = by_points(&state, &moved, edge, case.zone);
             let at = |resolution: Resolution| {
                 let (state, moved) = contacts(&case, edge, resolution);
-                ProcessZone::new(&case.memory, case.indenter, edge, case.zone, resolution).work(&state, &moved)
+                let zone = ProcessZone::new(&case.memory, case.indenter, edge, case.zone, resolution);
+                zone.work(&state, &zone.tension(&moved))
             };
             let work = at(Resolution::Finest);
             let error = (work - expected).abs() / size;

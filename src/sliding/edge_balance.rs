@@ -11,7 +11,7 @@
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
-use super::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
+use super::contact::{ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure};
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
@@ -72,6 +72,8 @@ pub struct EdgeStates {
     pub state: ContactState,
     /// The contacts with the trailing and with the leading edge moved out; none without adhesion.
     pub moved: Option<(ContactState, ContactState)>,
+    /// The pressures inside the moved edges.
+    tensions: Option<(ZonePressure, ZonePressure)>,
     /// The two residuals.
     residual: [f64; 2],
 }
@@ -103,8 +105,9 @@ impl EdgeBalance {
         resolution: Resolution,
     ) -> Self {
         let adhesion = adhesion.map(|adhesion| {
-            let zone = |edge, length| ProcessZone::new(&memory, indenter, edge, length, resolution);
-            (adhesion, zone(Edge::Trailing, adhesion.trailing_zone), zone(Edge::Leading, adhesion.leading_zone))
+            let (trailing, leading) =
+                ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
+            (adhesion, trailing, leading)
         });
         Self { memory, indenter, adhesion, control, resolution }
     }
@@ -144,7 +147,7 @@ impl EdgeBalance {
             let half = self.indenter.half_angle_scale(contact.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
-            return Ok(EdgeStates { state, moved: None, residual: [behind / scale, ahead / scale] });
+            return Ok(EdgeStates { state, moved: None, tensions: None, residual: [behind / scale, ahead / scale] });
         };
         let moved = |out: f64, shift: f64| {
             let edges = WaveContact { half_width: contact.half_width + 0.5 * out, eccentricity: contact.eccentricity + shift };
@@ -159,12 +162,13 @@ impl EdgeBalance {
             if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 }
         };
         let amplitudes = state.edge_amplitudes();
+        let tensions = (trailing.tension(&trailing_moved), leading.tension(&leading_moved));
         let residual =
-            [defect(trailing.work(&state, &trailing_moved), amplitudes.0), defect(leading.work(&state, &leading_moved), amplitudes.1)];
+            [defect(trailing.work(&state, &tensions.0), amplitudes.0), defect(leading.work(&state, &tensions.1), amplitudes.1)];
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }
-        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), residual })
+        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual })
     }
 
     /// G/Δγ of both edges at a root: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none without adhesion.
@@ -172,12 +176,12 @@ impl EdgeBalance {
     /// # Errors
     /// Those of the reversed contact.
     pub fn releases(&self, states: &EdgeStates) -> Result<Option<(f64, f64)>, Refusal> {
-        let (Some((adhesion, trailing, leading)), Some((trailing_moved, leading_moved))) = (&self.adhesion, &states.moved) else {
+        let (Some((adhesion, trailing, leading)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
             return Ok(None);
         };
         let reversed = states.state.reversed()?;
         let target = 2.0 * PI * adhesion.reduced_work;
-        Ok(Some((trailing.release(&reversed, trailing_moved) / target, leading.release(&reversed, leading_moved) / target)))
+        Ok(Some((trailing.release(&reversed, &tensions.0) / target, leading.release(&reversed, &tensions.1) / target)))
     }
 
     /// The room that each unknown has: a length for edges, a pressure for the mean pressure.

@@ -27,7 +27,14 @@ type Factors = LU<f64, Const<NODES>, Const<NODES>>;
 struct Reference {
     nodes: [f64; NODES],
     weights: [f64; NODES],
-    differentiate: Square,
+    /// du/dτ with the inflow end weakly imposed, marched forward and backward, and what the value there contributes.
+    forward: Square,
+    backward: Square,
+    lifted_start: Values,
+    lifted_end: Values,
+    forward_inverse: Square,
+    backward_inverse: Square,
+    /// Values of the polynomial at the ends.
     at_start: Values,
     at_end: Values,
 }
@@ -58,7 +65,15 @@ impl Reference {
             let terms = Values::from_fn(|i, _| barycentric[i] / (x - nodes[i]));
             terms / terms.sum()
         };
-        Self { nodes, weights, differentiate, at_start: values_at(-1.0), at_end: values_at(1.0) }
+        let (at_start, at_end) = (values_at(-1.0), values_at(1.0));
+        let lifted = |inflow: &Values| Values::from_fn(|i, _| inflow[i] / weights[i]);
+        let (lifted_start, lifted_end) = (lifted(&at_start), lifted(&at_end));
+        let forward = differentiate + lifted_start * at_start.transpose();
+        let backward = lifted_end * at_end.transpose() - differentiate;
+        // Neither is singular; were one so, the NaN would be found in every work.
+        let inverse = |matrix: &Square| matrix.try_inverse().unwrap_or(Square::from_element(f64::NAN));
+        let (forward_inverse, backward_inverse) = (inverse(&forward), inverse(&backward));
+        Self { nodes, weights, forward, backward, lifted_start, lifted_end, forward_inverse, backward_inverse, at_start, at_end }
     }
 }
 
@@ -90,6 +105,11 @@ impl Panel {
         }
         panel
     }
+
+    /// Its length in x.
+    fn extent(&self) -> f64 {
+        self.weights.iter().sum()
+    }
 }
 
 /// Which way a memory looks, and from where it is marched.
@@ -103,12 +123,26 @@ pub(super) enum March {
     FartherFromEdge,
 }
 
-/// The factored step of one panel for one layer.
+/// Panel length over the layer below which a step is a short Neumann series in it.
+const WEAK: f64 = 1e-4;
+/// What a Neumann series leaves out.
+const SERIES_TOLERANCE: f64 = 1e-17;
+
+/// The step of one panel for one layer.
 #[derive(Debug, Clone)]
 pub(super) struct Step {
-    factors: Factors,
+    solver: Solver,
     strength: f64,
     towards_edge: bool,
+}
+
+/// How u follows.
+#[derive(Debug, Clone)]
+enum Solver {
+    /// By a factored matrix.
+    Factored(Box<Factors>),
+    /// A panel much thinner than its layer: by this many terms of a series, which needs no matrix of its own.
+    Series { terms: u32, roots: [f64; NODES] },
 }
 
 impl Step {
@@ -117,26 +151,46 @@ impl Step {
         let towards_edge = march == March::Farther;
         // λ with the sign of the direction of the march.
         let strength = 2.0 * panel.half / layer * if march == March::FartherFromEdge { -1.0 } else { 1.0 };
-        let inflow = if towards_edge { &reference.at_end } else { &reference.at_start };
-        let orientation = if towards_edge { -1.0 } else { 1.0 };
-        let matrix = Square::from_fn(|i, j| {
-            let diagonal = if i == j { strength * panel.roots[i] } else { 0.0 };
-            orientation * reference.differentiate[(i, j)] + inflow[i] * inflow[j] / reference.weights[i] + diagonal
-        });
-        Self { factors: matrix.lu(), strength, towards_edge }
+        let extent = panel.extent() / layer;
+        let solver = if extent < WEAK {
+            Solver::Series { terms: (SERIES_TOLERANCE.ln() / extent.ln()).ceil() as u32, roots: panel.roots }
+        } else {
+            let mut matrix = if towards_edge { reference.backward } else { reference.forward };
+            for index in 0..NODES {
+                matrix[(index, index)] += strength * panel.roots[index];
+            }
+            Solver::Factored(Box::new(matrix.lu()))
+        };
+        Self { solver, strength, towards_edge }
     }
 
     /// u at the nodes and at the outflow end from t·f at the nodes and u at the inflow end.
     pub(super) fn advance(&self, field_times_root: &Values, inflow_value: f64) -> (Values, f64) {
         let reference = &*REFERENCE;
-        let (inflow, outflow) =
-            if self.towards_edge { (&reference.at_end, &reference.at_start) } else { (&reference.at_start, &reference.at_end) };
-        let mut values =
-            Values::from_fn(|i, _| self.strength * field_times_root[i] + inflow[i] * inflow_value / reference.weights[i]);
-        // A singular step leaves NaN, which the caller finds in the work.
-        if !self.factors.solve_mut(&mut values) {
-            values.fill(f64::NAN);
-        }
+        let (lifted, outflow, inverse) = if self.towards_edge {
+            (&reference.lifted_end, &reference.at_start, &reference.backward_inverse)
+        } else {
+            (&reference.lifted_start, &reference.at_end, &reference.forward_inverse)
+        };
+        let source = field_times_root * self.strength + lifted * inflow_value;
+        let values = match &self.solver {
+            Solver::Factored(factors) => {
+                let mut values = source;
+                // A singular step leaves NaN, which the caller finds in the work.
+                if !factors.solve_mut(&mut values) {
+                    values.fill(f64::NAN);
+                }
+                values
+            }
+            Solver::Series { terms, roots } => {
+                let mut values = inverse * source;
+                for _ in 1..*terms {
+                    let next = Values::from_fn(|i, _| source[i] - self.strength * roots[i] * values[i]);
+                    values = inverse * next;
+                }
+                values
+            }
+        };
         let out = outflow.dot(&values);
         (values, out)
     }

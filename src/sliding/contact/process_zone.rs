@@ -33,6 +33,7 @@ use super::panel::{March, NODES, Panel, Step, Values};
 use super::resolution::Resolution;
 use super::state::ContactState;
 use std::f64::consts::PI;
+use std::sync::{Arc, OnceLock};
 
 /// One of the two edges of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,8 +52,13 @@ const FIRST_PANEL: f64 = 1.0;
 /// (1/2δ) ∫ tension₊·gap₋ at an edge, in reduced units; `moved` is the contact with that edge moved out by `process_zone`.
 #[must_use]
 pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, process_zone: f64) -> f64 {
-    ProcessZone::new(&contact.memory, contact.indenter, edge, process_zone, contact.resolution).work(contact, moved)
+    let zone = ProcessZone::new(&contact.memory, contact.indenter, edge, process_zone, contact.resolution);
+    zone.work(contact, &zone.tension(moved))
 }
+
+/// The pressure at the nodes of a process zone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ZonePressure(Vec<Values>);
 
 /// The process zone of one edge of a sliding contact: panels, and the steps of every term.
 #[derive(Debug, Clone)]
@@ -64,7 +70,9 @@ pub struct ProcessZone {
     /// Half sines and cosines of the distances, panel by panel.
     angles: Vec<[(f64, f64); NODES]>,
     inside: Vec<TermMarch>,
-    outside: Vec<TermMarch>,
+    outside: Arc<Vec<TermMarch>>,
+    /// Those of the reversed contact, once they are asked for.
+    reversed: OnceLock<Arc<Vec<TermMarch>>>,
 }
 
 /// The other edge: the one that the mirror image of a contact has there.
@@ -107,8 +115,20 @@ impl ProcessZone {
         let angles = panels.iter().map(|panel| panel.distances.map(|distance| indenter.half_sine_cosine(distance))).collect();
         let inside =
             memory.relaxation.iter().map(|mode| TermMarch::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
-        let outside = outside_marches(memory, &panels, length, edge);
-        Self { edge, indenter, length, panels, angles, inside, outside }
+        let outside = Arc::new(outside_marches(memory, &panels, length, edge));
+        Self { edge, indenter, length, panels, angles, inside, outside, reversed: OnceLock::new() }
+    }
+
+    /// The zones of the trailing and of the leading edge; of equal lengths they share what they can.
+    #[must_use]
+    pub fn both(memory: &ContactMemory, indenter: Indenter, lengths: (f64, f64), resolution: Resolution) -> (Self, Self) {
+        let mut trailing = Self::new(memory, indenter, Edge::Trailing, lengths.0, resolution);
+        let mut leading = Self::new(memory, indenter, Edge::Leading, lengths.1, resolution);
+        if lengths.0.to_bits() == lengths.1.to_bits() {
+            trailing.reversed = OnceLock::from(Arc::clone(&leading.outside));
+            leading.reversed = OnceLock::from(Arc::clone(&trailing.outside));
+        }
+        (trailing, leading)
     }
 
     /// δ.
@@ -117,19 +137,25 @@ impl ProcessZone {
         self.length
     }
 
+    /// The pressure inside the edge of a contact with that edge moved out.
+    #[must_use]
+    pub fn tension(&self, moved: &ContactState) -> ZonePressure {
+        ZonePressure(self.pressures(moved))
+    }
+
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
-    pub fn work(&self, contact: &ContactState, moved: &ContactState) -> f64 {
-        self.integral(&self.pressures(moved), &self.gaps(contact, self.edge, &self.outside))
+    pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> f64 {
+        self.integral(&tension.0, &self.gaps(contact, self.edge, &self.outside))
     }
 
     /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the
     /// other way ([`ContactState::reversed`]); NaN if a field is.
     #[must_use]
-    pub fn release(&self, reversed: &ContactState, moved: &ContactState) -> f64 {
+    pub fn release(&self, reversed: &ContactState, tension: &ZonePressure) -> f64 {
         let edge = mirrored(self.edge);
-        let marches = outside_marches(&reversed.memory, &self.panels, self.length, edge);
-        self.integral(&self.pressures(moved), &self.gaps(reversed, edge, &marches))
+        let marches = self.reversed.get_or_init(|| Arc::new(outside_marches(&reversed.memory, &self.panels, self.length, edge)));
+        self.integral(&tension.0, &self.gaps(reversed, edge, marches))
     }
 
     fn integral(&self, pressures: &[Values], gaps: &[Values]) -> f64 {

@@ -41,9 +41,9 @@ impl Resolution {
     pub(super) const fn panel_ratio(self) -> f64 {
         match self {
             Self::Coarse => 4.0,
-            Self::Medium => 2.5,
-            Self::Fine => 1.8,
-            Self::Finest => 1.4,
+            Self::Medium => 2.8,
+            Self::Fine => 2.1,
+            Self::Finest => 1.6,
         }
     }
 }

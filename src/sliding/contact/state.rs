@@ -1,6 +1,6 @@
 //! A contact with given edges: the linear system for the memory loads, and the totals.
 
-use super::indenter::Indenter;
+use super::indenter::{Indenter, inverse_hyperbolic_sine};
 use super::memory::ContactMemory;
 use super::quadrature::{ArcRange, memory_integrals};
 use super::resolution::Resolution;
@@ -347,7 +347,7 @@ fn outside_integrals(indenter: Indenter, half_width: f64, ratio: f64, resolution
         let root = 2.0 * (indenter.half_sine(distance) * other).sqrt();
         // η/2 = π − (a + v)/2.
         let (sine, cosine) = indenter.half_sine_cosine(half_width + distance);
-        [-cosine / root, sine / root, (0.5 * root / s).asinh(), -root * cosine, root * sine]
+        [-cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), -root * cosine, root * sine]
     });
     OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
 }

@@ -95,6 +95,7 @@ pub(super) fn solved(
                     accuracy,
                 },
                 work: *work,
+                start: Start { unknowns: found.unknowns, jacobian: Some(jacobian) },
                 state: states.state,
             });
         }

@@ -30,9 +30,9 @@ const JUMP: f64 = 0.15;
 /// Residual of the contacts on the way.
 const TOLERANCE: f64 = 1e-4;
 
-/// A contact from which the one asked for is found in a few steps.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Start {
+/// A contact from which one like it is found in a few steps: both unknowns, and how the edge conditions follow them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
     pub(super) unknowns: [f64; 2],
     pub(super) jacobian: Option<Jacobian>,
 }

@@ -1,5 +1,6 @@
 //! What a steady sliding contact turns out to be, every number with its error; reduced units as in [`Indenter`](super::Indenter).
 
+use super::path::Start;
 use crate::estimate::Estimate;
 use crate::sliding::contact::ContactState;
 
@@ -23,6 +24,8 @@ pub struct PartialContact {
     pub certificate: SlidingCertificate,
     /// What it took.
     pub work: SlidingWork,
+    /// From here a contact under nearly the same conditions is found without a path.
+    pub start: Start,
 }
 
 /// The numbers of a contact with two edges.

@@ -4,9 +4,9 @@
 //! load above snap-in or past a fold where the contact was widening, full contact, in closed form.
 
 use super::accuracy::solved;
-use super::path::{From, NoStart, PathEnd, start_at_rate};
+use super::path::{From, NoStart, PathEnd, Start, start_at_rate};
 use super::problem::SlidingProblem;
-use super::solution::{FullContact, SlidingOutcome, SlidingWork};
+use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -55,6 +55,16 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
         (None, Some(refusal)) => Err(refusal),
         (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
     }
+}
+
+/// The steady contact near another one of the same control, without a path.
+///
+/// # Errors
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
+pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start: &Start) -> Result<PartialContact, Refusal> {
+    problem.checked()?;
+    let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
+    solved(&memory, problem, start, &mut SlidingWork::default())
 }
 
 /// Whether the limit that an elastic contact has passed is snap-in.
