@@ -39,6 +39,7 @@
 mod fields;
 mod indenter;
 mod memory;
+mod moments;
 mod panel;
 mod process_zone;
 mod quadrature;

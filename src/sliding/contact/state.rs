@@ -42,17 +42,9 @@ pub struct ContactState {
     pub(super) outside: Vec<(f64, f64)>,
     mean_pressure: f64,
     penetration: f64,
-    totals: Totals,
+    /// ∫p e^{−iy}dy of a wave; a parabola has moments instead ([`super::moments`]).
+    first_harmonic: (f64, f64),
     condition: f64,
-}
-
-/// Weighted integrals of the pressure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Totals {
-    /// ∫p e^{−iy}dy.
-    Harmonic { real: f64, imaginary: f64 },
-    /// ∫p y dy and ∫p y² dy.
-    Moments { first: f64, second: f64 },
 }
 
 /// Integrals over the gap with the memory of one creep term.
@@ -135,7 +127,10 @@ impl ContactState {
         let loads: Vec<f64> = wave_loads.iter().zip(&flat_loads).map(|(wave, flat)| wave + flat_strength * flat).collect();
         let mean_pressure = square * shift.1 + 0.5 * flat_strength;
         let penetration = fixed + flat_strength * per_flat;
-        let totals = totals(memory, indenter, contact, flat_strength, mean_pressure, &loads, &outside);
+        let first_harmonic = match indenter {
+            Indenter::Wave => first_harmonic(memory, contact, flat_strength, &loads, &outside),
+            Indenter::Parabola => (0.0, 0.0),
+        };
         let state = Self {
             contact,
             indenter,
@@ -146,7 +141,7 @@ impl ContactState {
             outside: outside.iter().map(|integrals| (integrals.cosine, integrals.sine)).collect(),
             mean_pressure,
             penetration,
-            totals,
+            first_harmonic,
             condition: condition_number(&condition_of),
         };
         require_finite("mean_pressure", state.mean_pressure)?;
@@ -199,12 +194,12 @@ impl ContactState {
     #[must_use]
     pub fn friction_stress(&self) -> f64 {
         let eccentricity = self.contact.eccentricity;
-        match self.totals {
-            Totals::Harmonic { real, imaginary } => {
+        match self.indenter {
+            Indenter::Wave => {
                 let (sin_e, cos_e) = eccentricity.sin_cos();
-                -(imaginary * cos_e - real * sin_e) / (2.0 * PI)
+                -(self.first_harmonic.1 * cos_e - self.first_harmonic.0 * sin_e) / (2.0 * PI)
             }
-            Totals::Moments { first, .. } => first / (2.0 * PI) + eccentricity * self.mean_pressure,
+            Indenter::Parabola => self.first_moment() / (2.0 * PI) + eccentricity * self.mean_pressure,
         }
     }
 
@@ -214,38 +209,16 @@ impl ContactState {
         0.5 * (self.profile_work() + 2.0 * PI * self.penetration * self.mean_pressure)
     }
 
-    /// What the release rate is the rise of as an edge moves out: U at fixed penetration; of a parabola, whose load is kept, ½[∫p h − 2πp̄Δ] with
-    /// the profile h = −(y + e)²/2 (the limit of U as the compliance of the half-plane grows without bound).
-    #[must_use]
-    pub fn potential(&self) -> f64 {
-        match self.indenter {
-            Indenter::Wave => self.interface_work(),
-            Indenter::Parabola => 0.5 * (self.profile_work() - 2.0 * PI * self.penetration * self.mean_pressure),
-        }
-    }
-
     /// ∫p h over the contact with the profile h measured from the crest.
     fn profile_work(&self) -> f64 {
         let eccentricity = self.contact.eccentricity;
-        match self.totals {
-            Totals::Harmonic { real, imaginary } => {
-                let (sin_e, cos_e) = eccentricity.sin_cos();
-                real * cos_e + imaginary * sin_e - 2.0 * PI * self.mean_pressure
-            }
-            Totals::Moments { first, second } => {
-                -0.5 * second - eccentricity * first - PI * eccentricity * eccentricity * self.mean_pressure
-            }
-        }
-    }
-
-    /// Sizes of what cancels in the first and second moment of a parabola's pressure: 2πp̄Σjζ and 2πp̄Σjζ². Nothing does for a wave.
-    pub(in crate::sliding) fn cancelled_moments(&self) -> (f64, f64) {
         match self.indenter {
-            Indenter::Wave => (0.0, 0.0),
+            Indenter::Wave => {
+                let (sin_e, cos_e) = eccentricity.sin_cos();
+                self.first_harmonic.0 * cos_e + self.first_harmonic.1 * sin_e - 2.0 * PI * self.mean_pressure
+            }
             Indenter::Parabola => {
-                let load = 2.0 * PI * self.mean_pressure.abs();
-                let moment = |power: i32| self.memory.creep().iter().map(|mode| mode.compliance * mode.ratio.powi(power)).sum::<f64>();
-                (load * moment(1), load * moment(2))
+                -0.5 * self.second_moment() - eccentricity * self.first_moment() - PI * eccentricity * eccentricity * self.mean_pressure
             }
         }
     }
@@ -281,49 +254,25 @@ impl ContactState {
     }
 }
 
-/// Weighted integrals of the pressure from those of the effective pressure q.
-fn totals(
+/// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
+fn first_harmonic(
     memory: &ContactMemory,
-    indenter: Indenter,
-    contact: WaveContact,
+    WaveContact { half_width, eccentricity }: WaveContact,
     flat_strength: f64,
-    mean_pressure: f64,
     loads: &[f64],
     outside: &[OutsideIntegrals],
-) -> Totals {
-    let WaveContact { half_width, eccentricity } = contact;
-    let square = indenter.half_sine(half_width).powi(2);
+) -> (f64, f64) {
+    let square = (0.5 * half_width).sin().powi(2);
     let root = |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
-    let (root_cosine, root_sine) = (root(|integrals| integrals.root_cosine), root(|integrals| integrals.root_sine));
-    match indenter {
-        Indenter::Wave => {
-            // ∫q e^{−iy}: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
-            let (sin_e, cos_e) = eccentricity.sin_cos();
-            let elastic = PI * square * (2.0 - square);
-            let effective = (cos_e * elastic + PI * flat_strength * (1.0 - square) - root_sine, sin_e * elastic - root_cosine);
-            let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
-            let norm = real * real + imaginary * imaginary;
-            Totals::Harmonic {
-                real: (effective.0 * real + effective.1 * imaginary) / norm,
-                imaginary: (effective.1 * real - effective.0 * imaginary) / norm,
-            }
-        }
-        Indenter::Parabola => {
-            // Moments of q: X, −e y/X and D/X inside, and the loads; ∫|X|e_j and ∫|X|e_j (a + v) are −root_cosine and 2 root_sine.
-            let squared = half_width * half_width;
-            let first = -0.5 * PI * eccentricity * squared + root_cosine;
-            let second = PI * squared * squared / 8.0 + 0.5 * PI * flat_strength * squared + 2.0 * root_sine;
-            // Ĉ(κ) = 1 + iκΣjζ − κ²Σjζ² takes them to p.
-            let (mut once, mut twice) = (0.0, 0.0);
-            for mode in memory.creep() {
-                once += mode.compliance * mode.ratio;
-                twice += mode.compliance * mode.ratio * mode.ratio;
-            }
-            let load = 2.0 * PI * mean_pressure;
-            let first = first + once * load;
-            Totals::Moments { first, second: second + 2.0 * once * first - 2.0 * twice * load }
-        }
-    }
+    let (sin_e, cos_e) = eccentricity.sin_cos();
+    let elastic = PI * square * (2.0 - square);
+    let effective = (
+        cos_e * elastic + PI * flat_strength * (1.0 - square) - root(|integrals| integrals.root_sine),
+        sin_e * elastic - root(|integrals| integrals.root_cosine),
+    );
+    let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
+    let norm = real * real + imaginary * imaginary;
+    ((effective.0 * real + effective.1 * imaginary) / norm, (effective.1 * real - effective.0 * imaginary) / norm)
 }
 
 /// M_ε at the trailing edge of H₀, H₁ and cos e W − sin e S.

@@ -208,9 +208,8 @@ fn sizes(states: &EdgeStates) -> WaveSizes {
     };
     let stiff = state.stiffest();
     let penetration = state.penetration().abs() + pressure;
-    let (first, second) = state.cancelled_moments();
-    let friction = stiff * reach * pressure + first;
-    let energy = 2.0 * PI * (penetration * state.mean_pressure().abs() + reach * friction) + second;
+    let friction = stiff * reach * pressure;
+    let energy = 2.0 * PI * (penetration * state.mean_pressure().abs() + reach * friction);
     WaveSizes { length, pressure, penetration, friction, energy }
 }
 

@@ -60,9 +60,12 @@ pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<
             let unit = if matches!(control, SlidingControl::MeanPressure(_)) { 2.0 * modulus } else { 1.0 };
             match state {
                 Ok(state) => Ok(state.contact_half_width),
-                Err(Refusal::NoSuchState { reason, limit_name, limit }) => {
-                    Err(Refusal::NoSuchState { reason, limit_name, limit: limit * unit })
-                }
+                // The sentence of the elastic wave holds numbers in its own units.
+                Err(Refusal::NoSuchState { limit_name, limit, .. }) => Err(Refusal::NoSuchState {
+                    reason: "an elastic contact at rest has no equilibrium there".into(),
+                    limit_name,
+                    limit: limit * unit,
+                }),
                 Err(refusal) => Err(refusal),
             }
         }

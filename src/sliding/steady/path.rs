@@ -27,6 +27,10 @@ const SLOW: f64 = 0.1;
 const FAST: f64 = 30.0;
 /// Largest distance of a contact from its prediction, in units of the room of its unknowns.
 const JUMP: f64 = 0.15;
+/// Steps of a path by loads, at least, and the shortest one over the load.
+const FEWEST_LOADS: f64 = 6.0;
+/// See [`FEWEST_LOADS`].
+const SHORTEST_LOAD: f64 = 1e-4;
 /// Residual of the contacts on the way.
 const TOLERANCE: f64 = 1e-4;
 
@@ -40,8 +44,8 @@ pub struct Start {
 /// A path that does not reach its end.
 #[derive(Debug, Clone)]
 pub(super) struct PathEnd {
-    /// The last rate reached.
-    pub(super) rate: f64,
+    /// The last rate, or load, reached.
+    pub(super) last: f64,
     /// Whether the contact was widening there.
     pub(super) widening: bool,
 }
@@ -88,14 +92,62 @@ pub(super) fn start_at_rate(material: &Material, problem: &SlidingProblem, from:
         From::Slow => (SLOW * zone / longest).min(problem.rate),
         From::Fast => (FAST * half_width / shortest).max(problem.rate),
     };
-    follow(material, problem, at_rest, begin, work)
+    let balance_at = |log_rate: f64| {
+        let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
+        Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse))
+    };
+    let range = Range {
+        begin: begin.ln(),
+        end: problem.rate.ln(),
+        first: FIRST_STEP,
+        longest: LONGEST_STEP,
+        shortest: SHORTEST_STEP,
+    };
+    follow(balance_at, at_rest, range, work).map_err(|none| match none {
+        NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
+        elastic => elastic,
+    })
 }
 
-/// Changes the rate from `begin` to that of the problem.
-fn follow(material: &Material, problem: &SlidingProblem, start: Start, begin: f64, work: &mut SlidingWork) -> Result<Start, NoStart> {
-    let mut at = |log_rate: f64, start: &Start| -> Result<(Start, EdgeBalance), Refusal> {
-        let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
-        let balance = EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse);
+/// Reaches a pull by which neither end of the speed range is held: at no load first, then by loads falling at the rate of the problem.
+///
+/// An edge that moves at the right speed resists pulls that neither the relaxed nor the glassy contact could.
+pub(super) fn start_by_pulling(material: &Material, problem: &SlidingProblem, work: &mut SlidingWork) -> Result<Start, NoStart> {
+    let unloaded = SlidingProblem { control: SlidingControl::MeanPressure(0.0), ..*problem };
+    let SlidingControl::MeanPressure(target) = problem.control else {
+        return Err(NoStart::Fold(PathEnd { last: problem.rate, widening: false }));
+    };
+    let start = match start_at_rate(material, &unloaded, From::Slow, work) {
+        Ok(start) => start,
+        Err(_) => start_at_rate(material, &unloaded, From::Fast, work)?,
+    };
+    let memory = Arc::new(ContactMemory::new(material, problem.rate).map_err(NoStart::Elastic)?);
+    let balance_at = |pressure: f64| {
+        let control = SlidingControl::MeanPressure(pressure);
+        Ok(EdgeBalance::new(Arc::clone(&memory), problem.indenter, problem.adhesion, control, Resolution::Coarse))
+    };
+    let longest = target.abs() / FEWEST_LOADS;
+    follow(balance_at, start, Range { begin: 0.0, end: target, first: longest, longest, shortest: SHORTEST_LOAD * target.abs() }, work)
+}
+
+/// A path parameter: logarithm of the rate, or load.
+struct Range {
+    begin: f64,
+    end: f64,
+    first: f64,
+    longest: f64,
+    shortest: f64,
+}
+
+/// Follows the contact as the parameter goes from the beginning to the end of its range.
+fn follow(
+    balance_at: impl Fn(f64) -> Result<EdgeBalance, Refusal>,
+    start: Start,
+    range: Range,
+    work: &mut SlidingWork,
+) -> Result<Start, NoStart> {
+    let mut at = |parameter: f64, start: &Start| -> Result<(Start, EdgeBalance), Refusal> {
+        let balance = balance_at(parameter)?;
         let found = balance.solve(start.unknowns, start.jacobian, TOLERANCE);
         let evaluations = u64::from(found.as_ref().map_or(0, |found| found.evaluations));
         work.closure_evaluations += evaluations;
@@ -103,16 +155,16 @@ fn follow(material: &Material, problem: &SlidingProblem, start: Start, begin: f6
         let found = found?;
         Ok((Start { unknowns: found.unknowns, jacobian: found.jacobian }, balance))
     };
-    let (target, mut log_rate) = (problem.rate.ln(), begin.ln());
-    let direction = (target - log_rate).signum();
-    let (mut here, _) = at(log_rate, &start).map_err(|_| NoStart::Fold(PathEnd { rate: begin, widening: false }))?;
-    work.path_steps += 1;
+    let mut parameter = range.begin;
+    let direction = (range.end - parameter).signum();
+    let (mut here, _) = at(parameter, &start).map_err(|_| NoStart::Fold(PathEnd { last: parameter, widening: false }))?;
+    let mut steps = 1;
     let mut before: Option<(f64, Start)> = None;
-    let mut step = FIRST_STEP;
-    while direction * (target - log_rate) > 0.0 {
-        let next = if (target - log_rate).abs() <= step { target } else { log_rate + direction * step };
+    let mut step = range.first;
+    while direction * (range.end - parameter) > 0.0 {
+        let next = if (range.end - parameter).abs() <= step { range.end } else { parameter + direction * step };
         let predicted = before.map_or(here, |(then, there)| {
-            let part = (next - log_rate) / (log_rate - then);
+            let part = (next - parameter) / (parameter - then);
             let along = |index: usize| here.unknowns[index] + part * (here.unknowns[index] - there.unknowns[index]);
             Start { unknowns: [along(0), along(1)], jacobian: here.jacobian }
         });
@@ -121,18 +173,18 @@ fn follow(material: &Material, problem: &SlidingProblem, start: Start, begin: f6
             (0..2).all(|index| (found.unknowns[index] - predicted.unknowns[index]).abs() < JUMP * room[index])
         });
         if let Some((found, _)) = accepted {
-            before = Some((log_rate, here));
-            (log_rate, here) = (next, found);
-            work.path_steps += 1;
-            step = (1.5 * step).min(LONGEST_STEP);
+            before = Some((parameter, here));
+            (parameter, here) = (next, found);
+            steps += 1;
+            step = (1.5 * step).min(range.longest);
         } else {
             step *= 0.5;
-            // Where the contact closes or opens fast, an old prediction is worse than none.
-            if step < SHORTEST_STEP {
+            if step < range.shortest {
                 let widening = before.is_some_and(|(_, there)| here.unknowns[0] > there.unknowns[0]);
-                return Err(NoStart::Fold(PathEnd { rate: log_rate.exp(), widening }));
+                return Err(NoStart::Fold(PathEnd { last: parameter, widening }));
             }
         }
     }
+    work.path_steps += steps;
     Ok(here)
 }

@@ -1,10 +1,10 @@
 //! Solving a [`SlidingProblem`].
 //!
-//! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, under a
-//! load above snap-in or past a fold where the contact was widening, full contact, in closed form.
+//! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, for a pull,
+//! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form.
 
 use super::accuracy::solved;
-use super::path::{From, NoStart, PathEnd, Start, start_at_rate};
+use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
 use super::problem::SlidingProblem;
 use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
@@ -23,34 +23,64 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
     let mut work = SlidingWork::default();
-    let mut last = None;
-    let mut slow = None;
-    for from in [From::Slow, From::Fast] {
-        match start_at_rate(material, problem, from, &mut work) {
-            Ok(start) => match solved(&memory, problem, &start, &mut work) {
-                Ok(contact) => return Ok(SlidingOutcome::Partial(Box::new(contact))),
-                Err(refusal) => last = Some(refusal),
-            },
-            Err(NoStart::Elastic(refusal @ (Refusal::OutOfRange { .. } | Refusal::Undefined { .. }))) => return Err(refusal),
-            Err(none) if from == From::Slow => slow = Some(none),
+    let mut not_converged = None;
+    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(&memory, problem, start, work) {
+        Ok(contact) => Some(SlidingOutcome::Partial(Box::new(contact))),
+        Err(refusal) => {
+            not_converged = Some(refusal);
+            None
+        }
+    };
+    let slow = match start_at_rate(material, problem, From::Slow, &mut work) {
+        Ok(start) => {
+            if let Some(outcome) = finish(&start, &mut work) {
+                return Ok(outcome);
+            }
+            None
+        }
+        Err(NoStart::Elastic(refusal @ (Refusal::OutOfRange { .. } | Refusal::Undefined { .. }))) => return Err(refusal),
+        Err(none) => Some(none),
+    };
+    let remembers = !material.is_elastic() && problem.rate > 0.0;
+    if remembers
+        && let Ok(start) = start_at_rate(material, problem, From::Fast, &mut work)
+        && let Some(outcome) = finish(&start, &mut work)
+    {
+        return Ok(outcome);
+    }
+    if remembers
+        && problem.adhesion.is_some()
+        && let SlidingControl::MeanPressure(pressure) = problem.control
+        && pressure < 0.0
+    {
+        match start_by_pulling(material, problem, &mut work) {
+            Ok(start) => {
+                if let Some(outcome) = finish(&start, &mut work) {
+                    return Ok(outcome);
+                }
+            }
+            Err(NoStart::Fold(PathEnd { last, .. })) if last < 0.0 => {
+                return Err(Refusal::NoSuchState {
+                    reason: "the load pulls harder than a contact at this speed can hold".into(),
+                    limit_name: "last mean pressure held",
+                    limit: last,
+                });
+            }
             Err(_) => {}
         }
-        if material.is_elastic() || problem.rate == 0.0 {
-            break;
-        }
     }
-    match (slow, last) {
+    match (slow, not_converged) {
         (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
             full_contact(material, problem, limit_name, limit)
         }
-        (Some(NoStart::Fold(PathEnd { rate, widening: true })), _) if problem.indenter == Indenter::Wave => {
-            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", rate)
+        (Some(NoStart::Fold(PathEnd { last, widening: true })), _) if problem.indenter == Indenter::Wave => {
+            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last)
         }
         (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
-        (Some(NoStart::Fold(PathEnd { rate, .. })), _) => Err(Refusal::NoSuchState {
+        (Some(NoStart::Fold(PathEnd { last, .. })), _) => Err(Refusal::NoSuchState {
             reason: "the contact that grows out of the slow one ends at a fold before this speed, and none comes from the fast side".into(),
             limit_name: "rate kv (1/s)",
-            limit: rate,
+            limit: last,
         }),
         (None, Some(refusal)) => Err(refusal),
         (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
