@@ -112,7 +112,7 @@ fn work_marched_over_the_zone_is_that_of_the_fields_point_by_point() {
             let at = |resolution: Resolution| {
                 let (state, moved) = contacts(&case, edge, resolution);
                 let zone = ProcessZone::new(&case.memory, case.indenter, edge, case.zone, resolution);
-                zone.work(&state, &zone.tension(&moved))
+                zone.work(&state, &zone.tension(&moved)).value
             };
             let work = at(Resolution::Finest);
             let error = (work - expected).abs() / size;

@@ -11,8 +11,9 @@
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
-use super::contact::{ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure};
+use super::contact::{ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork};
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
+use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -62,6 +63,8 @@ const GAP_POINTS: u32 = 16;
 const LONGEST_STEP: f64 = 0.33;
 /// Steps of difference quotients in units of the same room.
 const DIFFERENCE: f64 = 1e-6;
+/// Rounding of a condition over the size of its terms.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A gap this far below zero, over the largest, is rounding.
 const GAP_ROUNDING: f64 = 1e-13;
 
@@ -76,6 +79,8 @@ pub struct EdgeStates {
     tensions: Option<(ZonePressure, ZonePressure)>,
     /// The two residuals.
     residual: [f64; 2],
+    /// What rounding leaves uncertain of each.
+    pub rounding: [f64; 2],
 }
 
 impl TwoResiduals for EdgeStates {
@@ -147,7 +152,9 @@ impl EdgeBalance {
             let half = self.indenter.half_angle_scale(contact.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
-            return Ok(EdgeStates { state, moved: None, tensions: None, residual: [behind / scale, ahead / scale] });
+            let rounding = ROUNDING * (1.0 + state.condition().ln());
+            let residual = [behind / scale, ahead / scale];
+            return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
         };
         let moved = |out: f64, shift: f64| {
             let edges = WaveContact { half_width: contact.half_width + 0.5 * out, eccentricity: contact.eccentricity + shift };
@@ -163,25 +170,28 @@ impl EdgeBalance {
         };
         let amplitudes = state.edge_amplitudes();
         let tensions = (trailing.tension(&trailing_moved), leading.tension(&leading_moved));
-        let residual =
-            [defect(trailing.work(&state, &tensions.0), amplitudes.0), defect(leading.work(&state, &tensions.1), amplitudes.1)];
+        let works = (trailing.work(&state, &tensions.0), leading.work(&state, &tensions.1));
+        let residual = [defect(works.0.value, amplitudes.0), defect(works.1.value, amplitudes.1)];
+        let digits = 1.0 + state.condition().ln();
+        let rounding = [works.0, works.1].map(|work| ROUNDING * digits * work.size / target);
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }
-        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual })
+        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual, rounding })
     }
 
-    /// G/Δγ of both edges at a root: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none without adhesion.
+    /// G/Δγ of both edges at a root, with what rounding leaves uncertain: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none without adhesion.
     ///
     /// # Errors
     /// Those of the reversed contact.
-    pub fn releases(&self, states: &EdgeStates) -> Result<Option<(f64, f64)>, Refusal> {
+    pub fn releases(&self, states: &EdgeStates) -> Result<Option<(Estimate, Estimate)>, Refusal> {
         let (Some((adhesion, trailing, leading)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
             return Ok(None);
         };
         let reversed = states.state.reversed()?;
         let target = 2.0 * PI * adhesion.reduced_work;
-        Ok(Some((trailing.release(&reversed, &tensions.0) / target, leading.release(&reversed, &tensions.1) / target)))
+        let over_target = |work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);
+        Ok(Some((over_target(trailing.release(&reversed, &tensions.0)), over_target(leading.release(&reversed, &tensions.1)))))
     }
 
     /// The room that each unknown has: a length for edges, a pressure for the mean pressure.

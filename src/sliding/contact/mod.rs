@@ -49,6 +49,6 @@ mod state;
 pub use fields::ArcPoint;
 pub use indenter::Indenter;
 pub use memory::ContactMemory;
-pub use process_zone::{Edge, ProcessZone, ZonePressure, edge_work};
+pub use process_zone::{Edge, ProcessZone, ZonePressure, ZoneWork, edge_work};
 pub use resolution::Resolution;
 pub use state::{ContactState, Prescribed, WaveContact};

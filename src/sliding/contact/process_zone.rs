@@ -53,12 +53,35 @@ const FIRST_PANEL: f64 = 1.0;
 #[must_use]
 pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, process_zone: f64) -> f64 {
     let zone = ProcessZone::new(&contact.memory, contact.indenter, edge, process_zone, contact.resolution);
-    zone.work(contact, &zone.tension(moved))
+    zone.work(contact, &zone.tension(moved)).value
 }
 
 /// The pressure at the nodes of a process zone.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ZonePressure(Vec<Values>);
+pub struct ZonePressure(Vec<Field>);
+
+/// A field at the nodes of a panel, and the sizes of the terms that it is a sum of.
+#[derive(Debug, Clone, PartialEq)]
+struct Field {
+    value: Values,
+    size: Values,
+}
+
+impl Field {
+    fn add(&mut self, term: &Values, factor: f64) {
+        self.value += term * factor;
+        self.size += term.abs() * factor.abs();
+    }
+}
+
+/// An integral over a process zone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ZoneWork {
+    /// The integral.
+    pub value: f64,
+    /// That of the sizes of all terms, which rounding is relative to.
+    pub size: f64,
+}
 
 /// The process zone of one edge of a sliding contact: panels, and the steps of every term.
 #[derive(Debug, Clone)]
@@ -145,32 +168,34 @@ impl ProcessZone {
 
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
-    pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> f64 {
+    pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> ZoneWork {
         self.integral(&tension.0, &self.gaps(contact, self.edge, &self.outside))
     }
 
     /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the
     /// other way ([`ContactState::reversed`]); NaN if a field is.
     #[must_use]
-    pub fn release(&self, reversed: &ContactState, tension: &ZonePressure) -> f64 {
+    pub fn release(&self, reversed: &ContactState, tension: &ZonePressure) -> ZoneWork {
         let edge = mirrored(self.edge);
         let marches = self.reversed.get_or_init(|| Arc::new(outside_marches(&reversed.memory, &self.panels, self.length, edge)));
         self.integral(&tension.0, &self.gaps(reversed, edge, marches))
     }
 
-    fn integral(&self, pressures: &[Values], gaps: &[Values]) -> f64 {
-        let mut work = 0.0;
+    fn integral(&self, pressures: &[Field], gaps: &[Field]) -> ZoneWork {
+        let (mut value, mut size) = (0.0, 0.0);
         for ((panel, pressure), gap) in self.panels.iter().zip(pressures).zip(gaps.iter().rev()) {
             // The mirrored panel has its nodes in the opposite order.
             for index in 0..NODES {
-                work -= panel.weights[index] * pressure[index] * gap[NODES - 1 - index];
+                let mirror = NODES - 1 - index;
+                value -= panel.weights[index] * pressure.value[index] * gap.value[mirror];
+                size += panel.weights[index] * pressure.size[index] * gap.size[mirror];
             }
         }
-        work / (2.0 * self.length)
+        ZoneWork { value: value / (2.0 * self.length), size: size / (2.0 * self.length) }
     }
 
     /// p at the nodes of the zone inside the edge.
-    fn pressures(&self, state: &ContactState) -> Vec<Values> {
+    fn pressures(&self, state: &ContactState) -> Vec<Field> {
         let indenter = self.indenter;
         let half_width = state.contact.half_width;
         let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
@@ -199,7 +224,13 @@ impl ProcessZone {
         let combined = |(flat, odd): (f64, f64), [even, uneven, wave]: &[Values; 3]| wave + even * flat + uneven * odd;
         let beta = state.memory.stiffening_ratio();
         let now = state.strengths(None);
-        let mut pressures: Vec<Values> = elastic.iter().map(|fields| combined(now, fields) * beta).collect();
+        let mut pressures: Vec<Field> = elastic
+            .iter()
+            .map(|fields| {
+                let value = combined(now, fields) * beta;
+                Field { size: value.abs(), value }
+            })
+            .collect();
         for (term, (march, mode)) in self.inside.iter().zip(&state.memory.relaxation).enumerate() {
             let strengths = state.strengths(Some(term));
             let far = || {
@@ -208,7 +239,7 @@ impl ProcessZone {
             };
             self.march(march, far, |panel| elastic.get(panel).map(|fields| combined(strengths, fields)), |panel, memory| {
                 if let Some(pressure) = pressures.get_mut(panel) {
-                    *pressure -= memory * mode.modulus;
+                    pressure.add(memory, -mode.modulus);
                 }
             });
         }
@@ -216,7 +247,7 @@ impl ProcessZone {
     }
 
     /// The gap at the nodes of the zone outside an edge.
-    fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Values> {
+    fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Field> {
         let indenter = self.indenter;
         let half_width = state.contact.half_width;
         let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
@@ -238,7 +269,7 @@ impl ProcessZone {
                 even[index] = half.1 / root;
                 odd[index] = half.0 / root;
             }
-            gaps.push(gap);
+            gaps.push(Field { size: gap.abs(), value: gap });
             loads.push((even, odd));
         }
         for (term, march) in marches.iter().enumerate() {
@@ -251,7 +282,7 @@ impl ProcessZone {
             let field = |panel: usize| loads.get(panel).map(|(even, odd): &(Values, Values)| odd * outside_cosine + even * outside_sine);
             self.march(march, far, field, |panel, memory| {
                 if let Some(gap) = gaps.get_mut(panel) {
-                    *gap -= memory * (load * march.layer * 2.0 / PI);
+                    gap.add(memory, -load * march.layer * 2.0 / PI);
                 }
             });
         }

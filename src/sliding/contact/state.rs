@@ -166,10 +166,11 @@ impl ContactState {
         self.contact
     }
 
-    /// β, or 1 at rest: how much stiffer than relaxed the edges are.
+    /// How much stiffer than relaxed the solid is on the scale of the contact: 1/|Ĉ| of the harmonic 1/a.
     #[must_use]
-    pub fn stiffest(&self) -> f64 {
-        self.memory.stiffening_ratio()
+    pub fn stiffness_at_contact(&self) -> f64 {
+        let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / self.contact.half_width);
+        1.0 / real.hypot(imaginary)
     }
 
     /// The indenter.

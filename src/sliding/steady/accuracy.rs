@@ -69,13 +69,13 @@ pub(super) fn solved(
         let inverse = inverse_columns(&jacobian).ok_or_else(singular)?;
         let moved = solve_two_by_two(&jacobian, fine.residual()).ok_or_else(singular)?;
         let own = rounding_of_outputs(&found.solution, problem.adhesion);
-        let of_conditions = rounding_of_conditions(&found.solution);
+        let of_conditions = found.solution.rounding;
         let estimates: Vec<Estimate> = (0..OUTPUTS)
             .map(|output| {
                 let slope = slopes[output];
                 let change = fine_outputs[output] - here[output] - slope[0] * moved[0] - slope[1] * moved[1];
                 let through = |column: [f64; 2]| (slope[0] * column[0] + slope[1] * column[1]).abs();
-                let rounding = own[output] + of_conditions * (through(inverse[0]) + through(inverse[1]));
+                let rounding = own[output] + of_conditions[0] * through(inverse[0]) + of_conditions[1] * through(inverse[1]);
                 Estimate::new(here[output], (1.0 + MARGIN) * change.abs() + rounding)
             })
             .collect();
@@ -144,7 +144,7 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusa
     let state = &states.state;
     let contact = state.contact();
     let friction = state.friction_stress();
-    let (trailing, leading) = balance.releases(states)?.unwrap_or((0.0, 0.0));
+    let (trailing, leading) = balance.releases(states)?.map_or((0.0, 0.0), |(trailing, leading)| (trailing.value, leading.value));
     Ok([
         contact.half_width,
         contact.eccentricity,
@@ -161,12 +161,6 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusa
     ])
 }
 
-/// Rounding of a residual: that of the fields over the tension that the closure asks for.
-fn rounding_of_conditions(states: &EdgeStates) -> f64 {
-    // Tension and gap each lose some digits between their terms.
-    4.0 * ROUNDING * (1.0 + states.state.condition())
-}
-
 fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
     let state = &states.state;
     let WaveSizes { length, pressure, penetration, friction, energy } = sizes(states);
@@ -179,10 +173,10 @@ fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> O
     rounding[7] = unit * friction / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
     rounding[8] = unit * energy;
     if let Some(adhesion) = adhesion {
-        // The same integrals as in the conditions.
-        rounding[9] = rounding_of_conditions(states);
-        rounding[10] = rounding[9];
-        rounding[11] = 2.0 * adhesion.reduced_work * rounding[9];
+        // Integrals over the same zones as the conditions.
+        rounding[9] = states.rounding[0];
+        rounding[10] = states.rounding[1];
+        rounding[11] = adhesion.reduced_work * (rounding[9] + rounding[10]);
     }
     rounding
 }
@@ -206,7 +200,7 @@ fn sizes(states: &EdgeStates) -> WaveSizes {
         crate::sliding::contact::Indenter::Wave => length.min(1.0),
         crate::sliding::contact::Indenter::Parabola => length,
     };
-    let stiff = state.stiffest();
+    let stiff = state.stiffness_at_contact();
     let penetration = state.penetration().abs() + pressure;
     let friction = stiff * reach * pressure;
     let energy = 2.0 * PI * (penetration * state.mean_pressure().abs() + reach * friction);
