@@ -166,6 +166,12 @@ impl ContactState {
         self.contact
     }
 
+    /// β, or 1 at rest: how much stiffer than relaxed the edges are.
+    #[must_use]
+    pub fn glassy_stiffness(&self) -> f64 {
+        self.memory.stiffening_ratio()
+    }
+
     /// How much stiffer than relaxed the solid is on the scale of the contact: 1/|Ĉ| of the harmonic 1/a.
     #[must_use]
     pub fn stiffness_at_contact(&self) -> f64 {

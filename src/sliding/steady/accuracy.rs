@@ -164,12 +164,12 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusa
 fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
     let state = &states.state;
     let WaveSizes { length, pressure, penetration, friction, energy } = sizes(states);
-    let condition = 1.0 + state.condition().ln().max(0.0);
-    let unit = ROUNDING * condition;
+    let unit = ROUNDING * (1.0 + state.condition().ln());
     let mut rounding = [0.0; OUTPUTS];
-    for (index, size) in [length, length, length, length, penetration, pressure, friction].into_iter().enumerate() {
+    for (index, size) in [length, length, length, length, penetration, pressure].into_iter().enumerate() {
         rounding[index] = unit * size;
     }
+    rounding[6] = unit * friction;
     rounding[7] = unit * friction / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
     rounding[8] = unit * energy;
     if let Some(adhesion) = adhesion {
@@ -202,7 +202,8 @@ fn sizes(states: &EdgeStates) -> WaveSizes {
     };
     let stiff = state.stiffness_at_contact();
     let penetration = state.penetration().abs() + pressure;
-    let friction = stiff * reach * pressure;
+    // An ulp of an edge shifts what the glassy layer there carries.
+    let friction = (stiff + state.glassy_stiffness() / 40.0) * reach * pressure;
     let energy = 2.0 * PI * (penetration * state.mean_pressure().abs() + reach * friction);
     WaveSizes { length, pressure, penetration, friction, energy }
 }
