@@ -159,8 +159,8 @@ fn cases() -> Vec<Case> {
     .collect()
 }
 
-/// Erratum (3.9), number 22 of our list: the kernel is the odd part of the Green's function. On a contact in equilibrium the double integral with
-/// the odd part is (1 − G_i/Δγ)·2πΓδ at each edge; with the whole kernel, as printed, it is of the order of the whole energy U.
+/// Erratum (3.9), number 22 of our list: the kernel is the odd part of the Green's function; printed is a superscript D that is defined nowhere. On a contact in
+/// equilibrium the double integral with the odd part is (1 − G_i/Δγ)·2πΓδ at each edge; with the whole kernel it is of the order of the whole energy U.
 #[test]
 fn erratum_3_9_the_nonconservative_work_has_the_odd_part_of_the_kernel() {
     for case in cases() {
@@ -179,14 +179,14 @@ fn erratum_3_9_the_nonconservative_work_has_the_odd_part_of_the_kernel() {
             });
             let (mended, expected) = (odd / unit, 1.0 - release);
             println!(
-                "{}, {edge:?}: δL_P/(2πΓδ) by (3.9) with the odd part {mended:.8} (tail {:.1e}), 1 - G/Δγ {expected:.8}; as printed {:.3e}",
+                "{}, {edge:?}: δL_P/(2πΓδ) by (3.9) with the odd part {mended:.8} (tail {:.1e}), 1 - G/Δγ {expected:.8}; with the whole kernel {:.3e}",
                 case.name,
                 tail / unit,
                 whole / unit
             );
             // A hundredth of the largest tail: its relative error is 1/(Mε), ε the shortest layer, at most 1/30 here.
             assert!((mended - expected).abs() < 4e-6, "{} {edge:?}: {mended} {expected}", case.name);
-            assert!((whole / unit - expected).abs() > 100.0, "{}: the printed kernel keeps the even part", case.name);
+            assert!((whole / unit - expected).abs() > 100.0, "{}: the whole kernel keeps the even part", case.name);
         }
     }
 }
