@@ -11,15 +11,19 @@ by Gauss panels: between neighbouring collocation points inside, graded to both 
     sum_n c_n [u_n/beta + sum_j j_j w_jn](y_k) - penetration = cos(y_k + e) - 1        at the N Chebyshev points y_k,     c_0 = 2 mean_pressure
 is solved by Gaussian elimination. Edge amplitudes are sum(+-1)^n c_n (p ~ k/sqrt(2 sin a d)), the rest are Gauss-Chebyshev sums.
 Without adhesion the half-width is given, and the eccentricity and mean pressure at which both amplitudes vanish follow linearly.
+Adhesive equilibrium: half-width, mean pressure and process zone are given; each edge work (1/2 zone) int tension gap is a Gauss sum over the window of the
+pressure of the contact collocated anew with that edge moved out (same penetration) times the gap of the contact; the secant method in the eccentricity makes
+both equal, to 2 pi times the reduced work. The releases G/work of adhesion are differences of 1/2 int p w.
 Full contact: friction half the loss modulus at the rate of the first harmonic, E(i kv) from the creep series.
 
 Plain double precision and the standard library (mpmath only for printing). Every value is computed with N and with a larger N and finer panels;
 `confirmed_digits` is their agreement relative to the `scale` of the quantity (at most 11).
-    asked      given_edges, adhesiveless, full
+    asked      given_edges, adhesiveless, equilibrium, full
     terms      j_j:zeta_j separated by blanks (1/beta is what is left of one), exact doubles
-    a, e, mean_pressure   exact doubles for given_edges; for adhesiveless a is exact and the others are values of the table
+    a, e, mean_pressure   exact doubles for given_edges; for adhesiveless a is exact, for equilibrium a and mean_pressure; the others are values
+    zone       length of the process zone of both edges (equilibrium), exact double
     quantity   penetration, friction_stress, interface_work, trailing_amplitude, leading_amplitude, pressure (at position y/a), gap (at the fraction
-               `position` of the gap from the trailing edge backwards), eccentricity, mean_pressure
+               `position` of the gap from the trailing edge backwards), eccentricity, mean_pressure, reduced_work, trailing_release, leading_release
 """
 
 import sys
@@ -33,7 +37,7 @@ from common import arguments, differences, double, finish, read, write
 
 COMMAND = "python3 verification/references/sliding_wave.py"
 FILE = "sliding_wave.csv"
-COLUMNS = ["asked", "case", "terms", "a", "e", "mean_pressure", "quantity", "position", "value", "scale", "confirmed_digits"]
+COLUMNS = ["asked", "case", "terms", "a", "e", "mean_pressure", "zone", "quantity", "position", "value", "scale", "confirmed_digits"]
 MOST_DIGITS = 11
 PI = math.pi
 
@@ -66,6 +70,9 @@ GIVEN = [
     ("twelve, wide", 0.8, 0.03, 0.1, 70),
 ]
 SMOOTH = [("one", 0.8, 60), ("two", 1.1, 70), ("six", 0.6, 90), ("twelve", 1.0, 110)]
+# name, a, mean pressure, zone, eccentricities to start from, N, additional nodes in the window (where a layer is thinner than it)
+ADHESIVE = [("one", 1.0, 0.25, 0.005, (0.06, 0.07), 60, 0), ("two", 0.9, 0.2, 0.002, (-0.05, -0.04), 66, 0),
+            ("one, slow", 0.7, 0.05, 0.02, (-0.1, -0.08), 110, 18), ("twelve", 0.9, 0.2, 0.003, (-0.05, -0.04), 96, 0)]
 INSIDE = [-0.95, -0.3, 0.4, 0.98]
 OUTSIDE = [0.03, 0.5, 0.95]
 
@@ -311,6 +318,79 @@ def given_values(terms, a, e, mean, count, nodes):
     return out
 
 
+class Solved:
+    """A contact with given edges and penetration or mean pressure."""
+
+    def __init__(self, terms, a, e, count, nodes, mean=None, penetration=None):
+        self.contact, self.e = Contact(terms, a, count, nodes), e
+        solved = self.contact.basis()
+        parts = [math.cos(e), math.sin(e)]
+        if mean is None:
+            mean = (penetration - 1.0 - math.fsum(f * s[1] for f, s in zip(parts, solved))) / solved[2][1]
+        parts.append(mean)
+        self.mean = mean
+        self.c = [math.fsum(f * s[0][n] for f, s in zip(parts, solved)) for n in range(count)]
+        self.penetration = 1.0 + math.fsum(f * s[1] for f, s in zip(parts, solved)) if penetration is None else penetration
+
+    def energy(self):
+        return 0.5 * self.contact.integral(self.c, lambda y: math.cos(y + self.e) - 1.0 + self.penetration)
+
+    def pressure_near(self, side, distance):
+        """p at a distance inside an edge (side -1 trailing, +1 leading), the angle from the distance."""
+        elastic = self.contact.elastic
+        y = self.contact.a - distance
+        # 1 - t = sin(distance/2)/(cos(y/2) cos(a/2))/T
+        lack = math.sin(0.5 * distance) / (math.cos(0.5 * y) * math.cos(0.5 * self.contact.a) * elastic.tangent)
+        theta = 2.0 * math.asin(math.sqrt(0.5 * lack))
+        slope = 0.5 / (math.cos(0.5 * y) ** 2 * elastic.tangent)
+        return math.fsum(value * side ** n * math.cos(n * theta) for n, value in enumerate(self.c)) / math.sin(theta) * slope
+
+    def gap_near(self, side, distance):
+        length = 2.0 * (PI - self.contact.a)
+        row = self.contact.displacement_outside(distance if side < 0 else length - distance)
+        x = self.e + side * (self.contact.a + distance)
+        return math.fsum(u * v for u, v in zip(row, self.c)) - (math.cos(x) - 1.0 + self.penetration)
+
+
+def equilibrium_values(terms, a, mean, zone, starts, count, nodes, more):
+    window = gauss(nodes + more)
+
+    def works(e):
+        here = Solved(terms, a, e, count, nodes, mean=mean)
+        out = []
+        for side in (-1, 1):
+            moved = Solved(terms, a + 0.5 * zone, e + 0.5 * side * zone, count, nodes, penetration=here.penetration)
+            total = []
+            for node, weight in window:
+                theta = 0.5 * PI * node
+                sine, cosine = math.sin(theta), math.cos(theta)
+                # (1/2 zone) int tension(d) gap(zone - d) dd, d = zone sin^2
+                tension = -moved.pressure_near(side, zone * sine * sine)
+                total.append(0.5 * PI * weight * tension * here.gap_near(side, zone * cosine * cosine) * sine * cosine)
+            out.append((math.fsum(total), (moved.energy() - here.energy()) / zone))
+        return here, out
+
+    low, high = starts
+    here, first = works(low)
+    below = first[0][0] - first[1][0]
+    for _ in range(30):
+        here, both = works(high)
+        above = both[0][0] - both[1][0]
+        # 1e-15 is the rounding of the works.
+        if abs(above) < 1e-15 or abs(high - low) < 1e-14:
+            break
+        low, high, below = high, high - above * (high - low) / (above - below), above
+    work = 0.5 * (both[0][0] + both[1][0])
+    return {
+        ("eccentricity", ""): (here.e, 1.0),
+        ("reduced_work", ""): (work / (2.0 * PI), work / (2.0 * PI)),
+        ("penetration", ""): (here.penetration, 1.0),
+        ("trailing_release", ""): (both[0][1] / work, max(1.0, both[0][1] / work)),
+        ("leading_release", ""): (both[1][1] / work, 1.0),
+        ("friction_stress", ""): (here.contact.integral(here.c, lambda y: math.sin(y + here.e)) / (2.0 * PI), 1.0),
+    }
+
+
 def smooth_values(terms, a, count, nodes):
     contact = Contact(terms, a, count, nodes)
     (c1, d1), (c2, d2), (c3, d3) = contact.basis()
@@ -345,13 +425,13 @@ def agreement(coarse, fine, scale):
     return MOST_DIGITS if difference == 0.0 else max(0, min(MOST_DIGITS, int(-math.log10(difference))))
 
 
-def rows_of(asked, case, terms, a, e, mean, coarse, fine):
+def rows_of(asked, case, terms, a, e, mean, coarse, fine, zone=None):
     text = " ".join(f"{double(j)}:{double(z)}" for j, z in terms)
     out = []
     for (quantity, position), (value, scale) in fine.items():
         out.append({
             "asked": asked, "case": case, "terms": text, "a": "" if a is None else double(a), "e": "" if e is None else double(e),
-            "mean_pressure": "" if mean is None else double(mean), "quantity": quantity, "position": "" if position == "" else double(position),
+            "mean_pressure": "" if mean is None else double(mean), "zone": "" if zone is None else double(zone), "quantity": quantity, "position": "" if position == "" else double(position),
             "value": f"{value:.14e}", "scale": f"{scale:.3e}", "confirmed_digits": agreement(coarse[quantity, position][0], value, scale),
         })
     return out
@@ -368,13 +448,18 @@ def job(task):
         a, count = task[2:]
         coarse, fine = (smooth_values(terms, a, n, q) for n, q in ((count, 10), (count + count // 3, 14)))
         return rows_of(asked, solid, terms, a, None, None, coarse, fine)
+    if asked == "equilibrium":
+        a, mean, zone, starts, count, more = task[2:]
+        coarse, fine = (equilibrium_values(terms, a, mean, zone, starts, n, q, more) for n, q in ((count, 10), (count + count // 4, 14)))
+        return rows_of(asked, solid, terms, a, None, mean, coarse, fine, zone)
     values = full_values(terms)
     return rows_of(asked, solid, terms, None, None, None, values, values)
 
 
 def tasks(reduced):
     given, smooth = (GIVEN[2:5], SMOOTH[:2]) if reduced else (GIVEN, SMOOTH)
-    return [("given_edges", *case) for case in given] + [("adhesiveless", *case) for case in smooth] + [("full", name) for name in SOLIDS]
+    adhesive = [] if reduced else [("equilibrium", *case) for case in ADHESIVE]
+    return [("given_edges", *case) for case in given] + [("adhesiveless", *case) for case in smooth] + adhesive + [("full", name) for name in SOLIDS]
 
 
 def self_check():
