@@ -5,7 +5,7 @@
 //! ```text
 //! units        Pa, s → MPa, ms                      same reduced contact
 //! splitting    J (1 − e^{−t/τ}) = two halves         same contact; at τ(1 ± h) a contact that differs by O(h²)
-//! vanishing    a term of strength 1e-18 … 1e-6       a change in proportion
+//! vanishing    a term of strength 1e-30 … 1e-6       a change in proportion, none below rounding
 //! v → −v       𝒢(x; −v) = 𝒢(−x; v)                   mirrored pressure makes the mirrored surface
 //! ```
 //! Parameters: 40 random solids of up to 12 terms (β up to 100, moduli and times nothing like one); one- and three-term solids for the rest.
@@ -101,8 +101,7 @@ fn solid(terms: &[(f64, f64)]) -> Material {
 }
 
 /// Tolerance: equal halves are one term, to the last bit (the material merges them). Halves at τ(1 ± h) make a contact that differs by h² times a
-/// number of order one; below rounding, by rounding alone: the relaxation time between the two is known to its last digit, and it is the difference
-/// of the two that the equations contain, so that a loss of up to 1e-16/h is allowed. What is reached is printed.
+/// number below 20 (9.4 is met); below rounding, by rounding alone, 1e-13, however close the times.
 #[test]
 fn splitting_a_term_changes_nothing() {
     let contact = WaveContact { half_width: 1.3, eccentricity: 0.04 };
@@ -117,7 +116,7 @@ fn splitting_a_term_changes_nothing() {
             for h in [1e-3, 1e-6, 1e-9, 1e-12] {
                 let change = difference(&one, &with(&[(0.7e-6, time * (1.0 - h)), (0.7e-6, time * (1.0 + h))]));
                 println!("{name}, τ = {time}: halves at τ(1 ± {h:e}): {change:.1e}");
-                assert!(change < 10.0 * h * h + 1e-15 / h + 1e-13, "{name}, τ = {time}, h = {h:e}: {change:e}");
+                assert!(change < 20.0 * h * h + 1e-13, "{name}, τ = {time}, h = {h:e}: {change:e}");
             }
         }
     }
