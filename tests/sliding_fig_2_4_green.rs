@@ -250,8 +250,8 @@ fn erratum_23_no_mean_in_the_kernel_of_thesis_2_30() {
     assert!(Layer::new(Backing::Free, 0.3, 1e-9).unwrap().compliance_factor(1.0) > 1e27);
 }
 
-/// Erratum: thesis (3.8) is ½∫(v₊σ₋ − v₋σ₊); with the kernel put in, only its odd part is left. (3.9) prints the whole one, which does not vanish for
-/// an elastic body. Two line loads, one of each state, show it: the even part cancels in (3.8).
+/// Erratum: thesis (3.8) is ½∫(v₊σ₋ − v₋σ₊); with the kernel put in, only its odd part is left. (3.9) prints one that is defined nowhere; the whole one does
+/// not vanish for an elastic body. Two line loads, one of each state, show it: the even part cancels in (3.8).
 #[test]
 fn erratum_22_only_the_odd_part_of_the_kernel_in_thesis_3_9() {
     let distance = 0.8;

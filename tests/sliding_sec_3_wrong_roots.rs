@@ -1,17 +1,27 @@
-//! Source: theory of the sliding closures (thesis Secs 3.2, 3.3): both closures are quadratic in the amplitude of their edge.
+//! Source: thesis Secs 3.2 and 3.3 (both closures are quadratic in the amplitude of their edge).
 //!
-//! Goal: each contact has roots that satisfy the equations to rounding and cannot exist (a pressed edge, interpenetrating faces). From
-//! 1,000 random starts at fixed penetration, with bulk losses, every state that is returned is admissible and is the same one.
+//! Goal: each contact has four roots, sometimes two more a few process zones wide, that satisfy both closures to rounding; all but one cannot exist (a pressed edge, interpenetrating faces).
+//! All four are listed by brute force. From 1,000 random starts at fixed penetration, with bulk losses, the solver returns the one that can
+//! exist or refuses.
 //!
-//! Parameters: β = 20, ζ = 0.3, Γ = 0.002, δ = 1e-3, Δ of a contact reached along the path in speed.
+//! ```text
+//!   pull, press │ press, press      one root for each pair of signs of the amplitudes (trailing, leading)
+//!   ────────────┼─────────────      in the plane of the two edges, about the adhesiveless contact of that penetration
+//!   pull, pull  │ press, pull
+//! ```
+//! Parameters: β = 20, ζ = 0.3, Γ = 0.002; β = 10, ζ = 3, Γ = 0.003; δ = 1e-3; Δ of a contact reached along the path in speed.
 //!
-//! Oracle: the state reached by continuation from the elastic contact; the signs of the edge amplitudes; the gap.
+//! Oracle: a grid of 72 × 80 pairs of edges (half-width 0.005 to 2, eccentricity −1 to 1), each cell in which both closures change sign being the start of
+//! a Newton method of this file, on the works themselves and not on their roots; the state reached by continuation; the signs of the
+//! edge amplitudes, also in the moved contacts; the gap at 199 points.
 //!
-//! Tolerance: the same edges to 1e-7 (Newton to 1e-10); refusals for unphysical roots must occur, or the test would show nothing.
+//! Tolerance: residuals of the roots 1e-10 of 2πΓ; the same edges to 1e-7 (Newton to 1e-10), 1e-9 for the root that can exist (path to 1e-12);
+//! refusals for unphysical roots must occur, or the test would show nothing.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use rayon::prelude::*;
-use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
+use std::f64::consts::PI;
+use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
 use viscotack::sliding::equilibrium::{WaveAdhesion, equilibrium};
 use viscotack::sliding::speed_path::adhesive_contact;
 use viscotack::{Material, Refusal};
@@ -59,4 +69,152 @@ fn random_starts_never_return_an_unphysical_root() {
     assert!(others.is_empty(), "another state was returned: {:?} besides {path:?}", others.first());
     assert!(found.len() > 100, "the admissible state is found from many starts: {}", found.len());
     assert!(unphysical > 0, "no unphysical root was met: the test shows nothing");
+}
+
+/// Both closures at one pair of edges: work/2πΓ − 1, signed and not rooted, with the contact and the two moved ones.
+fn closures(
+    memory: &ContactMemory,
+    adhesion: &WaveAdhesion,
+    prescribed: Prescribed,
+    edges: WaveContact,
+) -> Result<([f64; 2], [ContactState; 3]), Refusal> {
+    let state = ContactState::new(memory, edges, prescribed)?;
+    let moved = |zone: f64, shift: f64| {
+        let out = WaveContact { half_width: edges.half_width + 0.5 * zone, eccentricity: edges.eccentricity + shift };
+        ContactState::new(memory, out, prescribed)
+    };
+    let (trailing, leading) = (adhesion.trailing_zone, adhesion.leading_zone);
+    let (first, second) = (moved(trailing, -0.5 * trailing)?, moved(leading, 0.5 * leading)?);
+    let target = 2.0 * PI * adhesion.reduced_work;
+    let values = [
+        edge_work(&state, &first, Edge::Trailing, trailing) / target - 1.0,
+        edge_work(&state, &second, Edge::Leading, leading) / target - 1.0,
+    ];
+    Ok((values, [state, first, second]))
+}
+
+/// Newton's method of this test: central differences, steps cut but not damped, no look at signs.
+fn newton(evaluate: impl Fn(WaveContact) -> Option<[f64; 2]>, start: WaveContact) -> Option<WaveContact> {
+    let at = |half_width: f64, eccentricity: f64| evaluate(WaveContact { half_width, eccentricity });
+    let (mut a, mut e) = (start.half_width, start.eccentricity);
+    for _ in 0..30 {
+        let here = at(a, e)?;
+        let h = 1e-4 * a;
+        let (wide, narrow, ahead, behind) = (at(a + h, e)?, at(a - h, e)?, at(a, e + h)?, at(a, e - h)?);
+        let slope = |plus: [f64; 2], minus: [f64; 2], index: usize| (plus[index] - minus[index]) / (2.0 * h);
+        let (aa, ae) = (slope(wide, narrow, 0), slope(ahead, behind, 0));
+        let (ba, be) = (slope(wide, narrow, 1), slope(ahead, behind, 1));
+        let determinant = aa * be - ae * ba;
+        let (da, de) = ((here[1] * ae - here[0] * be) / determinant, (ba * here[0] - aa * here[1]) / determinant);
+        a += da.clamp(-0.5 * a, 0.2);
+        e += de.clamp(-0.2, 0.2);
+        if da.abs().max(de.abs()) < 1e-13 {
+            break;
+        }
+    }
+    let last = at(a, e)?;
+    (last[0].abs() <= 1e-10 && last[1].abs() <= 1e-10).then_some(WaveContact { half_width: a, eccentricity: e })
+}
+
+/// All roots of the two closures in a window of the edges, by sign changes on a grid.
+fn all_roots(memory: &ContactMemory, adhesion: &WaveAdhesion, prescribed: Prescribed) -> Vec<WaveContact> {
+    const ACROSS: usize = 72;
+    const ALONG: usize = 80;
+    let node = |row: usize, column: usize| WaveContact {
+        half_width: (0.07 + 1.35 * row as f64 / ACROSS as f64).powi(2),
+        eccentricity: 2.0 * (column as f64 / ALONG as f64 - 0.5),
+    };
+    let evaluate = |edges| closures(memory, adhesion, prescribed, edges).ok().map(|found| found.0);
+    let grid: Vec<Option<[f64; 2]>> =
+        (0..(ACROSS + 1) * (ALONG + 1)).into_par_iter().map(|index| evaluate(node(index / (ALONG + 1), index % (ALONG + 1)))).collect();
+    let changes = |corners: &[[f64; 2]; 4], index: usize| {
+        corners.iter().any(|corner| corner[index] > 0.0) && corners.iter().any(|corner| corner[index] < 0.0)
+    };
+    let mut starts = Vec::new();
+    for row in 0..ACROSS {
+        for column in 0..ALONG {
+            let at = |down: usize, right: usize| grid[(row + down) * (ALONG + 1) + column + right];
+            let (Some(first), Some(second), Some(third), Some(fourth)) = (at(0, 0), at(0, 1), at(1, 0), at(1, 1)) else { continue };
+            let corners = [first, second, third, fourth];
+            if changes(&corners, 0) && changes(&corners, 1) {
+                let (low, high) = (node(row, column), node(row + 1, column + 1));
+                starts.push(WaveContact {
+                    half_width: 0.5 * (low.half_width + high.half_width),
+                    eccentricity: 0.5 * (low.eccentricity + high.eccentricity),
+                });
+            }
+        }
+    }
+    let found: Vec<WaveContact> = starts.par_iter().filter_map(|&start| newton(evaluate, start)).collect();
+    let mut distinct: Vec<WaveContact> = Vec::new();
+    for root in found {
+        let near = |other: &WaveContact| {
+            (other.half_width - root.half_width).abs() < 1e-6 && (other.eccentricity - root.eccentricity).abs() < 1e-6
+        };
+        if !distinct.iter().any(near) {
+            distinct.push(root);
+        }
+    }
+    distinct
+}
+
+/// The smallest gap over the largest, at 200 points.
+fn smallest_gap(state: &ContactState) -> f64 {
+    let width = 2.0 * (PI - state.contact().half_width);
+    let gaps: Vec<f64> = (1..200)
+        .map(|index| {
+            let part = (0.5 * PI * f64::from(index) / 200.0).sin().powi(2);
+            state.gap(state.behind_trailing(part * width).unwrap())
+        })
+        .collect();
+    gaps.iter().copied().fold(f64::INFINITY, f64::min) / gaps.iter().map(|gap| gap.abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn of_all_roots_of_the_two_closures_one_can_exist() {
+    for (beta, ratio, work, pressure) in [(20.0, 0.3, 0.002, 0.1), (10.0, 3.0, 0.003, 0.2)] {
+        let time = 0.2;
+        let material = Material::standard_solid(0.7e6, 0.7e6 * beta, time).unwrap();
+        let adhesion = WaveAdhesion { reduced_work: work, trailing_zone: 1e-3, leading_zone: 1e-3 };
+        let on_path = adhesive_contact(&material, ratio / time, &adhesion, Prescribed::MeanPressure(pressure), 1e-12).unwrap().contact;
+        let prescribed = Prescribed::Penetration(on_path.state.penetration());
+        let memory = ContactMemory::new(&material, ratio / time).unwrap();
+        let roots = all_roots(&memory, &adhesion, prescribed);
+        println!("β = {beta}, ζ = {ratio}, Γ = {work}, Δ = {:.6}: {} roots", on_path.state.penetration(), roots.len());
+        let (mut signs, mut admissible) = (Vec::new(), Vec::new());
+        for root in &roots {
+            let (residual, contacts) = closures(&memory, &adhesion, prescribed, *root).unwrap();
+            let pulled = contacts.iter().all(|contact| contact.edge_amplitudes().0 < 0.0 && contact.edge_amplitudes().1 < 0.0);
+            let gap = smallest_gap(&contacts[0]);
+            let (trailing, leading) = contacts[0].edge_amplitudes();
+            println!(
+                "  a = {:.9}, e = {:+.9}: residuals {:+.0e} {:+.0e}, amplitudes {trailing:+.4} {leading:+.4}, smallest gap/largest {gap:+.2e}, {}",
+                root.half_width,
+                root.eccentricity,
+                residual[0],
+                residual[1],
+                if pulled && gap > 0.0 { "can exist" } else { "cannot exist" }
+            );
+            signs.push((trailing < 0.0, leading < 0.0));
+            if pulled && gap > 0.0 {
+                admissible.push(*root);
+            }
+        }
+        for pair in [(false, false), (false, true), (true, false), (true, true)] {
+            assert!(signs.contains(&pair), "no root with the edges pulled {pair:?}: {signs:?}");
+        }
+        assert_eq!(admissible.len(), 1);
+        let path = on_path.state.contact();
+        assert!((admissible[0].half_width - path.half_width).abs() < 1e-9, "{admissible:?} {path:?}");
+        assert!((admissible[0].eccentricity - path.eccentricity).abs() < 1e-9);
+        // From each wrong root itself, and from beside it, the solver refuses or finds the one that can exist.
+        for root in &roots {
+            for (wider, ahead) in [(0.0, 0.0), (1e-3, 0.0), (-1e-3, 1e-3), (0.0, -1e-3)] {
+                let start = WaveContact { half_width: root.half_width + wider, eccentricity: root.eccentricity + ahead };
+                if let Ok(found) = equilibrium(&memory, &adhesion, prescribed, start, 1e-10) {
+                    assert!((found.state.contact().half_width - path.half_width).abs() < 1e-7, "a wrong root was returned: {root:?}");
+                }
+            }
+        }
+    }
 }

@@ -34,6 +34,7 @@ pub mod green;
 pub mod layer;
 pub mod layer_green;
 pub mod memory;
+pub mod nonconservative;
 pub mod speed_path;
 pub mod steady;
 
