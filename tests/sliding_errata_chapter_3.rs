@@ -15,14 +15,16 @@
 //! p̂_m ≈ √(π/m)·(k_T e^{−imx_T − iπ/4} + k_L e^{−imx_L + iπ/4})/√(2 sin a), whose relative error is O(1/(mε)); each test states what this leaves.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
+mod support;
+
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::sync::LazyLock;
+use support::sliding::{Found, contact_at_rate};
 use viscotack::Material;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
-use viscotack::sliding::equilibrium::{Equilibrium, WaveAdhesion};
-use viscotack::sliding::speed_path::{adhesive_contact, adhesiveless_contact};
+use viscotack::sliding::steady::WaveAdhesion;
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
@@ -132,7 +134,7 @@ struct Case {
     material: Material,
     rate: f64,
     adhesion: WaveAdhesion,
-    found: Equilibrium,
+    found: Found,
     memory: ContactMemory,
 }
 
@@ -156,7 +158,7 @@ fn cases() -> Vec<Case> {
     .into_iter()
     .map(|(name, material, rate, work, pressure)| {
         let adhesion = adhesion(work, 1e-3);
-        let found = adhesive_contact(material, rate, &adhesion, Prescribed::MeanPressure(pressure), 1e-11).unwrap().contact;
+        let found = contact_at_rate(material, rate, Some(adhesion), Prescribed::MeanPressure(pressure), 1e-11).unwrap();
         let memory = ContactMemory::new(material, rate).unwrap();
         Case { name, material: material.clone(), rate, adhesion, found, memory }
     })
@@ -280,10 +282,8 @@ fn standard(beta: f64) -> Material {
 /// Retardation time of the standard solids below (s).
 const TIME: f64 = 0.2;
 
-fn by_pressure(beta: f64, ratio: f64, reduced_work: f64, zone: f64, pressure: f64) -> Equilibrium {
-    adhesive_contact(&standard(beta), ratio / TIME, &adhesion(reduced_work, zone), Prescribed::MeanPressure(pressure), 1e-9)
-        .unwrap()
-        .contact
+fn by_pressure(beta: f64, ratio: f64, reduced_work: f64, zone: f64, pressure: f64) -> Found {
+    contact_at_rate(&standard(beta), ratio / TIME, Some(adhesion(reduced_work, zone)), Prescribed::MeanPressure(pressure), 1e-9).unwrap()
 }
 
 /// Erratum of the adhesive stress of Fig 3.13, number 24 of our list: 2(G₁ − G₂)/(λΛ̃E0*) is reduced like a pressure and still carries one kΛ; the friction
@@ -346,7 +346,7 @@ fn claim_of_sec_3_6_the_friction_peak_is_not_at_a_over_two_pi() {
     let material = standard(10.0);
     for pressure in [0.05, 0.1, 0.2] {
         let at = |log_ratio: f64| {
-            adhesiveless_contact(&material, log_ratio.exp() / TIME, Prescribed::MeanPressure(pressure), 1e-12).unwrap().contact.state
+            contact_at_rate(&material, log_ratio.exp() / TIME, None, Prescribed::MeanPressure(pressure), 1e-12).unwrap().state
         };
         // Golden section in ln ζ.
         let (mut low, mut high) = (0.2_f64.ln(), 3.0_f64.ln());
@@ -388,8 +388,7 @@ fn claim_of_sec_3_6_friction_is_a_few_times_the_sum_of_its_parts_at_most() {
             .into_par_iter()
             .map(|ratio| {
                 let found = by_pressure(beta, ratio, reduced_work, 1e-3, pressure);
-                let plain =
-                    adhesiveless_contact(&standard(beta), ratio / TIME, Prescribed::MeanPressure(pressure), 1e-11).unwrap().contact.state;
+                let plain = contact_at_rate(&standard(beta), ratio / TIME, None, Prescribed::MeanPressure(pressure), 1e-11).unwrap().state;
                 let adhesive = reduced_work * (found.trailing_release - found.leading_release);
                 found.state.friction_stress() / (adhesive + plain.friction_stress())
             })
@@ -406,7 +405,7 @@ fn claim_of_sec_3_6_friction_is_a_few_times_the_sum_of_its_parts_at_most() {
 fn claims_of_sec_3_8_on_the_length_of_the_process_zone() {
     let beta = 10.0;
     let at = |ratio: f64, zone: f64| {
-        adhesive_contact(&standard(beta), ratio / TIME, &adhesion(0.003, zone), Prescribed::Penetration(0.4), 1e-9).unwrap().contact
+        contact_at_rate(&standard(beta), ratio / TIME, Some(adhesion(0.003, zone)), Prescribed::Penetration(0.4), 1e-9).unwrap()
     };
     let zones = [1e-2, 1e-3, 1e-4, 1e-6];
     let opening: Vec<Vec<(f64, f64)>> = [0.001, 0.01, 0.1, 0.3, 1.0]

@@ -11,14 +11,17 @@
 //! Tolerance: elastic, the ratio of the errors at δ and δ/10 is 10 to within 10 %; slow edges, 2 % at ζ, δ about 1e-4.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
+mod support;
+
 use std::f64::consts::PI;
+use support::sliding::contact_near;
 use viscotack::Material;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{JohnsonWave, WestergaardWave};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
-use viscotack::sliding::equilibrium::{WaveAdhesion, equilibrium};
+use viscotack::sliding::steady::WaveAdhesion;
 
 const REDUCED_WORK: f64 = 0.005;
 
@@ -44,7 +47,7 @@ fn elastic_contact_meets_johnsons_wave_at_first_order_in_the_process_zone() {
             .into_iter()
             .map(|zone| {
                 let start = WaveContact { half_width: exact, eccentricity: 0.0 };
-                let found = equilibrium(&memory, &adhesion(zone), Prescribed::MeanPressure(mean_pressure), start, 1e-13).unwrap();
+                let found = contact_near(&memory, Some(adhesion(zone)), Prescribed::MeanPressure(mean_pressure), start, 1e-13).unwrap();
                 assert!(found.state.contact().eccentricity.abs() < 1e-12);
                 found.state.contact().half_width - exact
             })
@@ -67,7 +70,7 @@ fn edges_of_a_slow_contact_are_steady_cracks() {
         let memory = ContactMemory::new(&material, ratio / 0.2).unwrap();
         let mean_pressure = 0.02;
         let start = WaveContact { half_width: johnson(1.0, mean_pressure), eccentricity: 0.0 };
-        let found = equilibrium(&memory, &adhesion(zone), Prescribed::MeanPressure(mean_pressure), start, 1e-11).unwrap();
+        let found = contact_near(&memory, Some(adhesion(zone)), Prescribed::MeanPressure(mean_pressure), start, 1e-11).unwrap();
         let interface =
             Interface { work_of_adhesion: 1.0, process_zone: ProcessZone::Constant { length: zone }, body: CrackBody::AgainstRigid };
         let crack = |motion| {
@@ -80,7 +83,7 @@ fn edges_of_a_slow_contact_are_steady_cracks() {
             found.trailing_release,
             found.leading_release,
             found.state.contact().eccentricity,
-            found.evaluations
+            found.steps
         );
         assert!((found.trailing_release / opening - 1.0).abs() < 0.02, "opening {} {opening}", found.trailing_release);
         assert!((found.leading_release / closing - 1.0).abs() < 0.02, "closing {} {closing}", found.leading_release);

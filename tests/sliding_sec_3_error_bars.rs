@@ -106,7 +106,10 @@ fn bars_bound_the_error_and_are_not_idle() {
                         for ((name, rough), (_, exact)) in listed(&found.values).into_iter().zip(listed(&best.values)) {
                             let error = (rough.value - exact.value).abs();
                             if error > rough.error + exact.error {
-                                lines.push(format!("UNBOUND {name} at {accuracy:e}: {error:.1e} > {:.1e} + {:.1e}: {text}", rough.error, exact.error));
+                                lines.push(format!(
+                                    "UNBOUND {name} at {accuracy:e}: {error:.1e} > {:.1e} + {:.1e}: {text}",
+                                    rough.error, exact.error
+                                ));
                             }
                             ratios.push((rough.error, error.max(exact.error)));
                         }

@@ -68,8 +68,8 @@ fn draw(random: &mut Uniform) -> Case {
 
 /// The two contacts of an edge: as it is, and moved out.
 fn contacts(case: &Case, edge: Edge, resolution: Resolution) -> (ContactState, ContactState) {
-    let state =
-        ContactState::at_resolution(&case.memory, case.indenter, case.contact, Prescribed::MeanPressure(case.pressure), resolution).unwrap();
+    let state = ContactState::at_resolution(&case.memory, case.indenter, case.contact, Prescribed::MeanPressure(case.pressure), resolution)
+        .unwrap();
     let shift = match edge {
         Edge::Trailing => -0.5,
         Edge::Leading => 0.5,

@@ -17,12 +17,13 @@
 mod support;
 
 use std::f64::consts::PI;
+use support::sliding::{contact_at_rate, contact_near};
 use support::{Row, reference_rows};
 use viscotack::Material;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
-use viscotack::sliding::equilibrium::{WaveAdhesion, equilibrium};
-use viscotack::sliding::speed_path::{adhesiveless_contact, full_contact_friction};
+use viscotack::sliding::steady::WaveAdhesion;
+use viscotack::sliding::steady::full_contact_friction;
 
 const RELAXED: f64 = 2.3e6;
 const RATE: f64 = 7.0;
@@ -101,7 +102,7 @@ fn contacts_without_adhesion() {
     let rows = reference_rows("sliding_wave.csv");
     let (mut count, mut worst) = (0, 0.0_f64);
     for row in rows.iter().filter(|row| row.text("asked") == "adhesiveless" && row.text("quantity") == "mean_pressure") {
-        let found = adhesiveless_contact(&material(row), RATE, Prescribed::MeanPressure(row.number("value")), 1e-12).unwrap().contact;
+        let found = contact_at_rate(&material(row), RATE, None, Prescribed::MeanPressure(row.number("value")), 1e-12).unwrap();
         let contact = found.state.contact();
         // The half-width is exact in the file; it is the mean pressure that carries its error.
         let error = (contact.half_width - row.number("a")).abs();
@@ -135,7 +136,7 @@ fn contacts_with_adhesion() {
         let memory = ContactMemory::new(&material(row), RATE).unwrap();
         let adhesion = WaveAdhesion { reduced_work: row.number("value"), trailing_zone: zone, leading_zone: zone };
         let start = WaveContact { half_width: 1.03 * half_width, eccentricity: quantity(case, "eccentricity") - 0.02 };
-        let found = equilibrium(&memory, &adhesion, Prescribed::MeanPressure(row.number("mean_pressure")), start, 1e-12).unwrap();
+        let found = contact_near(&memory, Some(adhesion), Prescribed::MeanPressure(row.number("mean_pressure")), start, 1e-12).unwrap();
         let contact = found.state.contact();
         println!(
             "{case}: Γ = {:.6}, a off by {:.1e}, e by {:.1e}, G₁ {:.6}, G₂ {:.6}, residual {:.0e}",
@@ -172,7 +173,7 @@ fn contacts_with_adhesion() {
 fn friction_of_full_contact() {
     let mut count = 0;
     for row in reference_rows("sliding_wave.csv").iter().filter(|row| row.text("asked") == "full") {
-        judge(row, full_contact_friction(&material(row), RATE).unwrap());
+        judge(row, full_contact_friction(&material(row), RATE).unwrap().value);
         count += 1;
     }
     assert_eq!(count, 8);

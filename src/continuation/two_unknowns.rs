@@ -193,7 +193,11 @@ mod tests {
         let equations = TwoEquations { what: "test", evaluate: &evaluate, limit: &|_, _| 1.0, differences: &|_| [1e-7, 1e-7] };
         for start in [[2.0, 3.0], [0.5, 0.1], [9.0, 0.2]] {
             let found = equations.solve(start, None, 1e-14).unwrap();
-            assert!((found.unknowns[0] - 1.0).abs() < 1e-13 && (found.unknowns[1] - 1.0).abs() < 1e-13, "{found:?}", found = found.unknowns);
+            assert!(
+                (found.unknowns[0] - 1.0).abs() < 1e-13 && (found.unknowns[1] - 1.0).abs() < 1e-13,
+                "{found:?}",
+                found = found.unknowns
+            );
             assert!(found.evaluations < 25, "{}", found.evaluations);
         }
         // A Jacobian from elsewhere saves the differences; a wrong one is replaced.

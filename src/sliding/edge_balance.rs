@@ -110,8 +110,7 @@ impl EdgeBalance {
         resolution: Resolution,
     ) -> Self {
         let adhesion = adhesion.map(|adhesion| {
-            let (trailing, leading) =
-                ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
+            let (trailing, leading) = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
             (adhesion, trailing, leading)
         });
         Self { memory, indenter, adhesion, control, resolution }
@@ -238,7 +237,11 @@ impl EdgeBalance {
         };
         let differences = |unknowns| self.differences(unknowns);
         run(&TwoEquations {
-            what: if self.adhesion.is_some() { "the edges of an adhesive sliding contact" } else { "the edges of an adhesiveless sliding contact" },
+            what: if self.adhesion.is_some() {
+                "the edges of an adhesive sliding contact"
+            } else {
+                "the edges of an adhesiveless sliding contact"
+            },
             evaluate: &(&evaluate as &dyn Fn([f64; 2]) -> Result<EdgeStates, Refusal>),
             limit: &(&limit as &dyn Fn([f64; 2], [f64; 2]) -> f64),
             differences: &differences,

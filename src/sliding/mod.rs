@@ -22,20 +22,16 @@
 //! E0* = E0/(1 − ν²). The sign of v is free in the kernel: v < 0 mirrors every field. Contacts slide forward, at a rate kv > 0.
 //!
 //! # Contacts
-//! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`equilibrium`] finds the edges with adhesion,
-//! [`adhesiveless`] without; [`speed_path`] reaches any speed from the slow contact, whose form is known.
+//! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`edge_balance`] finds the edges, with adhesion and
+//! without; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
 
-pub mod adhesiveless;
 pub mod contact;
 pub mod edge_balance;
-mod edge_newton;
-pub mod equilibrium;
 pub mod green;
 pub mod layer;
 pub mod layer_green;
 pub mod memory;
 pub mod nonconservative;
-pub mod speed_path;
 pub mod steady;
 
 pub use green::HalfPlaneGreen;

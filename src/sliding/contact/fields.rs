@@ -166,7 +166,8 @@ impl Between {
         // Nearer to the far edge the direct integral is short and harmless, and the whole would cancel against almost itself.
         if from_near < scale && from_near < from_far {
             let arc = ArcRange { length: from_near, before: opposite, behind: from_far, starts_at_edge: true };
-            let [before] = memory_integrals(arc, f64::INFINITY, rule, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
+            let [before] =
+                memory_integrals(arc, f64::INFINITY, rule, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
             -before
         } else {
             let arc = ArcRange { length: from_far, before: from_near, behind: opposite, starts_at_edge: false };

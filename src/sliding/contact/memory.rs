@@ -16,6 +16,7 @@ pub(super) struct RelaxationMode {
 pub struct ContactMemory {
     kernel: SlidingMemory,
     stiffening_ratio: f64,
+    creep: Vec<MemoryTerm>,
     pub(super) relaxation: Vec<RelaxationMode>,
 }
 
@@ -28,14 +29,19 @@ impl ContactMemory {
         let rate = require_non_negative("rate", rate)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
         if rate == 0.0 {
-            return Ok(Self { kernel: SlidingMemory::new(1.0, &[])?, stiffening_ratio: 1.0, relaxation: Vec::new() });
+            return Ok(Self { kernel: SlidingMemory::new(1.0, &[])?, stiffening_ratio: 1.0, creep: Vec::new(), relaxation: Vec::new() });
         }
-        let relaxation = material
+        let kernel = SlidingMemory::of_material(material, rate, 1.0)?;
+        let modes: Vec<RelaxationMode> = material
             .relaxation_terms()
             .iter()
             .map(|term| RelaxationMode { modulus: term.modulus / relaxed, ratio: rate * term.relaxation_time })
             .collect();
-        Ok(Self { kernel: SlidingMemory::of_material(material, rate, 1.0)?, stiffening_ratio: material.stiffening_ratio(), relaxation })
+        // A retardation and a relaxation time that are equal to rounding belong to a term too weak to be felt, and their pole would be infinite.
+        let is = |first: f64, second: f64| first.to_bits() == second.to_bits();
+        let creep = kernel.terms().iter().copied().filter(|term| !modes.iter().any(|mode| is(mode.ratio, term.ratio))).collect();
+        let relaxation = modes.iter().copied().filter(|mode| !kernel.terms().iter().any(|term| is(mode.ratio, term.ratio))).collect();
+        Ok(Self { kernel, stiffening_ratio: material.stiffening_ratio(), creep, relaxation })
     }
 
     /// β = E∞/E0.
@@ -52,7 +58,7 @@ impl ContactMemory {
 
     /// ζ_j/(ζ_j − ε_i).
     pub(super) fn pole(&self, creep: usize, relaxation: usize) -> f64 {
-        match (self.kernel.terms().get(creep), self.relaxation.get(relaxation)) {
+        match (self.creep.get(creep), self.relaxation.get(relaxation)) {
             (Some(creep), Some(relaxation)) => creep.ratio / (creep.ratio - relaxation.ratio),
             _ => f64::NAN,
         }
@@ -67,6 +73,6 @@ impl ContactMemory {
 
     /// j_j and ζ_j of every creep term.
     pub(super) fn creep(&self) -> &[MemoryTerm] {
-        self.kernel.terms()
+        &self.creep
     }
 }

@@ -48,9 +48,8 @@ impl Reference {
             nodes[index] = 2.0 * node - 1.0;
             weights[index] = 2.0 * weight;
         }
-        let barycentric: Vec<f64> = (0..NODES)
-            .map(|i| 1.0 / (0..NODES).filter(|&j| j != i).map(|j| nodes[i] - nodes[j]).product::<f64>())
-            .collect();
+        let barycentric: Vec<f64> =
+            (0..NODES).map(|i| 1.0 / (0..NODES).filter(|&j| j != i).map(|j| nodes[i] - nodes[j]).product::<f64>()).collect();
         let mut differentiate = Square::zeros();
         for i in 0..NODES {
             for j in 0..NODES {

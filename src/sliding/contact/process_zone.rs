@@ -136,8 +136,7 @@ impl ProcessZone {
     pub fn new(memory: &ContactMemory, indenter: Indenter, edge: Edge, length: f64, resolution: Resolution) -> Self {
         let panels = panels(length, memory.thinnest_layer(), resolution.panel_ratio());
         let angles = panels.iter().map(|panel| panel.distances.map(|distance| indenter.half_sine_cosine(distance))).collect();
-        let inside =
-            memory.relaxation.iter().map(|mode| TermMarch::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
+        let inside = memory.relaxation.iter().map(|mode| TermMarch::new(&panels, length, mode.ratio, edge == Edge::Leading)).collect();
         let outside = Arc::new(outside_marches(memory, &panels, length, edge));
         Self { edge, indenter, length, panels, angles, inside, outside, reversed: OnceLock::new() }
     }
@@ -237,11 +236,16 @@ impl ProcessZone {
                 let inside = ArcPoint { from_trailing: self.length, from_leading: 2.0 * half_width - self.length };
                 state.remembered_inside(inside, term)
             };
-            self.march(march, far, |panel| elastic.get(panel).map(|fields| combined(strengths, fields)), |panel, memory| {
-                if let Some(pressure) = pressures.get_mut(panel) {
-                    pressure.add(memory, -mode.modulus);
-                }
-            });
+            self.march(
+                march,
+                far,
+                |panel| elastic.get(panel).map(|fields| combined(strengths, fields)),
+                |panel, memory| {
+                    if let Some(pressure) = pressures.get_mut(panel) {
+                        pressure.add(memory, -mode.modulus);
+                    }
+                },
+            );
         }
         pressures
     }
@@ -275,8 +279,7 @@ impl ProcessZone {
         for (term, march) in marches.iter().enumerate() {
             let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
             let far = || {
-                let outside =
-                    ArcPoint { from_trailing: indenter.gap_width(half_width) - self.length, from_leading: self.length };
+                let outside = ArcPoint { from_trailing: indenter.gap_width(half_width) - self.length, from_leading: self.length };
                 state.remembered_outside(outside, term)
             };
             let field = |panel: usize| loads.get(panel).map(|(even, odd): &(Values, Values)| odd * outside_cosine + even * outside_sine);
@@ -300,7 +303,9 @@ impl ProcessZone {
         let mut value = if term.march == March::Farther { far() } else { 0.0 };
         for step in 0..self.panels.len() {
             let index = if term.march == March::Farther { self.panels.len() - 1 - step } else { step };
-            let (Some(panel), Some(factored), Some(field)) = (self.panels.get(index), term.steps.get(index), field(index)) else { continue };
+            let (Some(panel), Some(factored), Some(field)) = (self.panels.get(index), term.steps.get(index), field(index)) else {
+                continue;
+            };
             let times_root = Values::from_fn(|node, _| panel.roots[node] * field[node]);
             let (memory, out) = factored.advance(&times_root, value);
             use_memory(index, &memory);

@@ -102,11 +102,13 @@ impl ContactState {
         }
         let condition_of = matrix.clone();
         if count > 0 && !matrix.lu().solve_mut(&mut sides) {
-            return Err(Refusal::NotConverged { what: "the memory loads of a sliding contact", detail: "the linear system is singular".into() });
+            return Err(Refusal::NotConverged {
+                what: "the memory loads of a sliding contact",
+                detail: "the linear system is singular".into(),
+            });
         }
-        let scaled = |side: usize| -> Vec<f64> {
-            outside.iter().enumerate().map(|(row, integrals)| sides[(row, side)] / integrals.sine).collect()
-        };
+        let scaled =
+            |side: usize| -> Vec<f64> { outside.iter().enumerate().map(|(row, integrals)| sides[(row, side)] / integrals.sine).collect() };
         let (wave_loads, flat_loads) = (scaled(0), scaled(1));
         let depth_of = |loads: &[f64]| loads.iter().zip(&outside).map(|(load, integrals)| load * integrals.depth).sum::<f64>() / PI;
         // Δ and p̄ are linear in D.

@@ -43,9 +43,14 @@ pub(super) fn solved(
     start: &Start,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
-    let balance_at =
-        |resolution| EdgeBalance::new(Arc::clone(memory), problem.indenter, problem.adhesion, problem.control, resolution);
-    let mut resolution = if problem.accuracy > 1e-4 { Resolution::Coarse } else if problem.accuracy > 1e-9 { Resolution::Medium } else { Resolution::Fine };
+    let balance_at = |resolution| EdgeBalance::new(Arc::clone(memory), problem.indenter, problem.adhesion, problem.control, resolution);
+    let mut resolution = if problem.accuracy > 1e-4 {
+        Resolution::Coarse
+    } else if problem.accuracy > 1e-9 {
+        Resolution::Medium
+    } else {
+        Resolution::Fine
+    };
     let mut start = *start;
     let mut balance = balance_at(resolution);
     loop {
@@ -65,7 +70,8 @@ pub(super) fn solved(
         let fine = fine_balance.evaluate(found.unknowns)?;
         count(3, work);
         let fine_outputs = outputs(&fine_balance, &fine)?;
-        let singular = || Refusal::NotConverged { what: "the edges of a sliding contact", detail: "the Jacobian is singular: a fold is near".into() };
+        let singular =
+            || Refusal::NotConverged { what: "the edges of a sliding contact", detail: "the Jacobian is singular: a fold is near".into() };
         let inverse = inverse_columns(&jacobian).ok_or_else(singular)?;
         let moved = solve_two_by_two(&jacobian, fine.residual()).ok_or_else(singular)?;
         let own = rounding_of_outputs(&found.solution, problem.adhesion);
@@ -112,12 +118,7 @@ struct Sensitivity {
     outputs: [[f64; 2]; OUTPUTS],
 }
 
-fn sensitivity(
-    balance: &EdgeBalance,
-    unknowns: [f64; 2],
-    states: &EdgeStates,
-    here: &Outputs,
-) -> Result<Sensitivity, Refusal> {
+fn sensitivity(balance: &EdgeBalance, unknowns: [f64; 2], states: &EdgeStates, here: &Outputs) -> Result<Sensitivity, Refusal> {
     let small = balance.differences(unknowns);
     let mut jacobian = [[0.0; 2]; 2];
     let mut slopes = [[0.0; 2]; OUTPUTS];

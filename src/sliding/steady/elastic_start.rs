@@ -31,13 +31,13 @@ pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<
         (Indenter::Parabola, SlidingControl::HalfWidth(half_width)) => {
             Ok(0.25 * modulus * half_width * half_width - (2.0 * modulus * work * half_width).sqrt())
         }
-        (Indenter::Parabola, SlidingControl::MeanPressure(pressure)) => parabola(pressure / modulus, work / modulus).map_err(|limit| {
-            Refusal::NoSuchState {
+        (Indenter::Parabola, SlidingControl::MeanPressure(pressure)) => {
+            parabola(pressure / modulus, work / modulus).map_err(|limit| Refusal::NoSuchState {
                 reason: "the load pulls harder than an elastic contact at rest can hold".into(),
                 limit_name: "pull-off mean pressure",
                 limit: limit * modulus,
-            }
-        })?,
+            })?
+        }
         (Indenter::Parabola, SlidingControl::Penetration(_)) => Err(Refusal::Undefined {
             quantity: "the penetration of a cylinder",
             reason: "a line load sinks into a half-plane without bound".into(),
@@ -51,9 +51,7 @@ pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<
                     wave.state_by_mean_pressure(0.5 * pressure / modulus, WaveBranch::Stable)
                 }
                 (SlidingControl::MeanPressure(pressure), None) => wave.state_by_mean_pressure(0.5 * pressure / modulus),
-                (SlidingControl::Penetration(penetration), Some(wave)) => {
-                    wave.state_by_penetration(penetration, EquilibriumBranch::Stable)
-                }
+                (SlidingControl::Penetration(penetration), Some(wave)) => wave.state_by_penetration(penetration, EquilibriumBranch::Stable),
                 (SlidingControl::Penetration(penetration), None) => wave.state_by_penetration(penetration),
                 (SlidingControl::HalfWidth(half_width), _) => wave.state_by_contact_half_width(half_width),
             };

@@ -74,10 +74,9 @@ pub(super) fn start_at_rate(material: &Material, problem: &SlidingProblem, from:
     };
     let first = elastic_unknown(problem, modulus).map_err(NoStart::Elastic)?;
     let at_rest = Start { unknowns: [first, 0.0], jacobian: None };
-    let (Some(longest), Some(shortest)) = (
-        material.longest_retardation_time(),
-        material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp),
-    ) else {
+    let (Some(longest), Some(shortest)) =
+        (material.longest_retardation_time(), material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp))
+    else {
         return Ok(at_rest);
     };
     if problem.rate == 0.0 {
@@ -96,13 +95,7 @@ pub(super) fn start_at_rate(material: &Material, problem: &SlidingProblem, from:
         let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
         Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse))
     };
-    let range = Range {
-        begin: begin.ln(),
-        end: problem.rate.ln(),
-        first: FIRST_STEP,
-        longest: LONGEST_STEP,
-        shortest: SHORTEST_STEP,
-    };
+    let range = Range { begin: begin.ln(), end: problem.rate.ln(), first: FIRST_STEP, longest: LONGEST_STEP, shortest: SHORTEST_STEP };
     follow(balance_at, at_rest, range, work).map_err(|none| match none {
         NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
         elastic => elastic,

@@ -102,12 +102,7 @@ fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
     problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(pressure) if pressure >= limit)
 }
 
-fn full_contact(
-    material: &Material,
-    problem: &SlidingProblem,
-    limit_name: &'static str,
-    limit: f64,
-) -> Result<SlidingOutcome, Refusal> {
+fn full_contact(material: &Material, problem: &SlidingProblem, limit_name: &'static str, limit: f64) -> Result<SlidingOutcome, Refusal> {
     let mean_pressure = match problem.control {
         SlidingControl::MeanPressure(pressure) => Some(pressure),
         _ => None,
