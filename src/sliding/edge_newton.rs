@@ -17,23 +17,23 @@ const DIFFERENCE: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
 /// What an edge condition gives at one pair of edges.
-pub(super) trait EdgeResidual {
+pub(crate) trait EdgeResidual {
     /// The two conditions, of order one away from the solution.
     fn residual(&self) -> [f64; 2];
 }
 
 /// A solution with its cost.
-pub(super) struct Edges<T> {
-    pub(super) solution: T,
-    pub(super) residual: f64,
-    pub(super) evaluations: u32,
+pub(crate) struct Edges<T> {
+    pub(crate) solution: T,
+    pub(crate) residual: f64,
+    pub(crate) evaluations: u32,
 }
 
 /// The edges near `start` at which both conditions hold to `tolerance`.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`]; or the refusal of the condition at the start.
-pub(super) fn solve_edges<T: EdgeResidual>(
+pub(crate) fn solve_edges<T: EdgeResidual>(
     what: &'static str,
     evaluate: impl Fn(WaveContact) -> Result<T, Refusal>,
     start: WaveContact,

@@ -27,7 +27,7 @@
 
 pub mod adhesiveless;
 pub mod contact;
-mod edge_newton;
+pub(crate) mod edge_newton;
 pub mod equilibrium;
 pub mod green;
 pub mod layer;

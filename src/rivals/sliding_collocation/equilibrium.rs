@@ -1,0 +1,67 @@
+//! The edges of a collocated contact: both closures at once, by the Newton's method of [`crate::sliding::equilibrium`].
+
+use super::closures::CollocatedClosures;
+use super::scheme::SlidingCollocation;
+use crate::refusal::{Refusal, require_positive};
+use crate::sliding::contact::{Prescribed, WaveContact};
+use crate::sliding::edge_newton::{EdgeResidual, Edges, solve_edges};
+use crate::sliding::equilibrium::WaveAdhesion;
+use std::f64::consts::PI;
+
+/// A collocated contact in equilibrium at both edges.
+#[derive(Debug, Clone)]
+pub struct CollocatedEquilibrium {
+    /// The edges, in 1/k.
+    pub edges: WaveContact,
+    /// The contacts and the works at the edges.
+    pub closures: CollocatedClosures,
+    /// G/Δγ of the trailing edge (3.21).
+    pub trailing_release: f64,
+    /// G/Δγ of the leading edge (3.22).
+    pub leading_release: f64,
+    /// Largest |√(work/2πΓ) − 1| of the two edges.
+    pub residual: f64,
+    /// Evaluations of both closures (three dense contacts each).
+    pub evaluations: u32,
+}
+
+/// The closures at one pair of edges.
+struct AtEdges {
+    edges: WaveContact,
+    closures: CollocatedClosures,
+    residual: [f64; 2],
+}
+
+impl EdgeResidual for AtEdges {
+    fn residual(&self) -> [f64; 2] {
+        self.residual
+    }
+}
+
+impl SlidingCollocation {
+    /// Finds the edges near `start`, to a `tolerance` of the residual. The root is not checked for its signs: start near the physical one.
+    ///
+    /// # Errors
+    /// [`Refusal::NotConverged`] if Newton's method does not converge from there, as it may where the closure jumps with an element that enters the
+    /// process zone; [`Refusal::OutOfRange`] for an adhesion with a number that is not positive.
+    pub fn equilibrium(
+        &self,
+        adhesion: &WaveAdhesion,
+        prescribed: Prescribed,
+        start: WaveContact,
+        tolerance: f64,
+    ) -> Result<CollocatedEquilibrium, Refusal> {
+        let target = 2.0 * PI * require_positive("reduced_work", adhesion.reduced_work)?;
+        let defect = |work: f64| if work > 0.0 { (work / target).sqrt() - 1.0 } else { -1.0 + work / target };
+        let evaluate = |edges: WaveContact| -> Result<AtEdges, Refusal> {
+            let closures = self.closures(adhesion, prescribed, edges)?;
+            let residual = [defect(closures.trailing_work), defect(closures.leading_work)];
+            Ok(AtEdges { edges, closures, residual })
+        };
+        let Edges { solution, residual, evaluations } =
+            solve_edges("the edges of a collocated sliding contact", evaluate, start, tolerance)?;
+        let (trailing_release, leading_release) = solution.closures.releases(adhesion);
+        let AtEdges { edges, closures, .. } = solution;
+        Ok(CollocatedEquilibrium { edges, closures, trailing_release, leading_release, residual, evaluations })
+    }
+}

@@ -1,0 +1,31 @@
+//! Steady sliding on a wave by collocation with piecewise-constant pressure: the thesis's own scheme (Sec 3.3), and one with shared nodes.
+//!
+//! # What it does
+//! The pressure is constant on each of N elements of a non-uniform mesh, and w(x) = −∫ 𝒢(x − ξ) p(ξ) dξ is the indenter at every midpoint ([`mesh`],
+//! [`influence`], [`contact`]). For the closure each edge is moved out by δ at fixed penetration, the contact solved again, and the tension of
+//! the new elements put on the old gap ([`closures`]); Newton's method then finds both edges ([`equilibrium`]), by the same code and with the
+//! same start as [`crate::sliding::equilibrium`].
+//!
+//! | scheme | meshes of the three contacts | what it is worth |
+//! |---|---|---|
+//! | [`Layout::Mapped`] | each its own mapped mesh (3.26–3.34) | the thesis; the old edge is no node of a moved mesh: erratic closure |
+//! | [`Layout::WindowAligned`] | moved mesh = old mesh + a graded mesh of the process zone | ours; monotone, can be extrapolated ([`richardson`]) |
+//!
+//! Units and symbols: those of [`crate::sliding`] and [`crate::sliding::contact`]; lengths in 1/k, displacements in Λ, pressures in E0*kΛ/2.
+//! It serves any kernel with an antiderivative, where the exact reduction does not, at a cost of N² kernels and N³/3 multiplications per contact.
+//!
+//! A collocated contact is compared with the solver's own in `tests/sliding_sec_3_rivals.rs`, and timed in `benches/steady_sliding.rs`.
+
+pub mod closures;
+pub mod contact;
+mod dense;
+pub mod equilibrium;
+pub mod influence;
+pub mod mesh;
+pub mod richardson;
+pub mod scheme;
+
+pub use closures::CollocatedClosures;
+pub use contact::CollocatedContact;
+pub use equilibrium::CollocatedEquilibrium;
+pub use scheme::{Layout, SlidingCollocation};
