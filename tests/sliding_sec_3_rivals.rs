@@ -4,13 +4,14 @@
 //! friction and interface work at given edges; works at the edges and release rates with each edge moved out; the edges themselves.
 //!
 //! Parameters: 1, 2 and 6 terms, β from 3 to 1000, ζ from 0.01 to 30, Γ from 0.002 to 0.03, positive, zero and negative load, moduli of 0.7 Pa to
-//! 3 GPa. Edges, penetration: those of our equilibrium, then fixed. N = 50, 100, 200, 400 elements and N/2 in each process zone, n = 2.
+//! 3 GPa. Edges, penetration: those of our equilibrium, then fixed. N = 100, 200, 400, 800 elements and N/2 in each process zone, n = 2.
 //!
 //! Oracle: `rivals::sliding_collocation`, window-aligned, extrapolated from its measured orders: integrals 3 (with its logarithm, so 3 twice),
 //! then 4; pressures at points 2, then 4. The thesis's own scheme beside it: its mean pressure has order 2, its works have none.
 //!
-//! Tolerance, relative to max(|value|, 1): 1e-6 for mean pressure, friction, U and pressures; 1e-4 for works and release rates, which carry U
-//! divided by δ; 1e-4 for the edges. The largest seen are printed, and are ten times smaller.
+//! Tolerance, relative to max(|value|, 1), with the worst seen: mean pressure, friction and U 1e-8 (2.5e-10); pressures 1e-6 (4e-7, in the boundary
+//! layers of β = 1000); works 1e-5 (4e-8); release rates, which carry the rounding of U divided by δ, 1e-4 (1.2e-5, again β = 1000); edges
+//! 1e-5 (2e-6). The scheme's order is that of the mesh, never our solver's: none of these leans on our own error bars.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
@@ -18,11 +19,10 @@ use viscotack::Material;
 use viscotack::material::CreepTerm;
 use viscotack::rivals::sliding_collocation::richardson::{extrapolated, observed_order};
 use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
-use viscotack::sliding::equilibrium::WaveAdhesion;
-use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
+use viscotack::sliding::contact::{ArcPoint, ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
+use viscotack::sliding::equilibrium::{WaveAdhesion, equilibrium};
 
-const COARSEST: usize = 50;
+const COARSEST: usize = 100;
 const LEVELS: u32 = 4;
 const DENSITY: f64 = 2.0;
 /// Orders of integrals and of pressures at points.
@@ -40,26 +40,22 @@ struct State {
     reduced_work: f64,
     zone: f64,
     mean_pressure: f64,
+    /// Half-width and eccentricity near the equilibrium: some states have another one.
+    near: (f64, f64),
 }
 
-const STATES: [State; 9] = [
-    State { name: "soft, slow", relaxed: 1.0, beta: 3.0, ratios: &[0.01], reduced_work: 0.005, zone: 1e-3, mean_pressure: 0.0 },
-    State { name: "one term", relaxed: 0.7e6, beta: 10.0, ratios: &[0.1], reduced_work: 0.01, zone: 1e-3, mean_pressure: 0.05 },
-    State { name: "pulled", relaxed: 0.7, beta: 10.0, ratios: &[0.01], reduced_work: 0.01, zone: 2e-3, mean_pressure: -0.05 },
-    State { name: "fast", relaxed: 1.1e6, beta: 10.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 0.2 },
-    State { name: "lossy", relaxed: 1.1e6, beta: 20.0, ratios: &[0.3], reduced_work: 0.002, zone: 1e-3, mean_pressure: 0.1 },
-    State { name: "stiff, slow", relaxed: 3e6, beta: 1000.0, ratios: &[0.01], reduced_work: 0.002, zone: 1e-3, mean_pressure: 0.05 },
-    State { name: "stiff, fast", relaxed: 3e6, beta: 1000.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 10.0 },
-    State { name: "two terms", relaxed: 0.7e6, beta: 50.0, ratios: &[0.02, 3.0], reduced_work: 0.005, zone: 1e-3, mean_pressure: 0.1 },
-    State {
-        name: "six terms",
-        relaxed: 1.1e6,
-        beta: 100.0,
-        ratios: &[0.003, 0.03, 0.3, 3.0, 30.0, 300.0],
-        reduced_work: 0.005,
-        zone: 1e-3,
-        mean_pressure: 0.1,
-    },
+#[rustfmt::skip]
+const STATES: [State; 10] = [
+    State { name: "soft, slow", relaxed: 1.0, beta: 3.0, ratios: &[0.01], reduced_work: 0.005, zone: 1e-3, mean_pressure: 0.0, near: (0.608, -0.142) },
+    State { name: "one term", relaxed: 7e5, beta: 10.0, ratios: &[0.1], reduced_work: 0.01, zone: 1e-3, mean_pressure: 0.05, near: (1.382, -0.5) },
+    State { name: "pulled", relaxed: 0.7, beta: 10.0, ratios: &[0.01], reduced_work: 0.01, zone: 2e-3, mean_pressure: -0.05, near: (0.737, -0.349) },
+    State { name: "fast", relaxed: 1.1e6, beta: 10.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 1.0, near: (0.867, 0.063) },
+    State { name: "lossy", relaxed: 1.1e6, beta: 20.0, ratios: &[0.3], reduced_work: 2e-3, zone: 1e-3, mean_pressure: 0.1, near: (0.946, -0.187) },
+    State { name: "stiff, slow", relaxed: 3e6, beta: 1000.0, ratios: &[0.01], reduced_work: 2e-3, zone: 1e-3, mean_pressure: 0.05, near: (0.967, -0.332) },
+    State { name: "stiff, fast", relaxed: 3e6, beta: 1000.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 1.0, near: (0.419, 0.105) },
+    State { name: "sticky", relaxed: 3e9, beta: 5.0, ratios: &[1.0], reduced_work: 0.02, zone: 5e-4, mean_pressure: 0.1, near: (1.01, -0.055) },
+    State { name: "two terms", relaxed: 7e5, beta: 50.0, ratios: &[0.02, 3.0], reduced_work: 0.005, zone: 1e-3, mean_pressure: 0.1, near: (1.076, -0.32) },
+    State { name: "six terms", relaxed: 1.1e6, beta: 100.0, ratios: &[0.003, 0.03, 0.3, 3.0, 30.0, 300.0], reduced_work: 0.005, zone: 1e-3, mean_pressure: -0.1, near: (0.402, -0.359) },
 ];
 
 /// Equal creep terms with ζ_j = τ_j at the rate one.
@@ -74,17 +70,10 @@ fn adhesion(state: &State) -> WaveAdhesion {
 }
 
 fn our_edges(state: &State) -> (WaveContact, f64) {
-    let problem = SlidingProblem {
-        rate: 1.0,
-        indenter: Indenter::Wave,
-        adhesion: Some(adhesion(state)),
-        control: SlidingControl::MeanPressure(state.mean_pressure),
-        accuracy: 1e-10,
-    };
-    match steady_sliding(&material(state), &problem) {
-        Ok(SlidingOutcome::Partial(found)) => (found.state.contact(), found.state.penetration()),
-        other => panic!("{}: no partial contact: {other:?}", state.name),
-    }
+    let memory = ContactMemory::new(&material(state), 1.0).unwrap();
+    let start = WaveContact { half_width: state.near.0, eccentricity: state.near.1 };
+    let found = equilibrium(&memory, &adhesion(state), Prescribed::MeanPressure(state.mean_pressure), start, 1e-10).unwrap().state;
+    (found.contact(), found.penetration())
 }
 
 /// p̄, friction stress, U | works, releases of both edges | pressures at the parts of the width.
@@ -120,7 +109,7 @@ fn rival_values(state: &State, contact: WaveContact, penetration: f64, layout: L
         vec![old.mean_pressure(), old.friction_stress(), old.interface_work(), found.trailing_work, found.leading_work, trailing, leading];
     let width = 2.0 * contact.half_width;
     values.extend(PARTS.map(|part| {
-        let point = viscotack::sliding::contact::ArcPoint { from_trailing: part * width, from_leading: width - part * width };
+        let point = ArcPoint { from_trailing: part * width, from_leading: width - part * width };
         old.pressure(point)
     }));
     values
@@ -154,16 +143,21 @@ fn collocation_extrapolates_to_the_same_contact_works_and_releases() {
             let (found, reference) = (extrapolated(&values, orders), ours[index]);
             let order = observed_order(values[1], values[2], values[3]);
             let (off, finest) = (difference(found, reference), difference(values[3], reference));
-            println!("  {name:9} {reference:15.8e}   N = 400 off by {finest:.1e}, extrapolated by {off:.1e}, order {order:.2}");
+            println!("  {name:9} {reference:15.8e}   N = 800 off by {finest:.1e}, extrapolated by {off:.1e}, order {order:.2}");
             worst[index] = worst[index].max(off);
-            let tolerance = if (3..7).contains(&index) { 1e-4 } else { 1e-6 };
+            let tolerance = match index {
+                0..3 => 1e-8,
+                3..5 => 1e-5,
+                5..7 => 1e-4,
+                _ => 1e-6,
+            };
             assert!(off < tolerance, "{}: {name} is {found} by collocation and {reference} by us", state.name);
         }
         for index in [3, 4] {
             let values: Vec<f64> = levels.iter().map(|row| row[index]).collect();
             let work = extrapolated(&values, &INTEGRAL);
             let target = 2.0 * PI * state.reduced_work;
-            assert!((work / target - 1.0).abs() < 1e-4, "{}: {} = {work} against 2πΓ = {target}", state.name, NAMES[index]);
+            assert!((work / target - 1.0).abs() < 1e-6, "{}: {} = {work} against 2πΓ = {target}", state.name, NAMES[index]);
         }
     }
     println!("worst after extrapolation: {:?}", NAMES.iter().zip(worst.map(|value| format!("{value:.1e}"))).collect::<Vec<_>>());
@@ -176,13 +170,12 @@ fn the_thesis_scheme_converges_in_pressure_but_not_in_the_closure() {
         let (contact, penetration) = our_edges(state);
         let ours = our_values(state, contact, penetration);
         let levels: Vec<Vec<f64>> =
-            (1..LEVELS).map(|level| rival_values(state, contact, penetration, Layout::Mapped, COARSEST << level)).collect();
+            (1..LEVELS).map(|level| rival_values(state, contact, penetration, Layout::Mapped, COARSEST << (level - 1))).collect();
         let column = |index: usize| -> Vec<f64> { levels.iter().map(|row| row[index]).collect() };
         let mean = column(0);
         let order = observed_order(mean[0], mean[1], mean[2]);
-        let off = |index: usize| -> Vec<String> {
-            column(index).iter().map(|value| format!("{:+.1e}", value / ours[index] - 1.0)).collect()
-        };
+        let off =
+            |index: usize| -> Vec<String> { column(index).iter().map(|value| format!("{:+.1e}", value / ours[index] - 1.0)).collect() };
         println!("{}: order of p̄ {order:.3}; relative errors of W₁ {:?}, W₂ {:?}", state.name, off(3), off(4));
         assert!((order - 2.0).abs() < 0.1, "{}: order {order}", state.name);
     }
@@ -190,11 +183,11 @@ fn the_thesis_scheme_converges_in_pressure_but_not_in_the_closure() {
 
 #[test]
 fn newton_on_the_collocated_closures_finds_the_same_edges() {
-    for state in [&STATES[1], &STATES[7]] {
+    for state in [&STATES[1], &STATES[8]] {
         let (contact, _) = our_edges(state);
         let memory = ContactMemory::new(&material(state), 1.0).unwrap();
         let start = WaveContact { half_width: 1.02 * contact.half_width, eccentricity: contact.eccentricity - 0.01 };
-        let levels: Vec<[f64; 2]> = [50, 100, 200]
+        let levels: Vec<[f64; 2]> = [50, 100, 200, 400]
             .into_iter()
             .map(|elements| {
                 let layout = Layout::WindowAligned { window_elements: elements / 2 };
@@ -207,7 +200,7 @@ fn newton_on_the_collocated_closures_finds_the_same_edges() {
             let values: Vec<f64> = levels.iter().map(|row| row[index]).collect();
             let off = (extrapolated(&values, &INTEGRAL) - ours).abs();
             println!("{}: {name} = {ours:.8}, collocated {values:?}, extrapolated off by {off:.1e}", state.name);
-            assert!(off < 1e-4, "{}: {name}", state.name);
+            assert!(off < 1e-5, "{}: {name}", state.name);
         }
     }
 }

@@ -32,8 +32,7 @@ impl CollocatedClosures {
     #[must_use]
     pub fn releases(&self, adhesion: &WaveAdhesion) -> (f64, f64) {
         let work = self.contact.interface_work();
-        let release =
-            |moved: &CollocatedContact, zone: f64| (moved.interface_work() - work) / (2.0 * PI * adhesion.reduced_work * zone);
+        let release = |moved: &CollocatedContact, zone: f64| (moved.interface_work() - work) / (2.0 * PI * adhesion.reduced_work * zone);
         (release(&self.trailing_moved, adhesion.trailing_zone), release(&self.leading_moved, adhesion.leading_zone))
     }
 }

@@ -39,9 +39,7 @@ impl CollocatedContact {
             _ => 1.0,
         });
         let solution = solved(matrix, sides.as_ref())?;
-        let mean = |side: usize| {
-            elements.iter().enumerate().map(|(row, element)| element.width * solution[(row, side)]).sum::<f64>() / TAU
-        };
+        let mean = |side: usize| elements.iter().enumerate().map(|(row, element)| element.width * solution[(row, side)]).sum::<f64>() / TAU;
         let (wave, flat) = (mean(0), mean(1));
         let penetration = match prescribed {
             Prescribed::Penetration(penetration) => require_finite("penetration", penetration)?,

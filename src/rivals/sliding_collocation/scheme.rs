@@ -83,10 +83,8 @@ impl SlidingCollocation {
         let held = Prescribed::Penetration(old.penetration());
         let moved = |trailing: f64, leading: f64| {
             let width = 2.0 * contact.half_width + trailing + leading;
-            let nodes: Vec<ArcPoint> = mapped_nodes(width, self.elements, self.density)?
-                .into_iter()
-                .map(|node| widened(node, -trailing, -leading))
-                .collect();
+            let nodes: Vec<ArcPoint> =
+                mapped_nodes(width, self.elements, self.density)?.into_iter().map(|node| widened(node, -trailing, -leading)).collect();
             let elements = elements_between(&nodes);
             let matrix = influence_matrix(&self.green, &elements)?;
             CollocatedContact::new(contact, elements, matrix.as_ref(), held)
@@ -120,7 +118,10 @@ impl SlidingCollocation {
             .collect();
         nodes.extend(self.nodes(contact)?);
         nodes.extend(
-            leading_zone.iter().skip(1).map(|node| ArcPoint { from_trailing: width + node.from_trailing, from_leading: -node.from_trailing }),
+            leading_zone
+                .iter()
+                .skip(1)
+                .map(|node| ArcPoint { from_trailing: width + node.from_trailing, from_leading: -node.from_trailing }),
         );
         let elements = elements_between(&nodes);
         let matrix = influence_matrix(&self.green, &elements)?;
