@@ -49,7 +49,7 @@ const STATES: [State; 10] = [
     State { name: "soft, slow", relaxed: 1.0, beta: 3.0, ratios: &[0.01], reduced_work: 0.005, zone: 1e-3, mean_pressure: 0.0, near: (0.608, -0.142) },
     State { name: "one term", relaxed: 7e5, beta: 10.0, ratios: &[0.1], reduced_work: 0.01, zone: 1e-3, mean_pressure: 0.05, near: (1.382, -0.5) },
     State { name: "pulled", relaxed: 0.7, beta: 10.0, ratios: &[0.01], reduced_work: 0.01, zone: 2e-3, mean_pressure: -0.05, near: (0.737, -0.349) },
-    State { name: "fast", relaxed: 1.1e6, beta: 10.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 1.0, near: (0.867, 0.063) },
+    State { name: "fast", relaxed: 1.1e6, beta: 10.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 0.2, near: (0.572, 0.016) },
     State { name: "lossy", relaxed: 1.1e6, beta: 20.0, ratios: &[0.3], reduced_work: 2e-3, zone: 1e-3, mean_pressure: 0.1, near: (0.946, -0.187) },
     State { name: "stiff, slow", relaxed: 3e6, beta: 1000.0, ratios: &[0.01], reduced_work: 2e-3, zone: 1e-3, mean_pressure: 0.05, near: (0.967, -0.332) },
     State { name: "stiff, fast", relaxed: 3e6, beta: 1000.0, ratios: &[30.0], reduced_work: 0.03, zone: 1e-3, mean_pressure: 1.0, near: (0.419, 0.105) },

@@ -45,3 +45,25 @@ pub(super) fn solved(matrix: MatRef<'_, f64>, sides: MatRef<'_, f64>) -> Result<
     }
     Ok(solution)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn a_regular_system_is_solved_and_a_singular_one_is_refused() {
+        let side = Mat::from_fn(3, 1, |row, _| 1.0 + row as f64);
+        let regular = Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + column as f64));
+        let solution = solved(regular.as_ref(), side.as_ref()).unwrap();
+        // The inverse of Hilbert's matrix is integer: (1, 2, 3) gives (27, −192, 210).
+        for (row, exact) in [27.0, -192.0, 210.0].into_iter().enumerate() {
+            assert!((solution[(row, 0)] - exact).abs() < 1e-10);
+        }
+        let singular = Mat::from_fn(3, 3, |row, _| row as f64);
+        assert!(solved(singular.as_ref(), side.as_ref()).is_err());
+        let poisoned = Mat::from_fn(3, 3, |row, column| if row == column { f64::NAN } else { 1.0 });
+        assert!(solved(poisoned.as_ref(), side.as_ref()).is_err());
+        assert!(solved(regular.as_ref().submatrix(0, 0, 2, 3), side.as_ref()).is_err());
+    }
+}

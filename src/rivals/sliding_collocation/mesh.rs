@@ -113,3 +113,36 @@ pub fn elements_between(nodes: &[ArcPoint]) -> Vec<Element> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn nodes_are_symmetric_reach_both_ends_and_shrink_as_the_exponent_says() {
+        for (length, elements, density) in [(2.2, 40, 0.5), (6.2, 41, 1.0), (1e-3, 400, 3.0)] {
+            let nodes = mapped_nodes(length, elements, density).unwrap();
+            assert_eq!(nodes.len(), elements + 1);
+            for (node, mirrored) in nodes.iter().zip(nodes.iter().rev()) {
+                assert!((node.from_trailing - mirrored.from_leading).abs() <= 1e-15 * length);
+                assert!((node.from_trailing + node.from_leading - length).abs() <= 1e-15 * length);
+            }
+            let all = elements_between(&nodes);
+            assert!(all.iter().all(|element| element.width > 0.0));
+            assert!((all.iter().map(|element| element.width).sum::<f64>() / length - 1.0).abs() < 1e-13);
+            // The first two nodes: distances as 1 to 2^{n+1}, up to the curvature of the cosine.
+            let growth = (nodes[2].from_trailing / nodes[1].from_trailing).log2() - (density + 1.0);
+            assert!(growth.abs() < 0.15, "n = {density}: {growth}");
+        }
+    }
+
+    #[test]
+    fn meshes_that_mean_nothing_are_refused() {
+        for (length, elements, density) in
+            [(0.0, 40, 1.0), (7.0, 40, 1.0), (1.0, 3, 1.0), (1.0, 40, 0.4), (f64::NAN, 40, 1.0), (1.0, 40, f64::NAN)]
+        {
+            assert!(mapped_nodes(length, elements, density).is_err());
+        }
+    }
+}

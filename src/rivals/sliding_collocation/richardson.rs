@@ -26,3 +26,18 @@ pub fn extrapolated(values: &[f64], orders: &[f64]) -> f64 {
     }
     column.last().copied().unwrap_or(f64::NAN)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_orders_are_seen_and_removed() {
+        let value = |elements: f64| 1.5 + 3.0 / elements.powi(2) - 40.0 / elements.powi(3);
+        let values = [value(10.0), value(20.0), value(40.0)];
+        assert!((extrapolated(&values, &[2.0, 3.0]) - 1.5).abs() < 1e-14);
+        assert!((observed_order(1.0, 0.5, 0.375) - 2.0).abs() < 1e-14);
+        assert!(observed_order(1.0, 0.5, 0.7).is_nan());
+        assert!(extrapolated(&[], &[2.0]).is_nan());
+    }
+}
