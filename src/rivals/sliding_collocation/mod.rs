@@ -15,7 +15,7 @@
 //! | density exponent n of (3.32) | p̄, friction, U | pressure at a point | works, aligned | error of the works, mapped, N = 400 |
 //! |---|---|---|---|---|
 //! | 1/2 | 1.5 | – | – | 3 % and erratic |
-//! | 1 | 2.0 | – | – | 0.2 % and erratic |
+//! | 1 | 2.0 | – | – | 0.3 to 1 % and erratic |
 //! | 2 | 2.7 to 2.9, a logarithm below 3 | 2.0 | 2.6 to 2.7 | 0.6 % and erratic |
 //! | 3 | 2.9 to 3.0 | 2.0 | 2.8 to 2.9 | 0.6 % and erratic |
 //!
