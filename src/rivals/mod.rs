@@ -1,3 +1,4 @@
 //! The ways others would compute the same: cited, never chosen by a plan, used by tests, studies and benchmarks only.
 
 pub mod raw_crack_work;
+pub mod sliding_collocation;

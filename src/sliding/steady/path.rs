@@ -41,6 +41,14 @@ pub struct Start {
     pub(super) jacobian: Option<Jacobian>,
 }
 
+impl Start {
+    /// At given edges; at a prescribed half-width `first` is the mean pressure.
+    #[must_use]
+    pub const fn at(first: f64, eccentricity: f64) -> Self {
+        Self { unknowns: [first, eccentricity], jacobian: None }
+    }
+}
+
 /// A path that does not reach its end.
 #[derive(Debug, Clone)]
 pub(super) struct PathEnd {
