@@ -21,19 +21,16 @@ pub fn render(outcome: &Outcome) -> String {
     effects(&mut text, outcome);
     validity(&mut text, outcome);
     let work = outcome.work();
-    let _ = writeln!(
-        text,
-        "\nwork       {} balances, {} kernel evaluations, {} field points",
-        work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
-    );
+    let _ = writeln!(text, "\nwork       {work}");
     text
 }
 
-/// One state: a line a value, a block a theory.
+/// One state: a line a value, a block a row.
 fn single(text: &mut String, outcome: &Outcome) {
     let width = outcome.columns.iter().map(|column| column.name.len()).max().unwrap_or(0);
     for row in &outcome.rows {
-        let _ = writeln!(text, "\n{}: {}", row.theory, row.status.word());
+        let words: Vec<&str> = row.labels.iter().map(String::as_str).filter(|word| !word.is_empty()).collect();
+        let _ = writeln!(text, "\n{}: {}", words.join(", "), row.status.word());
         if let Some(reason) = &row.reason {
             let _ = writeln!(text, "  {reason}");
         }
@@ -59,7 +56,7 @@ fn single(text: &mut String, outcome: &Outcome) {
 fn sweep(text: &mut String, outcome: &Outcome) {
     let shown: Vec<usize> = (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).take(5).collect();
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
-    header.push("theory".into());
+    header.extend(outcome.labels.iter().map(|label| (*label).to_owned()));
     header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
     let mut lines = vec![header];
     let total = outcome.rows.len();
@@ -70,7 +67,7 @@ fn sweep(text: &mut String, outcome: &Outcome) {
             }
             continue;
         }
-        lines.push(line(row, &shown));
+        lines.push(line(row, outcome.labels.len(), &shown));
     }
     let _ = write!(text, "\n{}", aligned(&lines));
     let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
@@ -92,9 +89,9 @@ fn wanted(outcome: &Outcome, index: usize) -> bool {
     !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
 }
 
-fn line(row: &Row, shown: &[usize]) -> Vec<String> {
+fn line(row: &Row, labels: usize, shown: &[usize]) -> Vec<String> {
     let mut cells: Vec<String> = row.swept.iter().map(|value| format!("{value:.4e}")).collect();
-    cells.push(row.theory.clone());
+    cells.extend((0..labels).map(|place| row.label(place).to_owned()));
     if row.status.has_values() {
         cells.extend(shown.iter().map(|&index| row.values.get(index).copied().flatten().map_or_else(String::new, short)));
     } else {

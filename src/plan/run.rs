@@ -2,7 +2,7 @@
 
 use super::Plan;
 use crate::outcome::journal::{Journal, JournalHeader};
-use crate::outcome::{Outcome, Row, Status, SweptColumn, Work};
+use crate::outcome::{Outcome, Row, Status, SweptColumn};
 use crate::refusal::Refusal;
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
@@ -83,7 +83,8 @@ pub fn run(
         figures: plan.figures(scene, &rows),
         rows,
         accuracy: scene.accuracy,
-        field_units: plan.field_units(),
+        labels: plan.labels(),
+        field_columns: plan.field_columns(),
     })
 }
 
@@ -104,18 +105,9 @@ fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
     };
     solved().unwrap_or_else(|reason| {
         // The swept value contradicts the rest of the scene: one row that says so.
-        vec![Row {
-            state,
-            swept: swept.clone(),
-            theory: String::new(),
-            status: Status::Invalid,
-            reason: Some(reason),
-            witness: None,
-            values: Vec::new(),
-            certificate: None,
-            work: Work::default(),
-            assumptions: Vec::new(),
-            fields: Vec::new(),
-        }]
+        let mut row = Row::new(state, &swept, Vec::new(), 0);
+        row.status = Status::Invalid;
+        row.reason = Some(reason);
+        vec![row]
     })
 }
