@@ -96,7 +96,7 @@ fn run_json_is_complete() {
     for number in ["residual", "condition"] {
         assert!(row["certificate"][number].is_f64(), "{number}");
     }
-    for counter in ["closure_evaluations", "kernel_evaluations", "field_evaluations"] {
+    for counter in ["closure_evaluations", "kernel_evaluations", "linear_solves", "field_evaluations"] {
         assert_eq!(row["work"][counter], json["work"][counter]);
     }
     assert!(json["work"]["closure_evaluations"].as_u64().unwrap() > 0);
@@ -146,7 +146,7 @@ fn tables_name_every_unit() {
         let columns = table(&folder.read(&format!("DIR/{name}")));
         for (header, _) in &columns {
             assert!(
-                ["theory", "status", "reason"].contains(&header.as_str()) || (header.contains(" [") && header.ends_with(']')),
+                ["theory", "contact", "state", "status", "reason"].contains(&header.as_str()) || (header.contains(" [") && header.ends_with(']')),
                 "{header}"
             );
         }
