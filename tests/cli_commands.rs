@@ -146,7 +146,8 @@ fn tables_name_every_unit() {
         let columns = table(&folder.read(&format!("DIR/{name}")));
         for (header, _) in &columns {
             assert!(
-                ["theory", "contact", "state", "status", "reason"].contains(&header.as_str()) || (header.contains(" [") && header.ends_with(']')),
+                ["theory", "contact", "state", "status", "reason"].contains(&header.as_str())
+                    || (header.contains(" [") && header.ends_with(']')),
                 "{header}"
             );
         }

@@ -12,19 +12,10 @@ use std::f64::consts::PI;
 /// Most states whose fields are drawn in one figure.
 const MOST_FIELDS: usize = 5;
 
-/// The adhesive contact is solid, its adhesiveless twin dashed.
-const fn kind(contact: SlidingContact) -> Kind {
-    let line = match contact {
-        SlidingContact::Adhesive => Line::Solid,
-        SlidingContact::Adhesiveless => Line::Dashed,
-    };
-    Kind { word: contact.word(), name: contact.word(), line }
-}
-
 impl SlidingPlan {
     pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let mut figures = Vec::new();
-        let kinds: Vec<Kind> = self.sliding.contacts.iter().map(|&contact| kind(contact)).collect();
+        let kinds: Vec<Kind> = self.sliding.contacts.iter().map(|&contact| self.kind(contact)).collect();
         let families = families(scene, rows, &kinds);
         // One state has no curve.
         if let Some(sweep) = scene.sweeps.last()
@@ -58,6 +49,12 @@ impl SlidingPlan {
         }
         figures.extend(self.field_figures(scene, rows));
         figures
+    }
+
+    /// The adhesive contact is solid, its adhesiveless twin dashed; alone, either is solid.
+    fn kind(&self, contact: SlidingContact) -> Kind {
+        let twin = contact == SlidingContact::Adhesiveless && self.sliding.contacts.len() > 1;
+        Kind { word: contact.word(), name: contact.word(), line: if twin { Line::Dashed } else { Line::Solid } }
     }
 
     /// A label with its symbol: in SI units, or as a reduced group of a wave or of a cylinder.
@@ -125,26 +122,34 @@ impl SlidingPlan {
         }
         let states = thinned(states, MOST_FIELDS);
         let along = || Axis::linear(self.label("position", "$x$", " (m)", "$kx$", "$x/L$"));
-        let mut pressure =
-            Figure::new(along(), Axis::linear(self.label("pressure", "$p$", " (Pa)", r"$2p/E_0^* k\Lambda$", r"$2pR/E_0^* L$")));
+        let (lowest, highest) = states
+            .iter()
+            .filter_map(|row| bulk(&row.fields))
+            .fold((0.0_f64, 0.0_f64), |range, of_row| (range.0.min(of_row.0), range.1.max(of_row.1)));
+        let room = 0.15 * (highest - lowest);
+        let mut vertical = Axis::linear(self.label("pressure", "$p$", " (Pa)", r"$2p/E_0^* k\Lambda$", r"$2pR/E_0^* L$"));
+        if room > 0.0 {
+            vertical = vertical.with_range(lowest - room, highest + room);
+        }
+        let places = || states.iter().flat_map(|row| contact(&row.fields)).map(|point| point.place);
+        let mut horizontal = along();
+        if let (Some(first), Some(last)) = (places().reduce(f64::min), places().reduce(f64::max))
+            && first < last
+        {
+            // The steep ends must not lie on the frame.
+            horizontal = horizontal.with_range(first - 0.05 * (last - first), last + 0.05 * (last - first));
+        }
+        let mut pressure = Figure::new(horizontal, vertical);
         let mut surface = Figure::new(along(), Axis::linear(self.label("height", "$-w$", " (m)", r"$-w/\Lambda$", r"$-wR/L^2$")));
         let several = self.sliding.contacts.len() > 1;
         for (index, row) in states.iter().enumerate() {
-            let line = if row.label(0) == SlidingContact::Adhesive.word() { Line::Solid } else { Line::Dashed };
+            let line = if several && row.label(0) == SlidingContact::Adhesiveless.word() { Line::Dashed } else { Line::Solid };
             let label = match (several, scene.sweeps.is_empty()) {
                 (_, true) => row.label(0).to_owned(),
                 (true, false) => format!("{}, {}", row.label(0), swept_label(scene, &row.swept)),
                 (false, false) => swept_label(scene, &row.swept),
             };
-            let shown = visible(&row.fields);
-            let points = row
-                .fields
-                .iter()
-                .map(|point| {
-                    let stress = component(point, field::PRESSURE);
-                    (point.place, if shown.contains(&stress) { stress } else { f64::NAN })
-                })
-                .collect();
+            let points = contact(&row.fields).map(|point| (point.place, component(point, field::PRESSURE))).collect();
             pressure = pressure.with_curve(Curve::new(label.clone(), points).with_line(line).with_colour(index));
             let points = row.fields.iter().map(|point| (point.place, -component(point, field::DISPLACEMENT))).collect();
             surface = surface.with_curve(Curve::new(label, points).with_line(line).with_colour(index));
@@ -172,12 +177,15 @@ fn component(point: &FieldPoint, place: usize) -> f64 {
     point.values.get(place).map_or(f64::NAN, |estimate| estimate.value)
 }
 
-/// Pressures that a figure shows: the singular ends at an adhesive edge run out of it.
-fn visible(fields: &[FieldPoint]) -> std::ops::RangeInclusive<f64> {
-    let highest = fields.iter().map(|point| component(point, field::PRESSURE)).fold(0.0, f64::max);
-    let mut tensions: Vec<f64> = fields.iter().map(|point| component(point, field::PRESSURE)).filter(|pressure| *pressure < 0.0).collect();
-    tensions.sort_by(f64::total_cmp);
-    // The highest tenth of the tensions are the singular ends.
-    let lowest = tensions.get(tensions.len() / 10).copied().unwrap_or(0.0).max(-10.0 * highest.max(f64::MIN_POSITIVE));
-    lowest..=f64::INFINITY
+/// The points in the contact: outside the pressure is exactly zero.
+fn contact(fields: &[FieldPoint]) -> impl Iterator<Item = &FieldPoint> {
+    fields.iter().filter(|point| point.values.get(field::PRESSURE).is_some_and(|pressure| pressure.error > 0.0))
+}
+
+/// The range of the pressures without their singular ends, which a figure cuts.
+fn bulk(fields: &[FieldPoint]) -> Option<(f64, f64)> {
+    let mut pressures: Vec<f64> = contact(fields).map(|point| component(point, field::PRESSURE)).collect();
+    pressures.sort_by(f64::total_cmp);
+    let at = |part: f64| pressures.get((part * pressures.len() as f64) as usize).copied();
+    at(0.1).zip(at(0.97))
 }
