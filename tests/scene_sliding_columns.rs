@@ -268,7 +268,7 @@ fn above_the_last_partial_contact_the_contact_is_full() {
     // The adhesive one; its twin above the pressure of full contact is not solved yet.
     for row in rows(&scene(SPEED, &format!("mean_pressure = {high:e}\n"))).into_iter().take(1) {
         assert_eq!((row.status, row.label(1)), (Status::Solved, "full"), "{:?}", row.reason);
-        assert!(row.reason.unwrap().contains("full contact") && row.witness.is_some() && row.fields.is_empty());
+        assert!(row.reason.unwrap().contains("past ") && row.witness.is_some() && row.fields.is_empty());
         let names = Plan::new(&parsed(&pressed(SPEED))).unwrap().columns();
         let value = |name: &str| row.values[names.iter().position(|column| column.name == name).unwrap()].map(|estimate| estimate.value);
         assert_eq!(value("half_width"), None);

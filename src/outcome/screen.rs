@@ -73,6 +73,11 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
     let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
     let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
+    // Solved, and something to say: full contacts.
+    let noted = || outcome.rows.iter().filter(|row| row.status == Status::Solved && row.reason.is_some());
+    if let Some(first) = noted().next() {
+        let _ = writeln!(text, "{} of {total} rows {}: {}", noted().count(), row_word(first), first.reason.as_deref().unwrap_or(""));
+    }
     for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
         let count = outcome.rows.iter().filter(|row| row.status == status).count();
         if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {
@@ -81,12 +86,23 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     }
 }
 
-/// A column is shown in a sweep if some row has it and it is no copy of a swept number or of a column before it.
+/// A column is shown in a sweep if some row has it and it is no input and no copy of a swept number or of a column before it.
 fn wanted(outcome: &Outcome, index: usize) -> bool {
     let Some(column) = outcome.columns.get(index) else { return false };
     let swept = outcome.swept.iter().any(|swept| swept.key.rsplit('.').next() == Some(column.name));
     let same_as = |other: usize| outcome.rows.iter().all(|row| row.values.get(index) == row.values.get(other));
-    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
+    // An input that is not varied.
+    let given = || {
+        let mut values = outcome.rows.iter().filter_map(|row| row.values.get(index).copied().flatten());
+        let first = values.next();
+        outcome.rows.len() > 1 && first.is_some_and(|first| first.error == 0.0 && values.all(|value| value == first))
+    };
+    !swept && !given() && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
+}
+
+/// The word that says how a row turned out: its last label.
+fn row_word(row: &Row) -> &str {
+    row.labels.last().map_or("", String::as_str)
 }
 
 fn line(row: &Row, labels: usize, shown: &[usize]) -> Vec<String> {

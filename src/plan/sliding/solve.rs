@@ -1,7 +1,7 @@
 //! One state of a sliding contact: a row for each kind of contact, from the solver's reduced numbers.
 
 use super::SlidingPlan;
-use super::columns::{COLUMNS, columns, definitions};
+use super::columns::{COLUMNS, at, columns, definitions};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
@@ -12,13 +12,38 @@ use std::f64::consts::PI;
 /// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
 const CONVERSION: f64 = 6.0 * f64::EPSILON;
 
+/// A limit in the units of the scene.
+struct PassedLimit {
+    name: &'static str,
+    value: f64,
+    unit: String,
+}
+
+impl std::fmt::Display for PassedLimit {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{} = {:e}", self.name, self.value)?;
+        if self.unit.is_empty() { Ok(()) } else { write!(formatter, " {}", self.unit) }
+    }
+}
+
+impl From<PassedLimit> for Witness {
+    fn from(limit: PassedLimit) -> Self {
+        Self { name: limit.name.to_owned(), value: limit.value }
+    }
+}
+
 impl SlidingPlan {
     pub(super) fn row(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Row {
         let definitions = definitions(self.sliding.indenter);
         let mut row = Row::new(state, swept, vec![contact.word().to_owned(), String::new()], definitions.len());
         if let Err(refusal) = self.fill(contact, &mut row) {
             row.labels = vec![contact.word().to_owned(), String::new()];
-            row.refuse(&self.in_scene_units(refusal));
+            row.refuse(&refusal);
+            if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
+                let limit = self.limit(limit_name, limit);
+                row.reason = Some(format!("no such state exists: {reason} ({limit})"));
+                row.witness = Some(limit.into());
+            }
         }
         row
     }
@@ -43,9 +68,9 @@ impl SlidingPlan {
             SlidingOutcome::Full(full) => {
                 row.labels = vec![contact.word().to_owned(), "full".to_owned()];
                 row.certificate = Some(Certificate { residual: 0.0, condition: 1.0, admissible: true });
-                let (name, limit) = self.limit_in_scene_units(full.limit_name, full.limit);
-                row.reason = Some(format!("full contact: {name} = {limit:e} is passed"));
-                row.witness = Some(Witness { name: name.to_owned(), value: limit });
+                let limit = self.limit(full.limit_name, full.limit);
+                row.reason = Some(format!("past {limit}"));
+                row.witness = Some(limit.into());
                 self.full_values(&full)
             }
         };
@@ -116,10 +141,10 @@ impl SlidingPlan {
     fn full_values(&self, full: &FullContact) -> Vec<Option<Estimate>> {
         let mut values = vec![None; COLUMNS.len()];
         for (place, value) in [
-            (super::columns::at::SPEED, Some(Estimate::exact(self.sliding.speed))),
-            (super::columns::at::FRICTION, Some(full.friction_stress)),
-            (super::columns::at::COEFFICIENT, full.friction_coefficient),
-            (super::columns::at::LOAD, full.mean_pressure.map(Estimate::exact)),
+            (at::SPEED, Some(Estimate::exact(self.sliding.speed))),
+            (at::FRICTION, Some(full.friction_stress)),
+            (at::COEFFICIENT, full.friction_coefficient),
+            (at::LOAD, full.mean_pressure.map(Estimate::exact)),
         ] {
             if let Some(slot) = values.get_mut(place) {
                 *slot = value;
@@ -133,27 +158,20 @@ impl SlidingPlan {
         if self.sliding.speed < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// A limit of the solver by its name, in the units of the scene.
-    fn limit_in_scene_units(&self, name: &'static str, limit: f64) -> (&'static str, f64) {
-        if name.contains("rate") {
-            ("the speed", limit * self.scale.length)
+    /// A limit of the solver, which measure it has being told by its name, in the units of the scene.
+    fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
+        let of_column =
+            |column: usize| columns(self.sliding.indenter, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);
+        let (name, value, unit) = if name.contains("rate") {
+            ("the speed of the last partial contact", value * self.scale.length, of_column(at::SPEED))
         } else if name.contains("penetration") {
-            (name, limit * self.scale.displacement)
-        } else if name.contains("pressure") {
-            (name, limit * self.scale.load)
+            (name, value * self.scale.displacement, of_column(at::PENETRATION))
+        } else if name.contains("pressure") || name.contains("load") {
+            (name, value * self.scale.load, of_column(at::LOAD))
         } else {
-            (name, limit)
-        }
-    }
-
-    fn in_scene_units(&self, refusal: Refusal) -> Refusal {
-        match refusal {
-            Refusal::NoSuchState { reason, limit_name, limit } => {
-                let (limit_name, limit) = self.limit_in_scene_units(limit_name, limit);
-                Refusal::NoSuchState { reason, limit_name, limit }
-            }
-            other => other,
-        }
+            (name, value, String::new())
+        };
+        PassedLimit { name, value, unit }
     }
 
     /// Pressure, gap and displacement along the surface: half of the places in the contact, half outside, dense at both edges.
