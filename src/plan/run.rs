@@ -11,8 +11,10 @@ use crate::scene::{SceneError, read};
 use rayon::prelude::*;
 use thiserror::Error;
 
-/// States between two entries of the journal: a kill loses at most these.
-const CHUNK: usize = 128;
+/// Most states between two entries of the journal: a kill loses at most these.
+const MOST_STATES: u64 = 128;
+/// Linear systems between two entries, where states are dear.
+const MOST_SOLVES: u64 = 4000;
 
 /// Told after each chunk how many of all states are finished.
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -54,10 +56,12 @@ pub fn run(
 ) -> Result<Outcome, RunError> {
     let plan = Plan::new(scene)?;
     let total = plan.states();
+    let solves_a_state = plan.predicted_work().linear_solves / (total as u64).max(1);
+    let between = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
     let mut all: Vec<Vec<Row>> = finished.into_iter().take(total).collect();
     while all.len() < total {
         progress(all.len(), total);
-        let chunk = all.len()..total.min(all.len() + CHUNK);
+        let chunk = all.len()..total.min(all.len() + between);
         let solved: Vec<Vec<Row>> = chunk.into_par_iter().map(|state| solve_state(document, scene, state)).collect();
         if let Some(journal) = journal.as_deref_mut() {
             journal.append(&solved)?;
