@@ -3,7 +3,7 @@
 //! ```text
 //! scene ──► plan (effects, method, cost) ──► states, in parallel, journalled ──► outcome
 //! ```
-//! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements [`ProblemPlan`].
+//! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
 mod assumptions;
 pub mod citations;
