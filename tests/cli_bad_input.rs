@@ -2,14 +2,14 @@
 //!
 //! Contract: the scene section of the design ("an error that names file, line, key, value, what is allowed, and the nearest key").
 //! Goal: every kind of mistake ends with exit code 2, exactly one error on standard error, nothing on standard output, and no folder.
-//! Parameters: one scene that is right, and for each kind of mistake the edits that spoil it.
+//! Parameters: a crack and a sliding contact that are right, and for each kind of mistake the edits that spoil it.
 //! Oracle: for each kind, the line that must be named (found in the spoilt text by a marker) and the words that must be said.
 //! Tolerance: none; the words are key, value, what is allowed and the nearest key, wherever these exist for the kind.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;
 
-use command_support::{Answer, Folder, GOOD};
+use command_support::{Answer, Folder, GOOD, SLIDING};
 
 /// One kind of mistake.
 struct Case {
@@ -182,9 +182,73 @@ const CASES: &[Case] = &[
     Case { kind: "--set of a second control", arguments: &["--set", "crack.energy_release_rate=3"], place: "--set crack.energy_release_rate", says: &["exclude each other"], ..NONE },
 ];
 
-/// The good scene with the edits of a case.
-fn spoilt(case: &Case) -> String {
-    let mut text = GOOD.to_owned();
+const LOAD: &str = "mean_pressure = \"6 kPa\"";
+const WAVE: &str = "[sliding.wave]\nwavelength = \"100 µm\"\namplitude = \"3 µm\"\n";
+const SLIDING_ZONE: &str = "process_zone = { length = \"0.16 µm\" }";
+const CYLINDER: &str = "[sliding.cylinder]\nradius = \"5 mm\"\n";
+
+/// Mistakes about a sliding contact.
+#[rustfmt::skip]
+const SLIDING_CASES: &[Case] = &[
+    // Keys that do not exist.
+    Case { kind: "misspelt key of sliding", edits: &[("mean_pressure", "mean_presure")], place: "mean_presure", says: &["`sliding.mean_presure`", "did you mean `mean_pressure`?", "[sliding] knows: wave, cylinder"], ..NONE },
+    Case { kind: "misspelt key of the wave", edits: &[("wavelength", "wave_length")], place: "wave_length", says: &["`sliding.wave.wave_length`", "did you mean `wavelength`?", "[sliding.wave] knows: wavelength, amplitude"], ..NONE },
+    Case { kind: "misspelt table of sliding", edits: &[("[sliding.wave]", "[sliding.waves]")], place: "waves", says: &["`sliding.waves`", "did you mean `wave`?"], ..NONE },
+    Case { kind: "a key of a crack", edits: &[(LOAD, "energy_release_rate = 3")], place: "energy_release_rate", says: &["`sliding.energy_release_rate`", "`crack.energy_release_rate` exists"], ..NONE },
+    Case { kind: "misspelt kind of contact", edits: &[("\"adhesiveless\"", "\"adhesionless\"")], place: "adhesionless", says: &["`sliding.contacts` = \"adhesionless\"", "did you mean \"adhesiveless\"?", "allowed: \"adhesive\", \"adhesiveless\""], ..NONE },
+    // Numbers and units.
+    Case { kind: "pressure with a unit of force", edits: &[(LOAD, "mean_pressure = \"6 N\"")], place: "6 N", says: &["`sliding.mean_pressure` = \"6 N\"", "measured in Pa", "a pressure such as"], ..NONE },
+    Case { kind: "speed with a unit of length", edits: &[("speed = \"1 mm/s\"", "speed = \"1 mm\"")], place: "speed = ", says: &["`sliding.speed` = \"1 mm\"", "measured in m/s"], ..NONE },
+    Case { kind: "line load with a unit of pressure", edits: &[(WAVE, CYLINDER), (LOAD, "load_per_width = \"6 kPa\"")], place: "load_per_width", says: &["`sliding.load_per_width` = \"6 kPa\"", "measured in N/m", "a load per width such as"], ..NONE },
+    Case { kind: "wavelength of zero", edits: &[("wavelength = \"100 µm\"", "wavelength = 0")], place: "wavelength", says: &["`sliding.wave.wavelength` = 0", "greater than 0"], ..NONE },
+    Case { kind: "negative amplitude", edits: &[("amplitude = \"3 µm\"", "amplitude = -1")], place: "amplitude", says: &["`sliding.wave.amplitude` = -1", "greater than 0"], ..NONE },
+    Case { kind: "half-width of zero", edits: &[(LOAD, "half_width = 0")], place: "half_width", says: &["`sliding.half_width` = 0", "greater than 0"], ..NONE },
+    Case { kind: "half-width beyond half a wavelength", edits: &[(LOAD, "half_width = \"60 µm\"")], place: "half_width", says: &["`sliding.half_width` (6e-5)", "half the wavelength", "no edges"], ..NONE },
+    Case { kind: "a speed that is no number", edits: &[("speed = \"1 mm/s\"", "speed = nan")], place: "speed = nan", says: &["`sliding.speed` = nan", "must be finite"], ..NONE },
+    // What is missing.
+    Case { kind: "no body that slides", edits: &[(WAVE, "")], place: "[sliding]", says: &["`sliding.wave`", "`sliding.cylinder`", "exactly one"], ..NONE },
+    Case { kind: "no speed", edits: &[("speed = \"1 mm/s\"\n", "")], place: "[sliding]", says: &["`sliding.speed` is missing", "a speed such as"], ..NONE },
+    Case { kind: "no load of a wave", edits: &[(LOAD, "")], place: "[sliding]", says: &["`sliding.mean_pressure`", "`sliding.penetration`", "`sliding.half_width`", "exactly one"], ..NONE },
+    Case { kind: "no load of a cylinder", edits: &[(WAVE, CYLINDER), (LOAD, "")], place: "[sliding]", says: &["`sliding.load_per_width`", "`sliding.half_width`", "exactly one"], ..NONE },
+    Case { kind: "no amplitude", edits: &[("amplitude = \"3 µm\"\n", "")], place: "[sliding.wave]", says: &["`sliding.wave.amplitude` is missing", "a length such as"], ..NONE },
+    Case { kind: "no Poisson ratio", edits: &[("poisson_ratio = 0.49\n", "")], place: "[material]", says: &["`material.poisson_ratio` is missing", "plane strain"], ..NONE },
+    Case { kind: "adhesive contacts without adhesion", edits: &[("[adhesion]\nwork_of_adhesion = \"20 mJ/m²\"\nprocess_zone = { length = \"0.16 µm\" }\n", "")], place: "contacts", says: &["`sliding.contacts` names an adhesive contact", "add [adhesion]"], ..NONE },
+    Case { kind: "no work of adhesion", edits: &[("work_of_adhesion = \"20 mJ/m²\"\n", "")], place: "[adhesion]", says: &["`adhesion.work_of_adhesion` is missing"], ..NONE },
+    Case { kind: "no process zone", edits: &[(SLIDING_ZONE, "")], place: "[adhesion]", says: &["`adhesion.process_zone` is missing"], ..NONE },
+    Case { kind: "one of two process zones", edits: &[("{ length = ", "{ trailing_length = ")], place: "process_zone", says: &["`adhesion.process_zone.leading_length` is missing"], ..NONE },
+    Case { kind: "no modulus of the counter body", edits: &[("", "[sliding.counter_body]\npoisson_ratio = 0.3\n")], place: "[sliding.counter_body]", says: &["`sliding.counter_body.modulus` is missing"], ..NONE },
+    Case { kind: "no Poisson ratio of the counter body", edits: &[("", "[sliding.counter_body]\nmodulus = \"1 GPa\"\n")], place: "[sliding.counter_body]", says: &["`sliding.counter_body.poisson_ratio` is missing"], ..NONE },
+    // What contradicts.
+    Case { kind: "a wave and a cylinder", edits: &[("", CYLINDER)], place: "[sliding.cylinder]", says: &["`sliding.wave` and `sliding.cylinder` exclude each other"], ..NONE },
+    Case { kind: "two loads", edits: &[(LOAD, "mean_pressure = 1\npenetration = \"1 µm\"")], place: "penetration", says: &["`sliding.mean_pressure` and `sliding.penetration` exclude each other", "leave one"], ..NONE },
+    Case { kind: "a load and a width", edits: &[(LOAD, "half_width = \"9 µm\"\nmean_pressure = 1")], place: "half_width", says: &["`sliding.mean_pressure` and `sliding.half_width` exclude each other"], ..NONE },
+    Case { kind: "a line load of a wave", edits: &[(LOAD, "load_per_width = 3")], place: "load_per_width", says: &["`sliding.load_per_width` does not belong to this body", "a wave carries a mean pressure", "`sliding.mean_pressure`"], ..NONE },
+    Case { kind: "a mean pressure of a cylinder", edits: &[(WAVE, CYLINDER)], place: "mean_pressure", says: &["`sliding.mean_pressure` does not belong to this body", "`sliding.load_per_width`"], ..NONE },
+    Case { kind: "a penetration of a cylinder", edits: &[(WAVE, CYLINDER), (LOAD, "penetration = 1e-6")], place: "penetration", says: &["`sliding.penetration` does not belong to this body", "without bound"], ..NONE },
+    Case { kind: "a growing zone", edits: &[("length = \"0.16 µm\"", "cohesive_stress = 1e6, law = \"growing\"")], place: "process_zone", says: &["`adhesion.process_zone.law` = \"growing\"", "cracks", "\"constant\""], ..NONE },
+    Case { kind: "Schapery's zone", edits: &[("length = \"0.16 µm\"", "cohesive_stress = 1e6, law = \"schapery\"")], place: "process_zone", says: &["\"schapery\"", "cracks"], ..NONE },
+    Case { kind: "a factor of a given zone", edits: &[("length = \"0.16 µm\"", "length = \"0.16 µm\", factor = 1")], place: "process_zone", says: &["`adhesion.process_zone.factor`", "belongs to a cohesive stress"], ..NONE },
+    Case { kind: "one zone and two", edits: &[("length = \"0.16 µm\"", "length = 1e-7, leading_length = 1e-7")], place: "process_zone", says: &["`adhesion.process_zone.length` and `adhesion.process_zone.leading_length` exclude each other"], ..NONE },
+    Case { kind: "distances of fields", edits: &[("points = 40", "from = \"1 nm\"")], place: "from = \"1 nm\"", says: &["`fields.from` belongs to a crack", "leave it out"], ..NONE },
+    Case { kind: "a crack besides", edits: &[("", "[crack]\nspeed = 1\n")], place: "[sliding]", says: &["more than one problem: crack, sliding"], ..NONE },
+    // Reduced scenes.
+    Case { kind: "a wavelength in a reduced scene", edits: &[("title =", "units = \"reduced\"\ntitle ="), ("\"1 MPa\"", "1"), ("\"10 MPa\"", "10"), ("\"10 ms\"", "1"), ("\"20 mJ/m²\"", "0.01"), ("\"0.16 µm\"", "0.01"), ("\"1 mm/s\"", "1"), ("\"6 kPa\"", "0.05"), ("\"100 µm\"", "6"), ("\"3 µm\"", "1")], place: "wavelength", says: &["`sliding.wave.wavelength`", "is the unit", "leave it out"], ..NONE },
+    Case { kind: "a counter body in a reduced scene", edits: &[("title =", "units = \"reduced\"\ntitle ="), ("\"1 MPa\"", "1"), ("\"10 MPa\"", "10"), ("\"10 ms\"", "1"), ("\"20 mJ/m²\"", "0.01"), ("\"0.16 µm\"", "0.01"), ("\"1 mm/s\"", "1"), ("\"6 kPa\"", "0.05"), (WAVE, "[sliding.wave]\n[sliding.counter_body]\nmodulus = 3\npoisson_ratio = 0.3\n")], place: "[sliding.counter_body]", says: &["`sliding.counter_body`", "both bodies together"], ..NONE },
+    // Sweeps.
+    Case { kind: "a sweep over an absent counter body", edits: &[("", "[sweep]\nkey = \"sliding.counter_body.modulus\"\nvalues = [1]\n")], place: "key = ", says: &["`sweep.key` = \"sliding.counter_body.modulus\"", "add [sliding.counter_body]"], ..NONE },
+    Case { kind: "a sweep over contacts", edits: &[("", "[sweep]\nkey = \"sliding.contacts\"\nvalues = [1]\n")], place: "key = ", says: &["`sweep.key` = \"sliding.contacts\"", "takes no number"], ..NONE },
+    Case { kind: "a logarithmic sweep of speeds of both signs", edits: &[("", "[sweep]\nkey = \"sliding.speed\"\nfrom = -1\nto = 1\npoints = 3\n")], place: "from = -1", says: &["logarithmic", "spacing = \"linear\""], ..NONE },
+];
+
+/// Mistakes about a crack that only a sliding contact knows.
+#[rustfmt::skip]
+const CRACK_CASES: &[Case] = &[
+    Case { kind: "zones of a sliding contact", edits: &[("cohesive_stress = \"1 MPa\"", "trailing_length = 1e-6, leading_length = 1e-6")], place: "process_zone", says: &["`adhesion.process_zone.trailing_length` belongs to a sliding contact"], ..NONE },
+];
+
+/// A good scene with the edits of a case.
+fn spoilt(good: &str, case: &Case) -> String {
+    let mut text = good.to_owned();
     for (from, to) in case.edits {
         if from.is_empty() {
             text.push_str(to);
@@ -217,8 +281,9 @@ fn complaints(answer: &Answer, says: &[&str]) -> Vec<String> {
 fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
     assert!(CASES.len() >= 40);
     let mut report = String::new();
-    for case in CASES {
-        let text = spoilt(case);
+    let of_cracks = CASES.iter().chain(CRACK_CASES).map(|case| (GOOD, case));
+    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))) {
+        let text = spoilt(good, case);
         let folder = Folder::with(&text);
         if let Some((name, content)) = case.file {
             folder.write(name, content);
@@ -260,10 +325,12 @@ fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
 
 #[test]
 fn the_scene_that_is_spoilt_above_is_right() {
-    let folder = Folder::with(GOOD);
-    folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
-    assert!(folder.path("DIR/states.csv").is_file());
-    assert!(!folder.path("DIR.partial").exists());
+    for good in [GOOD, SLIDING] {
+        let folder = Folder::with(good);
+        folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+        assert!(folder.path("DIR/states.csv").is_file());
+        assert!(!folder.path("DIR.partial").exists());
+    }
 }
 
 /// Asserts one error that says all of these.

@@ -9,7 +9,7 @@
 
 mod command_support;
 
-use command_support::{Folder, GOOD, SINGLE, answer, shipped_scenes};
+use command_support::{Folder, GOOD, SINGLE, SLIDING, answer, shipped_scenes};
 use serde_json::Value;
 use viscotack::scene::document::{Node, Value as Written};
 use viscotack::scene::template::TEMPLATES;
@@ -96,7 +96,7 @@ fn run_json_is_complete() {
     for number in ["residual", "condition"] {
         assert!(row["certificate"][number].is_f64(), "{number}");
     }
-    for counter in ["closure_evaluations", "kernel_evaluations", "field_evaluations"] {
+    for counter in ["closure_evaluations", "kernel_evaluations", "linear_solves", "field_evaluations"] {
         assert_eq!(row["work"][counter], json["work"][counter]);
     }
     assert!(json["work"]["closure_evaluations"].as_u64().unwrap() > 0);
@@ -146,7 +146,8 @@ fn tables_name_every_unit() {
         let columns = table(&folder.read(&format!("DIR/{name}")));
         for (header, _) in &columns {
             assert!(
-                ["theory", "status", "reason"].contains(&header.as_str()) || (header.contains(" [") && header.ends_with(']')),
+                ["theory", "contact", "state", "status", "reason"].contains(&header.as_str())
+                    || (header.contains(" [") && header.ends_with(']')),
                 "{header}"
             );
         }
@@ -552,4 +553,94 @@ fn a_single_state_ends_with_its_worst_theory() {
     assert_eq!((&json["results"][0]["status"], &json["results"][1]["status"]), (&Value::from("solved"), &Value::from("inaccurate")));
     // The same two rows in a sweep: one is solved, and each carries its status.
     folder.call(&["run", "scene.toml", "--set", "sweep={key=\"crack.speed\",values=[3.18e-7]}"]).ended(0);
+}
+
+#[test]
+fn a_sliding_contact_is_printed_and_written_like_a_crack() {
+    let folder = Folder::with(SLIDING);
+    let said = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+    assert!(said.stderr.is_empty(), "{}", said.stderr);
+    for words in [
+        "adhesive, partial: solved",
+        "adhesiveless, partial: solved",
+        "friction_coefficient ",
+        " ± ",
+        "certificate: admissible",
+        "linear systems",
+        "slope kΛ",
+    ] {
+        assert!(said.stdout.contains(words), "{words:?} is missing in\n{}", said.stdout);
+    }
+    let states = table(&folder.read("DIR/states.csv"));
+    assert_eq!(cells(&states, "contact"), ["adhesive", "adhesiveless"]);
+    assert_eq!(cells(&states, "state"), ["partial", "partial"]);
+    assert_eq!(cells(&states, "mean_pressure [Pa]").len(), 2);
+    assert_eq!(cells(&states, "trailing_energy_release_rate [J/m²]")[1], "", "no edge energy without adhesion");
+    let fields = table(&folder.read("DIR/fields.csv"));
+    let names: Vec<&str> = fields.iter().map(|column| column.0.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "contact",
+            "position [m]",
+            "pressure [Pa]",
+            "pressure_error [Pa]",
+            "gap [m]",
+            "gap_error [m]",
+            "displacement [m]",
+            "displacement_error [m]"
+        ]
+    );
+    assert_eq!(cells(&fields, "contact").len(), 80);
+    let json = folder.call(&["run", "scene.toml", "--json"]).ended(0).json();
+    assert_eq!((&json["problem"], &json["accuracy"]), (&Value::from("steady sliding"), &Value::from(1e-6)));
+    assert_eq!((&json["results"][0]["contact"], &json["results"][0]["state"]), (&Value::from("adhesive"), &Value::from("partial")));
+    assert!(json["work"]["linear_solves"].as_u64().unwrap() > 0 && json["work"]["kernel_evaluations"] == 0);
+    for row in json["results"].as_array().unwrap() {
+        for (name, value) in row["values"].as_object().unwrap() {
+            let (value, error) = (value["value"].as_f64().unwrap(), value["error"].as_f64().unwrap());
+            assert!(value.is_finite() && error >= 0.0 && error.is_finite(), "{name}");
+        }
+    }
+    // A summary of a crack has the theory there, and neither of these.
+    let crack = Folder::with(SINGLE).call(&["run", "scene.toml", "--json"]).ended(0).json();
+    assert_eq!(crack["results"][0]["theory"], "virtual_work");
+    assert!(crack["results"][0]["contact"].is_null() && crack["results"][0]["state"].is_null());
+}
+
+#[test]
+fn a_full_contact_is_a_result_and_names_the_limit_that_was_passed() {
+    let folder = Folder::with(SLIDING);
+    let arguments = ["run", "scene.toml", "--json", "--set", "sliding.contacts=[\"adhesive\"]", "--set", "sliding.mean_pressure=200 kPa"];
+    let json = folder.call(&arguments).ended(0).json();
+    let row = &json["results"][0];
+    assert_eq!((&row["status"], &row["state"]), (&Value::from("solved"), &Value::from("full")));
+    assert!(row["reason"].as_str().unwrap().starts_with("past "), "{row}");
+    assert!(row["witness"]["value"].is_f64() && row["values"]["half_width"].is_null(), "{row}");
+    assert!(row["values"]["friction_stress"]["value"].as_f64().unwrap() > 0.0);
+    // Pulled off: no state, exit code 3; the same as one row of a sweep is no failure.
+    let gone = ["run", "scene.toml", "--json", "--set", "sliding.contacts=[\"adhesive\"]", "--set", "sliding.mean_pressure=-40 kPa"];
+    let json = folder.call(&gone).ended(3).json();
+    assert_eq!(json["results"][0]["status"], "no_such_state");
+    assert!(json["results"][0]["witness"]["value"].as_f64().unwrap() < 0.0);
+    let sweep = "sweep={ key = \"sliding.mean_pressure\", values = [\"-40 kPa\", \"6 kPa\", \"200 kPa\"] }";
+    let said = folder.call(&["run", "scene.toml", "--set", "sliding.contacts=[\"adhesive\"]", "--set", sweep, "--out", "DIR"]).ended(0);
+    assert!(said.stdout.contains("1 of 3 rows full: past ") && said.stdout.contains("1 of 3 rows no_such_state"), "{}", said.stdout);
+    assert_eq!(cells(&table(&folder.read("DIR/states.csv")), "state"), ["", "partial", "full"]);
+}
+
+#[test]
+fn explain_of_a_sliding_contact_says_what_the_counter_body_does() {
+    let folder = Folder::with(SLIDING);
+    let said = folder.call(&["explain", "scene.toml"]).ended(0).stdout;
+    for words in
+        ["steady sliding", "on   adhesion", "on   adhesiveless twin", "off  elastic counter body", "Johnson's α", "80 field points"]
+    {
+        assert!(said.contains(words), "{words:?} is missing in\n{said}");
+    }
+    let body = "sliding.counter_body={ modulus = \"3 GPa\", poisson_ratio = 0.3 }";
+    let said = folder.call(&["explain", "scene.toml", "--set", body]).ended(0).stdout;
+    assert!(said.contains("only its relaxed modulus matters"), "{said}");
+    let cited = folder.call(&["cite", "scene.toml"]).ended(0).stdout;
+    assert!(cited.contains("Johnson1995") && cited.contains("Westergaard1939") && !cited.contains("Schapery"), "{cited}");
 }

@@ -9,7 +9,7 @@
 
 mod command_support;
 
-use command_support::{Folder, GOOD};
+use command_support::{Folder, GOOD, SLIDING};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -69,6 +69,18 @@ fn a_run_killed_in_flight_is_resumed_to_the_same_bytes() {
     for (name, bytes) in whole.files("DIR") {
         assert!(folder.files("DIR")[&name] == bytes, "{name} differs");
     }
+}
+
+#[test]
+fn a_sliding_sweep_is_resumed_to_the_same_bytes() {
+    let scene = format!("{SLIDING}\n[sweep]\nkey = \"sliding.speed\"\nfrom = \"1 µm/s\"\nto = \"20 µm/s\"\npoints = 48\n");
+    let whole = Folder::with(&scene);
+    whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+    let folder = Folder::with(&scene);
+    let kept = killed_in_flight(&folder, start(&folder), 3);
+    let resumed = folder.call(&["run", "scene.toml", "--out", "DIR", "--force"]).ended(0);
+    assert!(kept.is_none() || resumed.stderr.contains("of 48 states"), "{}", resumed.stderr);
+    assert!(folder.files("DIR") == whole.files("DIR"));
 }
 
 /// A folder with a journal of a sweep killed early, and the bytes of it.

@@ -1,7 +1,7 @@
 //! What `explain` predicts is what a run then costs, and what is left out costs nothing.
 //!
 //! Contract: the design's "predicted cost", and "a table that is absent is an effect that is not simulated".
-//! Goal: the predicted numbers of balances, kernel evaluations and field points against the counters of the run; counters of left-out
+//! Goal: the predicted numbers of balances, kernel evaluations, linear systems and field points against the counters of the run; counters of left-out
 //! effects are zero.
 //! Parameters: every shipped scene; and crossings of motion, body, control, process-zone law, theory, material and accuracy.
 //! Oracle: the counters that the run itself keeps.
@@ -10,7 +10,7 @@
 
 mod command_support;
 
-use command_support::{GOOD, SINGLE, shipped_scenes};
+use command_support::{GOOD, SINGLE, SLIDING, shipped_scenes};
 use std::path::Path;
 use viscotack::outcome::{Outcome, Work};
 use viscotack::plan::{self, Plan};
@@ -46,6 +46,7 @@ fn misprediction(predicted: Work, outcome: &Outcome) -> Option<String> {
     };
     let good = near(predicted.closure_evaluations, counted.closure_evaluations)
         && near(predicted.kernel_evaluations, counted.kernel_evaluations)
+        && near(predicted.linear_solves, counted.linear_solves)
         && (predicted.field_evaluations * valued).div_ceil(all) == counted.field_evaluations;
     (!good).then(|| format!("predicted {predicted:?}, counted {counted:?}, {valued} of {all} rows have values"))
 }
@@ -121,6 +122,52 @@ fn every_kind_of_scene_costs_what_is_predicted() {
     }
     assert!(cases > 200, "{cases}");
     assert!(wrong.is_empty(), "{} of {cases}\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn every_kind_of_sliding_scene_costs_what_is_predicted() {
+    let mut wrong = Vec::new();
+    for contact in ["adhesive", "adhesiveless"] {
+        for control in ["mean_pressure=6 kPa", "penetration=1 µm"] {
+            for terms in [1, 3] {
+                for speeds in ["[1e-6]", "[1e-4, 1e-2]", "[-1]"] {
+                    let list: Vec<String> = (0..terms)
+                        .map(|term| format!("{{ fraction = {}, retardation_time = {} }}", 1.0 / f64::from(terms), 10f64.powi(-2 - term)))
+                        .collect();
+                    let text = SLIDING.replace("mean_pressure = \"6 kPa\"\n", "");
+                    let sets = [
+                        format!("sliding.contacts=[\"{contact}\"]"),
+                        format!("sliding.{control}"),
+                        format!("material.creep=[{}]", list.join(", ")),
+                        format!("sweep={{ key = \"sliding.speed\", values = {speeds} }}"),
+                    ];
+                    let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
+                    let (predicted, outcome) = solved(parsed(&text), &sets);
+                    let name = format!("{contact} {control} {terms} terms {speeds}");
+                    if std::env::var_os("SHOW_WORK").is_some() {
+                        println!("{name}: predicted {predicted:?}, counted {:?}", outcome.work());
+                    }
+                    wrong.extend(misprediction(predicted, &outcome).map(|complaint| format!("{name}: {complaint}")));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn sliding_effects_left_out_cost_nothing() {
+    let counted = work(SLIDING, &[]);
+    assert_eq!((counted.kernel_evaluations, counted.field_evaluations), (0, 80));
+    let without_fields = work(SLIDING.split("[fields]").next().unwrap(), &[]);
+    assert_eq!((without_fields.field_evaluations, without_fields.linear_solves), (0, counted.linear_solves));
+    let twin = work(SLIDING, &["sliding.contacts=[\"adhesiveless\"]"]);
+    let adhesive = work(SLIDING, &["sliding.contacts=[\"adhesive\"]"]);
+    let mut sum = twin;
+    sum += adhesive;
+    assert_eq!(sum, counted);
+    // Each balance of an adhesive contact is as many linear systems; a crack has none.
+    assert!(adhesive.linear_solves >= adhesive.closure_evaluations && work(SINGLE, &[]).linear_solves == 0);
 }
 
 #[test]

@@ -15,6 +15,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use viscotack::plan::Plan;
 use viscotack::scene::typed::Problem;
 use viscotack::scene::units::parse_quantity;
@@ -30,7 +31,7 @@ const NASTY: &[&str] = &[
     "\"3 µm\"", "\"1e308 MPa\"", "\"1e308 GPa\"", "\"1e-320 s\"", "\"1e-330 fs\"", "\"nan Pa\"", "\"inf\"", "\"5 %\"", "\"1 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9\"",
     "\"1 √√m\"", "\"1 mmm\"", "\"1 /s\"", "\"1 1/s\"", "\"- 1 m\"", "\"1e99999999999999 m\"", "\"1e-2147483648 fs\"", "\"\\u0000\"", "\"😀 µ\\u202e\"", "\"a\\nb\"",
     "'literal'", "\"\"\"\nlong\n\"\"\"", "\"\\uD800\"", "\"si\"", "\"reduced\"", "\"crack.speed\"", "\"material.creep.0.fraction\"", "\"material.creep.9.fraction\"",
-    "\"sweep.points\"", "\"fields.points\"", "\"material.creep\"", "\"accuracy\"", "\"crack.0\"", "\"closing\"", "\"schapery\"", "\"strain\"", "\"uniaxial\"", "\"constant\"",
+    "\"sweep.points\"", "\"fields.points\"", "\"material.creep\"", "\"accuracy\"", "\"crack.0\"", "\"closing\"", "\"schapery\"", "\"strain\"", "\"uniaxial\"", "\"constant\"", "\"adhesive\"", "[\"adhesive\", \"adhesiveless\"]", "\"sliding.speed\"", "-0.02",
     "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
     "{a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a={a=1}}}}}}}}}}}}}}}}}}}}}}}}}}",
     "a.b.c.d", "\u{feff}", "\u{0}", "=", ".", ",", "[", "]", "{", "}", "#", "\"", "'", "\n", "\r", "\t", "µ", "√", "²",
@@ -185,6 +186,10 @@ fn assert_finite(scene: &Scene) {
     assert!(!text.contains("inf") && !text.contains("NaN"), "{text}");
 }
 
+/// Sliding states solved so far in this process: a state is dear, so that only the first ones of few terms are solved.
+static SLIDING_SOLVED: AtomicUsize = AtomicUsize::new(0);
+const MOST_SLIDING: usize = 60;
+
 /// Takes a document through everything but the printing; gives whether it was accepted.
 fn taken_through(mut document: Document) -> bool {
     if let Err(error) = read::resolve_includes(&mut document) {
@@ -205,12 +210,20 @@ fn taken_through(mut document: Document) -> bool {
     }
     assert!(!plan.effects().is_empty() && !plan.method().is_empty() && !plan.columns().is_empty() && !plan.citations().is_empty());
     assert_eq!(plan.states(), sweep::states(&scene.sweeps));
-    let _ = (plan.predicted_work(), plan.field_units(), plan.problem());
-    let Problem::SteadyCrack(crack) = &scene.problem;
-    if crack.fields.is_none_or(|fields| fields.points <= 300) {
+    let _ = (plan.predicted_work(), plan.labels(), plan.problem());
+    assert!(!plan.field_columns().is_empty());
+    let few_fields = match &scene.problem {
+        Problem::SteadyCrack(crack) => crack.fields.is_none_or(|fields| fields.points <= 300),
+        Problem::Sliding(sliding) => {
+            sliding.field_points.is_none_or(|points| points <= 400)
+                && scene.material.series.creep_terms().len() <= 2
+                && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
+        }
+    };
+    if few_fields {
         let rows = plan.solve(0, &[]);
         for row in &rows {
-            let estimates = row.values.iter().flatten().chain(row.fields.iter().flat_map(|point| [&point.displacement, &point.stress]));
+            let estimates = row.values.iter().flatten().chain(row.fields.iter().flat_map(|point| &point.values));
             for estimate in estimates {
                 assert!(estimate.value.is_finite() && estimate.error.is_finite(), "{row:?} of {scene:?}");
             }

@@ -45,11 +45,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         let line = format!("  {:32} {:.6e} {unit}", group.name, group.value);
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    let _ = writeln!(
-        text,
-        "\npredicted work\n  {} balances, {} kernel evaluations, {} field points",
-        work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
-    );
+    let _ = writeln!(text, "\npredicted work\n  {work}");
     print(&text)?;
     Ok(0)
 }

@@ -160,7 +160,7 @@ impl JohnsonWave {
         let missing = (full - pressure) / full;
         let alpha = self.adhesion_parameter;
         let refuse = |reason: &str, limit_name: &'static str, limit: f64| {
-            Err(Refusal::NoSuchState { reason: format!("at the mean pressure {pressure:e} {reason}"), limit_name, limit })
+            Err(Refusal::NoSuchState { reason: format!("at this mean pressure {reason}"), limit_name, limit })
         };
         // Each branch as (ξ where the residual p̄(ξ) − p̄ is negative, ξ where it is positive). The outer ends come from dropping one term:
         // p̄(T) > p̄ at √T = −p̄/α for p̄ < 0, and p̄(T) < p̄ at √T = (1 − p̄)/α.
@@ -220,7 +220,7 @@ impl JohnsonWave {
         let fraction = penetration / amplitude;
         let missing = (amplitude - penetration) / amplitude;
         let refuse = |reason: &str, limit_name: &'static str, limit: f64| {
-            Err(Refusal::NoSuchState { reason: format!("at the penetration {penetration:e} {reason}"), limit_name, limit })
+            Err(Refusal::NoSuchState { reason: format!("at this penetration {reason}"), limit_name, limit })
         };
         if missing <= 0.0 {
             return refuse("the wave is in full contact", "the penetration of full contact", amplitude);

@@ -3,14 +3,15 @@
 use super::Outcome;
 use crate::estimate::Estimate;
 
-/// The states table: swept numbers, theory, status, then each value with its error bound; empty cells where there is no value.
+/// The states table: swept numbers, labels, status, then each value with its error bound; empty cells where there is no value.
 ///
 /// # Errors
 /// Only what the CSV writer itself reports.
 pub fn states(outcome: &Outcome) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| headed(&swept.key, &swept.unit)).collect();
-    header.extend(["theory".to_owned(), "status".to_owned()]);
+    header.extend(outcome.labels.iter().map(|label| (*label).to_owned()));
+    header.push("status".to_owned());
     for column in &outcome.columns {
         header.push(headed(column.name, &column.unit));
         header.push(headed(&format!("{}_error", column.name), &column.unit));
@@ -20,7 +21,7 @@ pub fn states(outcome: &Outcome) -> Result<Vec<u8>, csv::Error> {
     writer.write_record(&header)?;
     for row in &outcome.rows {
         let mut record: Vec<String> = row.swept.iter().map(|value| number(*value)).collect();
-        record.push(row.theory.clone());
+        record.extend((0..outcome.labels.len()).map(|place| row.label(place).to_owned()));
         record.push(row.status.word().to_owned());
         for index in 0..outcome.columns.len() {
             record.extend(cells(row.values.get(index).copied().flatten()));
@@ -42,21 +43,21 @@ pub fn fields(outcome: &Outcome) -> Result<Option<Vec<u8>>, csv::Error> {
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| headed(&swept.key, &swept.unit)).collect();
-    header.push("theory".to_owned());
-    let [distance, displacement, stress] = &outcome.field_units;
-    header.push(headed("distance", distance));
-    for (name, unit) in [("displacement", displacement), ("stress", stress)] {
-        header.push(headed(name, unit));
-        header.push(headed(&format!("{name}_error"), unit));
+    header.extend(outcome.labels.first().map(|label| (*label).to_owned()));
+    for (index, column) in outcome.field_columns.iter().enumerate() {
+        header.push(headed(column.name, &column.unit));
+        // The place is exact.
+        if index > 0 {
+            header.push(headed(&format!("{}_error", column.name), &column.unit));
+        }
     }
     writer.write_record(&header)?;
     for row in &outcome.rows {
         for point in &row.fields {
             let mut record: Vec<String> = row.swept.iter().map(|value| number(*value)).collect();
-            record.push(row.theory.clone());
-            record.push(number(point.distance));
-            record.extend(cells(Some(point.displacement)));
-            record.extend(cells(Some(point.stress)));
+            record.push(row.label(0).to_owned());
+            record.push(number(point.place));
+            record.extend(point.values.iter().flat_map(|&value| cells(Some(value))));
             writer.write_record(&record)?;
         }
     }

@@ -39,8 +39,10 @@ pub struct Outcome {
     pub accuracy: f64,
     /// Plots, by file stem.
     pub figures: Vec<(String, plot::Figure)>,
-    /// Units of the field table: distance, displacement, stress.
-    pub field_units: [String; 3],
+    /// What the labels of the rows are: the first tells the rows of one state apart.
+    pub labels: &'static [&'static str],
+    /// What the field table holds: the place, then the fields.
+    pub field_columns: Vec<Column>,
 }
 
 /// A swept number.
@@ -102,7 +104,7 @@ pub enum Verdict {
 }
 
 impl Outcome {
-    /// The exit code. A sweep gives 0 if any row is solved; a single state only if every theory asked for is. Otherwise 4 if a row is
+    /// The exit code. A sweep gives 0 if any row is solved; a single state only if every row of it is. Otherwise 4 if a row is
     /// inaccurate or did not converge, 2 if one contradicts the scene, 3 if no such state exists.
     #[must_use]
     pub fn exit_code(&self) -> u8 {

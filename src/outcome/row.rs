@@ -1,6 +1,7 @@
 //! One solved state: values with errors, how it ended, the certificate, the work.
 
 use crate::estimate::Estimate;
+use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
 /// A column of a table: what its numbers are.
@@ -61,14 +62,27 @@ pub struct Work {
     pub closure_evaluations: u64,
     /// Kernel evaluations inside them: relaxation or creep terms times means.
     pub kernel_evaluations: u64,
+    /// Small linear systems: contacts with given edges.
+    pub linear_solves: u64,
     /// Points at which a field was evaluated.
     pub field_evaluations: u64,
+}
+
+impl std::fmt::Display for Work {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{} balances, ", self.closure_evaluations)?;
+        if self.linear_solves > 0 {
+            write!(formatter, "{} linear systems, ", self.linear_solves)?;
+        }
+        write!(formatter, "{} kernel evaluations, {} field points", self.kernel_evaluations, self.field_evaluations)
+    }
 }
 
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.closure_evaluations += other.closure_evaluations;
         self.kernel_evaluations += other.kernel_evaluations;
+        self.linear_solves += other.linear_solves;
         self.field_evaluations += other.field_evaluations;
     }
 }
@@ -84,18 +98,30 @@ pub struct Certificate {
     pub admissible: bool,
 }
 
-/// A field at one distance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct FieldPoint {
-    /// Distance from the edge.
-    pub distance: f64,
-    /// Displacement of one face outside the bonded side.
-    pub displacement: Estimate,
-    /// Stress inside the bonded side, tension positive.
-    pub stress: Estimate,
+impl std::ops::Mul<u64> for Work {
+    type Output = Self;
+
+    /// The work of several states like this one.
+    fn mul(self, states: u64) -> Self {
+        Self {
+            closure_evaluations: self.closure_evaluations * states,
+            kernel_evaluations: self.kernel_evaluations * states,
+            linear_solves: self.linear_solves * states,
+            field_evaluations: self.field_evaluations * states,
+        }
+    }
 }
 
-/// The limit that a state which does not exist would have passed.
+/// Fields at one place.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FieldPoint {
+    /// The place: the first of the outcome's field columns.
+    pub place: f64,
+    /// The fields there, in the order of the further field columns.
+    pub values: Vec<Estimate>,
+}
+
+/// A limit that was passed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
     /// What the limit is one of.
@@ -104,20 +130,20 @@ pub struct Witness {
     pub value: f64,
 }
 
-/// One solved state of one theory.
+/// One solved state: of a crack by one theory, of a sliding contact with or without adhesion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Number of the state in the sweep, from 0.
     pub state: usize,
     /// Values of the swept numbers, in the order of the sweeps.
     pub swept: Vec<f64>,
-    /// What distinguishes rows of one state: the theory.
-    pub theory: String,
+    /// Words about it, in the order of the outcome's labels: the first tells the rows of one state apart. None for [`Status::Invalid`] states.
+    pub labels: Vec<String>,
     /// How it ended.
     pub status: Status,
-    /// Why, for everything but [`Status::Solved`].
+    /// Why, for everything but [`Status::Solved`]; for a full contact, the limit that was passed.
     pub reason: Option<String>,
-    /// For [`Status::NoSuchState`]: the limit that was passed.
+    /// The limit that was passed, by a state that does not exist or by a full contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub witness: Option<Witness>,
     /// Values in the order of the columns; none where a quantity does not exist.
@@ -131,4 +157,77 @@ pub struct Row {
     /// Fields, if asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fields: Vec<FieldPoint>,
+}
+
+impl Row {
+    /// A row of a state of the sweep before it is solved: no value, no word against it.
+    #[must_use]
+    pub fn new(state: usize, swept: &[f64], labels: Vec<String>, columns: usize) -> Self {
+        Self {
+            state,
+            swept: swept.to_vec(),
+            labels,
+            status: Status::Solved,
+            reason: None,
+            witness: None,
+            values: vec![None; columns],
+            certificate: None,
+            work: Work::default(),
+            assumptions: Vec::new(),
+            fields: Vec::new(),
+        }
+    }
+
+    /// The label at a place; empty if there is none.
+    #[must_use]
+    pub fn label(&self, place: usize) -> &str {
+        self.labels.get(place).map_or("", String::as_str)
+    }
+
+    /// The value of a column, if it has one.
+    #[must_use]
+    pub fn value(&self, column: usize) -> Option<f64> {
+        self.values.get(column).copied().flatten().map(|estimate| estimate.value)
+    }
+
+    /// Ends the row by a refusal: its status and reason, no values.
+    pub fn refuse(&mut self, refusal: &Refusal) {
+        self.status = match refusal {
+            Refusal::NoSuchState { .. } => Status::NoSuchState,
+            Refusal::Undefined { .. } => Status::Undefined,
+            Refusal::OutOfRange { .. } => Status::Invalid,
+            Refusal::NotConverged { .. } => Status::NotConverged,
+        };
+        self.reason = Some(refusal.to_string());
+        if let Refusal::NoSuchState { limit_name, limit, .. } = refusal {
+            self.witness = Some(Witness { name: (*limit_name).to_owned(), value: *limit });
+        }
+        self.values.fill(None);
+        self.certificate = None;
+        self.assumptions.clear();
+        self.fields.clear();
+    }
+
+    /// Lets a row pass whose every number is finite: infinities and NaNs stand in no table, and JSON has no word for them.
+    ///
+    /// # Errors
+    /// [`Refusal::Undefined`] with the name of the first number that is not.
+    pub fn representable(&mut self, columns: &[Column]) -> Result<(), Refusal> {
+        for assumption in &mut self.assumptions {
+            *assumption = assumption.filter(|value| value.is_finite());
+        }
+        let finite = |estimate: &Estimate| estimate.value.is_finite() && estimate.error.is_finite();
+        let overflow =
+            |quantity| Refusal::Undefined { quantity, reason: "the numbers of the scene are so far apart that it overflows".into() };
+        if let Some((column, _)) = columns.iter().zip(&self.values).find(|(_, value)| value.as_ref().is_some_and(|value| !finite(value))) {
+            return Err(overflow(column.name));
+        }
+        if self.certificate.is_some_and(|certificate| !(certificate.residual.is_finite() && certificate.condition.is_finite())) {
+            return Err(overflow("the certificate"));
+        }
+        if self.fields.iter().any(|point| !(point.place.is_finite() && point.values.iter().all(finite))) {
+            return Err(overflow("a field"));
+        }
+        Ok(())
+    }
 }

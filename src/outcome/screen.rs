@@ -21,19 +21,16 @@ pub fn render(outcome: &Outcome) -> String {
     effects(&mut text, outcome);
     validity(&mut text, outcome);
     let work = outcome.work();
-    let _ = writeln!(
-        text,
-        "\nwork       {} balances, {} kernel evaluations, {} field points",
-        work.closure_evaluations, work.kernel_evaluations, work.field_evaluations
-    );
+    let _ = writeln!(text, "\nwork       {work}");
     text
 }
 
-/// One state: a line a value, a block a theory.
+/// One state: a line a value, a block a row.
 fn single(text: &mut String, outcome: &Outcome) {
     let width = outcome.columns.iter().map(|column| column.name.len()).max().unwrap_or(0);
     for row in &outcome.rows {
-        let _ = writeln!(text, "\n{}: {}", row.theory, row.status.word());
+        let words: Vec<&str> = row.labels.iter().map(String::as_str).filter(|word| !word.is_empty()).collect();
+        let _ = writeln!(text, "\n{}: {}", words.join(", "), row.status.word());
         if let Some(reason) = &row.reason {
             let _ = writeln!(text, "  {reason}");
         }
@@ -59,7 +56,7 @@ fn single(text: &mut String, outcome: &Outcome) {
 fn sweep(text: &mut String, outcome: &Outcome) {
     let shown: Vec<usize> = (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).take(5).collect();
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
-    header.push("theory".into());
+    header.extend(outcome.labels.iter().map(|label| (*label).to_owned()));
     header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
     let mut lines = vec![header];
     let total = outcome.rows.len();
@@ -70,12 +67,17 @@ fn sweep(text: &mut String, outcome: &Outcome) {
             }
             continue;
         }
-        lines.push(line(row, &shown));
+        lines.push(line(row, outcome.labels.len(), &shown));
     }
     let _ = write!(text, "\n{}", aligned(&lines));
     let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
     let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
     let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
+    // Solved, and something to say: full contacts.
+    let noted = || outcome.rows.iter().filter(|row| row.status == Status::Solved && row.reason.is_some());
+    if let Some(first) = noted().next() {
+        let _ = writeln!(text, "{} of {total} rows {}: {}", noted().count(), row_word(first), first.reason.as_deref().unwrap_or(""));
+    }
     for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
         let count = outcome.rows.iter().filter(|row| row.status == status).count();
         if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {
@@ -84,17 +86,28 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     }
 }
 
-/// A column is shown in a sweep if some row has it and it is no copy of a swept number or of a column before it.
+/// A column is shown in a sweep if some row has it and it is no input and no copy of a swept number or of a column before it.
 fn wanted(outcome: &Outcome, index: usize) -> bool {
     let Some(column) = outcome.columns.get(index) else { return false };
     let swept = outcome.swept.iter().any(|swept| swept.key.rsplit('.').next() == Some(column.name));
     let same_as = |other: usize| outcome.rows.iter().all(|row| row.values.get(index) == row.values.get(other));
-    !swept && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
+    // An input that is not varied.
+    let given = || {
+        let mut values = outcome.rows.iter().filter_map(|row| row.values.get(index).copied().flatten());
+        let first = values.next();
+        outcome.rows.len() > 1 && first.is_some_and(|first| first.error == 0.0 && values.all(|value| value == first))
+    };
+    !swept && !given() && outcome.rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
 }
 
-fn line(row: &Row, shown: &[usize]) -> Vec<String> {
+/// The word that says how a row turned out: its last label.
+fn row_word(row: &Row) -> &str {
+    row.labels.last().map_or("", String::as_str)
+}
+
+fn line(row: &Row, labels: usize, shown: &[usize]) -> Vec<String> {
     let mut cells: Vec<String> = row.swept.iter().map(|value| format!("{value:.4e}")).collect();
-    cells.push(row.theory.clone());
+    cells.extend((0..labels).map(|place| row.label(place).to_owned()));
     if row.status.has_values() {
         cells.extend(shown.iter().map(|&index| row.values.get(index).copied().flatten().map_or_else(String::new, short)));
     } else {

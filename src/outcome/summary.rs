@@ -67,14 +67,20 @@ fn result(outcome: &Outcome, row: &Row) -> Value {
         .zip(&row.swept)
         .map(|(swept, value)| (swept.key.clone(), json!({ "value": value, "unit": swept.unit })))
         .collect();
-    json!({
-        "swept": swept,
-        "theory": row.theory,
-        "status": row.status,
-        "reason": row.reason,
-        "witness": row.witness,
-        "values": values,
-        "certificate": row.certificate,
-        "work": row.work,
-    })
+    let mut result = Map::new();
+    result.insert("swept".into(), swept.into());
+    for (place, label) in outcome.labels.iter().enumerate() {
+        result.insert((*label).to_owned(), row.label(place).into());
+    }
+    for (name, value) in [
+        ("status", json!(row.status)),
+        ("reason", json!(row.reason)),
+        ("witness", json!(row.witness)),
+        ("values", values.into()),
+        ("certificate", json!(row.certificate)),
+        ("work", json!(row.work)),
+    ] {
+        result.insert(name.to_owned(), value);
+    }
+    result.into()
 }

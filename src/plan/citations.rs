@@ -14,7 +14,7 @@ pub struct Citation {
 /// The thesis that the theory is taken from.
 pub const THESIS: Citation = Citation {
     key: "Mandriota",
-    role: "the energy balance at a moving edge, and steady and delayed cracks (chapters 1, 4, 5)",
+    role: "the energy balance at a moving edge, sliding contacts, and steady and delayed cracks (chapters 1, 3, 4, 5)",
     bibtex: "@phdthesis{Mandriota,\n  author = {Mandriota, C.},\n  title  = {Adhesion and friction in steady and unsteady viscoelastic contacts},\n  school = {Politecnico di Bari}\n}",
 };
 
@@ -53,5 +53,20 @@ pub const RIVLIN_THOMAS: Citation = Citation {
     bibtex: "@article{RivlinThomas1953,\n  author  = {Rivlin, R. S. and Thomas, A. G.},\n  title   = {Rupture of rubber. {I}. {C}haracteristic energy for tearing},\n  journal = {Journal of Polymer Science},\n  volume  = {10},\n  pages   = {291--318},\n  year    = {1953},\n  doi     = {10.1002/pol.1953.120100303}\n}",
 };
 
+/// The adhesive elastic wave.
+pub const JOHNSON_WAVE: Citation = Citation {
+    key: "Johnson1995",
+    role: "the relaxed adhesive wave, from which a sliding one is followed; snap-in and pull-off",
+    bibtex: "@article{Johnson1995,\n  author  = {Johnson, K. L.},\n  title   = {The adhesion of two elastic bodies with slightly wavy surfaces},\n  journal = {International Journal of Solids and Structures},\n  volume  = {32},\n  pages   = {423--430},\n  year    = {1995},\n  doi     = {10.1016/0020-7683(94)00111-9}\n}",
+};
+
+/// The elastic wave.
+pub const WESTERGAARD: Citation = Citation {
+    key: "Westergaard1939",
+    role: "the relaxed wave without adhesion, from which a sliding one is followed",
+    bibtex: "@article{Westergaard1939,\n  author  = {Westergaard, H. M.},\n  title   = {Bearing pressures and cracks},\n  journal = {Journal of Applied Mechanics},\n  volume  = {6},\n  pages   = {A49--A53},\n  year    = {1939}\n}",
+};
+
 /// Every paper.
-pub const ALL: &[&Citation] = &[&THESIS, &PERSSON_BRENER, &SCHAPERY_OPENING, &SCHAPERY_CLOSING, &GREENWOOD, &RIVLIN_THOMAS];
+pub const ALL: &[&Citation] =
+    &[&THESIS, &PERSSON_BRENER, &SCHAPERY_OPENING, &SCHAPERY_CLOSING, &GREENWOOD, &RIVLIN_THOMAS, &JOHNSON_WAVE, &WESTERGAARD];

@@ -3,10 +3,13 @@
 //! ```text
 //! scene ──► plan (effects, method, cost) ──► states, in parallel, journalled ──► outcome
 //! ```
-//! A plan is all that `explain` prints; making one solves nothing.
+//! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
+mod assumptions;
 pub mod citations;
+mod curves;
 mod run;
+mod sliding;
 mod steady_crack;
 
 pub use run::{Progress, RunError, journal_header, run};
@@ -16,18 +19,44 @@ use crate::refusal::Refusal;
 use crate::scene::sweep;
 use crate::scene::typed::{Problem, Scene};
 use citations::Citation;
+use sliding::SlidingPlan;
+use std::fmt::Debug;
+use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
+
+/// What a problem says about one state of a scene, and how it solves it.
+trait ProblemPlan: Debug + Send + Sync {
+    /// The problem's name.
+    fn name(&self) -> &'static str;
+    /// What the labels of its rows are.
+    fn labels(&self) -> &'static [&'static str];
+    /// Effects on and off, and why.
+    fn effects(&self) -> Vec<Effect>;
+    /// The method, a sentence each.
+    fn method(&self) -> Vec<String>;
+    /// Characteristic numbers of the scene.
+    fn groups(&self) -> Vec<Group>;
+    /// Predicted work of the whole sweep of so many states.
+    fn predicted_work(&self, states: u64) -> Work;
+    /// The columns of the result.
+    fn columns(&self) -> Vec<Column>;
+    /// The columns of the field table: the place, then the fields.
+    fn field_columns(&self) -> Vec<Column>;
+    /// Solves the state; one row a label.
+    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row>;
+    /// The model's assumptions held against the rows.
+    fn validity(&self, rows: &[Row]) -> Vec<Validity>;
+    /// Plots of the rows, by file stem.
+    fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)>;
+    /// The papers behind what the scene uses.
+    fn citations(&self) -> Vec<&'static Citation>;
+}
 
 /// What will be done about a scene.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    problem: ProblemPlan,
+    problem: Arc<dyn ProblemPlan>,
     states: usize,
-}
-
-#[derive(Debug, Clone)]
-enum ProblemPlan {
-    SteadyCrack(SteadyCrackPlan),
 }
 
 impl Plan {
@@ -36,50 +65,47 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let Problem::SteadyCrack(crack) = &scene.problem;
-        let problem = ProblemPlan::SteadyCrack(SteadyCrackPlan::new(scene, crack)?);
+        let problem: Arc<dyn ProblemPlan> = match &scene.problem {
+            Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
+            Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+        };
         Ok(Self { problem, states: sweep::states(&scene.sweeps) })
-    }
-
-    fn crack(&self) -> &SteadyCrackPlan {
-        let ProblemPlan::SteadyCrack(plan) = &self.problem;
-        plan
     }
 
     /// The problem's name.
     #[must_use]
     pub fn problem(&self) -> &'static str {
-        "steady crack"
+        self.problem.name()
+    }
+
+    /// What the labels of the rows are: the first tells the rows of one state apart.
+    #[must_use]
+    pub fn labels(&self) -> &'static [&'static str] {
+        self.problem.labels()
     }
 
     /// Effects on and off, and why.
     #[must_use]
     pub fn effects(&self) -> Vec<Effect> {
-        self.crack().effects()
+        self.problem.effects()
     }
 
     /// The method, a sentence each.
     #[must_use]
     pub fn method(&self) -> Vec<String> {
-        self.crack().method()
+        self.problem.method()
     }
 
     /// Characteristic numbers of the scene.
     #[must_use]
     pub fn groups(&self) -> Vec<Group> {
-        self.crack().groups()
+        self.problem.groups()
     }
 
     /// Predicted work of the whole sweep.
     #[must_use]
     pub fn predicted_work(&self) -> Work {
-        let one = self.crack().predicted_work();
-        let states = self.states as u64;
-        Work {
-            closure_evaluations: one.closure_evaluations * states,
-            kernel_evaluations: one.kernel_evaluations * states,
-            field_evaluations: one.field_evaluations * states,
-        }
+        self.problem.predicted_work(self.states as u64)
     }
 
     /// Number of states.
@@ -91,36 +117,36 @@ impl Plan {
     /// The columns of the result.
     #[must_use]
     pub fn columns(&self) -> Vec<Column> {
-        self.crack().columns()
+        self.problem.columns()
     }
 
-    /// Solves the state that the plan was made for; one row a theory.
+    /// The columns of the field table: the place, then the fields.
+    #[must_use]
+    pub fn field_columns(&self) -> Vec<Column> {
+        self.problem.field_columns()
+    }
+
+    /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.crack().solve(state, swept)
+        self.problem.solve(state, swept)
     }
 
     /// The model's assumptions held against the rows.
     #[must_use]
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.crack().validity(rows)
+        self.problem.validity(rows)
     }
 
     /// Plots of the rows, by file stem.
     #[must_use]
     pub fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)> {
-        self.crack().figures(scene, rows)
-    }
-
-    /// Units of the field table: distance, displacement, stress.
-    #[must_use]
-    pub fn field_units(&self) -> [String; 3] {
-        self.crack().field_units()
+        self.problem.figures(scene, rows)
     }
 
     /// The papers behind what the scene uses.
     #[must_use]
     pub fn citations(&self) -> Vec<&'static Citation> {
-        self.crack().citations()
+        self.problem.citations()
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use crate::outcome::journal::{Journal, JournalHeader};
-use crate::outcome::{Outcome, Row, Status, SweptColumn, Work};
+use crate::outcome::{Outcome, Row, Status, SweptColumn};
 use crate::refusal::Refusal;
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
@@ -11,8 +11,10 @@ use crate::scene::{SceneError, read};
 use rayon::prelude::*;
 use thiserror::Error;
 
-/// States between two entries of the journal: a kill loses at most these.
-const CHUNK: usize = 128;
+/// Most states between two entries of the journal: a kill loses at most these.
+const MOST_STATES: u64 = 128;
+/// Linear systems between two entries, where states are dear.
+const MOST_SOLVES: u64 = 4000;
 
 /// Told after each chunk how many of all states are finished.
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -54,10 +56,12 @@ pub fn run(
 ) -> Result<Outcome, RunError> {
     let plan = Plan::new(scene)?;
     let total = plan.states();
+    let solves_a_state = plan.predicted_work().linear_solves / (total as u64).max(1);
+    let between = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
     let mut all: Vec<Vec<Row>> = finished.into_iter().take(total).collect();
     while all.len() < total {
         progress(all.len(), total);
-        let chunk = all.len()..total.min(all.len() + CHUNK);
+        let chunk = all.len()..total.min(all.len() + between);
         let solved: Vec<Vec<Row>> = chunk.into_par_iter().map(|state| solve_state(document, scene, state)).collect();
         if let Some(journal) = journal.as_deref_mut() {
             journal.append(&solved)?;
@@ -83,7 +87,8 @@ pub fn run(
         figures: plan.figures(scene, &rows),
         rows,
         accuracy: scene.accuracy,
-        field_units: plan.field_units(),
+        labels: plan.labels(),
+        field_columns: plan.field_columns(),
     })
 }
 
@@ -104,18 +109,9 @@ fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
     };
     solved().unwrap_or_else(|reason| {
         // The swept value contradicts the rest of the scene: one row that says so.
-        vec![Row {
-            state,
-            swept: swept.clone(),
-            theory: String::new(),
-            status: Status::Invalid,
-            reason: Some(reason),
-            witness: None,
-            values: Vec::new(),
-            certificate: None,
-            work: Work::default(),
-            assumptions: Vec::new(),
-            fields: Vec::new(),
-        }]
+        let mut row = Row::new(state, &swept, Vec::new(), 0);
+        row.status = Status::Invalid;
+        row.reason = Some(reason);
+        vec![row]
     })
 }

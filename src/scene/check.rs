@@ -147,7 +147,7 @@ pub fn number(node: &Node, key: &str, dimension: Dimension, units: Units) -> Res
             let quantity = parse_quantity(text).map_err(|error| {
                 SceneError::at(&node.place, format!("`{key}` = {text:?} is no quantity: {error}"), "here").help(allowed())
             })?;
-            if quantity.dimension != dimension {
+            if !quantity.dimension.measures(dimension) {
                 let message = format!("`{key}` = {text:?} has the wrong unit: it is measured in {}", quantity.dimension.si_unit());
                 return Err(SceneError::at(&node.place, message, format!("must be measured in {}", dimension.si_unit())).help(allowed()));
             }

@@ -23,6 +23,11 @@ pub const TEMPLATES: &[Template] = &[
         meaning: "a pure-shear strip: crack speed under a held strain",
         text: include_str!("../../scenes/templates/strip.toml"),
     },
+    Template {
+        name: "sliding",
+        meaning: "a wave that slides with adhesion: friction and contact against speed",
+        text: include_str!("../../scenes/templates/sliding.toml"),
+    },
 ];
 
 /// The template of a name.

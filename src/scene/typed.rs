@@ -13,7 +13,8 @@ pub use super::check::Units;
 pub struct Scene {
     /// The line that names it, or the name of its file.
     pub title: String,
-    /// What its numbers are measured in; reduced scenes are coherent with E0 = Δγ = a₀ = reference time = 1.
+    /// What its numbers are measured in. Reduced numbers are coherent with E0* = reference time = 1 and, of a crack, Δγ = a₀ = 1; of a
+    /// sliding contact they are in the units of [`crate::sliding::steady::Indenter`].
     pub units: Units,
     /// Wanted relative accuracy.
     pub accuracy: f64,
@@ -41,6 +42,8 @@ pub struct SceneMaterial {
 pub enum Problem {
     /// A crack that opens or closes steadily.
     SteadyCrack(SteadyCrack),
+    /// A contact that slides steadily.
+    Sliding(Sliding),
 }
 
 /// A steady crack.
@@ -166,4 +169,110 @@ pub struct Fields {
     pub to: f64,
     /// How many, in equal ratios.
     pub points: u32,
+}
+
+/// A steadily sliding contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sliding {
+    /// The body that slides.
+    pub indenter: SlidingIndenter,
+    /// Its elasticity; none for a rigid one.
+    pub counter_body: Option<ElasticBody>,
+    /// v (m/s), of either sign.
+    pub speed: f64,
+    /// What is prescribed.
+    pub control: SlidingLoad,
+    /// The contacts to solve, in the order named.
+    pub contacts: Vec<SlidingContact>,
+    /// What holds the faces together, if anything does.
+    pub adhesion: Option<SlidingAdhesion>,
+    /// Places along the surface at which fields are evaluated, if asked for.
+    pub field_points: Option<u32>,
+}
+
+/// The body that slides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingIndenter {
+    /// A wave; in a reduced scene 2π and 1.
+    Wave {
+        /// λ (m).
+        wavelength: f64,
+        /// Λ (m).
+        amplitude: f64,
+    },
+    /// A cylinder; in a reduced scene 1.
+    Cylinder {
+        /// R (m).
+        radius: f64,
+    },
+}
+
+/// An elastic body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticBody {
+    /// Young's modulus (Pa).
+    pub modulus: f64,
+    /// Poisson ratio.
+    pub poisson_ratio: f64,
+}
+
+/// What is prescribed of a sliding contact besides the speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingLoad {
+    /// p̄ (Pa) of a wave.
+    MeanPressure(f64),
+    /// F (N/m) of a cylinder.
+    LoadPerWidth(f64),
+    /// Δ (m) of a wave.
+    Penetration(f64),
+    /// a (m).
+    HalfWidth(f64),
+}
+
+/// A kind of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SlidingContact {
+    /// With the energy balance at both edges.
+    Adhesive,
+    /// Without a singular stress at either edge.
+    Adhesiveless,
+}
+
+impl SlidingContact {
+    /// The word in scenes, tables and plots.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Adhesive => "adhesive",
+            Self::Adhesiveless => "adhesiveless",
+        }
+    }
+}
+
+/// Adhesion of a sliding contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingAdhesion {
+    /// Δγ (J/m²); in a reduced scene Γ.
+    pub work_of_adhesion: f64,
+    /// The process zones of both edges.
+    pub process_zone: SlidingZone,
+}
+
+/// The process zones of a sliding contact as given in a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingZone {
+    /// A length (m) for each edge.
+    Lengths {
+        /// Of the trailing edge.
+        trailing: f64,
+        /// Of the leading edge.
+        leading: f64,
+    },
+    /// α a₀ at both edges, a₀ = E0*Δγ/(πσ_c²).
+    Cohesive {
+        /// σ_c (Pa).
+        cohesive_stress: f64,
+        /// α.
+        factor: f64,
+    },
 }

@@ -10,12 +10,14 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
     halves: [i8; 4],
+    /// A load per width has the dimension of an energy per area, and another name.
+    is_load: bool,
 }
 
 impl Dimension {
     /// A dimension from its whole exponents of metre, kilogram, second and kelvin.
     const fn new([metre, kilogram, second, kelvin]: [i8; 4]) -> Self {
-        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin] }
+        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin], is_load: false }
     }
 
     /// A pure number.
@@ -32,12 +34,14 @@ impl Dimension {
     pub const COMPLIANCE: Self = Self::new([1, -1, 2, 0]);
     /// Pa s.
     pub const VISCOSITY: Self = Self::new([-1, 1, -1, 0]);
-    /// J/m², which is N/m.
+    /// J/m².
     pub const ENERGY_PER_AREA: Self = Self::new([0, 1, -2, 0]);
+    /// N/m, which is J/m².
+    pub const LOAD_PER_WIDTH: Self = Self { is_load: true, ..Self::ENERGY_PER_AREA };
     /// Pa √m.
-    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0] };
+    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], is_load: false };
     /// √m.
-    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0] };
+    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0], is_load: false };
 
     /// What a value of this dimension looks like, for messages and documentation.
     #[must_use]
@@ -51,6 +55,7 @@ impl Dimension {
             Self::COMPLIANCE => "a compliance such as \"0.4 1/MPa\"",
             Self::VISCOSITY => "a viscosity such as \"2 kPa s\"",
             Self::ENERGY_PER_AREA => "an energy per area such as \"50 mJ/m²\"",
+            Self::LOAD_PER_WIDTH => "a load per width such as \"20 N/m\"",
             Self::STRESS_INTENSITY => "a stress intensity such as \"20 kPa √m\"",
             _ => "a number with the unit named in the documentation of the key",
         }
@@ -65,9 +70,16 @@ impl Dimension {
             Self::COMPLIANCE => "1/Pa".into(),
             Self::VISCOSITY => "Pa s".into(),
             Self::ENERGY_PER_AREA => "J/m²".into(),
+            Self::LOAD_PER_WIDTH => "N/m".into(),
             Self::STRESS_INTENSITY => "Pa √m".into(),
             other => written_out(other.halves),
         }
+    }
+
+    /// Whether both are the same powers of the base units.
+    #[must_use]
+    pub fn measures(self, other: Self) -> bool {
+        self.halves == other.halves
     }
 
     /// self·(whole exponents)^(halves/2).
@@ -76,7 +88,7 @@ impl Dimension {
         for (exponent, step) in product.iter_mut().zip(exponents) {
             *exponent = exponent.checked_add(step.checked_mul(halves)?)?;
         }
-        Some(Self { halves: product })
+        Some(Self { halves: product, is_load: self.is_load })
     }
 }
 

@@ -42,6 +42,32 @@ to = "1 mm"
 points = 5
 "#;
 
+/// A sliding contact that is right, with adhesion and without, at one speed.
+pub const SLIDING: &str = r#"title = "A sliding scene for tests"
+
+[material]
+relaxed_modulus = "1 MPa"
+glassy_modulus = "10 MPa"
+poisson_ratio = 0.49
+creep = [{ fraction = 1, retardation_time = "10 ms" }]
+
+[adhesion]
+work_of_adhesion = "20 mJ/m²"
+process_zone = { length = "0.16 µm" }
+
+[sliding]
+contacts = ["adhesive", "adhesiveless"]
+speed = "1 mm/s"
+mean_pressure = "6 kPa"
+
+[sliding.wave]
+wavelength = "100 µm"
+amplitude = "3 µm"
+
+[fields]
+points = 40
+"#;
+
 /// One load on one crack: what the tests of single states start from.
 pub const SINGLE: &str = r#"
 [material]

@@ -1,6 +1,6 @@
 //! The columns of a steady crack's table, and how each is measured against the wanted accuracy.
 
-use crate::outcome::Column;
+use crate::outcome::{Column, FieldPoint};
 use crate::scene::typed::Units;
 
 /// A column with its units and its reference scale.
@@ -11,7 +11,7 @@ pub(super) struct Definition {
     meaning: &'static str,
 }
 
-/// Positions of the columns in a row.
+/// Positions of the columns in a row, and of the fields at a point.
 pub(super) mod at {
     pub(crate) const SPEED: usize = 0;
     pub(crate) const ENERGY_RELEASE_RATE: usize = 1;
@@ -19,6 +19,8 @@ pub(super) mod at {
     pub(crate) const STRESS_INTENSITY: usize = 3;
     pub(crate) const PROCESS_ZONE: usize = 6;
     pub(crate) const GLASSY_RADIUS: usize = 9;
+    pub(crate) const DISPLACEMENT: usize = 0;
+    pub(crate) const STRESS: usize = 1;
 }
 
 pub(super) const COLUMNS: [Definition; 11] = [
@@ -86,11 +88,22 @@ pub(super) fn columns(units: Units) -> Vec<Column> {
         .collect()
 }
 
-pub(super) fn field_units(units: Units) -> [String; 3] {
-    match units {
+/// The place, then the fields in the order of [`at::DISPLACEMENT`] and [`at::STRESS`].
+pub(super) fn field_columns(units: Units) -> Vec<Column> {
+    let units = match units {
         Units::Si => ["m", "m", "Pa"],
         // With E0 = Δγ = a₀ = 1 there are two lengths, a₀ and Δγ/E0: an opening K/E0·√s is measured by the root of both.
         Units::Reduced => ["a₀", "√(a₀Δγ/E0)", "√(E0Δγ/a₀)"],
-    }
-    .map(str::to_owned)
+    };
+    let columns = [
+        ("distance", "Distance from the tip, behind it for the displacement, ahead of it for the stress."),
+        ("displacement", "Displacement of one face."),
+        ("stress", "Stress of the bonded side, tension positive."),
+    ];
+    columns.into_iter().zip(units).map(|((name, meaning), unit)| Column { name, unit: unit.to_owned(), meaning }).collect()
+}
+
+/// A field at a point.
+pub(super) fn field(point: &FieldPoint, place: usize) -> f64 {
+    point.values.get(place).map_or(f64::NAN, |estimate| estimate.value)
 }

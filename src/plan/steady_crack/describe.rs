@@ -7,7 +7,7 @@ use crate::plan::citations::{Citation, GREENWOOD, PERSSON_BRENER, RIVLIN_THOMAS,
 use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Theory, Units};
 
 impl SteadyCrackPlan {
-    pub(in crate::plan) fn effects(&self) -> Vec<Effect> {
+    pub(super) fn effect_list(&self) -> Vec<Effect> {
         let terms = match self.crack.motion {
             Motion::Opening => self.plane_material.creep_terms().len(),
             Motion::Closing => self.plane_material.relaxation_terms().len(),
@@ -68,7 +68,7 @@ impl SteadyCrackPlan {
         Effect { name: "fields", on, why: why.into() }
     }
 
-    pub(in crate::plan) fn method(&self) -> Vec<String> {
+    pub(super) fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         for &theory in &self.crack.theories {
             sentences.push(
@@ -100,7 +100,7 @@ impl SteadyCrackPlan {
         sentences
     }
 
-    pub(in crate::plan) fn groups(&self) -> Vec<Group> {
+    pub(super) fn characteristic_numbers(&self) -> Vec<Group> {
         let unit = |si: &str, reduced: &str| (if self.units == Units::Si { si } else { reduced }).to_owned();
         let material = &self.plane_material;
         let mut groups = vec![
@@ -135,7 +135,7 @@ impl SteadyCrackPlan {
         groups
     }
 
-    pub(in crate::plan) fn citations(&self) -> Vec<&'static Citation> {
+    pub(super) fn papers(&self) -> Vec<&'static Citation> {
         let mut papers = vec![&THESIS];
         for &theory in &self.crack.theories {
             match (theory, self.crack.motion) {

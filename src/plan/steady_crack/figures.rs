@@ -1,19 +1,37 @@
 //! The plots of a steady crack: toughness against speed, what a sweep varies, and the fields at the tip.
 
 use super::SteadyCrackPlan;
-use super::columns::at;
+use super::columns::{at, field};
 use crate::crack::Motion;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line};
-use crate::scene::typed::{Scene, Theory, Units};
+use crate::plan::curves::{Family, Kind, families, figure, innermost, swept_axis, swept_label, thinned, value};
+use crate::scene::typed::{CrackControl, Scene, Theory, Units};
 
-/// Most curves that a legend can tell apart; further ones of an outer sweep are thinned evenly.
-const MOST_CURVES: usize = 10;
+/// The theory of the program is solid, its rivals are dashed and dotted.
+const fn kind(theory: Theory) -> Kind {
+    let line = match theory {
+        Theory::VirtualWork => Line::Solid,
+        Theory::PerssonBrener => Line::Dashed,
+        Theory::CohesiveZone => Line::Dotted,
+    };
+    Kind { word: theory.word(), name: theory.name(), line }
+}
+
+/// Points of a curve over a column, from left to right.
+fn over_column(family: &Family<'_>, x: usize, y: usize) -> Vec<(f64, f64)> {
+    let mut points = family.points(|row| value(row, x), |row| value(row, y));
+    if points.iter().all(|point| point.0.is_finite()) {
+        points.sort_by(|left, right| left.0.total_cmp(&right.0));
+    }
+    points
+}
 
 impl SteadyCrackPlan {
-    pub(in crate::plan) fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
+    pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let mut figures = Vec::new();
-        let families = families(scene, rows);
+        let kinds: Vec<Kind> = self.crack.theories.iter().map(|&theory| kind(theory)).collect();
+        let families = families(scene, rows, &kinds);
         // One state has no curve.
         if families.iter().any(|family| family.rows.len() > 1) {
             let si = self.units == Units::Si;
@@ -26,7 +44,7 @@ impl SteadyCrackPlan {
             };
             figures.push((
                 format!("{stem}_against_speed"),
-                figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), at::SPEED, column),
+                figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), |family| over_column(family, at::SPEED, column)),
             ));
             figures.extend(self.against_swept(scene, &families));
         }
@@ -40,21 +58,14 @@ impl SteadyCrackPlan {
         if sweep.key == "crack.speed" {
             return None;
         }
-        let load = !matches!(self.crack.control, crate::scene::typed::CrackControl::Speed(_));
+        let load = !matches!(self.crack.control, CrackControl::Speed(_));
         let (column, stem) = if load { (at::SPEED, "speed") } else { (at::RATIO, "toughness") };
-        let unit = if sweep.unit == "1" { String::new() } else { format!(" ({})", sweep.unit) };
-        let label = format!("{}{unit}", sweep.key.rsplit('.').next().unwrap_or(&sweep.key).replace('_', " "));
-        let horizontal = if sweep.logarithmic { Axis::logarithmic(label) } else { Axis::linear(label) };
         let vertical = match (load, self.units) {
             (true, Units::Si) => Axis::logarithmic("crack speed $v$ (m/s)"),
             (true, Units::Reduced) => Axis::logarithmic(r"crack speed $v\tau/a_0$"),
             (false, _) => Axis::logarithmic(r"$G/\Delta\gamma$"),
         };
-        let mut drawn = Figure::new(horizontal, vertical);
-        for family in families {
-            let points = family.rows.iter().map(|row| (row.swept.last().copied().unwrap_or(f64::NAN), value(row, column))).collect();
-            drawn = drawn.with_curve(family.curve(points));
-        }
+        let drawn = figure(families, swept_axis(sweep), vertical, |family| family.points(innermost, |row| value(row, column)));
         Some((format!("{stem}_against_{}", sweep.key.replace('.', "_")), drawn))
     }
 
@@ -82,18 +93,21 @@ impl SteadyCrackPlan {
         );
         for (index, row) in states.iter().enumerate() {
             let label = if scene.sweeps.is_empty() { String::new() } else { swept_label(scene, &row.swept) };
-            let points = row.fields.iter().map(|point| (point.distance, point.displacement.value)).collect();
+            let points = row.fields.iter().map(|point| (point.place, field(point, at::DISPLACEMENT))).collect();
             opening = opening.with_curve(Curve::new(label.clone(), points).with_line(Line::Solid).with_colour(index));
             // Tension solid, compression dashed: one curve of |σ| in two pieces.
             let part = |sign: f64| {
                 row.fields
                     .iter()
-                    .map(|point| (point.distance, if point.stress.value * sign > 0.0 { point.stress.value.abs() } else { f64::NAN }))
+                    .map(|point| {
+                        let stress = field(point, at::STRESS);
+                        (point.place, if stress * sign > 0.0 { stress.abs() } else { f64::NAN })
+                    })
                     .collect()
             };
             let tension = if scene.sweeps.is_empty() { "tension".to_owned() } else { label };
             stress = stress.with_curve(Curve::new(tension, part(1.0)).with_line(Line::Solid).with_colour(index));
-            if row.fields.iter().any(|point| point.stress.value < 0.0) {
+            if row.fields.iter().any(|point| field(point, at::STRESS) < 0.0) {
                 let compression = if index == 0 { "compression" } else { "" };
                 stress = stress.with_curve(Curve::new(compression, part(-1.0)).with_line(Line::Dashed).with_colour(index));
             }
@@ -104,129 +118,4 @@ impl SteadyCrackPlan {
             vec![("stress".into(), stress), ("opening".into(), opening)]
         }
     }
-}
-
-/// Rows of one theory at one set of outer swept values: a curve.
-struct Family<'a> {
-    label: String,
-    theory: Theory,
-    colour: usize,
-    rows: Vec<&'a Row>,
-}
-
-impl Family<'_> {
-    /// The theory of the program is solid, its rivals are dashed and dotted; a colour is a set of outer swept values.
-    fn curve(&self, points: Vec<(f64, f64)>) -> Curve {
-        let line = match self.theory {
-            Theory::VirtualWork => Line::Solid,
-            Theory::PerssonBrener => Line::Dashed,
-            Theory::CohesiveZone => Line::Dotted,
-        };
-        Curve::new(self.label.clone(), points).with_line(line).with_colour(self.colour)
-    }
-}
-
-fn value(row: &Row, column: usize) -> f64 {
-    row.values.get(column).copied().flatten().map_or(f64::NAN, |estimate| estimate.value)
-}
-
-fn figure(families: &[Family<'_>], horizontal: Axis, vertical: Axis, x: usize, y: usize) -> Figure {
-    families.iter().fold(Figure::new(horizontal, vertical), |figure, family| {
-        let mut points: Vec<(f64, f64)> = family.rows.iter().map(|row| (value(row, x), value(row, y))).collect();
-        if points.iter().all(|point| point.0.is_finite()) {
-            points.sort_by(|left, right| left.0.total_cmp(&right.0));
-        }
-        figure.with_curve(family.curve(points))
-    })
-}
-
-fn families<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<Family<'a>> {
-    let outer = scene.sweeps.len().saturating_sub(1);
-    let theories: Vec<Theory> = match &scene.problem {
-        crate::scene::typed::Problem::SteadyCrack(crack) => crack.theories.clone(),
-    };
-    let mut sets: Vec<&[f64]> = Vec::new();
-    for row in rows {
-        let set = row.swept.get(..outer).unwrap_or(&[]);
-        if sets.last() != Some(&set) && !sets.contains(&set) {
-            sets.push(set);
-        }
-    }
-    let sets = thinned(sets, (MOST_CURVES / theories.len().max(1)).max(1));
-    let of = |theory: Theory, set: &[f64]| -> Vec<&'a Row> {
-        rows.iter().filter(|row| row.theory == theory.word() && row.swept.get(..outer).unwrap_or(&[]) == set).collect()
-    };
-    let (mut families, mut indifferent_ones): (Vec<Family<'a>>, Vec<Family<'a>>) = (Vec::new(), Vec::new());
-    for (index, set) in sets.iter().enumerate() {
-        for (place, &theory) in theories.iter().enumerate() {
-            // A theory that does not feel the outer sweep is one curve, drawn once, without its parameters.
-            let same = |other: &&[f64]| {
-                let (first, second) = (of(theory, set), of(theory, other));
-                first.len() == second.len() && first.iter().zip(&second).all(|(left, right)| left.values == right.values)
-            };
-            let indifferent = sets.len() > 1 && sets.iter().all(same);
-            if indifferent && index > 0 {
-                continue;
-            }
-            let rows = of(theory, set);
-            let parameters = if outer > 0 && !indifferent { swept_label(scene, set) } else { String::new() };
-            let label = match (theories.len() > 1, parameters.is_empty()) {
-                (_, true) => theory.name().to_owned(),
-                (true, false) => format!("{}, {parameters}", theory.name()),
-                (false, false) => parameters,
-            };
-            let family = Family {
-                label,
-                theory,
-                colour: if indifferent {
-                    sets.len()
-                } else if outer > 0 {
-                    index
-                } else {
-                    place
-                },
-                rows,
-            };
-            if indifferent { indifferent_ones.push(family) } else { families.push(family) }
-        }
-    }
-    // Drawn last, on top of the families.
-    families.extend(indifferent_ones);
-    families
-}
-
-/// `speed = 1e-3 m/s, factor = 2.5`.
-fn swept_label(scene: &Scene, values: &[f64]) -> String {
-    scene
-        .sweeps
-        .iter()
-        .zip(values)
-        .map(|(sweep, &value)| {
-            let name = sweep.key.rsplit('.').next().unwrap_or(&sweep.key).replace('_', " ");
-            let unit = if sweep.unit == "1" { String::new() } else { format!(" {}", sweep.unit) };
-            format!("{name} {}{unit}", short(value))
-        })
-        .collect::<Vec<_>>()
-        .join(", ")
-}
-
-/// Three digits, as `2.5` or `$3.2\cdot10^{-7}$`.
-fn short(value: f64) -> String {
-    if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
-        let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-        return format!("{rounded}");
-    }
-    let text = format!("{value:.2e}");
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
-    if (mantissa - 1.0).abs() < 1e-9 { format!("$10^{{{exponent}}}$") } else { format!("${mantissa}·10^{{{exponent}}}$") }
-}
-
-/// At most `most` items, evenly chosen, first and last kept.
-fn thinned<T: Clone>(items: Vec<T>, most: usize) -> Vec<T> {
-    if items.len() <= most || most < 2 {
-        return items.into_iter().take(most.max(1)).collect();
-    }
-    let last = items.len() - 1;
-    (0..most).filter_map(|index| items.get(index * last / (most - 1)).cloned()).collect()
 }

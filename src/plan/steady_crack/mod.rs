@@ -14,7 +14,10 @@ use crate::crack::virtual_work::VirtualWork;
 use crate::crack::{Interface, Motion, ProcessZone};
 use crate::elastic::PureShearStrip;
 use crate::material::Material;
-use crate::outcome::{Column, Work};
+use crate::outcome::plot::Figure;
+use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::plan::ProblemPlan;
+use crate::plan::citations::Citation;
 use crate::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 
@@ -56,7 +59,7 @@ impl SteadyCrackPlan {
             swept: !scene.sweeps.is_empty(),
         };
         let viscous = plan.plane_material.relaxed_modulus() == 0.0;
-        if plan.groups().iter().all(|group| group.value.is_finite() && (group.value > 0.0 || viscous)) {
+        if plan.characteristic_numbers().iter().all(|group| group.value.is_finite() && (group.value > 0.0 || viscous)) {
             Ok(plan)
         } else {
             Err(Refusal::Undefined {
@@ -64,14 +67,6 @@ impl SteadyCrackPlan {
                 reason: "the moduli, the work of adhesion and the cohesive stress are so far apart that numbers overflow".into(),
             })
         }
-    }
-
-    pub(super) fn columns(&self) -> Vec<Column> {
-        columns::columns(self.units)
-    }
-
-    pub(super) fn field_units(&self) -> [String; 3] {
-        columns::field_units(self.units)
     }
 
     /// The interface that a theory sees.
@@ -180,7 +175,7 @@ impl SteadyCrackPlan {
     }
 
     /// What one state is expected to take.
-    pub(super) fn predicted_work(&self) -> Work {
+    fn work_of_a_state(&self) -> Work {
         // Balances of one state, measured over the 400 kinds of scenes in tests/explain_predicts_work.rs, at accuracies from 1e-3 to 1e-13:
         // at a given speed 4 to 10, on average 6 (two limits, the Newton steps, the certificate); under a given load 7 to 11, on average 9
         // (some to bracket the root instead of the limits).
@@ -202,6 +197,56 @@ impl SteadyCrackPlan {
             }
         }
         work
+    }
+}
+
+impl ProblemPlan for SteadyCrackPlan {
+    fn name(&self) -> &'static str {
+        "steady crack"
+    }
+
+    fn labels(&self) -> &'static [&'static str] {
+        &["theory"]
+    }
+
+    fn effects(&self) -> Vec<Effect> {
+        self.effect_list()
+    }
+
+    fn method(&self) -> Vec<String> {
+        self.sentences()
+    }
+
+    fn groups(&self) -> Vec<Group> {
+        self.characteristic_numbers()
+    }
+
+    fn predicted_work(&self, states: u64) -> Work {
+        self.work_of_a_state() * states
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        columns::columns(self.units)
+    }
+
+    fn field_columns(&self) -> Vec<Column> {
+        columns::field_columns(self.units)
+    }
+
+    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+        self.crack.theories.iter().map(|&theory| self.row(theory, state, swept)).collect()
+    }
+
+    fn validity(&self, rows: &[Row]) -> Vec<Validity> {
+        self.verdicts(rows)
+    }
+
+    fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
+        self.drawings(scene, rows)
+    }
+
+    fn citations(&self) -> Vec<&'static Citation> {
+        self.papers()
     }
 }
 

@@ -1,11 +1,11 @@
 //! One state of a steady crack: the theories' curves at the prescribed speed or load, as rows.
 
-use super::columns::COLUMNS;
+use super::columns::{COLUMNS, columns};
 use super::{Prescribed, SteadyCrackPlan};
 use crate::crack::near_tip::{ClosingTip, OpeningTip};
 use crate::crack::{Motion, SteadyState, at_drive, at_speed};
 use crate::estimate::Estimate;
-use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
+use crate::outcome::{Certificate, FieldPoint, Row, Status, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::{Fields, Theory, Units};
 use std::f64::consts::{PI, TAU};
@@ -14,39 +14,10 @@ use std::f64::consts::{PI, TAU};
 const TIGHTEST: f64 = 1e-15;
 
 impl SteadyCrackPlan {
-    pub(in crate::plan) fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.crack.theories.iter().map(|&theory| self.row(theory, state, swept)).collect()
-    }
-
-    fn row(&self, theory: Theory, state: usize, swept: &[f64]) -> Row {
-        let mut row = Row {
-            state,
-            swept: swept.to_vec(),
-            theory: theory.word().to_owned(),
-            status: Status::Solved,
-            reason: None,
-            witness: None,
-            values: vec![None; COLUMNS.len()],
-            certificate: None,
-            work: Work::default(),
-            assumptions: Vec::new(),
-            fields: Vec::new(),
-        };
+    pub(super) fn row(&self, theory: Theory, state: usize, swept: &[f64]) -> Row {
+        let mut row = Row::new(state, swept, vec![theory.word().to_owned()], COLUMNS.len());
         if let Err(refusal) = self.fill(theory, &mut row) {
-            row.status = match refusal {
-                Refusal::NoSuchState { .. } => Status::NoSuchState,
-                Refusal::Undefined { .. } => Status::Undefined,
-                Refusal::OutOfRange { .. } => Status::Invalid,
-                Refusal::NotConverged { .. } => Status::NotConverged,
-            };
-            row.reason = Some(refusal.to_string());
-            if let Refusal::NoSuchState { limit_name, limit, .. } = refusal {
-                row.witness = Some(Witness { name: limit_name.to_owned(), value: limit });
-            }
-            row.values = vec![None; COLUMNS.len()];
-            row.certificate = None;
-            row.assumptions.clear();
-            row.fields.clear();
+            row.refuse(&refusal);
         }
         row
     }
@@ -78,7 +49,7 @@ impl SteadyCrackPlan {
             row.fields = self.fields(&fields, &state)?;
             row.work.field_evaluations += u64::from(fields.points);
         }
-        representable(row)
+        row.representable(&columns(self.units))
     }
 
     fn state(&self, theory: Theory, tolerance: f64, work: &mut Work) -> Result<SteadyState, Refusal> {
@@ -185,27 +156,8 @@ impl SteadyCrackPlan {
                     }
                 };
                 let widened = |estimate: Estimate| Estimate::new(estimate.value, estimate.error + intensity_error * estimate.value.abs());
-                Ok(FieldPoint { distance, displacement: widened(displacement), stress: widened(stress) })
+                Ok(FieldPoint { place: distance, values: vec![widened(displacement), widened(stress)] })
             })
             .collect()
     }
-}
-
-/// Lets a row pass whose every number is finite: infinities and NaNs stand in no table, and JSON has no word for them.
-fn representable(row: &mut Row) -> Result<(), Refusal> {
-    for assumption in &mut row.assumptions {
-        *assumption = assumption.filter(|value| value.is_finite());
-    }
-    let finite = |estimate: &Estimate| estimate.value.is_finite() && estimate.error.is_finite();
-    let overflow = |quantity| Refusal::Undefined { quantity, reason: "the numbers of the scene are so far apart that it overflows".into() };
-    if let Some((column, _)) = COLUMNS.iter().zip(&row.values).find(|(_, value)| value.as_ref().is_some_and(|value| !finite(value))) {
-        return Err(overflow(column.name));
-    }
-    if row.certificate.is_some_and(|certificate| !(certificate.residual.is_finite() && certificate.condition.is_finite())) {
-        return Err(overflow("the certificate"));
-    }
-    if row.fields.iter().any(|point| !(point.distance.is_finite() && finite(&point.displacement) && finite(&point.stress))) {
-        return Err(overflow("a field"));
-    }
-    Ok(())
 }

@@ -3,22 +3,9 @@
 use super::SteadyCrackPlan;
 use super::columns::at;
 use crate::estimate::Estimate;
-use crate::outcome::{Row, Validity, Verdict};
+use crate::outcome::{Row, Validity};
+use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
-
-/// Which way an assumption fails.
-#[derive(Clone, Copy)]
-enum Limit {
-    Below(f64),
-    Above(f64),
-}
-
-/// One assumption of the model.
-struct Assumption {
-    name: &'static str,
-    limit: Limit,
-    meaning: &'static str,
-}
 
 /// The assumptions, in the order of [`SteadyCrackPlan::assumptions`].
 const ASSUMPTIONS: [Assumption; 7] = [
@@ -96,40 +83,18 @@ impl SteadyCrackPlan {
         ]
     }
 
-    pub(in crate::plan) fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        let mut entries: Vec<Validity> = ASSUMPTIONS
-            .iter()
-            .enumerate()
-            .filter_map(|(index, assumption)| {
-                let values = rows.iter().filter_map(|row| row.assumptions.get(index).copied().flatten());
-                let (worst, good) = match assumption.limit {
-                    Limit::Below(limit) => {
-                        values.fold(None, |worst: Option<f64>, value| Some(worst.map_or(value, |w| w.max(value)))).map(|w| (w, w < limit))
-                    }
-                    Limit::Above(limit) => {
-                        values.fold(None, |worst: Option<f64>, value| Some(worst.map_or(value, |w| w.min(value)))).map(|w| (w, w > limit))
-                    }
-                }?;
-                Some(Validity {
-                    name: assumption.name.into(),
-                    value: Some(worst),
-                    verdict: if good { Verdict::Good } else { Verdict::Caution },
-                    meaning: assumption.meaning.into(),
-                })
-            })
-            .collect();
-        entries.push(Validity {
-            name: "constant Poisson ratio".into(),
-            value: self.poisson_ratio,
-            verdict: Verdict::NotJudged,
-            meaning: "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state".into(),
-        });
-        entries.push(Validity {
-            name: "inertia and heat".into(),
-            value: None,
-            verdict: Verdict::NotJudged,
-            meaning: "left out: speeds must stay far below the shear-wave speed, and the tip isothermal".into(),
-        });
+    pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = judged(&ASSUMPTIONS, rows);
+        entries.push(not_judged(
+            "constant Poisson ratio",
+            self.poisson_ratio,
+            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
+        ));
+        entries.push(not_judged(
+            "inertia and heat",
+            None,
+            "left out: speeds must stay far below the shear-wave speed, and the tip isothermal",
+        ));
         entries
     }
 }

@@ -1,4 +1,4 @@
-//! Keys of steady cracks, of the adhesion that holds their faces, and of the fields around their tip.
+//! Keys of steady cracks.
 
 use super::{Key, Kind, Range, Word};
 use crate::scene::units::Dimension;
@@ -6,39 +6,6 @@ use crate::scene::units::Dimension;
 const LENGTH: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "relaxed zone a₀" };
 
 pub(super) const KEYS: &[Key] = &[
-    Key { path: "adhesion", kind: Kind::Table, meaning: "What holds the faces together. Without it no energy balance is solved." },
-    Key {
-        path: "adhesion.work_of_adhesion",
-        kind: Kind::Number { dimension: Dimension::ENERGY_PER_AREA, range: Range::Positive, reduced: "1 (it is the unit)" },
-        meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
-    },
-    Key {
-        path: "adhesion.process_zone",
-        kind: Kind::Table,
-        meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress.",
-    },
-    Key { path: "adhesion.process_zone.length", kind: LENGTH, meaning: "A fixed process-zone length δ." },
-    Key {
-        path: "adhesion.process_zone.cohesive_stress",
-        kind: Kind::Number {
-            dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (a₀ is the unit of length)"
-        },
-        meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory takes it as its constant stress.",
-    },
-    Key {
-        path: "adhesion.process_zone.factor",
-        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
-        meaning: "α in δ = α(K/(√(2π)σ_c))²; default 1/π, with which the theory meets Persson and Brener's in both limits.",
-    },
-    Key {
-        path: "adhesion.process_zone.law",
-        kind: Kind::Choice(&[
-            Word { word: "growing", meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default" },
-            Word { word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42)" },
-            Word { word: "schapery", meaning: "closing only: the length of Schapery's cohesive zone (5.43)" },
-        ]),
-        meaning: "How the length follows from the cohesive stress.",
-    },
     Key { path: "crack", kind: Kind::Table, meaning: "A crack that opens or closes steadily." },
     Key {
         path: "crack.motion",
@@ -111,13 +78,5 @@ pub(super) const KEYS: &[Key] = &[
             Word { word: "uniaxial", meaning: "free contraction along the strip, as in (5.46)" },
         ]),
         meaning: "Whether the strip may contract along its length.",
-    },
-    Key { path: "fields", kind: Kind::Table, meaning: "Opening and stress around the tip. Without it no field is evaluated." },
-    Key { path: "fields.from", kind: LENGTH, meaning: "Smallest distance from the tip." },
-    Key { path: "fields.to", kind: LENGTH, meaning: "Largest distance from the tip." },
-    Key {
-        path: "fields.points",
-        kind: Kind::Count { least: 2, most: 100_000 },
-        meaning: "How many distances, in equal ratios; default 200.",
     },
 ];

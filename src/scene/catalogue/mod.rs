@@ -3,9 +3,12 @@
 //! One list serves the check of a scene, the nearest-key suggestion, the editor schema, and the documentation. A path is dotted; `[]`
 //! stands for any item of a list.
 
+mod adhesion;
 mod crack;
+mod fields;
 mod general;
 mod material;
+mod sliding;
 
 use super::units::Dimension;
 
@@ -106,7 +109,7 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, crack::KEYS].into_iter().flatten()
+    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, sliding::KEYS, fields::KEYS].into_iter().flatten()
 }
 
 /// The key at a path, `[]` for list items.

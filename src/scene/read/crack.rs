@@ -1,17 +1,13 @@
 //! The [crack], [adhesion] and [fields] tables of a steady crack.
 
 use super::section::Section;
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress};
 use crate::crack::{CrackBody, Motion};
 use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, SceneMaterial, SteadyCrack, Strip, StripLoad, Theory};
-
-/// α where a scene names none: with it the theory and Persson and Brener's have the same limits.
-const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
-/// Distances of a field where a scene names no number.
-const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<SteadyCrack, SceneError> {
     let crack = top.required_table("crack", "it is the problem")?;
@@ -74,6 +70,7 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
         None if reduced => return Ok((work, reduced_zone(body, DEFAULT_FACTOR, CohesiveLaw::Growing))),
         None => return Err(table.missing("process_zone")),
     };
+    zone.without(&["trailing_length", "leading_length"], "a sliding contact")?;
     let factor = zone.number("factor")?.unwrap_or(DEFAULT_FACTOR);
     let law = match zone.text("law") {
         Some("constant") => CohesiveLaw::Constant,
@@ -93,12 +90,7 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
         }
     };
     if let ProcessZoneLaw::Length(_) = given {
-        for key in ["factor", "law"] {
-            if zone.node().get(key).is_some() {
-                let message = format!("`{}` belongs to a cohesive stress, but a length is given", zone.full(key));
-                return Err(zone.wrong(key, message, "leave it out, or give cohesive_stress instead of length"));
-            }
-        }
+        without_cohesive_stress(&zone)?;
     }
     Ok((work, given))
 }

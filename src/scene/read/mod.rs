@@ -4,6 +4,7 @@ mod crack;
 mod include;
 mod material;
 mod section;
+mod sliding;
 
 use super::catalogue::Range;
 use super::check::{Units, check};
@@ -14,10 +15,12 @@ use super::typed::{Problem, Scene};
 use section::Section;
 
 /// Tables that name a problem; a scene holds exactly one of them.
-const PROBLEMS: [&str; 1] = ["crack"];
+const PROBLEMS: [&str; 2] = ["crack", "sliding"];
 
-/// Wanted accuracy where a scene names none.
-const DEFAULT_ACCURACY: f64 = 1e-9;
+/// α where a scene names none: with it the theory of cracks and Persson and Brener's have the same limits.
+const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
+/// Points of a field where a scene names no number.
+const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
 /// Replaces included files by their content; to be done once, before `--set`s, sweeps and [`read`].
 ///
@@ -65,13 +68,18 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let material = material::read(&top)?;
     let problem = match the_problem(&top)? {
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
-        other => return Err(SceneError::general(format!("the problem [{other}] cannot be solved yet"))),
+        _ => Problem::Sliding(sliding::read(&top, &material)?),
+    };
+    // Wanted accuracy where a scene names none.
+    let default_accuracy = match &problem {
+        Problem::SteadyCrack(_) => 1e-9,
+        Problem::Sliding(_) => 1e-6,
     };
     Ok(Scene {
         // One line, whatever the text or the file's name holds.
         title: top.text("title").map_or_else(stem, str::to_owned).replace(char::is_control, " "),
         units,
-        accuracy: top.number("accuracy")?.unwrap_or(DEFAULT_ACCURACY),
+        accuracy: top.number("accuracy")?.unwrap_or(default_accuracy),
         material,
         problem,
         sweeps: Vec::new(),
@@ -92,6 +100,17 @@ fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
             Err(SceneError::at(&place, format!("the scene names more than one problem: {}", given.join(", ")), "leave one out"))
         }
     }
+}
+
+/// Refuses the keys of a process zone that only follow from a cohesive stress, where a length is given.
+fn without_cohesive_stress(zone: &Section<'_>) -> Result<(), SceneError> {
+    for key in ["factor", "law"] {
+        if zone.node().get(key).is_some() {
+            let message = format!("`{}` belongs to a cohesive stress, but a length is given", zone.full(key));
+            return Err(zone.wrong(key, message, "leave it out, or give cohesive_stress instead of length"));
+        }
+    }
+    Ok(())
 }
 
 /// The place of a document's last byte: where something is missing.

@@ -124,6 +124,17 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// Refuses keys that belong to another problem than this scene's.
+    pub(super) fn without(&self, keys: &[&'static str], owner: &str) -> Result<(), SceneError> {
+        match keys.iter().find(|key| self.node.get(key).is_some()) {
+            Some(key) => {
+                let message = format!("`{}` belongs to {owner}, which this scene is not about", self.full(key));
+                Err(SceneError::at(&self.key_place(key), message, "leave it out"))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// A contradiction at a key.
     pub(super) fn wrong(&self, key: &str, message: impl Into<String>, label: impl Into<String>) -> SceneError {
         let place = self.node.get(key).map_or_else(|| self.header(), |node| node.place.clone());

@@ -42,6 +42,11 @@ pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<
             quantity: "the penetration of a cylinder",
             reason: "a line load sinks into a half-plane without bound".into(),
         }),
+        (Indenter::Wave, SlidingControl::Penetration(penetration)) if penetration >= 1.0 => Err(Refusal::NoSuchState {
+            reason: "the wave is in full contact".into(),
+            limit_name: "the penetration of full contact",
+            limit: 1.0,
+        }),
         (Indenter::Wave, control) => {
             // E* = k = Λ = 1: pressures come in units of E0*kΛ, penetrations in Λ.
             let wave = WestergaardWave::new(1.0, 2.0 * PI, 1.0)?;
@@ -57,6 +62,11 @@ pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<
             };
             let unit = if matches!(control, SlidingControl::MeanPressure(_)) { 2.0 * modulus } else { 1.0 };
             match state {
+                Ok(state) if state.is_full_contact() => Err(Refusal::NoSuchState {
+                    reason: "the wave is in full contact".into(),
+                    limit_name: "the mean pressure of full contact",
+                    limit: modulus,
+                }),
                 Ok(state) => Ok(state.contact_half_width),
                 // The sentence of the elastic wave holds numbers in its own units.
                 Err(Refusal::NoSuchState { limit_name, limit, .. }) => Err(Refusal::NoSuchState {

@@ -105,4 +105,6 @@ pub struct FullContact {
     pub limit_name: &'static str,
     /// Its value.
     pub limit: f64,
+    /// What it took to know that.
+    pub work: SlidingWork,
 }

@@ -71,10 +71,10 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
     }
     match (slow, not_converged) {
         (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
-            full_contact(material, problem, limit_name, limit)
+            full_contact(material, problem, limit_name, limit, work)
         }
         (Some(NoStart::Fold(PathEnd { last, widening: true })), _) if problem.indenter == Indenter::Wave => {
-            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last)
+            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last, work)
         }
         (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
         (Some(NoStart::Fold(PathEnd { last, .. })), _) => Err(Refusal::NoSuchState {
@@ -97,12 +97,23 @@ pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start:
     solved(&memory, problem, start, &mut SlidingWork::default())
 }
 
-/// Whether the limit that an elastic contact has passed is snap-in.
+/// Whether the limit that an elastic contact has passed is snap-in or full contact.
 fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
-    problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(pressure) if pressure >= limit)
+    let asked = match problem.control {
+        SlidingControl::MeanPressure(pressure) => pressure,
+        SlidingControl::Penetration(penetration) => penetration,
+        SlidingControl::HalfWidth(_) => return false,
+    };
+    problem.indenter == Indenter::Wave && asked >= limit
 }
 
-fn full_contact(material: &Material, problem: &SlidingProblem, limit_name: &'static str, limit: f64) -> Result<SlidingOutcome, Refusal> {
+fn full_contact(
+    material: &Material,
+    problem: &SlidingProblem,
+    limit_name: &'static str,
+    limit: f64,
+    work: SlidingWork,
+) -> Result<SlidingOutcome, Refusal> {
     let mean_pressure = match problem.control {
         SlidingControl::MeanPressure(pressure) => Some(pressure),
         _ => None,
@@ -114,6 +125,7 @@ fn full_contact(material: &Material, problem: &SlidingProblem, limit_name: &'sta
         friction_coefficient: mean_pressure.filter(|&pressure| pressure > 0.0).map(|pressure| friction_stress.scaled(1.0 / pressure)),
         limit_name,
         limit,
+        work,
     }))
 }
 

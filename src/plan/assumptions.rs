@@ -1,0 +1,40 @@
+//! Where a model may be doubted: numbers formed for every row, and the verdict on the worst of them.
+
+use crate::outcome::{Row, Validity, Verdict};
+
+/// Which way an assumption fails.
+#[derive(Clone, Copy)]
+pub(super) enum Limit {
+    Below(f64),
+    Above(f64),
+}
+
+/// One assumption of a model, judged by a number of every row.
+pub(super) struct Assumption {
+    pub(super) name: &'static str,
+    pub(super) limit: Limit,
+    pub(super) meaning: &'static str,
+}
+
+/// The verdict on the worst number of each assumption; nothing on one that no row has a number for.
+pub(super) fn judged(assumptions: &[Assumption], rows: &[Row]) -> Vec<Validity> {
+    let verdict = |(index, assumption): (usize, &Assumption)| {
+        let values = rows.iter().filter_map(|row| row.assumptions.get(index).copied().flatten());
+        let (worst, good) = match assumption.limit {
+            Limit::Below(limit) => values.reduce(f64::max).map(|worst| (worst, worst < limit)),
+            Limit::Above(limit) => values.reduce(f64::min).map(|worst| (worst, worst > limit)),
+        }?;
+        Some(Validity {
+            name: assumption.name.into(),
+            value: Some(worst),
+            verdict: if good { Verdict::Good } else { Verdict::Caution },
+            meaning: assumption.meaning.into(),
+        })
+    };
+    assumptions.iter().enumerate().filter_map(verdict).collect()
+}
+
+/// An assumption that the scene holds no number for.
+pub(super) fn not_judged(name: &str, value: Option<f64>, meaning: &str) -> Validity {
+    Validity { name: name.into(), value, verdict: Verdict::NotJudged, meaning: meaning.into() }
+}

@@ -1,0 +1,183 @@
+//! The columns of a sliding contact's table, and what each is measured in.
+
+use super::scale::Scale;
+use crate::outcome::Column;
+use crate::scene::typed::{SlidingIndenter, Units};
+
+/// What a column measures.
+#[derive(Clone, Copy)]
+pub(super) enum Measure {
+    Speed,
+    Length,
+    Displacement,
+    Load,
+    Friction,
+    Coefficient,
+    Release,
+    Energy,
+}
+
+/// A column, with the name that it has for a cylinder.
+pub(super) struct Definition {
+    name: &'static str,
+    of_cylinder: &'static str,
+    pub(super) measure: Measure,
+    meaning: &'static str,
+}
+
+/// Positions of the columns in a row.
+pub(super) mod at {
+    pub(crate) const SPEED: usize = 0;
+    pub(crate) const HALF_WIDTH: usize = 1;
+    pub(crate) const ECCENTRICITY: usize = 2;
+    pub(crate) const FRICTION: usize = 3;
+    pub(crate) const COEFFICIENT: usize = 4;
+    pub(crate) const TRAILING_RELEASE: usize = 5;
+    pub(crate) const LEADING_RELEASE: usize = 6;
+    pub(crate) const LOAD: usize = 7;
+    pub(crate) const ADHESIVE_FRICTION: usize = 10;
+    pub(crate) const TRAILING_ZONE: usize = 13;
+    pub(crate) const LEADING_ZONE: usize = 14;
+    /// A cylinder's columns end before this one.
+    pub(crate) const PENETRATION: usize = 15;
+}
+
+const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
+    Definition { name, of_cylinder: name, measure, meaning }
+}
+
+pub(super) const COLUMNS: [Definition; 17] = [
+    column("speed", Measure::Speed, "v of the sliding body along +x; negative mirrors the contact."),
+    column("half_width", Measure::Length, "a, half the width of the contact; accuracy relative to at least 1/k, of a cylinder L."),
+    column("eccentricity", Measure::Length, "e, the middle of the contact ahead of the crest along +x; accuracy as of the half-width."),
+    Definition {
+        name: "friction_stress",
+        of_cylinder: "friction_per_width",
+        measure: Measure::Friction,
+        meaning: "Force against the motion, of a wave over the nominal area; accuracy relative to at least its unit in reduced scenes.",
+    },
+    column(
+        "friction_coefficient",
+        Measure::Coefficient,
+        "Friction over load, where the load presses; accuracy relative to at least kΛ, of a cylinder L/R.",
+    ),
+    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ."),
+    column("leading_energy_release_rate", Measure::Release, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
+    Definition {
+        name: "mean_pressure",
+        of_cylinder: "load_per_width",
+        measure: Measure::Load,
+        meaning: "Load, of a wave over the nominal area; accuracy relative to at least its unit in reduced scenes.",
+    },
+    column("trailing_edge", Measure::Length, "x of the edge that opens; accuracy as of the half-width."),
+    column("leading_edge", Measure::Length, "x of the edge that closes; accuracy as of the half-width."),
+    Definition {
+        name: "adhesive_friction_stress",
+        of_cylinder: "adhesive_friction_per_width",
+        measure: Measure::Friction,
+        meaning: "The part of the friction that adhesion adds at the edges: G₁ − G₂, of a wave over the wavelength (3.40).",
+    },
+    column(
+        "trailing_nonconservative_work",
+        Measure::Release,
+        "Δγ − G₁: work of the interface at the opening edge that is not stored (3.21).",
+    ),
+    column(
+        "leading_nonconservative_work",
+        Measure::Release,
+        "Δγ − G₂: work of the interface at the closing edge that is not stored (3.22).",
+    ),
+    column("trailing_process_zone", Measure::Length, "δ of the edge that opens."),
+    column("leading_process_zone", Measure::Length, "δ of the edge that closes."),
+    column(
+        "penetration",
+        Measure::Displacement,
+        "Δ: 0 where the crest touches the mean surface, Λ in full contact; accuracy relative to at least Λ.",
+    ),
+    column("interface_work", Measure::Energy, "U = ½∫p w over a wavelength, per width; accuracy relative to at least E0*Λ²/2."),
+];
+
+/// The definitions of an indenter's columns: a cylinder sinks into a half-plane without bound and has neither Δ nor U.
+pub(super) fn definitions(indenter: SlidingIndenter) -> &'static [Definition] {
+    match indenter {
+        SlidingIndenter::Wave { .. } => &COLUMNS,
+        SlidingIndenter::Cylinder { .. } => COLUMNS.get(..at::PENETRATION).unwrap_or(&COLUMNS),
+    }
+}
+
+impl Definition {
+    /// Its factor from reduced units to those of the scene.
+    pub(super) fn factor(&self, scale: &Scale, work_of_adhesion: f64) -> f64 {
+        match self.measure {
+            Measure::Speed => 1.0,
+            Measure::Length => scale.length,
+            Measure::Displacement => scale.displacement,
+            Measure::Load => scale.load,
+            Measure::Friction => scale.friction,
+            Measure::Coefficient => scale.slope,
+            Measure::Release => work_of_adhesion,
+            Measure::Energy => scale.energy_per_width,
+        }
+    }
+
+    fn unit(&self, indenter: SlidingIndenter, units: Units) -> &'static str {
+        let wave = matches!(indenter, SlidingIndenter::Wave { .. });
+        match (self.measure, units, wave) {
+            (Measure::Speed, Units::Si, _) => "m/s",
+            (Measure::Length | Measure::Displacement, Units::Si, _) => "m",
+            (Measure::Load | Measure::Friction, Units::Si, true) => "Pa",
+            (Measure::Load | Measure::Friction, Units::Si, false) => "N/m",
+            (Measure::Coefficient, Units::Si, _) => "1",
+            (Measure::Release, Units::Si, _) => "J/m²",
+            (Measure::Energy, Units::Si, _) => "J/m",
+            (Measure::Speed, Units::Reduced, true) => "1/kτ",
+            (Measure::Speed, Units::Reduced, false) => "L/τ",
+            (Measure::Length, Units::Reduced, true) => "1/k",
+            (Measure::Length, Units::Reduced, false) => "L",
+            (Measure::Displacement, Units::Reduced, true) => "Λ",
+            (Measure::Displacement, Units::Reduced, false) => "L²/R",
+            (Measure::Load, Units::Reduced, true) => "E0*kΛ/2",
+            (Measure::Load, Units::Reduced, false) => "πE0*L²/R",
+            (Measure::Friction, Units::Reduced, true) => "E0*k²Λ²/2",
+            (Measure::Friction, Units::Reduced, false) => "πE0*L³/R²",
+            (Measure::Coefficient, Units::Reduced, true) => "kΛ",
+            (Measure::Coefficient, Units::Reduced, false) => "L/R",
+            (Measure::Release, Units::Reduced, _) => "Δγ",
+            (Measure::Energy, Units::Reduced, true) => "E0*Λ²/2",
+            (Measure::Energy, Units::Reduced, false) => "E0*L⁴/2R²",
+        }
+    }
+}
+
+pub(super) fn columns(indenter: SlidingIndenter, units: Units) -> Vec<Column> {
+    let wave = matches!(indenter, SlidingIndenter::Wave { .. });
+    definitions(indenter)
+        .iter()
+        .map(|definition| Column {
+            name: if wave { definition.name } else { definition.of_cylinder },
+            unit: definition.unit(indenter, units).to_owned(),
+            meaning: definition.meaning,
+        })
+        .collect()
+}
+
+/// Positions of the fields at a place.
+pub(super) mod field {
+    pub(crate) const PRESSURE: usize = 0;
+    pub(crate) const DISPLACEMENT: usize = 2;
+}
+
+pub(super) fn field_columns(indenter: SlidingIndenter, units: Units) -> Vec<Column> {
+    let units = match (units, indenter) {
+        (Units::Si, _) => ["m", "Pa", "m", "m"],
+        (Units::Reduced, SlidingIndenter::Wave { .. }) => ["1/k", "E0*kΛ/2", "Λ", "Λ"],
+        (Units::Reduced, SlidingIndenter::Cylinder { .. }) => ["L", "E0*L/2R", "L²/R", "L²/R"],
+    };
+    let columns = [
+        ("position", "x along the surface, 0 at the crest, in the frame of the sliding body."),
+        ("pressure", "Pressure, tension negative; 0 outside the contact."),
+        ("gap", "Gap between the faces; 0 in the contact."),
+        ("displacement", "Displacement of the surface into the body, from its mean; under a cylinder, from the point below its crest."),
+    ];
+    columns.into_iter().zip(units).map(|((name, meaning), unit)| Column { name, unit: unit.to_owned(), meaning }).collect()
+}

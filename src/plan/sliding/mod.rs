@@ -1,0 +1,182 @@
+//! The plan of a sliding contact: which contacts, at which speed, under which load, with which fields.
+
+mod columns;
+mod cost;
+mod describe;
+mod figures;
+mod scale;
+mod solve;
+mod validity;
+
+use crate::elastic::PlaneState;
+use crate::material::{CreepTerm, Material};
+use crate::outcome::plot::Figure;
+use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::plan::ProblemPlan;
+use crate::plan::citations::Citation;
+use crate::refusal::Refusal;
+use crate::scene::typed::{ElasticBody, Scene, Sliding, SlidingContact, SlidingIndenter, SlidingLoad, SlidingZone, Units};
+use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
+use scale::Scale;
+
+/// A sliding contact, ready to be solved.
+#[derive(Debug, Clone)]
+pub(super) struct SlidingPlan {
+    sliding: Sliding,
+    /// Both bodies together, with plane moduli.
+    material: Material,
+    poisson_ratio: Option<f64>,
+    scale: Scale,
+    units: Units,
+    accuracy: f64,
+    /// Whether a sweep follows.
+    swept: bool,
+    /// The speeds of the sweep, or the one of the scene.
+    speeds: Vec<f64>,
+}
+
+impl SlidingPlan {
+    pub(super) fn new(scene: &Scene, sliding: &Sliding) -> Result<Self, Refusal> {
+        let stiffening = match (scene.units, scene.material.poisson_ratio) {
+            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
+            // A reduced scene holds plane moduli.
+            _ => 1.0,
+        };
+        let plane = scene.material.series.stiffened(stiffening)?;
+        let material = match sliding.counter_body {
+            Some(body) => with_counter_body(&plane, body)?,
+            None => plane,
+        };
+        let relaxed = material.solid_modulus("a steady sliding contact")?;
+        let plan = Self {
+            scale: Scale::new(sliding, relaxed, scene.units),
+            sliding: sliding.clone(),
+            material,
+            poisson_ratio: scene.material.poisson_ratio,
+            units: scene.units,
+            accuracy: scene.accuracy,
+            swept: !scene.sweeps.is_empty(),
+            speeds: scene
+                .sweeps
+                .iter()
+                .find(|sweep| sweep.key == "sliding.speed")
+                .map_or_else(|| vec![sliding.speed], |sweep| sweep.values.clone()),
+        };
+        let Scale { length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width } = plan.scale;
+        let scales = [length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width];
+        let representable = |value: f64| value.is_finite() && value > 0.0;
+        if scales.into_iter().all(representable) && plan.characteristic_numbers().iter().all(|group| group.value.is_finite()) {
+            Ok(plan)
+        } else {
+            Err(Refusal::Undefined {
+                quantity: "the scale of the sliding contact",
+                reason: "the lengths, moduli, loads and the work of adhesion are zero or so far apart that numbers overflow".into(),
+            })
+        }
+    }
+
+    fn is_wave(&self) -> bool {
+        matches!(self.sliding.indenter, SlidingIndenter::Wave { .. })
+    }
+
+    /// kv, or v/L: whichever way it slides.
+    fn rate(&self, speed: f64) -> f64 {
+        speed.abs() / self.scale.length
+    }
+
+    /// Γ and both process zones.
+    fn reduced_adhesion(&self) -> Option<WaveAdhesion> {
+        let adhesion = self.sliding.adhesion?;
+        let reduced_work = adhesion.work_of_adhesion / self.scale.work_of_adhesion;
+        let (trailing_zone, leading_zone) = match adhesion.process_zone {
+            SlidingZone::Lengths { trailing, leading } => (trailing / self.scale.length, leading / self.scale.length),
+            SlidingZone::Cohesive { cohesive_stress, factor } => {
+                // αa₀, a₀ = E0*Δγ/(πσ_c²).
+                let stress = cohesive_stress / self.scale.pressure;
+                let zone = 4.0 * factor * reduced_work / (stress * stress);
+                (zone, zone)
+            }
+        };
+        Some(WaveAdhesion { reduced_work, trailing_zone, leading_zone })
+    }
+
+    /// What the solver is asked.
+    fn problem(&self, contact: SlidingContact) -> Result<SlidingProblem, Refusal> {
+        let control = match self.sliding.control {
+            SlidingLoad::MeanPressure(load) | SlidingLoad::LoadPerWidth(load) => SlidingControl::MeanPressure(load / self.scale.load),
+            SlidingLoad::Penetration(penetration) => SlidingControl::Penetration(penetration / self.scale.displacement),
+            SlidingLoad::HalfWidth(half_width) => SlidingControl::HalfWidth(half_width / self.scale.length),
+        };
+        let without = |limit_name| Refusal::NoSuchState {
+            reason: "without adhesion nothing holds a contact that is not pressed".into(),
+            limit_name,
+            limit: 0.0,
+        };
+        let adhesion = match (contact, control) {
+            (SlidingContact::Adhesive, _) => self.reduced_adhesion(),
+            (SlidingContact::Adhesiveless, SlidingControl::MeanPressure(load)) if load <= 0.0 => return Err(without("the load")),
+            (SlidingContact::Adhesiveless, SlidingControl::Penetration(depth)) if depth <= 0.0 => return Err(without("the penetration")),
+            (SlidingContact::Adhesiveless, _) => None,
+        };
+        let indenter = if self.is_wave() { Indenter::Wave } else { Indenter::Parabola };
+        Ok(SlidingProblem { rate: self.rate(self.sliding.speed), indenter, adhesion, control, accuracy: self.accuracy })
+    }
+}
+
+/// A material whose creep function is larger by the compliance of an elastic body at every time.
+fn with_counter_body(plane: &Material, body: ElasticBody) -> Result<Material, Refusal> {
+    plane.solid_modulus("a steady sliding contact")?;
+    let compliance = 1.0 / PlaneState::Strain.modulus(body.modulus, body.poisson_ratio)?;
+    let terms: Vec<CreepTerm> = plane.creep_terms().to_vec();
+    Material::from_creep(1.0 / (1.0 / plane.glassy_modulus() + compliance), &terms, None)
+}
+
+impl ProblemPlan for SlidingPlan {
+    fn name(&self) -> &'static str {
+        "steady sliding"
+    }
+
+    fn labels(&self) -> &'static [&'static str] {
+        &["contact", "state"]
+    }
+
+    fn effects(&self) -> Vec<Effect> {
+        self.effect_list()
+    }
+
+    fn method(&self) -> Vec<String> {
+        self.sentences()
+    }
+
+    fn groups(&self) -> Vec<Group> {
+        self.characteristic_numbers()
+    }
+
+    fn predicted_work(&self, states: u64) -> Work {
+        self.work_of_states(states)
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        columns::columns(self.sliding.indenter, self.units)
+    }
+
+    fn field_columns(&self) -> Vec<Column> {
+        columns::field_columns(self.sliding.indenter, self.units)
+    }
+
+    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+        self.sliding.contacts.iter().map(|&contact| self.row(contact, state, swept)).collect()
+    }
+
+    fn validity(&self, rows: &[Row]) -> Vec<Validity> {
+        self.verdicts(rows)
+    }
+
+    fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
+        self.drawings(scene, rows)
+    }
+
+    fn citations(&self) -> Vec<&'static Citation> {
+        self.papers()
+    }
+}

@@ -1,0 +1,238 @@
+//! One state of a sliding contact: a row for each kind of contact, from the solver's reduced numbers.
+
+use super::SlidingPlan;
+use super::columns::{COLUMNS, at, columns, definitions};
+use crate::estimate::Estimate;
+use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
+use crate::refusal::Refusal;
+use crate::scene::typed::{SlidingContact, SlidingZone, Units};
+use crate::sliding::steady::{FullContact, PartialContact, SlidingOutcome, SlidingWork, steady_sliding};
+use std::f64::consts::PI;
+
+/// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
+const CONVERSION: f64 = 6.0 * f64::EPSILON;
+
+/// A limit in the units of the scene.
+struct PassedLimit {
+    name: &'static str,
+    value: f64,
+    unit: String,
+}
+
+impl std::fmt::Display for PassedLimit {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{} = {:e}", self.name, self.value)?;
+        if self.unit.is_empty() { Ok(()) } else { write!(formatter, " {}", self.unit) }
+    }
+}
+
+impl From<PassedLimit> for Witness {
+    fn from(limit: PassedLimit) -> Self {
+        Self { name: limit.name.to_owned(), value: limit.value }
+    }
+}
+
+impl SlidingPlan {
+    pub(super) fn row(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Row {
+        let definitions = definitions(self.sliding.indenter);
+        let mut row = Row::new(state, swept, vec![contact.word().to_owned(), String::new()], definitions.len());
+        if let Err(refusal) = self.fill(contact, &mut row) {
+            row.labels = vec![contact.word().to_owned(), String::new()];
+            row.refuse(&refusal);
+            if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
+                let limit = self.limit(limit_name, limit);
+                row.reason = Some(format!("no such state exists: {reason} ({limit})"));
+                row.witness = Some(limit.into());
+            }
+        }
+        row
+    }
+
+    fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
+        let reduced = match steady_sliding(&self.material, &self.problem(contact)?)? {
+            SlidingOutcome::Partial(partial) => {
+                row.labels = vec![contact.word().to_owned(), "partial".to_owned()];
+                row.work = counted(&partial.work);
+                row.certificate = Some(Certificate {
+                    residual: partial.certificate.residual,
+                    condition: partial.certificate.condition,
+                    admissible: partial.certificate.admissible,
+                });
+                if let Some(points) = self.sliding.field_points {
+                    row.fields = self.fields(&partial, points)?;
+                    row.work.field_evaluations = u64::from(points);
+                }
+                self.partial_values(contact, &partial)
+            }
+            SlidingOutcome::Full(full) => {
+                row.labels = vec![contact.word().to_owned(), "full".to_owned()];
+                row.work = counted(&full.work);
+                row.certificate = Some(Certificate { residual: 0.0, condition: 1.0, admissible: true });
+                let limit = self.limit(full.limit_name, full.limit);
+                row.reason = Some(format!("past {limit}"));
+                row.witness = Some(limit.into());
+                self.full_values(&full)
+            }
+        };
+        let work_of_adhesion = match (self.units, self.sliding.adhesion) {
+            (Units::Si, Some(adhesion)) => adhesion.work_of_adhesion,
+            _ => 1.0,
+        };
+        let columns = columns(self.sliding.indenter, self.units);
+        // Every reference scale is one reduced unit.
+        let shortfall = columns.iter().zip(&reduced).skip(1).find_map(|(column, value)| {
+            let estimate = (*value)?;
+            let error = estimate.error / estimate.value.abs().max(1.0);
+            (error > self.accuracy).then_some((column.name, error))
+        });
+        if let Some((name, error)) = shortfall {
+            row.status = Status::Inaccurate;
+            row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
+        }
+        row.values = definitions(self.sliding.indenter)
+            .iter()
+            .zip(reduced)
+            .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, work_of_adhesion))))
+            .collect();
+        row.assumptions = self.assumptions(row);
+        row.representable(&columns)
+    }
+
+    /// A reduced number in the units of the scene.
+    fn in_units(&self, estimate: Estimate, factor: f64) -> Estimate {
+        let value = estimate.value * factor;
+        let rounding = if self.units == Units::Si && estimate.error > 0.0 { CONVERSION * value.abs() } else { 0.0 };
+        // No minus zero.
+        Estimate::new(value + 0.0, (estimate.error * factor).abs() + rounding)
+    }
+
+    /// The values of a partial contact in the order of the columns, reduced; the speed is in the scene's units already.
+    fn partial_values(&self, contact: SlidingContact, partial: &PartialContact) -> Vec<Option<Estimate>> {
+        let values = &partial.values;
+        let mirrored = |estimate: Estimate| Some(Estimate::new(self.direction() * estimate.value, estimate.error));
+        let adhesion = values.adhesion.as_ref();
+        let zones = self.reduced_adhesion().filter(|_| contact == SlidingContact::Adhesive);
+        let zone_error = match self.sliding.adhesion.map(|adhesion| adhesion.process_zone) {
+            Some(SlidingZone::Cohesive { .. }) => 8.0 * f64::EPSILON,
+            _ => 0.0,
+        };
+        vec![
+            Some(Estimate::exact(self.sliding.speed)),
+            Some(values.half_width),
+            mirrored(values.eccentricity),
+            Some(values.friction_stress),
+            values.friction_coefficient,
+            adhesion.map(|values| values.trailing_release),
+            adhesion.map(|values| values.leading_release),
+            Some(values.mean_pressure),
+            mirrored(values.trailing_edge),
+            mirrored(values.leading_edge),
+            adhesion.map(|values| values.adhesive_friction_stress),
+            adhesion.map(|values| values.trailing_nonconservative),
+            adhesion.map(|values| values.leading_nonconservative),
+            zones.map(|zones| Estimate::relative(zones.trailing_zone, zone_error)),
+            zones.map(|zones| Estimate::relative(zones.leading_zone, zone_error)),
+            Some(values.penetration),
+            Some(values.interface_work),
+        ]
+    }
+
+    /// The values of a full contact, which has no edges.
+    fn full_values(&self, full: &FullContact) -> Vec<Option<Estimate>> {
+        let mut values = vec![None; COLUMNS.len()];
+        for (place, value) in [
+            (at::SPEED, Some(Estimate::exact(self.sliding.speed))),
+            (at::FRICTION, Some(full.friction_stress)),
+            (at::COEFFICIENT, full.friction_coefficient),
+            (at::LOAD, full.mean_pressure.map(Estimate::exact)),
+        ] {
+            if let Some(slot) = values.get_mut(place) {
+                *slot = value;
+            }
+        }
+        values
+    }
+
+    /// −1 where the body slides along −x.
+    fn direction(&self) -> f64 {
+        if self.sliding.speed < 0.0 { -1.0 } else { 1.0 }
+    }
+
+    /// A limit of the solver, which measure it has being told by its name, in the units of the scene.
+    fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
+        let of_column =
+            |column: usize| columns(self.sliding.indenter, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);
+        let (name, value, unit) = if name.contains("rate") {
+            ("the speed of the last partial contact", value * self.scale.length, of_column(at::SPEED))
+        } else if name.contains("penetration") {
+            (name, value * self.scale.displacement, of_column(at::PENETRATION))
+        } else if name.contains("pressure") || name.contains("load") {
+            (name, value * self.scale.load, of_column(at::LOAD))
+        } else {
+            (name, value, String::new())
+        };
+        PassedLimit { name, value, unit }
+    }
+
+    /// Pressure, gap and displacement along the surface: half of the places in the contact, half outside, dense at both edges.
+    fn fields(&self, partial: &PartialContact, points: u32) -> Result<Vec<FieldPoint>, Refusal> {
+        let (state, values) = (&partial.state, &partial.values);
+        let (half_width, eccentricity) = (values.half_width.value, values.eccentricity.value);
+        let inside = points / 2;
+        let outside = points - inside;
+        let penetration = if self.is_wave() { values.penetration.value } else { 0.0 };
+        // Of a wave the whole gap, from edge to edge; of a cylinder as much on each side as the contact is wide.
+        let gap_width = if self.is_wave() { 2.0 * (PI - half_width) } else { 4.0 * half_width };
+        let edge_error = values.half_width.error + values.eccentricity.error;
+        let accuracy = partial.certificate.accuracy;
+        // Both fields go as a root of the distance to the edge, at most.
+        let bounded =
+            |value: f64, distance: f64| Estimate::new(value, accuracy * value.abs().max(1.0) + 0.5 * value.abs() * edge_error / distance);
+        let zero = Estimate::exact(0.0);
+        let mut found = Vec::with_capacity(points as usize);
+        for (count, contact) in [(inside, true), (outside, false)] {
+            let width = if contact { 2.0 * half_width } else { gap_width };
+            for index in 0..count {
+                // Distances to the nearer edge, so that none is lost to rounding.
+                let part = |index: u32| width * (0.5 * PI * (f64::from(index) + 0.5) / f64::from(count)).sin().powi(2);
+                let near_start = 2 * index < count;
+                let distance = if near_start { part(index) } else { part(count - 1 - index) };
+                let (place, pressure, gap) = if contact {
+                    let (point, place) = if near_start {
+                        (state.inside_trailing(distance)?, eccentricity - half_width + distance)
+                    } else {
+                        (state.inside_leading(distance)?, eccentricity + half_width - distance)
+                    };
+                    (place, bounded(state.pressure(point), distance), zero)
+                } else {
+                    let (point, place) = if near_start {
+                        (state.ahead_of_leading(distance)?, eccentricity + half_width + distance)
+                    } else {
+                        (state.behind_trailing(distance)?, eccentricity - half_width - distance)
+                    };
+                    (place, zero, bounded(state.gap(point), distance))
+                };
+                let place = if self.is_wave() { wrapped(place) } else { place };
+                let profile = if self.is_wave() { -2.0 * (0.5 * place).sin().powi(2) } else { -0.5 * place * place };
+                let displacement = Estimate::new(profile + penetration + gap.value, gap.error + values.penetration.error + edge_error);
+                let values = vec![
+                    self.in_units(pressure, self.scale.pressure),
+                    self.in_units(gap, self.scale.displacement),
+                    self.in_units(displacement, self.scale.displacement),
+                ];
+                found.push(FieldPoint { place: self.direction() * place * self.scale.length, values });
+            }
+        }
+        found.sort_by(|left, right| left.place.total_cmp(&right.place));
+        Ok(found)
+    }
+}
+
+fn counted(work: &SlidingWork) -> Work {
+    Work { closure_evaluations: work.closure_evaluations, linear_solves: work.contacts, ..Work::default() }
+}
+
+/// The same place of the wave between −π and π.
+fn wrapped(place: f64) -> f64 {
+    place - 2.0 * PI * (place / (2.0 * PI)).round()
+}

@@ -1,0 +1,67 @@
+//! Keys of the adhesion that holds two faces together.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::units::Dimension;
+
+const ZONE_LENGTH: Kind = Kind::Number {
+    dimension: Dimension::LENGTH,
+    range: Range::Positive,
+    reduced: "relaxed zone a₀ of a crack, 1/k or L of a sliding contact",
+};
+
+pub(super) const KEYS: &[Key] = &[
+    Key { path: "adhesion", kind: Kind::Table, meaning: "What holds the faces together. Without it no energy balance is solved." },
+    Key {
+        path: "adhesion.work_of_adhesion",
+        kind: Kind::Number {
+            dimension: Dimension::ENERGY_PER_AREA,
+            range: Range::Positive,
+            reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³)",
+        },
+        meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
+    },
+    Key {
+        path: "adhesion.process_zone",
+        kind: Kind::Table,
+        meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress.",
+    },
+    Key { path: "adhesion.process_zone.length", kind: ZONE_LENGTH, meaning: "A fixed process-zone length δ." },
+    Key {
+        path: "adhesion.process_zone.trailing_length",
+        kind: ZONE_LENGTH,
+        meaning: "Sliding: δ of the trailing edge, where the contact opens; together with `leading_length`, instead of `length`.",
+    },
+    Key {
+        path: "adhesion.process_zone.leading_length",
+        kind: ZONE_LENGTH,
+        meaning: "Sliding: δ of the leading edge, where the contact closes; together with `trailing_length`, instead of `length`.",
+    },
+    Key {
+        path: "adhesion.process_zone.cohesive_stress",
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "not available for a crack (a₀ is the unit of length); E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder",
+        },
+        meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory of a crack takes it as its constant stress.",
+    },
+    Key {
+        path: "adhesion.process_zone.factor",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
+        meaning: "α in δ = α(K/(√(2π)σ_c))²; default 1/π, with which the theory meets Persson and Brener's in both limits.",
+    },
+    Key {
+        path: "adhesion.process_zone.law",
+        kind: Kind::Choice(&[
+            Word {
+                word: "growing",
+                meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, which alone has it",
+            },
+            Word {
+                word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what a sliding contact has"
+            },
+            Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
+        ]),
+        meaning: "How the length follows from the cohesive stress.",
+    },
+];

@@ -1,0 +1,83 @@
+//! Keys of steadily sliding contacts.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::units::Dimension;
+
+/// A length that only scenes in SI units hold.
+const SIZE: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "not available (it is the unit)" };
+
+pub(super) const KEYS: &[Key] = &[
+    Key {
+        path: "sliding",
+        kind: Kind::Table,
+        meaning: "A rigid or elastic body that slides steadily over the viscoelastic one: a wave, or one cylinder.",
+    },
+    Key {
+        path: "sliding.wave",
+        kind: Kind::Table,
+        meaning: "A sinusoidal wave Λ cos kx; without members in a reduced scene. Reduced: lengths in 1/k, displacements in Λ, pressures in E0*kΛ/2.",
+    },
+    Key { path: "sliding.wave.wavelength", kind: SIZE, meaning: "λ = 2π/k, from crest to crest." },
+    Key { path: "sliding.wave.amplitude", kind: SIZE, meaning: "Λ, half the height from trough to crest." },
+    Key {
+        path: "sliding.cylinder",
+        kind: Kind::Table,
+        meaning: "One long cylinder across the motion; without members in a reduced scene. Reduced: lengths in any L, displacements in L²/R, pressures in E0*L/2R.",
+    },
+    Key { path: "sliding.cylinder.radius", kind: SIZE, meaning: "R of the cylinder, whose profile is the parabola x²/2R." },
+    Key {
+        path: "sliding.counter_body",
+        kind: Kind::Table,
+        meaning: "The body that carries the wave or the cylinder, if it is not rigid. It rides with the contact and so is at rest in its frame: only its relaxed modulus matters, and it adds (1 − ν²)/E to the creep compliance at every time.",
+    },
+    Key {
+        path: "sliding.counter_body.modulus",
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "not available (E0* is of both bodies together)",
+        },
+        meaning: "Young's modulus of the counter body; its relaxed one, if it is viscoelastic.",
+    },
+    Key {
+        path: "sliding.counter_body.poisson_ratio",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(-1.0, 0.5), reduced: "not available" },
+        meaning: "Its Poisson ratio.",
+    },
+    Key {
+        path: "sliding.contacts",
+        kind: Kind::Choices(&[
+            Word {
+                word: "adhesive",
+                meaning: "with the energy balance of [adhesion] at both edges; the default where [adhesion] is given",
+            },
+            Word { word: "adhesiveless", meaning: "without adhesion: no singular stress at either edge; the default without [adhesion]" },
+        ]),
+        meaning: "The contacts to solve, on the same axes.",
+    },
+    Key {
+        path: "sliding.speed",
+        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Finite, reduced: "1/k (of a cylinder L) per reference time" },
+        meaning: "v of the wave along +x; a negative speed mirrors the contact, at 0 the solid is relaxed.",
+    },
+    Key {
+        path: "sliding.mean_pressure",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Finite, reduced: "E0*kΛ/2" },
+        meaning: "Wave: p̄, the load over the nominal area; zero or negative only with adhesion.",
+    },
+    Key {
+        path: "sliding.load_per_width",
+        kind: Kind::Number { dimension: Dimension::LOAD_PER_WIDTH, range: Range::Finite, reduced: "πE0*L²/R" },
+        meaning: "Cylinder: the load over its length across the motion; zero or negative only with adhesion.",
+    },
+    Key {
+        path: "sliding.penetration",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Finite, reduced: "Λ" },
+        meaning: "Wave: Δ, 0 where the crest touches the mean surface, Λ in full contact.",
+    },
+    Key {
+        path: "sliding.half_width",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "1/k, of a cylinder L" },
+        meaning: "Half the width of the contact; the load is found.",
+    },
+];

@@ -1,0 +1,138 @@
+//! The [sliding], [adhesion] and [fields] tables of a sliding contact.
+
+use super::section::Section;
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress};
+use crate::scene::check::Units;
+use crate::scene::diagnostic::SceneError;
+use crate::scene::typed::{
+    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingContact, SlidingIndenter, SlidingLoad, SlidingZone,
+};
+use std::f64::consts::TAU;
+
+pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Sliding, SceneError> {
+    let sliding = top.required_table("sliding", "it is the problem")?;
+    if sliding.units() == Units::Si && material.poisson_ratio.is_none() {
+        let help = "the half-plane is in plane strain, E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio";
+        return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
+    }
+    let indenter = indenter(&sliding)?;
+    let counter_body = counter_body(&sliding)?;
+    let control = control(&sliding, indenter)?;
+    let adhesion = adhesion(top)?;
+    let contacts = contacts(&sliding, adhesion.is_some())?;
+    let field_points = match top.table("fields") {
+        None => None,
+        Some(fields) => {
+            fields.without(&["from", "to"], "a crack")?;
+            Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
+        }
+    };
+    Ok(Sliding { indenter, counter_body, speed: sliding.required_number("speed")?, control, contacts, adhesion, field_points })
+}
+
+fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {
+    let name = sliding.exactly_one(&["wave", "cylinder"])?;
+    let table = sliding.required_table(name, "it is the body that slides")?;
+    let size = |key: &'static str, unit: f64| match (table.units(), table.number(key)?) {
+        (Units::Si, _) => table.required_number(key),
+        (Units::Reduced, None) => Ok(unit),
+        (Units::Reduced, Some(_)) => {
+            let message = format!("`{}`: in reduced units the size of the sliding body is the unit", table.full(key));
+            Err(table.wrong(key, message, "leave it out, as in wave = {}"))
+        }
+    };
+    Ok(match name {
+        "wave" => SlidingIndenter::Wave { wavelength: size("wavelength", TAU)?, amplitude: size("amplitude", 1.0)? },
+        _ => SlidingIndenter::Cylinder { radius: size("radius", 1.0)? },
+    })
+}
+
+fn counter_body(sliding: &Section<'_>) -> Result<Option<ElasticBody>, SceneError> {
+    let Some(table) = sliding.table("counter_body") else { return Ok(None) };
+    if table.units() == Units::Reduced {
+        let message = "`sliding.counter_body`: in reduced units the moduli are those of both bodies together";
+        return Err(sliding.wrong("counter_body", message, "leave it out").help("or write the scene in SI units"));
+    }
+    Ok(Some(ElasticBody { modulus: table.required_number("modulus")?, poisson_ratio: table.required_number("poisson_ratio")? }))
+}
+
+fn control(sliding: &Section<'_>, indenter: SlidingIndenter) -> Result<SlidingLoad, SceneError> {
+    let (given, other, why) = match indenter {
+        SlidingIndenter::Wave { .. } => {
+            (&["mean_pressure", "penetration", "half_width"][..], &["load_per_width"][..], "a wave carries a mean pressure")
+        }
+        SlidingIndenter::Cylinder { .. } => (
+            &["load_per_width", "half_width"][..],
+            &["mean_pressure", "penetration"][..],
+            "a single cylinder carries a load per width, and sinks into a half-plane without bound",
+        ),
+    };
+    if let Some(key) = other.iter().find(|key| sliding.node().get(key).is_some()) {
+        let message = format!("`{}` does not belong to this body: {why}", sliding.full(key));
+        let instead = given.iter().map(|key| format!("`{}`", sliding.full(key))).collect::<Vec<_>>().join(", ");
+        return Err(SceneError::at(&sliding.key_place(key), message, format!("give one of {instead}")));
+    }
+    let key = sliding.exactly_one(given)?;
+    let value = sliding.required_number(key)?;
+    let whole = match indenter {
+        SlidingIndenter::Wave { wavelength, .. } if key == "half_width" && value >= 0.5 * wavelength => Some(0.5 * wavelength),
+        _ => None,
+    };
+    if let Some(half_wavelength) = whole {
+        let message = format!("`sliding.half_width` ({value:e}) is not below half the wavelength ({half_wavelength:e})");
+        return Err(sliding.wrong("half_width", message, "a full contact has no edges"));
+    }
+    Ok(match key {
+        "mean_pressure" => SlidingLoad::MeanPressure(value),
+        "load_per_width" => SlidingLoad::LoadPerWidth(value),
+        "penetration" => SlidingLoad::Penetration(value),
+        _ => SlidingLoad::HalfWidth(value),
+    })
+}
+
+fn adhesion(top: &Section<'_>) -> Result<Option<SlidingAdhesion>, SceneError> {
+    let Some(table) = top.table("adhesion") else { return Ok(None) };
+    let work_of_adhesion = table.required_number("work_of_adhesion")?;
+    let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
+    let per_edge = ["trailing_length", "leading_length"].into_iter().find(|key| zone.node().get(key).is_some());
+    let way = match per_edge {
+        Some(key) => {
+            zone.exactly_one(&["length", "cohesive_stress", key])?;
+            key
+        }
+        None => zone.exactly_one(&["length", "cohesive_stress"])?,
+    };
+    let process_zone = match way {
+        "cohesive_stress" => {
+            if let Some(law) = zone.text("law")
+                && law != "constant"
+            {
+                let message =
+                    format!("`{}` = {law:?} is a law of cracks: the process zone of a sliding contact is constant", zone.full("law"));
+                return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
+            }
+            SlidingZone::Cohesive {
+                cohesive_stress: zone.required_number("cohesive_stress")?,
+                factor: zone.number("factor")?.unwrap_or(DEFAULT_FACTOR),
+            }
+        }
+        way => {
+            without_cohesive_stress(&zone)?;
+            let (trailing, leading) = if way == "length" { ("length", "length") } else { ("trailing_length", "leading_length") };
+            SlidingZone::Lengths { trailing: zone.required_number(trailing)?, leading: zone.required_number(leading)? }
+        }
+    };
+    Ok(Some(SlidingAdhesion { work_of_adhesion, process_zone }))
+}
+
+fn contacts(sliding: &Section<'_>, with_adhesion: bool) -> Result<Vec<SlidingContact>, SceneError> {
+    let words = sliding.texts("contacts");
+    if words.is_empty() {
+        return Ok(vec![if with_adhesion { SlidingContact::Adhesive } else { SlidingContact::Adhesiveless }]);
+    }
+    if words.contains(&"adhesive") && !with_adhesion {
+        let message = "`sliding.contacts` names an adhesive contact, but the scene has no [adhesion]";
+        return Err(sliding.wrong("contacts", message, "add [adhesion], or leave \"adhesive\" out"));
+    }
+    Ok(words.into_iter().map(|word| if word == "adhesive" { SlidingContact::Adhesive } else { SlidingContact::Adhesiveless }).collect())
+}
