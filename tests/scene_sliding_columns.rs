@@ -129,8 +129,15 @@ fn a_reduced_scene_is_the_same_contact() {
             for name in names {
                 assert_eq!(si.contains_key(name), reduced.contains_key(name), "{name}");
                 if let (Some(si), Some(reduced)) = (si.get(name), reduced.get(name)) {
-                    assert_close(name, reduced.value * unit, si.value, 1e-6);
-                    assert_close(name, reduced.error * unit, si.error, 1e-5);
+                    // The two solutions stop at different residuals; each bar holds its own, and both are of one size.
+                    let difference = (reduced.value * unit - si.value).abs();
+                    assert!(
+                        difference <= reduced.error * unit + si.error + 1e-14 * si.value.abs(),
+                        "{name}: {difference:e}, {:e}",
+                        si.error
+                    );
+                    assert!(si.error <= 1e-5 * si.value.abs().max(unit), "{name}: {:e} of {:e}", si.error, si.value);
+                    assert!(si.error == 0.0 || (0.1..10.0).contains(&(reduced.error * unit / si.error)), "{name}: {:e}", si.error);
                     compared += 1;
                 }
             }
@@ -265,8 +272,8 @@ fn fields_add_up_to_the_columns() {
 fn above_the_last_partial_contact_the_contact_is_full() {
     let k = 2.0 * PI / WAVELENGTH;
     let high = 1.3 * 0.5 * RELAXED_PLANE * k * AMPLITUDE;
-    // The adhesive one; its twin above the pressure of full contact is not solved yet.
-    for row in rows(&scene(SPEED, &format!("mean_pressure = {high:e}\n"))).into_iter().take(1) {
+    // The adhesive one past snap-in, its twin past the pressure of full contact.
+    for row in rows(&scene(SPEED, &format!("mean_pressure = {high:e}\n"))) {
         assert_eq!((row.status, row.label(1)), (Status::Solved, "full"), "{:?}", row.reason);
         assert!(row.reason.unwrap().contains("past ") && row.witness.is_some() && row.fields.is_empty());
         let names = Plan::new(&parsed(&pressed(SPEED))).unwrap().columns();
