@@ -2,33 +2,23 @@
 //!
 //! Goal: every error bar bounds the true error and is no more than a hundred times wider, for requests from 1e-3 to 1e-10, and the request or the floor is reached.
 //!
-//! Parameters: random problems: n = 1, 2, 6, 12 terms; β from 1 to 1000; ζ of the slowest term from 1e-6 to 1e4 (faster ones over up to eight
+//! Parameters: 240 random problems: n = 1, 2, 6, 12 terms; β from 1 to 1000; ζ of the slowest term from 1e-6 to 1e4 (faster ones over up to eight
 //! decades); Γ from 0 to 0.05; process zones 1e-4 to 0.03 (edges not equal); mean pressure, penetration and half-width prescribed; wave and parabola.
 //!
 //! Oracle: the same problem with 1e-10 asked for, whose integrals take twice the nodes at every place; that the finest level is right is shown by other tests
 //! (Fourier symbol, rivals, references).
 //!
-//! Tolerance: none for bars; a request counts as reached if the certificate says so, and where it is not, the state is printed.
+//! Tolerance: none for bars. The floor may not be above 2e-10 anywhere; 1e-10 is asked for. States that do not exist (past a fold, a pull that nothing
+//! holds, full contact) carry their limit; no problem may be left unconverged.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use proptest::prelude::Rng;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+mod support;
+
 use rayon::prelude::*;
+use support::random::Uniform;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 use viscotack::{Estimate, Material, Refusal};
-
-struct Uniform(TestRng);
-
-impl Uniform {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn log_between(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-}
 
 fn draw(random: &mut Uniform) -> (Material, SlidingProblem, String) {
     let count = [1, 2, 6, 12][random.between(0.0, 4.0) as usize];
@@ -82,9 +72,8 @@ fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {
 
 #[test]
 fn bars_bound_the_error_and_are_not_idle() {
-    let mut random = Uniform(TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    let cases: Vec<_> = (0..400).map(|_| draw(&mut random)).collect();
-    let start = std::time::Instant::now();
+    let mut random = Uniform::new();
+    let cases: Vec<_> = (0..240).map(|_| draw(&mut random)).collect();
     let results: Vec<_> = cases
         .par_iter()
         .map(|(material, problem, text)| {
@@ -92,11 +81,10 @@ fn bars_bound_the_error_and_are_not_idle() {
             let mut lines = Vec::new();
             let mut ratios = Vec::new();
             let mut kind = "partial";
+            let mut floor = 0.0;
             match &best {
                 Ok(SlidingOutcome::Partial(best)) => {
-                    if best.certificate.accuracy > 1e-10 {
-                        lines.push(format!("floor {:.1e}: {text}", best.certificate.accuracy));
-                    }
+                    floor = best.certificate.accuracy;
                     for accuracy in [1e-3, 1e-5, 1e-7, 1e-8] {
                         let found = steady_sliding(material, &SlidingProblem { accuracy, ..*problem });
                         let Ok(SlidingOutcome::Partial(found)) = found else {
@@ -117,31 +105,42 @@ fn bars_bound_the_error_and_are_not_idle() {
                 }
                 Ok(SlidingOutcome::Full(full)) => {
                     kind = "full";
-                    lines.push(format!("FULL past {} = {:e}: {text}", full.limit_name, full.limit));
+                    assert!(full.limit.is_finite() && !full.limit_name.is_empty(), "{full:?}");
                 }
-                Err(refusal @ Refusal::NoSuchState { .. }) => {
+                Err(Refusal::NoSuchState { limit, .. }) => {
                     kind = "none";
-                    lines.push(format!("NONE {refusal}: {text}"));
+                    assert!(limit.is_finite(), "{text}");
                 }
                 Err(refusal) => {
                     kind = "failed";
                     lines.push(format!("FAILED {refusal}: {text}"));
                 }
             }
-            (kind, lines, ratios)
+            (kind, lines, ratios, floor)
         })
         .collect();
-    println!("{:?}", start.elapsed());
     let mut ratios: Vec<f64> = Vec::new();
     let mut counts = std::collections::BTreeMap::new();
-    for (kind, lines, pairs) in &results {
+    let mut floors = Vec::new();
+    let mut complaints = Vec::new();
+    for (kind, lines, pairs, floor) in &results {
+        floors.push(*floor);
         *counts.entry(*kind).or_insert(0) += 1;
-        for line in lines {
-            println!("{line}");
-        }
+        complaints.extend(lines);
         ratios.extend(pairs.iter().filter(|(bar, _)| *bar > 1e-11).map(|(bar, error)| bar / error));
     }
     ratios.sort_by(f64::total_cmp);
     let at = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
-    println!("{counts:?}; bar over error: 1 % {:.1e}, median {:.1e}, 90 % {:.1e}", at(0.01), at(0.5), at(0.9));
+    floors.sort_by(f64::total_cmp);
+    let worst_floor = floors.last().copied().unwrap();
+    println!(
+        "{counts:?}; bar over error of {} values with bars above 1e-11: 1 % {:.2}, median {:.2}, 90 % {:.2}; worst floor {worst_floor:.1e}",
+        ratios.len(),
+        at(0.01),
+        at(0.5),
+        at(0.9)
+    );
+    assert!(complaints.is_empty(), "{complaints:#?}");
+    assert!(counts["partial"] > 200 && worst_floor < 2e-10, "{counts:?} {worst_floor:e}");
+    assert!(at(0.01) >= 1.0 && at(0.5) < 3.0 && at(0.9) < 10.0, "idle bars");
 }

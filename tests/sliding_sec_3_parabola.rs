@@ -64,8 +64,7 @@ fn the_wave_becomes_the_parabola_at_second_order() {
                 std::array::from_fn(|index| (found[index] - expected[index]).abs() / expected[index].abs().max(0.1))
             })
             .collect();
-        for index in 0..6 {
-            let (first, second, third) = (errors[0][index], errors[1][index], errors[2][index]);
+        for (index, ((&first, &second), &third)) in errors[0].iter().zip(&errors[1]).zip(&errors[2]).enumerate() {
             println!("rate {rate} quantity {index}: {first:.1e} {second:.1e} {third:.1e}");
             // The slowest memory reaches over κζ of a wavelength: the rate is seen once that is short.
             assert!(third < 1e-9 || (second / third - 4.0).abs() < 0.25 || rate * 0.08 > 0.2, "{first:e} {second:e} {third:e}");

@@ -12,31 +12,14 @@
 //! Tolerance: 1e-11 of the work's scale ∫|tension·gap|, the accuracy of the oracle's step.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use proptest::test_runner::TestRng;
-use rand_free::Uniform;
+mod support;
+
 use std::f64::consts::PI;
 use std::sync::Arc;
+use support::random::Uniform;
 use viscotack::Material;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
-
-/// Uniform numbers from proptest's generator, so that no further crate is needed.
-mod rand_free {
-    use super::TestRng;
-    use proptest::prelude::Rng;
-
-    pub struct Uniform(pub TestRng);
-
-    impl Uniform {
-        pub fn between(&mut self, low: f64, high: f64) -> f64 {
-            low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-        }
-
-        pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
-            self.between(low.ln(), high.ln()).exp()
-        }
-    }
-}
 
 struct Case {
     memory: Arc<ContactMemory>,
@@ -100,7 +83,7 @@ fn by_points(state: &ContactState, moved: &ContactState, edge: Edge, zone: f64) 
 
 #[test]
 fn work_marched_over_the_zone_is_that_of_the_fields_point_by_point() {
-    let mut random = Uniform(TestRng::deterministic_rng(proptest::test_runner::RngAlgorithm::ChaCha));
+    let mut random = Uniform::new();
     let mut worst = 0.0_f64;
     let mut level_errors: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
     let mut uncovered = 0;
