@@ -215,8 +215,7 @@ fn taken_through(mut document: Document) -> bool {
     let few_fields = match &scene.problem {
         Problem::SteadyCrack(crack) => crack.fields.is_none_or(|fields| fields.points <= 300),
         Problem::Sliding(sliding) => {
-            sliding.field_points.is_none_or(|points| points <= 400)
-                && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
+            sliding.field_points.is_none_or(|points| points <= 400) && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
         }
     };
     if few_fields {
