@@ -43,7 +43,7 @@ fn every_value_of_the_file_is_within_its_bound() {
             name => {
                 let kind = if name == "confined" { Backing::Confined } else { Backing::Free };
                 let layer = Layer::new(kind, row.number("poisson_ratio"), row.number("thickness")).unwrap();
-                let green = LayerGreen::new(half_plane, layer).unwrap();
+                let green = LayerGreen::new(half_plane, layer);
                 (green.value(x).unwrap(), green.antiderivative(x).unwrap())
             }
         };
@@ -93,7 +93,7 @@ fn reversing_the_speed_mirrors_the_kernel() {
         SlidingMemory::new(0.25, &[MemoryTerm { compliance: 0.5, ratio: 3.0 }, MemoryTerm { compliance: 0.25, ratio: 0.02 }]).unwrap();
     let (forward, backward) = (HalfPlaneGreen::new(memory.clone()).unwrap(), HalfPlaneGreen::new(memory.reversed()).unwrap());
     let layer = Layer::new(Backing::Confined, 0.5, 0.3).unwrap();
-    let (thin, thin_backward) = (LayerGreen::new(forward.clone(), layer).unwrap(), LayerGreen::new(backward.clone(), layer).unwrap());
+    let (thin, thin_backward) = (LayerGreen::new(forward.clone(), layer), LayerGreen::new(backward.clone(), layer));
     for x in [0.01, 0.4, 1.9, 3.1] {
         assert_eq!(forward.value(x).unwrap().value.to_bits(), backward.value(-x).unwrap().value.to_bits());
         assert!((forward.antiderivative(x).unwrap().value + backward.antiderivative(-x).unwrap().value).abs() < 1e-16);
@@ -151,13 +151,13 @@ fn two_unit_systems_and_the_dimensional_kernel() {
 fn layers_tend_to_the_half_plane_and_to_each_other() {
     let half_plane = standard(10.0, 0.5);
     for kind in [Backing::Confined, Backing::Free] {
-        let thick = LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 30.0).unwrap()).unwrap();
+        let thick = LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 30.0).unwrap());
         assert_eq!(thick.harmonics(), 1);
         for x in [-0.7, 1.0, 3.0] {
             assert!((thick.value(x).unwrap().value - half_plane.value(x).unwrap().value).abs() < 1e-15);
         }
         // The antiderivative is one: fourth-order difference.
-        let thin = LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 0.4).unwrap()).unwrap();
+        let thin = LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 0.4).unwrap());
         for x in [-0.7, 1.0, 3.0] {
             let at = |shift: f64| thin.antiderivative(x + 1e-3 * shift).unwrap().value;
             let slope = (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / 12e-3;
@@ -166,9 +166,8 @@ fn layers_tend_to_the_half_plane_and_to_each_other() {
         }
     }
     // Confinement takes compliance away at the load, a free back adds it.
-    let at_load = |kind| LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 1.0).unwrap()).unwrap().correction(0.0).unwrap().value;
+    let at_load = |kind| LayerGreen::new(half_plane.clone(), Layer::new(kind, 0.3, 1.0).unwrap()).correction(0.0).unwrap().value;
     assert!(at_load(Backing::Confined) > 0.0 && at_load(Backing::Free) < 0.0);
-    assert!(LayerGreen::new(half_plane.clone(), Layer::new(Backing::Free, 0.3, 1e-6).unwrap()).is_err());
 }
 
 #[test]
@@ -241,7 +240,7 @@ fn erratum_5_fourier_signs_of_thesis_2_9_and_2_19() {
 fn erratum_23_no_mean_in_the_kernel_of_thesis_2_30() {
     let whole_period = |value: f64| assert!(value.abs() < 1e-15, "mean {value:e}");
     let green = standard(10.0, 0.5);
-    let layer = LayerGreen::new(green.clone(), Layer::new(Backing::Free, 0.3, 1.0).unwrap()).unwrap();
+    let layer = LayerGreen::new(green.clone(), Layer::new(Backing::Free, 0.3, 1.0).unwrap());
     for x in [0.3, 1.7] {
         whole_period(green.antiderivative(x + 2.0 * PI).unwrap().value - green.antiderivative(x).unwrap().value);
         whole_period((layer.antiderivative(x + 2.0 * PI).unwrap().value - layer.antiderivative(x).unwrap().value) * 0.1);

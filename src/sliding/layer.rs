@@ -36,6 +36,7 @@
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::{Refusal, require_finite, require_poisson_ratio, require_positive};
+use nalgebra::Complex;
 use serde::{Deserialize, Serialize};
 
 /// Series below this t = 2q, exponentials above it.
@@ -130,6 +131,41 @@ impl Layer {
         }
     }
 
+    /// A at a complex product q = mkd with a positive real part.
+    pub(super) fn complex_correction(&self, product: Complex<f64>) -> Complex<f64> {
+        let t = 2.0 * product;
+        if self.backing == Backing::Free && t.norm() < SERIES_BELOW {
+            return 1.0 - complex_free_series(t);
+        }
+        let e = (-t).exp();
+        let square = 0.5 * t * t;
+        match self.backing {
+            Backing::Confined => {
+                let (kappa, constant) = self.constants();
+                2.0 * e * (constant + t + square + kappa * e) / (kappa * (1.0 + e * e) + 2.0 * e * (constant + square))
+            }
+            Backing::Free => -2.0 * e * (1.0 + t + square - e) / (1.0 + e * e - 2.0 * e * (1.0 + square)),
+        }
+    }
+
+    /// S at a complex product q = mkd with a positive real part.
+    pub(super) fn complex_compliance_factor(&self, product: Complex<f64>) -> Complex<f64> {
+        let t = 2.0 * product;
+        if t.norm() >= SERIES_BELOW {
+            return 1.0 - self.complex_correction(product);
+        }
+        match self.backing {
+            Backing::Free => complex_free_series(t),
+            Backing::Confined => {
+                // (κ sinh t − t)/(C + t²/2 + κ cosh t) with κ sinh t − t = (κ − 1) sinh t + (sinh t − t).
+                let (kappa, constant) = self.constants();
+                let beyond_line = complex_odd_series(t);
+                let sine = t + beyond_line;
+                (2.0 * (1.0 - 2.0 * self.poisson_ratio) * sine + beyond_line) / (constant + 0.5 * t * t + kappa * t.cosh())
+            }
+        }
+    }
+
     /// κ and C.
     fn constants(&self) -> (f64, f64) {
         let nu = self.poisson_ratio;
@@ -172,6 +208,32 @@ fn odd_series(t: f64) -> f64 {
         sum += term;
     }
     sum
+}
+
+/// As [`odd_series`].
+fn complex_odd_series(t: Complex<f64>) -> Complex<f64> {
+    let square = t * t;
+    let mut term = t * square / 6.0;
+    let mut sum = term;
+    for n in 2..14 {
+        let order = f64::from(2 * n);
+        term *= square / (order * (order + 1.0));
+        sum += term;
+    }
+    sum
+}
+
+/// As [`free_series`].
+fn complex_free_series(t: Complex<f64>) -> Complex<f64> {
+    let square = t * t;
+    let mut term = Complex::new(1.0 / 24.0, 0.0);
+    let mut sum = term;
+    for n in 3..15 {
+        let order = f64::from(2 * n);
+        term *= square / (order * (order - 1.0));
+        sum += term;
+    }
+    (2.0 * t + complex_odd_series(t)) / t / t / t / t / sum
 }
 
 /// S of a free layer: (sinh t/t + 1)/(t³ Σ_{n≥2} t^{2n−4}/(2n)!).

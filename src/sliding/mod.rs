@@ -33,6 +33,7 @@ pub mod layer_green;
 pub mod memory;
 pub mod nonconservative;
 pub mod steady;
+mod thin_layer;
 
 pub use green::HalfPlaneGreen;
 pub use layer::{Backing, Layer};
