@@ -1,0 +1,309 @@
+//! Following a branch both ways from its start, with its turns and its states without load.
+
+use super::conditions::{BranchPath, BranchProblem, BranchStart};
+use super::equations::BranchEquations;
+use super::fold::{Fold, FoldQuantity, located_fold};
+use super::point::{BranchPoint, accurate_point};
+use crate::continuation::arclength::{Curve, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
+use crate::continuation::fold::interpolated;
+use crate::material::Material;
+use crate::refusal::Refusal;
+use crate::sliding::contact::Resolution;
+use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
+use crate::sliding::steady::{
+    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, start_at_rate, steady_sliding, steady_sliding_near,
+};
+
+/// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
+const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7, difference: 1e-6 };
+/// The resolution of the coarse curve.
+const RESOLUTION: Resolution = Resolution::Medium;
+/// The half-width at which the loads of one speed begin.
+const MIDDLE: f64 = 1.2;
+/// Accuracy of the contact at which a branch begins.
+const START_ACCURACY: f64 = 1e-4;
+
+/// A point of the coarse curve.
+pub(super) type Coarse = CurvePoint<EdgeStates>;
+
+/// How an end of a branch came about.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BranchEnd {
+    /// The narrowest or widest half-width asked for was passed.
+    HalfWidth(f64),
+    /// The smallest or largest parameter asked for was passed (rate kv in 1/s, Γ, factor of the zones).
+    Parameter(f64),
+    /// No admissible contact follows; the half-width and parameter of the last one (mean pressure along loads), and the refusal of the next.
+    Lost {
+        /// a.
+        half_width: f64,
+        /// The third unknown: p̄, or rate, Γ, factor.
+        parameter: f64,
+        /// Why.
+        reason: Refusal,
+    },
+    /// The branch has very many points: a defect.
+    TooLong,
+}
+
+/// Work counters of a branch.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct BranchWork {
+    /// Points of the coarse curve.
+    pub curve_points: u64,
+    /// Steps of the curve that were refused and halved.
+    pub refused_steps: u64,
+    /// Evaluations of both edge conditions, each three contacts.
+    pub closure_evaluations: u64,
+}
+
+/// A branch of steady contacts.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    /// The kept points in order: along loads from narrow to wide, along parameters as they come, from the backward end to the forward one.
+    pub points: Vec<BranchPoint>,
+    /// Points that were asked for and refused: arclength and reason.
+    pub left_out: Vec<(f64, Refusal)>,
+    /// Turns, in order along the curve.
+    pub folds: Vec<Fold>,
+    /// Contacts without load, in order along the curve; none along a held load.
+    pub zero_load: Vec<PartialValues>,
+    /// How the branch ends behind its first point.
+    pub begins: BranchEnd,
+    /// How it ends after its last point.
+    pub ends: BranchEnd,
+    /// What it took.
+    pub work: BranchWork,
+    pub(super) curve: Vec<Coarse>,
+}
+
+impl Branch {
+    /// The turns of one quantity.
+    pub fn folds_of(&self, quantity: FoldQuantity) -> impl Iterator<Item = &Fold> {
+        self.folds.iter().filter(move |fold| fold.quantity == quantity)
+    }
+
+    /// The coarse curve, to some seven digits: a, e, p̄ (of a held half-width: p̄ in place of the parameter as well) and Δ at each of its points.
+    #[must_use]
+    pub fn outline(&self) -> Vec<[f64; 4]> {
+        self.curve
+            .iter()
+            .map(|point| {
+                let state = &point.state.state;
+                [state.contact().half_width, state.contact().eccentricity, state.mean_pressure(), state.penetration()]
+            })
+            .collect()
+    }
+
+    /// The third unknown along the coarse curve: p̄, or rate kv in 1/s, Γ, factor of the zones.
+    #[must_use]
+    pub fn outline_parameters(&self, problem: &BranchProblem) -> Vec<f64> {
+        self.curve.iter().map(|point| parameter_of(problem, point.unknowns[2])).collect()
+    }
+}
+
+/// What the third unknown stands for.
+pub(super) fn parameter_of(problem: &BranchProblem, third: f64) -> f64 {
+    if problem.path == BranchPath::Loads { third } else { third.exp() }
+}
+
+/// The branch of a problem.
+///
+/// # Errors
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] if there is no contact where it begins;
+/// [`Refusal::NotConverged`] if no admissible one is found there.
+pub fn trace(material: &Material, problem: &BranchProblem) -> Result<Branch, Refusal> {
+    let mut work = BranchWork::default();
+    let (curve, begins, ends) = coarse(material, problem, &mut work)?;
+    let folds = folds(material, problem, &curve, &mut work)?;
+    let zero_load = zero_load(material, problem, &curve, &mut work)?;
+    let (points, left_out) = kept(material, problem, &curve, &mut work)?;
+    Ok(Branch { points, left_out, folds, zero_load, begins, ends, work, curve })
+}
+
+/// The coarse curve from end to end.
+pub(super) fn coarse(
+    material: &Material,
+    problem: &BranchProblem,
+    work: &mut BranchWork,
+) -> Result<(Vec<Coarse>, BranchEnd, BranchEnd), Refusal> {
+    problem.checked()?;
+    let equations = BranchEquations::new(material, problem, RESOLUTION)?;
+    let start = start(material, problem, work)?;
+    let toward = if problem.path == BranchPath::Loads { Quantity::Unknown(0) } else { Quantity::Unknown(2) };
+    let border = |point: &Coarse| border(problem, point);
+    let inside = |point: &Coarse| border(point).is_none();
+    let mut run = |sign: f64| -> Result<(Vec<Coarse>, BranchEnd), Refusal> {
+        let Curve { points, end, evaluations, refused } = follow(&equations, start, toward, sign, &STEPS, &inside)?;
+        work.closure_evaluations += evaluations;
+        work.refused_steps += refused;
+        work.curve_points += points.len() as u64;
+        let end = match (end, points.last()) {
+            (CurveEnd::Left, Some(last)) => border(last).unwrap_or(BranchEnd::TooLong),
+            (CurveEnd::Lost(reason), Some(last)) => BranchEnd::Lost {
+                half_width: last.state.state.contact().half_width,
+                parameter: parameter_of(problem, last.unknowns[2]),
+                reason,
+            },
+            _ => BranchEnd::TooLong,
+        };
+        Ok((points, end))
+    };
+    let (forward, ends) = run(1.0)?;
+    let (backward, begins) = run(-1.0)?;
+    let mut curve: Vec<Coarse> = backward
+        .into_iter()
+        .skip(1)
+        .rev()
+        .map(|mut point| {
+            point.arclength = -point.arclength;
+            point.tangent = point.tangent.map(|part| -part);
+            point
+        })
+        .collect();
+    curve.extend(forward);
+    Ok((curve, begins, ends))
+}
+
+/// The border of the region asked for that a point has passed.
+fn border(problem: &BranchProblem, point: &Coarse) -> Option<BranchEnd> {
+    let half_width = point.state.state.contact().half_width;
+    let [narrowest, widest] = problem.half_widths;
+    if half_width < narrowest {
+        return Some(BranchEnd::HalfWidth(narrowest));
+    }
+    if half_width > widest {
+        return Some(BranchEnd::HalfWidth(widest));
+    }
+    if problem.path != BranchPath::Loads {
+        let [smallest, largest] = problem.parameters;
+        let parameter = point.unknowns[2].exp();
+        if parameter < smallest * (1.0 - 1e-9) {
+            return Some(BranchEnd::Parameter(smallest));
+        }
+        if parameter > largest * (1.0 + 1e-9) {
+            return Some(BranchEnd::Parameter(largest));
+        }
+    }
+    None
+}
+
+/// The unknowns at which a branch begins.
+fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+    let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
+        let problem =
+            SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+        match steady_sliding(material, &problem)? {
+            SlidingOutcome::Partial(contact) => {
+                work.closure_evaluations += contact.work.closure_evaluations;
+                Ok((contact.values, contact.values.half_width.value))
+            }
+            SlidingOutcome::Full(full) => Err(Refusal::NoSuchState {
+                reason: "there is full contact where the branch begins".into(),
+                limit_name: full.limit_name,
+                limit: full.limit,
+            }),
+        }
+    };
+    let placed = |control: SlidingControl, values: &PartialValues, third: f64| match control {
+        SlidingControl::HalfWidth(_) => [values.mean_pressure.value, values.eccentricity.value, third],
+        _ => [values.half_width.value, values.eccentricity.value, third],
+    };
+    match (problem.path, problem.start) {
+        (BranchPath::Loads, BranchStart::Near { half_width, eccentricity, mean_pressure, .. }) => {
+            Ok([half_width, eccentricity, mean_pressure])
+        }
+        (_, BranchStart::Near { half_width, eccentricity, mean_pressure, parameter }) => Ok(match problem.held() {
+            Some(SlidingControl::HalfWidth(_)) => [mean_pressure, eccentricity, parameter.ln()],
+            _ => [half_width, eccentricity, parameter.ln()],
+        }),
+        (BranchPath::Loads, _) => {
+            let [narrowest, widest] = problem.half_widths;
+            let (values, _) = steady(problem.rate, SlidingControl::HalfWidth(MIDDLE.clamp(narrowest, widest)))?;
+            Ok([values.half_width.value, values.eccentricity.value, values.mean_pressure.value])
+        }
+        (BranchPath::Speeds(control), from) => {
+            let (from, rate) = match from {
+                BranchStart::Fast => (From::Fast, problem.parameters[1]),
+                _ => (From::Slow, problem.parameters[0]),
+            };
+            let mut counters = SlidingWork::default();
+            let steady =
+                SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+            let start: Start = start_at_rate(material, &steady, from, &mut counters).map_err(|none| none.refusal())?;
+            work.closure_evaluations += counters.closure_evaluations;
+            Ok([start.unknowns[0], start.unknowns[1], rate.ln()])
+        }
+        (BranchPath::Adhesions(control), _) => {
+            let (values, _) = steady(problem.rate, control)?;
+            Ok(placed(control, &values, problem.adhesion.reduced_work.ln()))
+        }
+        (BranchPath::Zones(control), _) => {
+            let (values, _) = steady(problem.rate, control)?;
+            Ok(placed(control, &values, 0.0))
+        }
+    }
+}
+
+/// Neighbouring points between which something changes sign.
+pub(super) fn changes<'a>(curve: &'a [Coarse], value: impl Fn(&Coarse) -> f64 + 'a) -> impl Iterator<Item = (&'a Coarse, &'a Coarse)> + 'a {
+    curve.windows(2).filter_map(move |pair| match pair {
+        [from, to] if (value(from) < 0.0) != (value(to) < 0.0) => Some((from, to)),
+        _ => None,
+    })
+}
+
+fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Vec<Fold>, Refusal> {
+    let mut folds = Vec::new();
+    for &quantity in FoldQuantity::of(problem) {
+        let unknown = quantity.unknown();
+        for (from, to) in changes(curve, move |point| point.slope(unknown)) {
+            folds.push(located_fold(material, problem, quantity, from, to, work)?);
+        }
+    }
+    folds.sort_by(|first, second| first.arclength.total_cmp(&second.arclength));
+    Ok(folds)
+}
+
+fn zero_load(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Vec<PartialValues>, Refusal> {
+    if problem.path != BranchPath::Loads {
+        return Ok(Vec::new());
+    }
+    let equations = BranchEquations::new(material, problem, RESOLUTION)?;
+    changes(curve, |point| point.unknowns[2])
+        .map(|(from, to)| {
+            let (unknowns, _, evaluations) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
+            work.closure_evaluations += evaluations;
+            let steady = problem.steady(0.0, SlidingControl::MeanPressure(0.0));
+            let found = steady_sliding_near(material, &steady, &Start::at(unknowns[0], unknowns[1]))?;
+            work.closure_evaluations += found.work.closure_evaluations;
+            Ok(found.values)
+        })
+        .collect()
+}
+
+type Kept = (Vec<BranchPoint>, Vec<(f64, Refusal)>);
+
+/// The points that are kept, evenly spaced.
+fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Kept, Refusal> {
+    let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return Ok((Vec::new(), Vec::new())) };
+    let (mut points, mut left_out) = (Vec::new(), Vec::new());
+    let fine = BranchEquations::new(material, problem, Resolution::Fine)?;
+    let mut segment = 0;
+    for index in 0..problem.points {
+        // The first and the last point of the curve may be outside the region: not quite to the ends.
+        let part = (index as f64 + 0.5) / problem.points as f64;
+        let arclength = first.arclength + part * (last.arclength - first.arclength);
+        while curve.get(segment + 2).is_some() && curve.get(segment + 1).is_some_and(|point| point.arclength < arclength) {
+            segment += 1;
+        }
+        let (Some(from), Some(to)) = (curve.get(segment), curve.get(segment + 1)) else { continue };
+        let part = ((arclength - from.arclength) / (to.arclength - from.arclength)).clamp(0.0, 1.0);
+        let near = interpolated(from, to, part);
+        match accurate_point(material, problem, &fine, (from, to), part, near, work) {
+            Ok(point) => points.push(BranchPoint { arclength, ..point }),
+            Err(refusal) => left_out.push((arclength, refusal)),
+        }
+    }
+    Ok((points, left_out))
+}
