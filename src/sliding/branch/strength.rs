@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// What a contact of one speed and adhesion can bear.
 #[derive(Debug, Clone)]
 pub struct Strength {
-    /// The smallest mean pressure, p_out; or why there is none.
+    /// The smallest mean pressure, p_out; none if no contact is stable under a held load, or the fold is outside the half-widths asked for.
     pub pull_off: Option<Fold>,
     /// The largest mean pressure of a partial contact, p_IN.
     pub snap_in: Option<Fold>,
@@ -50,7 +50,8 @@ pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: Wa
 
 fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
     let branch = trace(material, problem)?;
-    let first = |quantity, turn| branch.folds_of(quantity).find(|fold| fold.turn == turn).cloned();
+    // Far out on the wide side, both of whose neighbours are unstable, load and penetration may turn again.
+    let first = |quantity, turn| branch.folds_of(quantity).find(|fold| fold.turn == turn && fold.borders_stable).cloned();
     Ok(Strength {
         pull_off: first(FoldQuantity::MeanPressure, Turn::Minimum),
         snap_in: first(FoldQuantity::MeanPressure, Turn::Maximum),

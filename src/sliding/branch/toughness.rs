@@ -51,7 +51,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
         .filter(|values| values.half_width.value > narrow)
         .min_by(|first, second| first.half_width.value.total_cmp(&second.half_width.value))
         .ok_or_else(|| {
-            let snap_in = branch.folds_of(FoldQuantity::MeanPressure).find(|fold| fold.turn == Turn::Maximum);
+            let snap_in = branch.folds_of(FoldQuantity::MeanPressure).find(|fold| fold.turn == Turn::Maximum && fold.borders_stable);
             missing(
                 "no contact without load is stable: adhesion closes the gap by itself",
                 "snap-in mean pressure",
