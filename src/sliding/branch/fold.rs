@@ -6,7 +6,7 @@ use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
 use super::trace::{BranchWork, Coarse};
 use super::values::widened;
-use crate::continuation::arclength::Quantity;
+use crate::continuation::arclength::{Quantity, linearized};
 use crate::continuation::fold::{CENTRAL_STEP, between, located};
 use crate::estimate::Estimate;
 use crate::material::Material;
@@ -17,6 +17,9 @@ use crate::sliding::steady::{PartialValues, Start, steady_sliding_near};
 use std::sync::Arc;
 
 use super::stability::SecondVariations;
+
+/// Part of the tangent along the half-width below which the mean pressure is prescribed instead.
+const NEAR_TURN: f64 = 0.1;
 
 /// What turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,7 +127,9 @@ pub(super) fn located_fold(
     let value = Estimate::new(best.value, (best.value - rough.value).abs() + best.value_rounding);
     let state = &best.found.state.state;
     let pressure = state.mean_pressure();
-    let contact = contact_at(material, problem, best.unknowns, (pressure, quantity == FoldQuantity::HalfWidth), errors, work)?;
+    let (_, tangent) = linearized(&finest, best.unknowns, &best.found, 1e-6)?;
+    let by_pressure = tangent[0].abs() < NEAR_TURN;
+    let contact = contact_at(material, problem, best.unknowns, (pressure, by_pressure), errors, work)?;
     let (rate, adhesion) = problem.at(best.unknowns[2]);
     let balance = EdgeBalance::new(
         Arc::new(ContactMemory::new(material, rate)?),
