@@ -4,6 +4,7 @@
 
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
+use super::point::variations_at;
 use super::trace::{BranchWork, Coarse};
 use super::values::widened;
 use crate::continuation::arclength::{Quantity, linearized};
@@ -11,10 +12,9 @@ use crate::continuation::fold::{CENTRAL_STEP, between, located};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactMemory, Indenter, Resolution};
-use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
+use crate::sliding::contact::{Indenter, Resolution};
+use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{PartialValues, Start, steady_sliding_near};
-use std::sync::Arc;
 
 use super::stability::SecondVariations;
 
@@ -130,16 +130,7 @@ pub(super) fn located_fold(
     let (_, tangent) = linearized(&finest, best.unknowns, &best.found, 1e-6)?;
     let by_pressure = tangent[0].abs() < NEAR_TURN;
     let contact = contact_at(material, problem, best.unknowns, (pressure, by_pressure), errors, work)?;
-    let (rate, adhesion) = problem.at(best.unknowns[2]);
-    let balance = EdgeBalance::new(
-        Arc::new(ContactMemory::new(material, rate)?),
-        problem.indenter,
-        Some(adhesion),
-        SlidingControl::MeanPressure(pressure),
-        Resolution::Finest,
-    );
-    let variations = SecondVariations::new(&balance, state.contact(), pressure, problem.indenter)?;
-    work.closure_evaluations += 12;
+    let variations = variations_at(material, problem, best.unknowns[2], &contact, Resolution::Finest, work)?;
     let frame = match (quantity, problem.held()) {
         (FoldQuantity::Penetration, _) | (_, Some(SlidingControl::Penetration(_))) => f64::INFINITY,
         _ => 0.0,

@@ -82,16 +82,24 @@ pub(super) fn accurate_point(
         });
     }
     let third = if problem.path == BranchPath::Loads { 0.0 } else { parameter.value.ln() };
-    let (rate, adhesion) = problem.at(third);
-    let balance = EdgeBalance::new(
-        Arc::new(ContactMemory::new(material, rate)?),
-        problem.indenter,
-        Some(adhesion),
-        SlidingControl::MeanPressure(values.mean_pressure.value),
-        Resolution::Fine,
-    );
-    let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
-    let variations = SecondVariations::new(&balance, contact, values.mean_pressure.value, problem.indenter)?;
-    work.closure_evaluations += 12;
+    let variations = variations_at(material, problem, third, &values, Resolution::Fine, work)?;
     Ok(BranchPoint { arclength: 0.0, parameter, values, variations })
+}
+
+/// The second variations at a contact of a branch.
+pub(super) fn variations_at(
+    material: &Material,
+    problem: &BranchProblem,
+    third: f64,
+    values: &PartialValues,
+    resolution: Resolution,
+    work: &mut BranchWork,
+) -> Result<SecondVariations, Refusal> {
+    let (rate, adhesion) = problem.at(third);
+    let pressure = values.mean_pressure.value;
+    let memory = Arc::new(ContactMemory::new(material, rate)?);
+    let balance = EdgeBalance::new(memory, problem.indenter, Some(adhesion), SlidingControl::MeanPressure(pressure), resolution);
+    let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
+    work.closure_evaluations += 12;
+    SecondVariations::new(&balance, contact, pressure, problem.indenter)
 }

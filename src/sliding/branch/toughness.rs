@@ -44,12 +44,12 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
         missing("the penetration has no smallest value on this branch", "the narrowest half-width (in 1/k)", problem.half_widths[0])
     })?;
     let narrow = separation.contact.half_width.value;
-    // The first contact without load that is wider: load grows with the half-width there.
+    // The first contact without load on the way from separation to snap-in.
     let unloaded = branch
         .zero_load
         .iter()
-        .filter(|values| values.half_width.value > narrow)
-        .min_by(|first, second| first.half_width.value.total_cmp(&second.half_width.value))
+        .find(|point| point.arclength > separation.arclength && branch.snap_in().is_none_or(|snap_in| point.arclength < snap_in.arclength))
+        .map(|point| point.values)
         .ok_or_else(|| {
             let snap_in = branch.snap_in();
             missing(
@@ -88,5 +88,5 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
     let (best, error) = integral(&UNIT_RULE_20)?;
     // The integrand vanishes at both ends, p̄ at one and dΔ at the other: errors of the ends enter squared.
     let ends = 2.0 * PI * (separation.contact.mean_pressure.value.abs() * separation.value.error + unloaded.mean_pressure.error);
-    Ok(Toughness { value: Estimate::new(best, (best - rough).abs() + error + ends), unloaded: *unloaded, separation: separation.clone() })
+    Ok(Toughness { value: Estimate::new(best, (best - rough).abs() + error + ends), unloaded, separation: separation.clone() })
 }

@@ -3,9 +3,10 @@
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::equations::BranchEquations;
 use super::fold::{Fold, FoldQuantity, located_fold};
-use super::point::{BranchPoint, accurate_point};
+use super::point::{BranchPoint, accurate_point, variations_at};
 use crate::continuation::arclength::{Curve, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
 use crate::continuation::fold::interpolated;
+use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
@@ -18,8 +19,8 @@ use crate::sliding::steady::{
 const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7, difference: 1e-6 };
 /// The resolution of the coarse curve.
 const RESOLUTION: Resolution = Resolution::Medium;
-/// The half-width at which the loads of one speed begin.
-const MIDDLE: f64 = 1.2;
+/// The half-widths at which the loads of one speed are begun, in this order.
+const HALF_WIDTHS: [f64; 10] = [1.2, 0.6, 1.8, 0.3, 2.4, 0.15, 0.08, 0.04, 0.02, 0.01];
 /// Accuracy of the contact at which a branch begins.
 const START_ACCURACY: f64 = 1e-4;
 
@@ -73,8 +74,8 @@ pub struct Branch {
     pub folds: Vec<Fold>,
     /// Turns that are there and were not solved: what, arclength and reason.
     pub unlocated: Vec<(FoldQuantity, f64, Refusal)>,
-    /// Contacts without load, in order along the curve; none along a held load.
-    pub zero_load: Vec<PartialValues>,
+    /// Contacts without load, in order along the curve of loads; none along other paths.
+    pub zero_load: Vec<BranchPoint>,
     /// How the branch ends behind its first point.
     pub begins: BranchEnd,
     /// How it ends after its last point.
@@ -226,9 +227,25 @@ fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) ->
             _ => [half_width, eccentricity, parameter.ln()],
         }),
         (BranchPath::Loads, _) => {
+            // Which half-widths are reached from the slow or the fast contact at that half-width depends on where the branch turns back.
             let [narrowest, widest] = problem.half_widths;
-            let (values, _) = steady(problem.rate, SlidingControl::HalfWidth(MIDDLE.clamp(narrowest, widest)))?;
-            Ok([values.half_width.value, values.eccentricity.value, values.mean_pressure.value])
+            let mut widths: Vec<f64> = HALF_WIDTHS.into_iter().filter(|&width| width > narrowest && width < widest).collect();
+            if widths.is_empty() {
+                widths.push(0.5 * (narrowest + widest));
+            }
+            let mut first = None;
+            let controls = widths.into_iter().map(SlidingControl::HalfWidth).chain([SlidingControl::MeanPressure(0.0)]);
+            for control in controls {
+                match steady(problem.rate, control) {
+                    Ok((values, half_width)) if half_width > narrowest && half_width < widest => {
+                        return Ok([half_width, values.eccentricity.value, values.mean_pressure.value]);
+                    }
+                    Ok(_) => {}
+                    Err(refusal) => first = first.or(Some(refusal)),
+                }
+            }
+            Err(first
+                .unwrap_or(Refusal::NotConverged { what: "the start of a branch", detail: "no contact within the half-widths".into() }))
         }
         (BranchPath::Speeds(control), from) => {
             let (from, rate) = match from {
@@ -288,20 +305,23 @@ fn zero_load(
     curve: &[Coarse],
     left_out: &mut Vec<(f64, Refusal)>,
     work: &mut BranchWork,
-) -> Result<Vec<PartialValues>, Refusal> {
+) -> Result<Vec<BranchPoint>, Refusal> {
     if problem.path != BranchPath::Loads {
         return Ok(Vec::new());
     }
     let equations = BranchEquations::new(material, problem, RESOLUTION)?;
     let mut found = Vec::new();
     for (from, to) in changes(curve, |point| point.unknowns[2]) {
-        let mut at = || -> Result<PartialValues, Refusal> {
+        let mut at = || -> Result<BranchPoint, Refusal> {
             let (unknowns, _, evaluations) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
             work.closure_evaluations += evaluations;
             let steady = problem.steady(0.0, SlidingControl::MeanPressure(0.0));
             let contact = steady_sliding_near(material, &steady, &Start::at(unknowns[0], unknowns[1]))?;
             work.closure_evaluations += contact.work.closure_evaluations;
-            Ok(contact.values)
+            let part = (0.0 - from.unknowns[2]) / (to.unknowns[2] - from.unknowns[2]);
+            let arclength = from.arclength + part * (to.arclength - from.arclength);
+            let variations = variations_at(material, problem, 0.0, &contact.values, Resolution::Fine, work)?;
+            Ok(BranchPoint { arclength, parameter: Estimate::exact(0.0), values: contact.values, variations })
         };
         match at() {
             Ok(values) => found.push(values),

@@ -1,0 +1,298 @@
+//! HEADER
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use rayon::prelude::*;
+use std::f64::consts::PI;
+use viscotack::material::CreepTerm;
+use viscotack::sliding::branch::{Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, FoldQuantity, speed_folds, toughness, trace};
+use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, WaveAdhesion};
+use viscotack::{Estimate, Material, Refusal};
+
+fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
+    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+}
+
+fn one_time(beta: f64) -> Material {
+    if beta > 1.0 { Material::standard_solid(1.0, beta, 1.0).unwrap() } else { Material::elastic(1.0).unwrap() }
+}
+
+fn many_times() -> Material {
+    let terms: Vec<CreepTerm> =
+        (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 100.0) / 12.0, retardation_time: 10f64.powi(-index) }).collect();
+    Material::from_creep(100.0, &terms, None).unwrap()
+}
+
+/// No number of a result may be a NaN or lack its bar.
+fn checked(values: &PartialValues) {
+    let mut all = vec![
+        values.half_width,
+        values.eccentricity,
+        values.trailing_edge,
+        values.leading_edge,
+        values.penetration,
+        values.mean_pressure,
+        values.friction_stress,
+        values.interface_work,
+    ];
+    let adhesive = values.adhesion.unwrap();
+    all.extend([adhesive.trailing_release, adhesive.leading_release, adhesive.adhesive_friction_stress]);
+    for Estimate { value, error } in all {
+        assert!(value.is_finite() && error.is_finite() && error >= 0.0, "{values:?}");
+    }
+}
+
+fn end_of(end: &BranchEnd) -> &'static str {
+    match end {
+        BranchEnd::HalfWidth(_) => "width",
+        BranchEnd::Parameter(_) => "parameter",
+        BranchEnd::Lost { .. } => "unphysical",
+        BranchEnd::TooLong => "too long",
+    }
+}
+
+/// What is told of a branch of loads.
+fn loads(material: &Material, problem: &BranchProblem) -> String {
+    match trace(material, problem) {
+        Ok(branch) => {
+            sound(&branch);
+            let mark = |there: bool, mark: &str| if there { mark.to_owned() } else { "-".to_owned() };
+            let tough = match toughness(material, problem) {
+                Ok(found) => {
+                    if found.value.value > 0.0 && found.value.error < 2e-6 * found.value.value.max(1.0) {
+                        "T"
+                    } else {
+                        println!("BAD {:?} {problem:?}", found.value);
+                        "BAD"
+                    }
+                }
+                Err(Refusal::NoSuchState { .. }) => "-",
+                Err(_) => "T?",
+            };
+            let lost = if branch.unlocated.is_empty() && branch.left_out.is_empty() { "" } else { " incomplete" };
+            for lost in &branch.unlocated {
+                println!("UNLOCATED {lost:?}");
+            }
+            for lost in &branch.left_out {
+                println!("LEFT {lost:?}");
+            }
+            format!(
+                "{}{}{}{tough} {}..{}{lost}",
+                mark(branch.separation().is_some(), "O"),
+                mark(branch.pull_off(problem).is_some(), "P"),
+                mark(branch.snap_in().is_some(), "S"),
+                end_of(&branch.begins),
+                end_of(&branch.ends)
+            )
+        }
+        Err(refusal) => refused(&refusal),
+    }
+}
+
+fn refused(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::OutOfRange { quantity, .. } => format!("out of range: {quantity}"),
+        Refusal::NoSuchState { limit, limit_name, .. } => {
+            assert!(limit.is_finite());
+            format!("no such state: {limit_name}")
+        }
+        Refusal::Undefined { quantity, .. } => format!("undefined: {quantity}"),
+        Refusal::NotConverged { what, detail } => format!("not converged: {what}: {detail}"),
+    }
+}
+
+fn sound(branch: &Branch) {
+    for fold in &branch.folds {
+        checked(&fold.contact);
+        assert!(fold.value.value.is_finite() && fold.value.error.is_finite(), "{fold:?}");
+    }
+    for point in &branch.points {
+        checked(&point.values);
+        assert!(point.parameter.value.is_finite());
+    }
+    branch.zero_load.iter().for_each(|point| checked(&point.values));
+}
+
+/// What is told of a held control over speeds.
+fn speeds(material: &Material, control: SlidingControl, adhesion: WaveAdhesion) -> String {
+    let problem = BranchProblem { points: 20, ..BranchProblem::speeds(control, [1e-6, 1e6], BranchStart::Slow, adhesion, 1e-8) };
+    match speed_folds(material, &problem) {
+        Ok(found) => {
+            let told = |branch: &Result<Branch, Refusal>| match branch {
+                Ok(branch) => {
+                    sound(branch);
+                    let lost = if branch.unlocated.is_empty() && branch.left_out.is_empty() { "" } else { " incomplete" };
+                    let folds = branch.folds_of(FoldQuantity::LogRate).count();
+                    format!("{folds} folds {}..{}{lost}", end_of(&branch.begins), end_of(&branch.ends))
+                }
+                Err(refusal) => refused(refusal),
+            };
+            let gap = match &found.no_contact {
+                Some(gap) => {
+                    assert!(gap.lower.value.error < 1e-8 && gap.upper.value.error < 1e-8);
+                    format!(
+                        "; none between {:.3e} and {:.3e}{}",
+                        gap.lower.parameter().value,
+                        gap.upper.parameter().value,
+                        if gap.closed { "" } else { " (open)" }
+                    )
+                }
+                None => String::new(),
+            };
+            match &found.fast {
+                Some(fast) => format!("slow {}; fast {}{gap}", told(&found.slow), told(fast)),
+                None => format!("one branch {}", told(&found.slow)),
+            }
+        }
+        Err(refusal) => refused(&refusal),
+    }
+}
+
+/// The contact of one half-width.
+fn one(material: &Material, rate: f64, adhesion: WaveAdhesion, half_width: f64) -> String {
+    let room = half_width.min(PI - half_width);
+    let problem = BranchProblem {
+        half_widths: [half_width - 1e-3 * room, half_width + 1e-3 * room],
+        points: 1,
+        ..BranchProblem::loads(rate, adhesion, 1e-8)
+    };
+    match trace(material, &problem) {
+        Ok(branch) => {
+            sound(&branch);
+            match branch.points.first() {
+                Some(point) => {
+                    format!("partial, load {:?}, penetration {:?}", point.variations.under_load(), point.variations.under_penetration())
+                }
+                None => branch.left_out.first().map_or("nothing".into(), |(_, refusal)| refused(refusal)),
+            }
+        }
+        Err(refusal) => refused(&refusal),
+    }
+}
+
+type Case = (String, Box<dyn Fn() -> String + Send + Sync>);
+
+fn cases() -> Vec<Case> {
+    let mut cases: Vec<Case> = Vec::new();
+    for (beta, rate) in [(1.0, 0.0), (10.0, 1e-4), (10.0, 0.1), (10.0, 1e4), (1000.0, 0.01), (1000.0, 1.0), (1000.0, 1e3)] {
+        for (work, zone) in [(1e-6, 1e-4), (1e-3, 1e-3), (0.1, 1e-2), (1.0, 1e-3), (1.0, 0.1)] {
+            cases.push((
+                format!("loads β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
+                Box::new(move || {
+                    loads(&one_time(beta), &BranchProblem { points: 12, ..BranchProblem::loads(rate, adhesion(work, zone), 1e-7) })
+                }),
+            ));
+        }
+    }
+    for rate in [] {
+        cases.push((
+            format!("loads of twelve times, slowest ζ = {rate:e}"),
+            Box::new(move || {
+                loads(&many_times(), &BranchProblem { points: 12, ..BranchProblem::loads(rate, adhesion(0.003, 0.01), 1e-7) })
+            }),
+        ));
+    }
+    for beta in [200.0, 500.0, 1000.0] {
+        for pressure in [0.0, 0.3, 2.0] {
+            for work in [1e-3, 0.01] {
+                cases.push((
+                    format!("speeds β = {beta}, p̄ = {pressure}, Γ = {work:e}"),
+                    Box::new(move || speeds(&one_time(beta), SlidingControl::MeanPressure(pressure), adhesion(work, 0.003))),
+                ));
+            }
+        }
+    }
+    for (name, control) in [
+        ("Δ = 0.3", SlidingControl::Penetration(0.3)),
+        ("a = 1", SlidingControl::HalfWidth(1.0)),
+        ("p̄ = −0.03", SlidingControl::MeanPressure(-0.03)),
+        ("p̄ = 2000", SlidingControl::MeanPressure(2000.0)),
+        ("p̄ = −1", SlidingControl::MeanPressure(-1.0)),
+    ] {
+        cases.push((format!("speeds β = 1000, {name}"), Box::new(move || speeds(&one_time(1000.0), control, adhesion(0.003, 0.01)))));
+    }
+    for (beta, rate) in [(1.0, 0.0), (10.0, 1.0), (200.0, 100.0)] {
+        for gap in [1e-2, 1e-4, 1e-6] {
+            cases.push((
+                format!("near full β = {beta}, ζ = {rate}, π − a = {gap:e}, δ = a tenth of it"),
+                Box::new(move || one(&one_time(beta), rate, adhesion(0.003, 0.1 * gap), PI - gap)),
+            ));
+        }
+        for width in [1e-2, 1e-4, 1e-6] {
+            cases.push((
+                format!("vanishing β = {beta}, ζ = {rate}, a = {width:e}, δ = a tenth of it"),
+                Box::new(move || one(&one_time(beta), rate, adhesion(0.003, 0.1 * width), width)),
+            ));
+        }
+    }
+    let base = BranchProblem::loads(1.0, adhesion(0.003, 0.01), 1e-8);
+    let wrong: Vec<(&str, BranchProblem)> = vec![
+        ("half-width beyond π", BranchProblem { half_widths: [0.1, 3.5], ..base }),
+        ("half-widths exchanged", BranchProblem { half_widths: [2.0, 1.0], ..base }),
+        ("half-width not a number", BranchProblem { half_widths: [f64::NAN, 1.0], ..base }),
+        ("Γ = 0", BranchProblem { adhesion: adhesion(0.0, 0.01), ..base }),
+        ("δ infinite", BranchProblem { adhesion: adhesion(0.003, f64::INFINITY), half_widths: [0.1, 3.0], ..base }),
+        ("rate negative", BranchProblem { rate: -1.0, ..base }),
+        ("accuracy 0", BranchProblem { accuracy: 0.0, ..base }),
+        ("gap narrower than the zone", BranchProblem { half_widths: [PI - 1e-3, PI - 1e-4], ..base }),
+        (
+            "Δ of a parabola",
+            BranchProblem {
+                indenter: Indenter::Parabola,
+                path: BranchPath::Adhesions(SlidingControl::Penetration(0.1)),
+                parameters: [1e-3, 1.0],
+                ..base
+            },
+        ),
+        ("speeds exchanged", BranchProblem { path: BranchPath::Speeds(SlidingControl::MeanPressure(0.1)), parameters: [1.0, 0.1], ..base }),
+        (
+            "start nowhere near",
+            BranchProblem { start: BranchStart::Near { half_width: 1.0, eccentricity: 1.5, mean_pressure: 5.0, parameter: 1.0 }, ..base },
+        ),
+    ];
+    for (name, problem) in wrong {
+        cases.push((format!("wrong: {name}"), Box::new(move || loads(&one_time(10.0), &problem))));
+    }
+    for (name, path, parameters) in [
+        ("Γ at p̄ = 0", BranchPath::Adhesions(SlidingControl::MeanPressure(0.0)), [1e-6, 1.0]),
+        ("Γ at p̄ = −0.02", BranchPath::Adhesions(SlidingControl::MeanPressure(-0.02)), [1e-6, 1.0]),
+        ("δ at p̄ = 0", BranchPath::Zones(SlidingControl::MeanPressure(0.0)), [1e-4, 10.0]),
+        ("δ at Δ = 0.2", BranchPath::Zones(SlidingControl::Penetration(0.2)), [1e-4, 10.0]),
+    ] {
+        let problem = BranchProblem { path, parameters, points: 12, ..base };
+        cases.push((
+            format!("path {name}"),
+            Box::new(move || match trace(&one_time(10.0), &problem) {
+                Ok(branch) => {
+                    sound(&branch);
+                    format!(
+                        "{} folds {}..{} {}",
+                        branch.folds.len(),
+                        end_of(&branch.begins),
+                        end_of(&branch.ends),
+                        branch.left_out.len() + branch.unlocated.len()
+                    )
+                }
+                Err(refusal) => refused(&refusal),
+            }),
+        ));
+    }
+    let cylinder = BranchProblem { indenter: Indenter::Parabola, half_widths: [0.01, 20.0], points: 12, ..base };
+    cases.push(("loads of a cylinder".into(), Box::new(move || loads(&one_time(10.0), &cylinder))));
+    cases
+}
+
+#[test]
+fn every_hard_case_ends_as_stated() {
+    let results: Vec<(String, String, f64)> = cases()
+        .into_par_iter()
+        .map(|(name, run)| {
+            let begin = std::time::Instant::now();
+            let outcome = run();
+            println!("TIME {:.2} {name}: {outcome}", begin.elapsed().as_secs_f64());
+            (name, outcome, begin.elapsed().as_secs_f64())
+        })
+        .collect();
+    for (name, outcome, time) in &results {
+        let _ = (name, outcome, time);
+    }
+}
