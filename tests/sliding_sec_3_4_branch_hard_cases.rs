@@ -47,6 +47,7 @@ fn end_of(end: &BranchEnd) -> &'static str {
         BranchEnd::Parameter(_) => "parameter",
         BranchEnd::Lost { .. } => "unphysical",
         BranchEnd::TooLong => "too long",
+        BranchEnd::Closed => "closed",
     }
 }
 

@@ -127,6 +127,8 @@ pub struct Steps {
 pub enum CurveEnd {
     /// Outside the region asked for; the last point is beyond its border.
     Left,
+    /// Back where it began: the curve is closed, and the last point is the first one once more, to within a step.
+    Closed,
     /// The largest number of points was reached.
     MostPoints,
     /// No admissible point follows however short the step; the reason is that of the last attempt.
@@ -152,6 +154,9 @@ const AIMED_TURN: f64 = 0.12;
 const LARGEST_TURN_COSINE: f64 = 0.877_6;
 /// Largest distance of a corrected point from its prediction over the step.
 const LARGEST_CORRECTION: f64 = 0.4;
+
+/// A closed curve has more points than this.
+const FEWEST_OF_LOOP: usize = 10;
 
 /// The tangent and the derivatives at a point of a curve; three evaluations.
 ///
@@ -227,6 +232,11 @@ pub fn follow<E: CurveEquations>(
         }
         match advanced(equations, &here, step, steps, &mut evaluations) {
             Ok((next, turn)) => {
+                if points.first().is_some_and(|first| points.len() > FEWEST_OF_LOOP && meets(first, &next, step)) {
+                    points.push(here);
+                    points.push(next);
+                    break CurveEnd::Closed;
+                }
                 let stretch = (AIMED_TURN / turn.max(1e-3)).clamp(0.5, 1.7);
                 step = (step * stretch).min(steps.longest);
                 points.push(here);
@@ -243,6 +253,15 @@ pub fn follow<E: CurveEquations>(
         }
     };
     Ok(Curve { points, end, evaluations, refused })
+}
+
+/// Whether the start is within a step behind or ahead of a point, along nearly the same tangent.
+fn meets<S>(first: &CurvePoint<S>, point: &CurvePoint<S>, step: f64) -> bool {
+    let away = Vector3::from_fn(|index, _| (first.unknowns[index] - point.unknowns[index]) / point.scales[index]);
+    let tangent = rescaled(&Vector3::from(first.tangent), first.scales, point.scales);
+    let here = Vector3::from(point.tangent);
+    // Nearly the same tangent, and across it no farther than a curve bends within a step.
+    away.norm() < step && tangent.dot(&here) > 0.9 && (away - here * away.dot(&here)).norm() < 0.2 * step
 }
 
 /// The point of the curve nearest to a start, in the plane across the tangent.

@@ -5,7 +5,7 @@ use crate::continuation::arclength::{CurveEquations, Evaluated};
 use crate::continuation::two_unknowns::TwoResiduals;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactMemory, Prescribed, Resolution, WaveContact};
+use crate::sliding::contact::{ContactMemory, Indenter, Prescribed, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl};
 use std::sync::Arc;
 
@@ -16,6 +16,7 @@ pub(super) struct BranchEquations<'a> {
     resolution: Resolution,
     /// At the rate and adhesion of the problem; serves every point along loads and adhesions.
     prepared: EdgeBalance,
+    memory: Arc<ContactMemory>,
 }
 
 impl<'a> BranchEquations<'a> {
@@ -26,7 +27,7 @@ impl<'a> BranchEquations<'a> {
     pub(super) fn new(material: &'a Material, problem: &'a BranchProblem, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
-        Ok(Self { material, problem, resolution, prepared })
+        Ok(Self { material, problem, resolution, prepared, memory: Arc::new(ContactMemory::new(material, rate)?) })
     }
 
     fn balance(
@@ -45,21 +46,24 @@ impl<'a> BranchEquations<'a> {
         Ok(EdgeBalance::new(memory, problem.indenter, Some(adhesion), control, resolution))
     }
 
-    /// The pressure scale of a contact: what presses, what pulls and what is there.
+    /// The pressure scale of a contact: what presses, what pulls and what is there, as stiff as the solid is over the contact.
     fn pressure_scale(&self, half_width: f64, pressure: f64) -> f64 {
-        let half = (0.5 * half_width).min(0.5 * std::f64::consts::PI - 1e-9);
+        let half = (0.5 * half_width).min(0.5 * std::f64::consts::PI - 1e-9).max(0.0);
         let slope = match self.problem.indenter {
-            crate::sliding::contact::Indenter::Wave => half.tan(),
-            crate::sliding::contact::Indenter::Parabola => half,
+            Indenter::Wave => half.tan(),
+            Indenter::Parabola => half,
         };
-        self.problem.indenter.half_angle_scale(half_width) + pressure.abs() + (self.problem.adhesion.reduced_work * slope.abs()).sqrt()
+        let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / half_width.abs().max(1e-12));
+        let stiffness = 1.0 / real.hypot(imaginary);
+        let size = self.problem.indenter.half_angle_scale(half_width).abs() * stiffness;
+        size + pressure.abs() + (self.problem.adhesion.reduced_work * stiffness * slope).sqrt()
     }
 
     /// The scale of lengths at a half-width: that of contact or gap, whichever is narrower.
     fn length_scale(&self, half_width: f64) -> f64 {
         match self.problem.indenter {
-            crate::sliding::contact::Indenter::Wave => half_width.sin().abs().max(1e-300),
-            crate::sliding::contact::Indenter::Parabola => half_width.abs().max(1e-300),
+            Indenter::Wave => half_width.sin().abs().max(1e-300),
+            Indenter::Parabola => half_width.abs().max(1e-300),
         }
     }
 }

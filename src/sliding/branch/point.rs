@@ -100,6 +100,6 @@ pub(super) fn variations_at(
     let memory = Arc::new(ContactMemory::new(material, rate)?);
     let balance = EdgeBalance::new(memory, problem.indenter, Some(adhesion), SlidingControl::MeanPressure(pressure), resolution);
     let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
-    work.closure_evaluations += 12;
+    work.closure_evaluations += 13;
     SecondVariations::new(&balance, contact, pressure, problem.indenter)
 }

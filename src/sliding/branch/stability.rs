@@ -51,14 +51,15 @@ pub struct SecondVariations {
 }
 
 impl SecondVariations {
-    /// By central differences about an equilibrium; twelve evaluations.
+    /// By central differences about an equilibrium; thirteen evaluations.
     ///
     /// # Errors
     /// Those of the contacts.
     pub fn new(balance: &EdgeBalance, contact: WaveContact, pressure: f64, indenter: Indenter) -> Result<Self, Refusal> {
         let WaveContact { half_width, eccentricity } = contact;
         let length = STEP * half_width.min(indenter.widest() - half_width);
-        let load = STEP * (indenter.half_angle_scale(half_width) + pressure.abs());
+        let stiffness = balance.evaluate_at(contact, Prescribed::MeanPressure(pressure))?.state.stiffness_at_contact();
+        let load = STEP * (indenter.half_angle_scale(half_width) * stiffness + pressure.abs());
         let at = |wider: f64, ahead: f64, more: f64| {
             let moved = WaveContact { half_width: half_width + wider, eccentricity: eccentricity + ahead };
             let found = balance.evaluate_at(moved, Prescribed::MeanPressure(pressure + more))?;

@@ -48,7 +48,9 @@ pub enum BranchEnd {
         /// Why.
         reason: Refusal,
     },
-    /// The branch has very many points: a defect.
+    /// The branch is a closed curve, and ends where it begins.
+    Closed,
+    /// The branch has more points than are followed, 3000 to each side.
     TooLong,
 }
 
@@ -147,6 +149,7 @@ pub(super) fn coarse(
         work.refused_steps += refused;
         work.curve_points += points.len() as u64;
         let end = match (end, points.last()) {
+            (CurveEnd::Closed, _) => BranchEnd::Closed,
             (CurveEnd::Left, Some(last)) => border(last).unwrap_or(BranchEnd::TooLong),
             (CurveEnd::Lost(reason), Some(last)) => BranchEnd::Lost {
                 half_width: last.state.state.contact().half_width,
@@ -158,7 +161,7 @@ pub(super) fn coarse(
         Ok((points, end))
     };
     let (forward, ends) = run(1.0)?;
-    let (backward, begins) = run(-1.0)?;
+    let (backward, begins) = if ends == BranchEnd::Closed { (Vec::new(), BranchEnd::Closed) } else { run(-1.0)? };
     let mut curve: Vec<Coarse> = backward
         .into_iter()
         .skip(1)
