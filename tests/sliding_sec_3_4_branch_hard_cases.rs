@@ -1,7 +1,20 @@
-//! HEADER
+//! Source: thesis Sec 3.7; the limits are those of Johnson (1995) with α = 2√(Γ/m), m the modulus over E0.
+//!
+//! Goal: every hard branch ends as stated beforehand, without a panic, a NaN or a number without a bar.
+//!
+//! Parameters: Γ from 1e-6 to 1, δ from 1e-7 to 0.1, β from 1 to 1000, ζ from 0 to 1e4; one and twelve times; π − a and a down to 1e-6; speeds over twelve decades; wrong
+//! numbers.
+//!
+//! Oracle: `STATED`. Of loads: O, P, S are the fold of Δ, pull-off, snap-in, T the toughness, - none of it; then how the branch ends on the narrow and on the wide
+//! side (width: the half-width asked for; near full: 1 − Δ without digits; unphysical: only pressed edges or interpenetrating faces go on; closed: a closed curve); "incomplete" where a turn
+//! or a point was refused, with its reason. Known beforehand: slow, or fast with Γ/β, OPST below α = 0.57, OPS- from there to 1.065, O--- above; no O nor P where they
+//! would be narrower than δ; no partial contact between two folds in speed for β ≥ 200.
+//!
+//! Tolerance: rates of folds to the four digits printed, their bars below 1e-8 (ln); toughness bars below 2e-6.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::f64::consts::PI;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::branch::{Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, FoldQuantity, speed_folds, toughness, trace};
@@ -48,6 +61,7 @@ fn end_of(end: &BranchEnd) -> &'static str {
         BranchEnd::Lost { .. } => "unphysical",
         BranchEnd::TooLong => "too long",
         BranchEnd::Closed => "closed",
+        BranchEnd::NearFull(_) => "near full",
     }
 }
 
@@ -62,20 +76,13 @@ fn loads(material: &Material, problem: &BranchProblem) -> String {
                     if found.value.value > 0.0 && found.value.error < 2e-6 * found.value.value.max(1.0) {
                         "T"
                     } else {
-                        println!("BAD {:?} {problem:?}", found.value);
-                        "BAD"
+                        "T loose"
                     }
                 }
                 Err(Refusal::NoSuchState { .. }) => "-",
                 Err(_) => "T?",
             };
             let lost = if branch.unlocated.is_empty() && branch.left_out.is_empty() { "" } else { " incomplete" };
-            for lost in &branch.unlocated {
-                println!("UNLOCATED {lost:?}");
-            }
-            for lost in &branch.left_out {
-                println!("LEFT {lost:?}");
-            }
             format!(
                 "{}{}{}{tough} {}..{}{lost}",
                 mark(branch.separation().is_some(), "O"),
@@ -115,7 +122,7 @@ fn sound(branch: &Branch) {
 
 /// What is told of a held control over speeds.
 fn speeds(material: &Material, control: SlidingControl, adhesion: WaveAdhesion) -> String {
-    let problem = BranchProblem { points: 20, ..BranchProblem::speeds(control, [1e-6, 1e6], BranchStart::Slow, adhesion, 1e-8) };
+    let problem = BranchProblem { points: 6, ..BranchProblem::speeds(control, [1e-6, 1e6], BranchStart::Slow, adhesion, 1e-8) };
     match speed_folds(material, &problem) {
         Ok(found) => {
             let told = |branch: &Result<Branch, Refusal>| match branch {
@@ -148,15 +155,31 @@ fn speeds(material: &Material, control: SlidingControl, adhesion: WaveAdhesion) 
     }
 }
 
-/// The contact of one half-width.
+/// The contact of one half-width, reached along the branch of loads from a contact of middle width.
 fn one(material: &Material, rate: f64, adhesion: WaveAdhesion, half_width: f64) -> String {
     let room = half_width.min(PI - half_width);
-    let problem = BranchProblem {
-        half_widths: [half_width - 1e-3 * room, half_width + 1e-3 * room],
-        points: 1,
+    let wide = half_width > 1.0;
+    let whole = BranchProblem {
+        half_widths: if wide { [1.0, half_width] } else { [half_width, 1.5] },
         ..BranchProblem::loads(rate, adhesion, 1e-8)
     };
-    match trace(material, &problem) {
+    let branch = match trace(material, &whole) {
+        Ok(branch) => branch,
+        Err(refusal) => return refused(&refusal),
+    };
+    let end = if wide { &branch.ends } else { &branch.begins };
+    if *end != BranchEnd::HalfWidth(half_width) {
+        return format!("not reached: {}", end_of(end));
+    }
+    let outline = branch.outline();
+    let &[half_width_near, eccentricity, mean_pressure, _] = if wide { outline.last() } else { outline.first() }.unwrap();
+    let near = BranchProblem {
+        half_widths: [half_width_near - 1e-3 * room, half_width_near + 1e-3 * room],
+        start: BranchStart::Near { half_width: half_width_near, eccentricity, mean_pressure, parameter: 1.0 },
+        points: 1,
+        ..whole
+    };
+    match trace(material, &near) {
         Ok(branch) => {
             sound(&branch);
             match branch.points.first() {
@@ -179,22 +202,37 @@ fn cases() -> Vec<Case> {
             cases.push((
                 format!("loads β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
                 Box::new(move || {
-                    loads(&one_time(beta), &BranchProblem { points: 12, ..BranchProblem::loads(rate, adhesion(work, zone), 1e-7) })
+                    loads(
+                        &one_time(beta),
+                        &BranchProblem {
+                            points: 6,
+                            half_widths: [zone, PI - (2.0 * zone).max(0.0)],
+                            ..BranchProblem::loads(rate, adhesion(work, zone), 1e-7)
+                        },
+                    )
                 }),
             ));
         }
     }
-    for rate in [] {
-        cases.push((
-            format!("loads of twelve times, slowest ζ = {rate:e}"),
-            Box::new(move || {
-                loads(&many_times(), &BranchProblem { points: 12, ..BranchProblem::loads(rate, adhesion(0.003, 0.01), 1e-7) })
-            }),
-        ));
-    }
+    // The coarse curve with its turns, without toughness: twelve times take a hundred times the work of one.
+    cases.push((
+        "loads of twelve times, slowest ζ = 1".into(),
+        Box::new(|| {
+            match trace(
+                &many_times(),
+                &BranchProblem { half_widths: [0.05, 0.8], ..BranchProblem::loads(1.0, adhesion(0.003, 0.01), 1e-7) },
+            ) {
+                Ok(branch) => {
+                    sound(&branch);
+                    format!("{} folds {}..{}", branch.folds.len(), end_of(&branch.begins), end_of(&branch.ends))
+                }
+                Err(refusal) => refused(&refusal),
+            }
+        }),
+    ));
     for beta in [200.0, 500.0, 1000.0] {
-        for pressure in [0.0, 0.3, 2.0] {
-            for work in [1e-3, 0.01] {
+        for (pressure, works) in [(0.0, &[1e-3, 0.01][..]), (0.3, &[1e-3, 0.01]), (2.0, &[0.01])] {
+            for &work in works {
                 cases.push((
                     format!("speeds β = {beta}, p̄ = {pressure}, Γ = {work:e}"),
                     Box::new(move || speeds(&one_time(beta), SlidingControl::MeanPressure(pressure), adhesion(work, 0.003))),
@@ -282,6 +320,9 @@ fn cases() -> Vec<Case> {
     cases
 }
 
+// TABLE
+const STATED: [(&str, &str); 0] = [];
+
 #[test]
 fn every_hard_case_ends_as_stated() {
     let results: Vec<(String, String, f64)> = cases()
@@ -289,11 +330,19 @@ fn every_hard_case_ends_as_stated() {
         .map(|(name, run)| {
             let begin = std::time::Instant::now();
             let outcome = run();
-            println!("TIME {:.2} {name}: {outcome}", begin.elapsed().as_secs_f64());
+            println!("AT {name}: {outcome} {:.0}", 1e3 * begin.elapsed().as_secs_f64());
             (name, outcome, begin.elapsed().as_secs_f64())
         })
         .collect();
+    let stated: HashMap<&str, &str> = STATED.into_iter().collect();
+    let mut wrong = Vec::new();
     for (name, outcome, time) in &results {
-        let _ = (name, outcome, time);
+        println!("{name}: {outcome} ({:.0} ms)", 1e3 * time);
+        if stated.get(name.as_str()) != Some(&outcome.as_str()) {
+            wrong.push(format!("(\"{name}\", \"{outcome}\"),"));
+        }
     }
+    println!("{} cases", results.len());
+    assert!(wrong.is_empty(), "not as stated:\n{}", wrong.join("\n"));
+    assert!(results.len() >= 40 && results.len() == STATED.len());
 }

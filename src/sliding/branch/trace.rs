@@ -9,7 +9,7 @@ use crate::continuation::fold::interpolated;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::Resolution;
+use crate::sliding::contact::{Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
 use crate::sliding::steady::{
     From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, start_at_rate, steady_sliding, steady_sliding_near,
@@ -28,6 +28,11 @@ const START_ACCURACY: f64 = 1e-4;
 const DIP: f64 = 2.0;
 /// Parts of a step where it may have.
 const REFINED: f64 = 8.0;
+
+/// 1 − Δ below which a branch is not followed: an ulp of Δ is then 1e-9 of it, and a stiff contact multiplies that by what presses over what pulls.
+const NEAREST_TO_FULL: f64 = 3e-7;
+/// Turns that are refused before no more are looked for.
+const MOST_UNLOCATED: usize = 12;
 
 /// A point of the coarse curve.
 pub(super) type Coarse = CurvePoint<EdgeStates>;
@@ -48,6 +53,8 @@ pub enum BranchEnd {
         /// Why.
         reason: Refusal,
     },
+    /// So near full contact that a penetration, which moved contacts keep, has too few digits below one; the last half-width.
+    NearFull(f64),
     /// The branch is a closed curve, and ends where it begins.
     Closed,
     /// The branch has more points than are followed, 3000 to each side.
@@ -74,7 +81,7 @@ pub struct Branch {
     pub left_out: Vec<(f64, Refusal)>,
     /// Turns, in order along the curve.
     pub folds: Vec<Fold>,
-    /// Turns that are there and were not solved: what, arclength and reason.
+    /// Turns of the coarse curve that were not solved, at most twelve: what, arclength and reason.
     pub unlocated: Vec<(FoldQuantity, f64, Refusal)>,
     /// Contacts without load, in order along the curve of loads; none along other paths.
     pub zero_load: Vec<BranchPoint>,
@@ -187,6 +194,9 @@ fn border(problem: &BranchProblem, point: &Coarse) -> Option<BranchEnd> {
     if half_width > widest {
         return Some(BranchEnd::HalfWidth(widest));
     }
+    if problem.indenter == Indenter::Wave && 1.0 - point.watched < NEAREST_TO_FULL {
+        return Some(BranchEnd::NearFull(half_width));
+    }
     if problem.path != BranchPath::Loads {
         let [smallest, largest] = problem.parameters;
         let parameter = point.unknowns[2].exp();
@@ -288,6 +298,9 @@ fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &
     for &quantity in FoldQuantity::of(problem) {
         let unknown = quantity.unknown();
         for (from, to) in changes(curve, move |point| point.slope(unknown)) {
+            if unlocated.len() >= MOST_UNLOCATED {
+                break;
+            }
             // The last point of the curve is beyond the region asked for.
             if [from, to].iter().any(|point| border(problem, point).is_some()) {
                 continue;
