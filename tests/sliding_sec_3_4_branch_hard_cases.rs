@@ -199,6 +199,10 @@ fn cases() -> Vec<Case> {
     let mut cases: Vec<Case> = Vec::new();
     for (beta, rate) in [(1.0, 0.0), (10.0, 1e-4), (10.0, 0.1), (10.0, 1e4), (1000.0, 0.01), (1000.0, 1.0), (1000.0, 1e3)] {
         for (work, zone) in [(1e-6, 1e-4), (1e-3, 1e-3), (0.1, 1e-2), (1.0, 1e-3), (1.0, 0.1)] {
+            // Those that take seconds and end like their neighbours.
+            if work > 0.5 && ((zone < 0.01 && rate > 100.0) || (beta > 1.0 && (0.01..10.0).contains(&rate) && zone > 0.01)) {
+                continue;
+            }
             cases.push((
                 format!("loads β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
                 Box::new(move || {
@@ -250,13 +254,13 @@ fn cases() -> Vec<Case> {
         cases.push((format!("speeds β = 1000, {name}"), Box::new(move || speeds(&one_time(1000.0), control, adhesion(0.003, 0.01)))));
     }
     for (beta, rate) in [(1.0, 0.0), (10.0, 1.0), (200.0, 100.0)] {
-        for gap in [1e-2, 1e-4, 1e-6] {
+        for &gap in if beta > 1.0 { &[1e-2, 1e-3][..] } else { &[1e-2, 1e-3, 1e-4, 1e-6] } {
             cases.push((
                 format!("near full β = {beta}, ζ = {rate}, π − a = {gap:e}, δ = a tenth of it"),
                 Box::new(move || one(&one_time(beta), rate, adhesion(0.003, 0.1 * gap), PI - gap)),
             ));
         }
-        for width in [1e-2, 1e-4, 1e-6] {
+        for &width in if rate > 0.0 { &[1e-2, 1e-3, 1e-4][..] } else { &[1e-2, 1e-4, 1e-6] } {
             cases.push((
                 format!("vanishing β = {beta}, ζ = {rate}, a = {width:e}, δ = a tenth of it"),
                 Box::new(move || one(&one_time(beta), rate, adhesion(0.003, 0.1 * width), width)),
@@ -320,8 +324,94 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-// TABLE
-const STATED: [(&str, &str); 0] = [];
+/// Names and outcomes.
+#[rustfmt::skip]
+const STATED: [(&str, &str); 84] = [
+    ("loads β = 1, ζ = 0e0, Γ = 1e-6, δ = 1e-4", "OPST width..near full"),
+    ("loads β = 1, ζ = 0e0, Γ = 1e-3, δ = 1e-3", "OPST width..width"),
+    ("loads β = 1, ζ = 0e0, Γ = 1e-1, δ = 1e-2", "OPS- width..width"),
+    ("loads β = 1, ζ = 0e0, Γ = 1e0, δ = 1e-3", "O--- width..width"),
+    ("loads β = 1, ζ = 0e0, Γ = 1e0, δ = 1e-1", "O--- width..width"),
+    ("loads β = 10, ζ = 1e-4, Γ = 1e-6, δ = 1e-4", "OPST unphysical..unphysical incomplete"),
+    ("loads β = 10, ζ = 1e-4, Γ = 1e-3, δ = 1e-3", "OPST width..unphysical"),
+    ("loads β = 10, ζ = 1e-4, Γ = 1e-1, δ = 1e-2", "OPS- width..unphysical"),
+    ("loads β = 10, ζ = 1e-4, Γ = 1e0, δ = 1e-3", "O--- closed..closed incomplete"),
+    ("loads β = 10, ζ = 1e-4, Γ = 1e0, δ = 1e-1", "O--- width..width"),
+    ("loads β = 10, ζ = 1e-1, Γ = 1e-6, δ = 1e-4", "OPST width..unphysical"),
+    ("loads β = 10, ζ = 1e-1, Γ = 1e-3, δ = 1e-3", "OPST unphysical..unphysical"),
+    ("loads β = 10, ζ = 1e-1, Γ = 1e-1, δ = 1e-2", "no such state: rate kv (1/s)"),
+    ("loads β = 10, ζ = 1e-1, Γ = 1e0, δ = 1e-3", "no such state: rate kv (1/s)"),
+    ("loads β = 10, ζ = 1e4, Γ = 1e-6, δ = 1e-4", "OPST width..near full"),
+    ("loads β = 10, ζ = 1e4, Γ = 1e-3, δ = 1e-3", "OPST width..unphysical"),
+    ("loads β = 10, ζ = 1e4, Γ = 1e-1, δ = 1e-2", "OPST width..width"),
+    ("loads β = 10, ζ = 1e4, Γ = 1e0, δ = 1e-1", "OPS- width..width"),
+    ("loads β = 1000, ζ = 1e-2, Γ = 1e-6, δ = 1e-4", "OPST unphysical..unphysical"),
+    ("loads β = 1000, ζ = 1e-2, Γ = 1e-3, δ = 1e-3", "OPST unphysical..unphysical"),
+    ("loads β = 1000, ζ = 1e-2, Γ = 1e-1, δ = 1e-2", "OPS- unphysical..unphysical incomplete"),
+    ("loads β = 1000, ζ = 1e-2, Γ = 1e0, δ = 1e-3", "no such state: rate kv (1/s)"),
+    ("loads β = 1000, ζ = 1e0, Γ = 1e-6, δ = 1e-4", "OPST width..unphysical"),
+    ("loads β = 1000, ζ = 1e0, Γ = 1e-3, δ = 1e-3", "no such state: rate kv (1/s)"),
+    ("loads β = 1000, ζ = 1e0, Γ = 1e-1, δ = 1e-2", "no such state: rate kv (1/s)"),
+    ("loads β = 1000, ζ = 1e0, Γ = 1e0, δ = 1e-3", "no such state: rate kv (1/s)"),
+    ("loads β = 1000, ζ = 1e3, Γ = 1e-6, δ = 1e-4", "OP-T width..near full"),
+    ("loads β = 1000, ζ = 1e3, Γ = 1e-3, δ = 1e-3", "OPST width..near full"),
+    ("loads β = 1000, ζ = 1e3, Γ = 1e-1, δ = 1e-2", "OPST width..width"),
+    ("loads β = 1000, ζ = 1e3, Γ = 1e0, δ = 1e-1", "--S- width..width"),
+    ("loads of twelve times, slowest ζ = 1", "2 folds width..width"),
+    ("speeds β = 200, p̄ = 0, Γ = 1e-3", "one branch 0 folds parameter..parameter"),
+    ("speeds β = 200, p̄ = 0, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 1.886e-2 and 4.404e0"),
+    ("speeds β = 200, p̄ = 0.3, Γ = 1e-3", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 9.284e-2 and 1.280e0"),
+    ("speeds β = 200, p̄ = 0.3, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 6.067e-3 and 4.842e0"),
+    ("speeds β = 200, p̄ = 2, Γ = 1e-2", "slow no such state: the mean pressure of snap-in; fast 1 folds width..parameter"),
+    ("speeds β = 500, p̄ = 0, Γ = 1e-3", "slow 1 folds parameter..width; fast 1 folds width..parameter; none between 2.692e-1 and 1.445e0"),
+    ("speeds β = 500, p̄ = 0, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 1.816e-2 and 7.094e0"),
+    ("speeds β = 500, p̄ = 0.3, Γ = 1e-3", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 7.791e-2 and 2.083e0"),
+    ("speeds β = 500, p̄ = 0.3, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 5.987e-3 and 7.520e0"),
+    ("speeds β = 500, p̄ = 2, Γ = 1e-2", "slow no such state: the mean pressure of snap-in; fast 1 folds width..parameter"),
+    ("speeds β = 1000, p̄ = 0, Γ = 1e-3", "slow 1 folds parameter..width; fast 1 folds width..parameter; none between 2.236e-1 and 2.232e0"),
+    ("speeds β = 1000, p̄ = 0, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 1.793e-2 and 9.992e0"),
+    ("speeds β = 1000, p̄ = 0.3, Γ = 1e-3", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 7.397e-2 and 2.826e0"),
+    ("speeds β = 1000, p̄ = 0.3, Γ = 1e-2", "slow 1 folds parameter..parameter; fast 1 folds width..parameter; none between 5.960e-3 and 1.042e1"),
+    ("speeds β = 1000, p̄ = 2, Γ = 1e-2", "slow no such state: the mean pressure of snap-in; fast 1 folds width..parameter"),
+    ("speeds β = 1000, Δ = 0.3", "slow 1 folds parameter..unphysical; fast 0 folds unphysical..parameter"),
+    ("speeds β = 1000, a = 1", "slow 1 folds parameter..unphysical; fast 0 folds unphysical..parameter"),
+    ("speeds β = 1000, p̄ = −0.03", "slow no such state: the mean pressure of pull-off; fast 1 folds width..parameter"),
+    ("speeds β = 1000, p̄ = 2000", "slow no such state: the mean pressure of snap-in; fast no such state: the mean pressure of snap-in"),
+    ("speeds β = 1000, p̄ = −1", "slow no such state: the mean pressure of pull-off; fast no such state: the mean pressure of pull-off"),
+    ("near full β = 1, ζ = 0, π − a = 1e-2, δ = a tenth of it", "partial, load Unstable, penetration Stable"),
+    ("near full β = 1, ζ = 0, π − a = 1e-3, δ = a tenth of it", "partial, load Marginal, penetration Marginal"),
+    ("near full β = 1, ζ = 0, π − a = 1e-4, δ = a tenth of it", "not reached: near full"),
+    ("near full β = 1, ζ = 0, π − a = 1e-6, δ = a tenth of it", "not reached: near full"),
+    ("vanishing β = 1, ζ = 0, a = 1e-2, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 1, ζ = 0, a = 1e-4, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 1, ζ = 0, a = 1e-6, δ = a tenth of it", "partial, load Marginal, penetration Marginal"),
+    ("near full β = 10, ζ = 1, π − a = 1e-2, δ = a tenth of it", "not reached: unphysical"),
+    ("near full β = 10, ζ = 1, π − a = 1e-3, δ = a tenth of it", "not reached: unphysical"),
+    ("vanishing β = 10, ζ = 1, a = 1e-2, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 10, ζ = 1, a = 1e-3, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 10, ζ = 1, a = 1e-4, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("near full β = 200, ζ = 100, π − a = 1e-2, δ = a tenth of it", "partial, load Unstable, penetration Stable"),
+    ("near full β = 200, ζ = 100, π − a = 1e-3, δ = a tenth of it", "not reached: unphysical"),
+    ("vanishing β = 200, ζ = 100, a = 1e-2, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 200, ζ = 100, a = 1e-3, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("vanishing β = 200, ζ = 100, a = 1e-4, δ = a tenth of it", "partial, load Unstable, penetration Unstable"),
+    ("wrong: half-width beyond π", "out of range: widest half_width"),
+    ("wrong: half-widths exchanged", "out of range: widest half_width"),
+    ("wrong: half-width not a number", "out of range: narrowest half_width"),
+    ("wrong: Γ = 0", "out of range: reduced_work"),
+    ("wrong: δ infinite", "out of range: trailing_zone"),
+    ("wrong: rate negative", "out of range: rate"),
+    ("wrong: accuracy 0", "out of range: accuracy"),
+    ("wrong: gap narrower than the zone", "no such state: rate kv (1/s)"),
+    ("wrong: Δ of a parabola", "undefined: the penetration of a cylinder"),
+    ("wrong: speeds exchanged", "out of range: largest parameter"),
+    ("wrong: start nowhere near", "OPST width..unphysical"),
+    ("path Γ at p̄ = 0", "1 folds width..width 0"),
+    ("path Γ at p̄ = −0.02", "2 folds width..width 0"),
+    ("path δ at p̄ = 0", "0 folds parameter..parameter 0"),
+    ("path δ at Δ = 0.2", "0 folds parameter..parameter 0"),
+    ("loads of a cylinder", "-P-- width..width"),
+];
 
 #[test]
 fn every_hard_case_ends_as_stated() {
@@ -330,7 +420,6 @@ fn every_hard_case_ends_as_stated() {
         .map(|(name, run)| {
             let begin = std::time::Instant::now();
             let outcome = run();
-            println!("AT {name}: {outcome} {:.0}", 1e3 * begin.elapsed().as_secs_f64());
             (name, outcome, begin.elapsed().as_secs_f64())
         })
         .collect();

@@ -20,7 +20,8 @@ impl Branch {
     pub fn pull_off(&self, problem: &BranchProblem) -> Option<&Fold> {
         let end = match self.snap_in() {
             Some(snap_in) => snap_in.arclength,
-            None if self.ends == BranchEnd::HalfWidth(problem.half_widths[1]) => f64::INFINITY,
+            None if matches!(self.ends, BranchEnd::HalfWidth(width) if width > problem.half_widths[0]) => f64::INFINITY,
+            None if matches!(self.ends, BranchEnd::NearFull(_)) => f64::INFINITY,
             None => return None,
         };
         self.folds_of(FoldQuantity::MeanPressure).filter(|fold| fold.turn == Turn::Minimum && fold.arclength < end).last()

@@ -31,7 +31,7 @@ pub enum Stability {
     Stable,
     /// Some small move grows.
     Unstable,
-    /// At a fold, to rounding.
+    /// At a fold, or the sign is lost in rounding (very narrow contacts, very narrow gaps).
     Marginal,
 }
 
