@@ -371,6 +371,9 @@ fn point<E: CurveEquations>(
     Ok(CurvePoint { unknowns, watched: found.watched, state: found.state, scales, tangent: tangent.into(), rows, arclength })
 }
 
+/// Where a curve was landed on: the unknowns, what the equations gave there, and how often they were evaluated.
+pub type Landed<S> = ([f64; 3], Evaluated<S>, u64);
+
 /// The point of a curve between two of its points where a quantity has a value, by Newton's method from the chord.
 ///
 /// # Errors
@@ -381,7 +384,7 @@ pub fn landed<E: CurveEquations>(
     quantity: Quantity,
     value: f64,
     tolerance: f64,
-) -> Result<([f64; 3], Evaluated<E::State>, u64), Refusal> {
+) -> Result<Landed<E::State>, Refusal> {
     let (begin, end) = (from.value(quantity), to.value(quantity));
     let part = ((value - begin) / (end - begin)).clamp(0.0, 1.0);
     let start: [f64; 3] = std::array::from_fn(|index| from.unknowns[index] + part * (to.unknowns[index] - from.unknowns[index]));

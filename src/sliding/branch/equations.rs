@@ -48,7 +48,7 @@ impl<'a> BranchEquations<'a> {
 
     /// The pressure scale of a contact: what presses, what pulls and what is there, as stiff as the solid is over the contact.
     fn pressure_scale(&self, half_width: f64, pressure: f64) -> f64 {
-        let half = (0.5 * half_width).min(0.5 * std::f64::consts::PI - 1e-9).max(0.0);
+        let half = (0.5 * half_width).clamp(0.0, 0.5 * std::f64::consts::PI - 1e-9);
         let slope = match self.problem.indenter {
             Indenter::Wave => half.tan(),
             Indenter::Parabola => half,
