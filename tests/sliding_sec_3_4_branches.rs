@@ -18,7 +18,7 @@
 //!
 //! Tolerance: elastic extrema extrapolated over five δ (polynomial in δ: the rate O(δ) is asserted as well): 1e-8. Folds found twice: 1e-8 for value and 1e-7 for
 //! location (the turning of a polynomial through nine points knows its place to the root of what its values are known to, times the curvature). Counters:
-//! an upper bound 20 % above what was found.
+//! an upper bound 7 % (evaluations) and 18 % (points) above what was found.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
