@@ -1,5 +1,8 @@
-//! Roots and curves: the safeguarded scalar root, two equations in two unknowns, and later arclength and folds.
+//! Roots and curves: the safeguarded scalar root, two and three equations, curves by arclength and their folds.
 
+pub mod arclength;
+pub mod fold;
 pub mod root;
 pub mod signed_root;
+pub mod three_unknowns;
 pub mod two_unknowns;

@@ -145,6 +145,14 @@ impl EdgeBalance {
     /// Those of the contacts; [`Refusal::NotConverged`] where a work is not a number.
     pub fn evaluate(&self, unknowns: [f64; 2]) -> Result<EdgeStates, Refusal> {
         let (contact, prescribed) = self.placed(unknowns);
+        self.evaluate_at(contact, prescribed)
+    }
+
+    /// The conditions at given edges under any prescription, whatever the control.
+    ///
+    /// # Errors
+    /// As [`EdgeBalance::evaluate`].
+    pub fn evaluate_at(&self, contact: WaveContact, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
         let solve = |contact, prescribed| ContactState::at_resolution(&self.memory, self.indenter, contact, prescribed, self.resolution);
         let state = solve(contact, prescribed)?;
         let Some((adhesion, trailing, leading)) = &self.adhesion else {

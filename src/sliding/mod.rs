@@ -25,6 +25,7 @@
 //! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`edge_balance`] finds the edges, with adhesion and
 //! without; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
 
+pub mod branch;
 pub mod contact;
 pub mod edge_balance;
 pub mod green;

@@ -10,6 +10,7 @@ mod solve;
 pub use super::contact::Indenter;
 pub use super::edge_balance::{SlidingControl, WaveAdhesion};
 pub use path::Start;
+pub(super) use path::{From, start_at_rate};
 pub use problem::SlidingProblem;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};

@@ -37,7 +37,7 @@ const TOLERANCE: f64 = 1e-4;
 /// A contact from which one like it is found in a few steps: both unknowns, and how the edge conditions follow them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
-    pub(super) unknowns: [f64; 2],
+    pub(in crate::sliding) unknowns: [f64; 2],
     pub(super) jacobian: Option<Jacobian>,
 }
 
@@ -51,31 +51,50 @@ impl Start {
 
 /// A path that does not reach its end.
 #[derive(Debug, Clone)]
-pub(super) struct PathEnd {
+pub(in crate::sliding) struct PathEnd {
     /// The last rate, or load, reached.
-    pub(super) last: f64,
+    pub(in crate::sliding) last: f64,
     /// Whether the contact was widening there.
-    pub(super) widening: bool,
+    pub(in crate::sliding) widening: bool,
 }
 
 /// Why there is no start.
 #[derive(Debug, Clone)]
-pub(super) enum NoStart {
+pub(in crate::sliding) enum NoStart {
     /// The elastic contact does not exist, or a number is wrong.
     Elastic(Refusal),
     /// A fold was met.
     Fold(PathEnd),
 }
 
+impl NoStart {
+    /// As a refusal.
+    pub(in crate::sliding) fn refusal(self) -> Refusal {
+        match self {
+            Self::Elastic(refusal) => refusal,
+            Self::Fold(PathEnd { last, .. }) => Refusal::NoSuchState {
+                reason: "the path from the slow or the fast contact ends at a fold before this speed".into(),
+                limit_name: "rate kv (1/s)",
+                limit: last,
+            },
+        }
+    }
+}
+
 /// From which side the speed is approached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum From {
+pub(in crate::sliding) enum From {
     Slow,
     Fast,
 }
 
 /// Follows the contact of a material to the rate of the problem; adds to `work`.
-pub(super) fn start_at_rate(material: &Material, problem: &SlidingProblem, from: From, work: &mut SlidingWork) -> Result<Start, NoStart> {
+pub(in crate::sliding) fn start_at_rate(
+    material: &Material,
+    problem: &SlidingProblem,
+    from: From,
+    work: &mut SlidingWork,
+) -> Result<Start, NoStart> {
     let modulus = match from {
         From::Slow => 1.0,
         From::Fast => material.stiffening_ratio(),

@@ -1,0 +1,143 @@
+//! Where a quantity turns along a curve: F₁ = F₂ = 0 and dg/ds = ∇g·t = 0, t = ∇F₁ × ∇F₂.
+//!
+//! The gradients are central differences of fourth order, so that the third equation is known to some ten digits where the equations themselves are
+//! known to rounding. The value of the quantity is stationary at a fold: an error of the location enters it squared.
+
+use super::arclength::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
+use super::three_unknowns::ThreeEquations;
+use crate::refusal::Refusal;
+use nalgebra::{Matrix3, Vector3};
+
+/// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴, rounding 1e-16/5e-4.
+pub const CENTRAL_STEP: f64 = 5e-4;
+/// Step of the Jacobian of the fold equations.
+const OUTER_STEP: f64 = 1e-4;
+/// Residual asked for; one that does not fall any more below the second is rounding.
+const TOLERANCE: (f64, f64) = (1e-13, 1e-7);
+
+/// A turning point.
+#[derive(Debug, Clone)]
+pub struct FoldPoint<S> {
+    /// Where.
+    pub unknowns: [f64; 3],
+    /// What the equations gave there.
+    pub found: Evaluated<S>,
+    /// The value of the quantity that turns.
+    pub value: f64,
+    /// What rounding leaves uncertain of the unknowns.
+    pub unknown_rounding: [f64; 3],
+    /// What rounding leaves uncertain of the value.
+    pub value_rounding: f64,
+    /// The largest residual of the three equations.
+    pub residual: f64,
+    /// Evaluations of the curve's equations.
+    pub evaluations: u64,
+    /// ∂(equations)/∂scaled unknown, for a fold nearby.
+    pub jacobian: Option<Matrix3<f64>>,
+}
+
+/// Gradients of both residuals and of the watched quantity at a point in given scales, by central differences; twelve evaluations.
+///
+/// # Errors
+/// Those of the equations.
+pub fn gradients<E: CurveEquations>(equations: &E, unknowns: [f64; 3], scales: [f64; 3], step: f64) -> Result<[[f64; 3]; 3], Refusal> {
+    let mut rows = [[0.0; 3]; 3];
+    for index in 0..3 {
+        for (times, weight) in [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)] {
+            let mut moved = unknowns;
+            moved[index] += times * step * scales[index];
+            let there = equations.evaluate(moved)?;
+            for (row, value) in rows.iter_mut().zip([there.residual[0], there.residual[1], there.watched]) {
+                row[index] += weight * value / step;
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// The gradient of a quantity in scaled unknowns.
+fn gradient(quantity: Quantity, rows: &[[f64; 3]; 3], scales: [f64; 3]) -> Vector3<f64> {
+    match quantity {
+        Quantity::Watched => Vector3::from(rows[2]),
+        Quantity::Unknown(index) => Vector3::from_fn(|row, _| if row == index { scales[index] } else { 0.0 }),
+    }
+}
+
+/// Where a chord between two points of a curve on both sides of a fold has the slope zero.
+#[must_use]
+pub fn between<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, quantity: Quantity) -> [f64; 3] {
+    let (before, after) = (from.slope(quantity), to.slope(quantity));
+    let part = (before / (before - after)).clamp(0.0, 1.0);
+    interpolated(from, to, part)
+}
+
+/// A point between two of a curve: cubic in the part of the step, with both tangents.
+#[must_use]
+pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [f64; 3] {
+    let step = to.arclength - from.arclength;
+    let (square, cube) = (part * part, part * part * part);
+    std::array::from_fn(|index| {
+        let (begin, end) = (from.unknowns[index], to.unknowns[index]);
+        let (slope, end_slope) = (step * from.tangent[index] * from.scales[index], step * to.tangent[index] * to.scales[index]);
+        begin * (1.0 - 3.0 * square + 2.0 * cube)
+            + slope * (part - 2.0 * square + cube)
+            + end * (3.0 * square - 2.0 * cube)
+            + end_slope * (cube - square)
+    })
+}
+
+/// The fold of a quantity near a start, with a `step` of the gradients' differences in scaled unknowns.
+///
+/// Truncation of the differences, step⁴, is no part of the bars: a second call with another step shows it.
+///
+/// # Errors
+/// [`Refusal::NotConverged`].
+pub fn located<E: CurveEquations>(
+    equations: &E,
+    start: [f64; 3],
+    quantity: Quantity,
+    scales: [f64; 3],
+    jacobian: Option<Matrix3<f64>>,
+    step: f64,
+) -> Result<FoldPoint<E::State>, Refusal> {
+    let evaluate = |unknowns: [f64; 3]| {
+        let found = equations.evaluate(unknowns)?;
+        let rows = gradients(equations, unknowns, scales, step)?;
+        let tangent = tangent_of(&rows)?;
+        let gradient = gradient(quantity, &rows, scales);
+        let slope = gradient.dot(&tangent) / gradient.norm();
+        let [first, second] = found.residual;
+        Ok(((found, gradient), [first, second, slope]))
+    };
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, difference: OUTER_STEP, rounding: TOLERANCE.1 };
+    let solved = system.solve(start, jacobian, TOLERANCE.0)?;
+    let (found, gradient) = solved.solution;
+    let here = Vector3::new(found.residual[0], found.residual[1], 0.0);
+    let matrix = match solved.jacobian {
+        Some(matrix) => matrix,
+        None => system.jacobian(solved.unknowns, &here)?,
+    };
+    let inverse = matrix
+        .try_inverse()
+        .ok_or_else(|| Refusal::NotConverged { what: "a fold of a curve", detail: "two folds merge: the Jacobian is singular".into() })?;
+    // The residuals that are left count as rounding.
+    let left = [found.rounding[0] + found.residual[0].abs(), found.rounding[1] + found.residual[1].abs()];
+    let of_slope = (found.rounding[0] + found.rounding[1]) / step + solved.residual;
+    let spread = |weights: Vector3<f64>| (weights[0] * left[0]).abs() + (weights[1] * left[1]).abs() + (weights[2] * of_slope).abs();
+    let unknown_rounding = std::array::from_fn(|index| spread(inverse.row(index).transpose()) * scales[index]);
+    let value = quantity.of(solved.unknowns, found.watched);
+    let through = inverse.transpose() * gradient;
+    // The third column is along the tangent, on which the value is stationary.
+    let across = (through[0] * left[0]).abs() + (through[1] * left[1]).abs();
+    let along = (0..3).map(|row| (inverse[(row, 2)] * of_slope).powi(2)).sum::<f64>() * gradient.norm();
+    Ok(FoldPoint {
+        unknowns: solved.unknowns,
+        value,
+        unknown_rounding,
+        value_rounding: across + along + 8.0 * f64::EPSILON * value.abs(),
+        residual: solved.residual,
+        evaluations: 13 * u64::from(solved.evaluations),
+        jacobian: Some(matrix),
+        found,
+    })
+}

@@ -1,0 +1,70 @@
+//! Load, penetration and their slopes by the half-width, at one half-width of the branch of one speed.
+
+use super::conditions::{BranchPath, BranchProblem};
+use super::equations::BranchEquations;
+use crate::continuation::arclength::{CurveEquations, tangent_of};
+use crate::continuation::fold::{CENTRAL_STEP, gradients};
+use crate::estimate::Estimate;
+use crate::material::Material;
+use crate::refusal::Refusal;
+use crate::sliding::contact::Resolution;
+use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::steady::{PartialContact, SlidingOutcome, Start, steady_sliding, steady_sliding_near};
+use nalgebra::Vector3;
+
+/// A contact of given half-width and how its load follows it.
+#[derive(Debug, Clone)]
+pub struct LoadSlopes {
+    /// The contact.
+    pub contact: PartialContact,
+    /// dp̄/da along the branch; zero at pull-off and snap-in.
+    pub pressure_slope: Estimate,
+    /// dΔ/da along the branch; zero at Δ_out.
+    pub penetration_slope: Estimate,
+}
+
+/// The slopes of mean pressure and penetration by the half-width (in 1/k) at one half-width, from a `start` (mean pressure, eccentricity) if one is known.
+///
+/// # Errors
+/// Those of the contact; [`Refusal::Undefined`] if the branch is not one of loads.
+pub fn load_slopes(
+    material: &Material,
+    problem: &BranchProblem,
+    half_width: f64,
+    start: Option<(f64, f64)>,
+) -> Result<LoadSlopes, Refusal> {
+    if problem.path != BranchPath::Loads {
+        return Err(Refusal::Undefined { quantity: "the slope of the load", reason: "the branch is not one of loads".into() });
+    }
+    let steady = problem.steady(0.0, SlidingControl::HalfWidth(half_width));
+    let contact = match start {
+        Some((pressure, eccentricity)) => steady_sliding_near(material, &steady, &Start::at(pressure, eccentricity))?,
+        None => match steady_sliding(material, &steady)? {
+            SlidingOutcome::Partial(contact) => *contact,
+            SlidingOutcome::Full(full) => {
+                return Err(Refusal::NoSuchState {
+                    reason: "there is full contact at this half-width".into(),
+                    limit_name: full.limit_name,
+                    limit: full.limit,
+                });
+            }
+        },
+    };
+    let unknowns = [half_width, contact.values.eccentricity.value, contact.values.mean_pressure.value];
+    let slopes = |resolution: Resolution, step: f64| -> Result<([f64; 2], f64), Refusal> {
+        let equations = BranchEquations::new(material, problem, resolution)?;
+        let scales = equations.scales(unknowns);
+        let rows = gradients(&equations, unknowns, scales, step)?;
+        let tangent = tangent_of(&rows)?;
+        let width = tangent[0] * scales[0];
+        let rounding = equations.evaluate(unknowns)?.rounding;
+        Ok(([tangent[2] * scales[2] / width, Vector3::from(rows[2]).dot(&tangent) / width], rounding[0] + rounding[1]))
+    };
+    let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
+    let (best, rounding) = slopes(Resolution::Finest, CENTRAL_STEP)?;
+    // Rounding of the differences, over sizes of order one in scaled unknowns.
+    let floor = (rounding + f64::EPSILON) / CENTRAL_STEP;
+    let scale = 1.0 / half_width.min(problem.indenter.widest() - half_width);
+    let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor * (best[index].abs() + scale));
+    Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact })
+}

@@ -1,0 +1,60 @@
+//! Pull-off, snap-in and toughness over speeds and works of adhesion (thesis Fig 3.14).
+
+use super::conditions::BranchProblem;
+use super::fold::Fold;
+use super::toughness::{Toughness, of_branch};
+use super::trace::{BranchWork, trace};
+use crate::material::Material;
+use crate::refusal::Refusal;
+use crate::sliding::edge_balance::WaveAdhesion;
+use rayon::prelude::*;
+
+/// What a contact of one speed and adhesion can bear.
+#[derive(Debug, Clone)]
+pub struct Strength {
+    /// The smallest mean pressure, p_out; none if no contact is stable under a held load, or the fold is outside the half-widths asked for.
+    pub pull_off: Option<Fold>,
+    /// The largest mean pressure of a partial contact, p_IN.
+    pub snap_in: Option<Fold>,
+    /// The smallest penetration, Δ_out.
+    pub separation: Option<Fold>,
+    /// The work to separate; or why it is none.
+    pub toughness: Result<Toughness, Refusal>,
+    /// What the branch took.
+    pub work: BranchWork,
+}
+
+/// A strength at its speed and adhesion.
+#[derive(Debug, Clone)]
+pub struct StrengthAt {
+    /// kv (1/s).
+    pub rate: f64,
+    /// Γ.
+    pub reduced_work: f64,
+    /// The strength, or why there is none.
+    pub strength: Result<Strength, Refusal>,
+}
+
+/// Pull-off, snap-in, Δ_out and toughness at each pair of a rate kv (1/s) and a work of adhesion Γ; rates fastest.
+#[must_use]
+pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: WaveAdhesion, accuracy: f64) -> Vec<StrengthAt> {
+    let pairs: Vec<(f64, f64)> = works.iter().flat_map(|&work| rates.iter().map(move |&rate| (rate, work))).collect();
+    pairs
+        .into_par_iter()
+        .map(|(rate, reduced_work)| {
+            let problem = BranchProblem::loads(rate, WaveAdhesion { reduced_work, ..adhesion }, accuracy);
+            StrengthAt { rate, reduced_work, strength: strength(material, &problem) }
+        })
+        .collect()
+}
+
+fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
+    let branch = trace(material, problem)?;
+    Ok(Strength {
+        pull_off: branch.pull_off(problem).cloned(),
+        snap_in: branch.snap_in().cloned(),
+        separation: branch.separation().cloned(),
+        toughness: of_branch(material, problem, &branch),
+        work: branch.work,
+    })
+}
