@@ -167,3 +167,27 @@ fn splitting_a_term_or_adding_a_vanishing_one_changes_nothing() {
         }
     }
 }
+
+/// 1 − Δ and Δ are one number, each without the digits that it loses in the other; near full contact the separation is that of a narrow gap, whose elastic
+/// closed form without flat pressure is x²/2 + x³/6 + … with x = cos²(a/2).
+#[test]
+fn separation_keeps_its_digits_near_full_contact() {
+    let solid = material(1.3e6, 100.0, &[0.5, 0.01]);
+    for half_width in [0.01, 0.7, 1.5, 2.9, 3.141] {
+        let memory = ContactMemory::new(&solid, 2.0).unwrap();
+        let contact = WaveContact { half_width, eccentricity: 0.1 * (PI - half_width).min(half_width) };
+        let state = ContactState::new(&memory, contact, Prescribed::MeanPressure(0.3)).unwrap();
+        assert!((state.mean_separation() + state.penetration() - 1.0).abs() < 1e-14);
+        let again = ContactState::new(&memory, contact, Prescribed::MeanSeparation(state.mean_separation())).unwrap();
+        assert!((again.mean_pressure() - 0.3).abs() < 1e-13, "{half_width}: {}", again.mean_pressure());
+    }
+    let elastic = ContactMemory::new(&Material::elastic(1.0).unwrap(), 1.0).unwrap();
+    for gap in [1e-2_f64, 1e-4, 1e-6] {
+        let contact = WaveContact { half_width: PI - gap, eccentricity: 0.0 };
+        let s = (0.5 * contact.half_width).sin();
+        let state = ContactState::new(&elastic, contact, Prescribed::MeanPressure(s * s)).unwrap();
+        let x = (0.5 * contact.half_width).cos().powi(2);
+        let expected = x * x / 2.0 + x.powi(3) / 6.0 + x.powi(4) / 12.0;
+        assert!((state.mean_separation() / expected - 1.0).abs() < 1e-9, "{gap}: {:e} {expected:e}", state.mean_separation());
+    }
+}

@@ -21,6 +21,7 @@ pub fn control(prescribed: Prescribed) -> SlidingControl {
     match prescribed {
         Prescribed::MeanPressure(pressure) => SlidingControl::MeanPressure(pressure),
         Prescribed::Penetration(penetration) => SlidingControl::Penetration(penetration),
+        Prescribed::MeanSeparation(separation) => SlidingControl::Penetration(1.0 - separation),
     }
 }
 

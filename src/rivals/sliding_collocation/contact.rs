@@ -43,6 +43,7 @@ impl CollocatedContact {
         let (wave, flat) = (mean(0), mean(1));
         let penetration = match prescribed {
             Prescribed::Penetration(penetration) => require_finite("penetration", penetration)?,
+            Prescribed::MeanSeparation(separation) => require_finite("mean_separation", 1.0 - separation)?,
             Prescribed::MeanPressure(pressure) => require_finite("mean_pressure", (pressure - wave) / flat)?,
         };
         let pressures = (0..elements.len()).map(|row| solution[(row, 0)] + penetration * solution[(row, 1)]).collect();

@@ -18,6 +18,8 @@ pub enum Prescribed {
     MeanPressure(f64),
     /// Penetration Δ in Λ: 0 where the crest touches, 1 at the mean level of full contact. Of a parabola: relative to a datum one unit away.
     Penetration(f64),
+    /// 1 − Δ of a wave in Λ, the distance of the two mean surfaces: keeps the digits that the penetration loses near full contact.
+    MeanSeparation(f64),
 }
 
 /// The edges of a contact on a wave.
@@ -45,6 +47,7 @@ pub struct ContactState {
     pub(super) outside: Vec<(f64, f64)>,
     mean_pressure: f64,
     penetration: f64,
+    separation: f64,
     /// ∫p e^{−iy}dy of a wave; a parabola has moments instead ([`super::moments`]).
     first_harmonic: (f64, f64),
     condition: f64,
@@ -114,24 +117,32 @@ impl ContactState {
             |side: usize| -> Vec<f64> { outside.iter().enumerate().map(|(row, integrals)| sides[(row, side)] / integrals.sine).collect() };
         let (wave_loads, flat_loads) = (scaled(0), scaled(1));
         let depth_of = |loads: &[f64]| loads.iter().zip(&outside).map(|(load, integrals)| load * integrals.depth).sum::<f64>() / PI;
-        // Δ and p̄ are linear in D.
+        // Δ and p̄ are linear in D: Δ from the crest, 1 − Δ from the trough, each without the digits that it would lose in the other.
+        let log_sine = log_half_sine(indenter, half_width);
         let crest = match indenter {
-            // 1 − cos e (1 − s² + 2s² ln s), without cancellation at small s and e.
             Indenter::Wave => {
                 let half = (0.5 * eccentricity).sin();
-                2.0 * half * half + shift.1 * square * (1.0 - 2.0 * s.ln())
+                2.0 * half * half + shift.1 * square * (1.0 - 2.0 * log_sine)
             }
-            Indenter::Parabola => 0.5 * eccentricity * eccentricity + square * (1.0 - 2.0 * s.ln()),
+            Indenter::Parabola => 0.5 * eccentricity * eccentricity + square * (1.0 - 2.0 * log_sine),
         };
-        let fixed = crest - depth_of(&wave_loads);
-        let per_flat = -s.ln() - depth_of(&flat_loads);
+        let (fixed, per_flat) = (crest - depth_of(&wave_loads), -log_sine - depth_of(&flat_loads));
+        let trough = shift.1 * separation_of_wave(half_width) + depth_of(&wave_loads);
         let flat_strength = match prescribed {
             Prescribed::MeanPressure(pressure) => 2.0 * (require_finite("mean_pressure", pressure)? - square * shift.1),
             Prescribed::Penetration(penetration) => (require_finite("penetration", penetration)? - fixed) / per_flat,
+            Prescribed::MeanSeparation(_) if indenter == Indenter::Parabola => {
+                return Err(Refusal::Undefined {
+                    quantity: "the mean separation of a cylinder",
+                    reason: "its gap grows without bound".into(),
+                });
+            }
+            Prescribed::MeanSeparation(separation) => (trough - require_finite("mean_separation", separation)?) / per_flat,
         };
         let loads: Vec<f64> = wave_loads.iter().zip(&flat_loads).map(|(wave, flat)| wave + flat_strength * flat).collect();
         let mean_pressure = square * shift.1 + 0.5 * flat_strength;
         let penetration = fixed + flat_strength * per_flat;
+        let separation = trough - flat_strength * per_flat;
         let first_harmonic = match indenter {
             Indenter::Wave => first_harmonic(memory, contact, flat_strength, &loads, &outside),
             Indenter::Parabola => (0.0, 0.0),
@@ -147,6 +158,7 @@ impl ContactState {
             outside: outside.iter().map(|integrals| (integrals.cosine, integrals.sine)).collect(),
             mean_pressure,
             penetration,
+            separation,
             first_harmonic,
             condition: condition_number(&condition_of),
         };
@@ -242,10 +254,17 @@ impl ContactState {
         }
     }
 
-    /// What a contact with a moved edge keeps of this one: the penetration, of a parabola the load.
+    /// 1 − Δ in Λ, of a wave: vanishes with the gap at full contact, to its last digits.
+    #[must_use]
+    pub const fn mean_separation(&self) -> f64 {
+        self.separation
+    }
+
+    /// What a contact with a moved edge keeps of this one: the penetration (its smaller side), of a parabola the load.
     #[must_use]
     pub const fn held(&self) -> Prescribed {
         match self.indenter {
+            Indenter::Wave if self.penetration > 0.5 => Prescribed::MeanSeparation(self.separation),
             Indenter::Wave => Prescribed::Penetration(self.penetration),
             Indenter::Parabola => Prescribed::MeanPressure(self.mean_pressure),
         }
@@ -271,6 +290,26 @@ impl ContactState {
     pub const fn condition(&self) -> f64 {
         self.condition
     }
+}
+
+/// ln sin(a/2), ln(a/2) of a parabola.
+fn log_half_sine(indenter: Indenter, half_width: f64) -> f64 {
+    let (sine, cosine) = indenter.half_sine_cosine(half_width);
+    if indenter == Indenter::Wave && cosine * cosine < 0.5 { 0.5 * (-cosine * cosine).ln_1p() } else { sine.ln() }
+}
+
+/// 1 − s² + 2s² ln s with s = sin(a/2), from x = cos²(a/2): x + (1 − x) ln(1 − x) = Σ_{k≥2} xᵏ/(k(k − 1)).
+fn separation_of_wave(half_width: f64) -> f64 {
+    let x = (0.5 * half_width).cos().powi(2);
+    if x > 0.25 {
+        return x + (1.0 - x) * 2.0 * (0.5 * half_width).sin().ln();
+    }
+    let (mut power, mut sum) = (x, 0.0);
+    for k in 2..32 {
+        power *= x;
+        sum += power / f64::from(k * (k - 1));
+    }
+    sum
 }
 
 /// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
