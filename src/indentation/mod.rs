@@ -36,11 +36,11 @@ mod elliptic;
 mod fields;
 mod history;
 mod line;
-
+mod march;
 mod panel;
 mod profile;
-
-
+mod run;
+mod solution;
 mod springs;
 mod zone;
 
@@ -49,9 +49,9 @@ pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
 pub use history::{History, Segment};
 pub use line::{Contact, Line, Sweep};
-pub use panel::{Panel, POINTS};
+pub use panel::{POINTS, Panel};
 pub use profile::Profile;
-
-
+pub use run::{Adhesion, Control, IndentationProblem, Resolution, Start, march, run};
+pub use solution::{Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 pub use springs::Springs;
 pub use zone::{Zone, zone_work};
