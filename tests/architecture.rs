@@ -51,7 +51,20 @@ fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
 #[test]
 fn no_plan_picks_a_rival() {
     assert_free_of(
-        &["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "scene", "plan", "outcome", "cli"],
+        &[
+            "special",
+            "material",
+            "elastic",
+            "closure",
+            "continuation",
+            "crack",
+            "sliding",
+            "indentation",
+            "scene",
+            "plan",
+            "outcome",
+            "cli",
+        ],
         &["crate::rivals"],
     );
 }

@@ -13,7 +13,10 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::closure::{EdgeFields, process_zone_work};
-use viscotack::elastic::{JkrSphere, control::{Control, EquilibriumBranch}};
+use viscotack::elastic::{
+    JkrSphere,
+    control::{Control, EquilibriumBranch},
+};
 use viscotack::indentation::{Contact, Profile, Springs, elastic_contact, elastic_contact_of_radius, elliptic_k};
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -63,7 +66,16 @@ impl EdgeFields for Elastic {
         // (1/π)[a·chord + (r² − 2a²) acos(a/r)] + (2/π)(a² − Δ) acos(a/r)
         let hertz = if d < 1e-3 * self.a {
             // ∫_a^r (s² − a²)/√(r² − s²) ds by 400 midpoints of s = r cos θ: for the small distances only.
-            (0..4000).map(|i| { let t = angle * (f64::from(i) + 0.5) / 4000.0; (r * t.cos()).powi(2) - self.a * self.a }).sum::<f64>() * angle / 4000.0 * 2.0 / PI
+            (0..4000)
+                .map(|i| {
+                    let t = angle * (f64::from(i) + 0.5) / 4000.0;
+                    (r * t.cos()).powi(2) - self.a * self.a
+                })
+                .sum::<f64>()
+                * angle
+                / 4000.0
+                * 2.0
+                / PI
         } else {
             (self.a * chord + (r * r - 2.0 * self.a * self.a) * angle) / PI
         };
@@ -91,7 +103,9 @@ fn tends_to_jkr_with_the_first_power_of_the_zone() {
     let sphere = Profile::Paraboloid { radius };
     let defects: Vec<f64> = [2e-3, 1e-3, 5e-4]
         .iter()
-        .map(|ratio| elastic_contact(sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius - 1.0)
+        .map(|ratio| {
+            elastic_contact(sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius - 1.0
+        })
         .collect();
     println!("{defects:?}");
     assert!(defects[2].abs() < 5e-4);

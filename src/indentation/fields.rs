@@ -98,7 +98,8 @@ fn slope(panel: &Panel, s: f64) -> f64 {
     // The interpolant has degree 7: an eight-point stencil of half the panel differentiates it exactly, with a rounding of 1e-14.
     let step = 0.02 * width;
     let value = |k: f64| panel.at(s + k * step);
-    let differences = 4.0 / 5.0 * (value(1.0) - value(-1.0)) - 1.0 / 5.0 * (value(2.0) - value(-2.0)) + 4.0 / 105.0 * (value(3.0) - value(-3.0))
+    let differences = 4.0 / 5.0 * (value(1.0) - value(-1.0)) - 1.0 / 5.0 * (value(2.0) - value(-2.0))
+        + 4.0 / 105.0 * (value(3.0) - value(-3.0))
         - 1.0 / 280.0 * (value(4.0) - value(-4.0));
     differences / step
 }

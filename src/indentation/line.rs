@@ -235,7 +235,11 @@ impl<'a> Contact<'a> {
             };
             let across = (right - self.radius).abs() <= NARROWEST * self.radius;
             // A union much wider than its narrower part is left for later: it would hardly ever hold.
-            let joined = if across { None } else { Self::joined((left, right, &merged.strains[merged.strains.len() - POINTS * n..]), (low, high, own), n, tolerance) };
+            let joined = if across {
+                None
+            } else {
+                Self::joined((left, right, &merged.strains[merged.strains.len() - POINTS * n..]), (low, high, own), n, tolerance)
+            };
             if let Some(values) = joined {
                 let keep = merged.strains.len() - POINTS * n;
                 merged.strains.truncate(keep);

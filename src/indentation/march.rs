@@ -31,6 +31,8 @@ pub(super) enum Step<'a> {
 /// The edge condition and its counters.
 pub(super) struct Edge {
     pub(super) adhesion: Option<Adhesion>,
+    /// The kernel of the last trial edge: many trials share one.
+    pub(super) kernel: Option<(f64, Zone)>,
     /// Scale of Q without adhesion.
     pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
@@ -82,12 +84,21 @@ impl Edge {
         let g = match self.adhesion {
             Some(adhesion) => {
                 let loads = trial.line_load();
-                let work = trial.zone_work_with(&Zone::new(a, zone)?, zone) / adhesion.work_of_adhesion;
+                let kernel = match self.kernel.take() {
+                    Some((place, kernel)) if place.to_bits() == a.to_bits() => kernel,
+                    _ => Zone::new(a, zone)?,
+                };
+                let work = trial.zone_work_with(&kernel, zone) / adhesion.work_of_adhesion;
+                self.kernel = Some((a, kernel));
                 if value_at(&loads, a) > 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
             }
             None => -trial.edge_load() / self.load_scale,
         };
-        if g.is_finite() { Ok(g) } else { Err(Refusal::NotConverged { what: "the edge condition", detail: format!("it is not a number at a = {a:e}") }) }
+        if g.is_finite() {
+            Ok(g)
+        } else {
+            Err(Refusal::NotConverged { what: "the edge condition", detail: format!("it is not a number at a = {a:e}") })
+        }
     }
 
     /// A step of at most `reach` of the edge and `cap` of time, guessed to take about `guess`.
@@ -116,9 +127,8 @@ impl Edge {
                 let trial_time = trial.min(cap);
                 let value = sign * self.residual(from, target, trial_time, imposed)?;
                 if value >= 0.0 {
-                    let time = self.root((low, low_value), (trial_time, value), |edge, time| {
-                        Ok(sign * edge.residual(from, target, time, imposed)?)
-                    })?;
+                    let time = self
+                        .root((low, low_value), (trial_time, value), |edge, time| Ok(sign * edge.residual(from, target, time, imposed)?))?;
                     return self.finished(from, target, time, imposed);
                 }
                 if trial_time >= cap {
@@ -177,12 +187,13 @@ impl Edge {
     pub(super) fn elsewhere(
         &mut self,
         from: &Contact<'_>,
+        start: f64,
         inwards: bool,
         reach: f64,
         end: f64,
         imposed: &Imposed<'_>,
     ) -> Result<Option<f64>, Refusal> {
-        let mut place = from.radius();
+        let mut place = start;
         let mut last = (place, if inwards { 1.0 } else { -1.0 });
         loop {
             place = if inwards { place - reach } else { place + reach };

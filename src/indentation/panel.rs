@@ -17,8 +17,7 @@ pub(super) struct Rule {
 pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
     let nodes: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.0));
     let weights: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.1));
-    let barycentric =
-        std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 0.25 / (nodes[i] - nodes[k])).product::<f64>());
+    let barycentric = std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 0.25 / (nodes[i] - nodes[k])).product::<f64>());
     let lagrange = |l: usize, x: f64| (0..POINTS).filter(|&k| k != l).map(|k| (x - nodes[k]) / (nodes[l] - nodes[k])).product::<f64>();
     let running = std::array::from_fn(|g| {
         std::array::from_fn(|l| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())

@@ -46,7 +46,7 @@ pub enum Start {
 pub struct Resolution {
     /// Steps of the edge per process zone (without adhesion: per quarter tenth of the contact's size, that is of a/25).
     pub steps_per_zone: f64,
-    /// Largest time step over the time since the last corner of the history.
+    /// Largest time step over the time since the last corner of the history, or the last event.
     pub growth: f64,
 }
 
@@ -90,7 +90,13 @@ const COARSENING_INTERVAL: u64 = 16;
 /// Strain, over the largest penetration, by which joining panels may change anything.
 const COARSENING_TOLERANCE: f64 = 1e-12;
 /// Accepted residual of the edge condition.
-const EDGE_TOLERANCE: f64 = 1e-10;
+const EDGE_TOLERANCE: f64 = 1e-12;
+/// Bound over the change between the two marches: 1 for errors of first order, 1/3 for second; the rest is prudence.
+const SAFETY: f64 = 1.5;
+/// A change that passes through zero is no accuracy: half of the largest so far stays in the bound.
+const MEMORY: f64 = 0.5;
+/// What the tolerance of the edge condition leaves.
+const ROUNDING: f64 = 1e-11;
 /// Most steps of one march.
 const MOST_STEPS: u64 = 200_000;
 
@@ -102,29 +108,37 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
     let coarse = march(material, problem, problem.resolution)?;
     let fine = march(material, problem, problem.resolution.halved())?;
     let mut instants = Vec::with_capacity(fine.kept.len());
+    let mut largest = [0.0_f64; 8];
     for (index, place) in fine.kept.iter().enumerate() {
         let Some(point) = fine.path.get(*place) else { continue };
         let other = coarse.kept.get(index).and_then(|place| coarse.path.get(*place));
-        let estimate = |of: fn(&PathPoint) -> f64| {
+        let mut estimate = |quantity: usize, of: fn(&PathPoint) -> f64| {
             let value = of(point);
-            Estimate::new(value, other.map_or(f64::INFINITY, |other| (value - of(other)).abs() + 1e-12 * value.abs()))
+            let change = other.map_or(f64::INFINITY, |other| (value - of(other)).abs());
+            let so_far = largest.get_mut(quantity).map_or(change, |most| {
+                *most = most.max(change);
+                *most
+            });
+            Estimate::new(value, (SAFETY * change).max(MEMORY * so_far) + ROUNDING * value.abs())
         };
         instants.push(Instant {
             time: point.time,
-            penetration: estimate(|point| point.penetration),
-            force: estimate(|point| point.force),
-            contact_radius: estimate(|point| point.contact_radius),
-            stress_intensity_factor: estimate(|point| point.stress_intensity_factor),
-            stored_energy: estimate(|point| point.stored_energy),
-            dissipated_power: estimate(|point| point.dissipated_power),
-            external_work: estimate(|point| point.external_work),
-            dissipated_energy: estimate(|point| point.dissipated_energy),
+            penetration: estimate(0, |point| point.penetration),
+            force: estimate(1, |point| point.force),
+            contact_radius: estimate(2, |point| point.contact_radius),
+            stress_intensity_factor: estimate(3, |point| point.stress_intensity_factor),
+            stored_energy: estimate(4, |point| point.stored_energy),
+            dissipated_power: estimate(5, |point| point.dissipated_power),
+            external_work: estimate(6, |point| point.external_work),
+            dissipated_energy: estimate(7, |point| point.dissipated_energy),
             residual: point.residual,
         });
     }
     let events = fine.events.iter().enumerate().map(|(index, event)| {
         let other = coarse.events.get(index).filter(|other| other.kind == event.kind);
-        let estimate = |of: fn(&Event<f64>) -> f64| Estimate::new(of(event), other.map_or(f64::INFINITY, |other| (of(event) - of(other)).abs()));
+        let estimate = |of: fn(&Event<f64>) -> f64| {
+            Estimate::new(of(event), other.map_or(f64::INFINITY, |other| SAFETY * (of(event) - of(other)).abs()))
+        };
         Event {
             kind: event.kind,
             time: estimate(|event| event.time),
@@ -135,7 +149,7 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
     });
     let events = events.collect();
     let largest_tension = fine.largest_tension().map(|value| {
-        Estimate::new(value, coarse.largest_tension().map_or(value, |other| (value - other).abs() + 1e-12 * value))
+        Estimate::new(value, coarse.largest_tension().map_or(value, |other| SAFETY * (value - other).abs() + ROUNDING * value))
     });
     let work = IndentationWork {
         steps: coarse.work.steps + fine.work.steps,
@@ -165,6 +179,8 @@ struct Marcher<'a> {
     edge: Edge,
     time: f64,
     step: f64,
+    /// When the history had its last corner, or the contact its last event: time steps grow from there.
+    corner: f64,
     trace: Trace,
 }
 
@@ -197,6 +213,7 @@ impl<'a> Marcher<'a> {
         let depth_scale = if depth_scale > 0.0 { depth_scale } else { size };
         let edge = Edge {
             adhesion: problem.adhesion,
+            kernel: None,
             load_scale: springs.glassy * depth_scale,
             depth_scale,
             tolerance: EDGE_TOLERANCE,
@@ -204,7 +221,7 @@ impl<'a> Marcher<'a> {
             updates: 0,
         };
         let trace = Trace { path: Vec::new(), kept: Vec::new(), events: Vec::new(), work: IndentationWork::default() };
-        Ok(Self { springs, problem, resolution, contact, edge, time: 0.0, step, trace })
+        Ok(Self { springs, problem, resolution, contact, edge, time: 0.0, step, corner: 0.0, trace })
     }
 
     fn through(mut self) -> Result<Trace, Refusal> {
@@ -238,6 +255,7 @@ impl<'a> Marcher<'a> {
     /// A stretch of the history, landing on each kept instant.
     fn segment(&mut self, from: f64, segment: Segment, instants: u32) -> Result<(), Refusal> {
         let start = self.time;
+        self.corner = start;
         let end = start + segment.duration;
         let value = |time: f64| if time >= end { segment.end } else { from + (segment.end - from) * ((time - start) / segment.duration) };
         let first = FIRST_TIME * self.springs.shortest_time().min(segment.duration);
@@ -254,15 +272,22 @@ impl<'a> Marcher<'a> {
             while self.time < target {
                 self.trace.work.steps += 1;
                 if self.trace.work.steps > MOST_STEPS {
-                    return Err(Refusal::NotConverged { what: "the march", detail: format!("{MOST_STEPS} steps reached t = {:e}", self.time) });
+                    return Err(Refusal::NotConverged {
+                        what: "the march",
+                        detail: format!("{MOST_STEPS} steps reached t = {:e}", self.time),
+                    });
                 }
                 let left = target - self.time;
-                let growth = first + self.resolution.growth * (self.time - start);
+                let growth = first + self.resolution.growth * (self.time - self.corner);
                 let cap = if growth >= 0.999 * left { left } else { growth };
                 let now = self.time;
-                let dt = if self.contact.radius() == 0.0 && (self.problem.adhesion.is_some() || self.is_open(value(now + cap))) {
+                let dt = if self.contact.radius() == 0.0 && self.is_open(value(now)) {
+                    let cap = self.until_touch(cap, &|dt| value(now + dt));
                     self.open(cap, value(now + cap))?;
                     cap
+                } else if self.contact.radius() == 0.0 && self.problem.adhesion.is_some() {
+                    self.touch_again(&|dt| value(now + dt))?;
+                    0.0
                 } else if let Control::ContactRadius(_) = self.problem.control {
                     let rate = (segment.end - from).abs() / segment.duration;
                     let cap = if rate * cap > self.step { self.step / rate } else { cap };
@@ -291,23 +316,54 @@ impl<'a> Marcher<'a> {
         Ok(())
     }
 
-    /// Without adhesion: whether a lost contact stays open when the imposed value arrives.
+    /// W on the axis of an open contact, which the indenter touches first.
+    fn surface(&self) -> f64 {
+        self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0))
+    }
+
+    /// Whether an open contact stays open under the imposed value.
     fn is_open(&self, value: f64) -> bool {
         match self.problem.control {
-            // The lowest point of the indenter against the surface on the axis, where W is the displacement.
-            Control::Penetration(_) => {
-                let surface = self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0));
-                value <= surface || (self.trace.path.len() > 1 && !self.trace.events.is_empty())
-            }
-            Control::Force(_) => value <= 0.0 || !self.trace.events.is_empty(),
+            Control::Penetration(_) => value < self.surface(),
+            // An indenter pushed by a force stays where it lost contact, until it is pushed again.
+            Control::Force(_) => value <= 0.0,
             Control::ContactRadius(_) => value <= 0.0,
+        }
+    }
+
+    /// The time for which the indenter stays off a surface that creeps back: at most `cap`.
+    fn until_touch(&self, cap: f64, value: &dyn Fn(f64) -> f64) -> f64 {
+        let Control::Penetration(_) = self.problem.control else { return cap };
+        let overlap = |dt: f64| match self.contact.moved(0.0, value(dt), dt, self.edge.sweep()) {
+            Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)),
+            Err(_) => -1.0,
+        };
+        if overlap(cap) < 0.0 {
+            return cap;
+        }
+        let (mut low, mut high) = (0.0, cap);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if overlap(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        high
+    }
+
+    /// An adhesive indenter touches a surface that it left before: the edge jumps out to the first stable place.
+    fn touch_again(&mut self, value: &dyn Fn(f64) -> f64) -> Result<(), Refusal> {
+        let imposed = imposed(&self.problem.control, value);
+        self.happened(EventKind::JumpIn);
+        let (from, end) = (self.smallest(), 1e3 * self.smallest());
+        match self.edge.elsewhere(&self.contact, from, false, 0.5 * self.step, end, &imposed)? {
+            Some(place) => self.jump(place, &imposed, true),
+            None => Err(no_edge(0.0)),
         }
     }
 
     fn open(&mut self, dt: f64, value: f64) -> Result<(), Refusal> {
         let depth = if let Control::Penetration(_) = self.problem.control { value } else { self.contact.penetration() };
         self.contact = self.contact.moved(0.0, depth, dt, self.edge.sweep())?;
-        self.record(0.0, false);
+        self.advance_time(dt, 0.0);
         Ok(())
     }
 
@@ -345,7 +401,7 @@ impl<'a> Marcher<'a> {
             return Ok(());
         }
         let end = if inwards { self.smallest() } else { 1e3 * (a + self.step) };
-        match self.edge.elsewhere(&self.contact, inwards, 0.2 * self.step, end, &imposed)? {
+        match self.edge.elsewhere(&self.contact, a, inwards, 0.2 * self.step, end, &imposed)? {
             Some(place) => self.jump(place, &imposed, false),
             None if inwards => self.detach(&imposed, EventKind::Detachment),
             None => Err(no_edge(a)),
@@ -376,6 +432,7 @@ impl<'a> Marcher<'a> {
     }
 
     fn happened(&mut self, kind: EventKind) {
+        self.corner = self.time;
         self.trace.events.push(Event {
             kind,
             time: self.time,
@@ -400,7 +457,9 @@ impl<'a> Marcher<'a> {
             if self.problem.adhesion.is_none() && self.contact.radius() > 0.0 {
                 // Shrinks with the contact; a point of contact is lost.
                 reach = reach.min(0.25 * self.contact.radius());
-                if self.contact.radius() <= smallest && self.edge.residual(&self.contact, self.contact.radius(), guess.min(cap), &imposed)? > 0.0 {
+                if self.contact.radius() <= smallest
+                    && self.edge.residual(&self.contact, self.contact.radius(), guess.min(cap), &imposed)? > 0.0
+                {
                     self.detach(&imposed, EventKind::Detachment)?;
                     return Ok(None);
                 }
@@ -419,7 +478,7 @@ impl<'a> Marcher<'a> {
             reach *= 0.25;
         }
         let end = if inwards { smallest } else { 1e3 * (self.contact.radius() + self.step) };
-        match self.edge.elsewhere(&self.contact, inwards, 0.5 * self.step, end, &imposed)? {
+        match self.edge.elsewhere(&self.contact, self.contact.radius(), inwards, 0.5 * self.step, end, &imposed)? {
             Some(place) => {
                 self.happened(if inwards { EventKind::PartialDetachment } else { EventKind::JumpOut });
                 self.jump(place, &imposed, true)?;
@@ -447,9 +506,12 @@ impl<'a> Marcher<'a> {
             }
             target *= 0.5;
         }
-        self.open(cap, match imposed {
-            Imposed::Penetration(history) | Imposed::Force(history) => history(cap),
-        })?;
+        self.open(
+            cap,
+            match imposed {
+                Imposed::Penetration(history) | Imposed::Force(history) => history(cap),
+            },
+        )?;
         Ok(cap)
     }
 
@@ -458,8 +520,10 @@ impl<'a> Marcher<'a> {
         let (here, unit) = (self.contact.penetration(), self.edge.depth_scale);
         let depth = match self.problem.adhesion {
             None => {
-                let (first, second) =
-                    (self.edge.residual_at(&self.contact, radius, here, dt)?, self.edge.residual_at(&self.contact, radius, here + unit, dt)?);
+                let (first, second) = (
+                    self.edge.residual_at(&self.contact, radius, here, dt)?,
+                    self.edge.residual_at(&self.contact, radius, here + unit, dt)?,
+                );
                 here - unit * first / (second - first)
             }
             Some(adhesion) => {
@@ -589,8 +653,7 @@ fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) -> Result<Con
             (state.contact_radius, state.penetration)
         }
         (Some(adhesion), Control::Force(_)) => {
-            let by_radius =
-                |a: f64| elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
+            let by_radius = |a: f64| elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
             // The largest contact in equilibrium: from far out, inwards, to the first force below the imposed one.
             let mut high = 1.01 * adhesion.process_zone;
             let mut beyond = 0;

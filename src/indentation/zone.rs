@@ -58,9 +58,11 @@ impl Zone {
                 table[i * terms + l] = elliptic_k(m) / (inside * outside).sqrt();
             }
         }
+        // The coefficients fall with p + q: those with p + q ≥ terms are beyond rounding, and are left out.
         // T_p at x = 2ξ − 1 = −cos(angle): cos(p(π − angle)).
+        let cosines: Vec<f64> = (0..terms * terms).map(|k| ((k / terms) as f64 * (PI - angle(k % terms))).cos()).collect();
         let transform = |values: &dyn Fn(usize) -> f64, p: usize| {
-            let sum: f64 = (0..terms).map(|i| values(i) * (p as f64 * (PI - angle(i))).cos()).sum();
+            let sum: f64 = (0..terms).map(|i| values(i) * cosines[p * terms + i]).sum();
             sum * if p == 0 { 1.0 } else { 2.0 } / count
         };
         let mut half = vec![0.0; terms * terms];
@@ -133,7 +135,7 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
                 let mut remembered = 0.0;
                 for p in 0..n {
                     let running: f64 = (0..POINTS).map(|l| RULE.running[g][l] * polynomials[l][p] * loads[l]).sum();
-                    let row: f64 = (0..n).map(|q| zone.slope[p * n + q] * outer[q]).sum();
+                    let row: f64 = (0..n - p).map(|q| zone.slope[p * n + q] * outer[q]).sum();
                     remembered += row * (moments[p] + width * running);
                 }
                 let local = -FRAC_PI_2 * loads[g] / (place * (place - length)).sqrt();

@@ -1,0 +1,201 @@
+//! Source: thesis Secs 4.4 (approach and retraction), 4.5, 4.9; this crate's force and radius control.
+//!
+//! Goal: approach, return and re-advance under any control; the same history seen by two controls is one history.
+//!
+//! ```text
+//!   Δ  /\          first touch: glassy jump-in at Δ = 0;   fast: the glassy elastic contact;   slow: the soft one
+//!     /  \  /      re-advance past the edge of the relaxed start: an atom of Q stays inside the contact
+//! ```
+//! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (chapter 4), E0* = R = ρ = 1; a three-term solid.
+//!
+//! Oracle: elastic contacts at equal process zone; the energy identity; the step halved; a march under another control.
+//!
+//! Tolerance: with each test.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use std::f64::consts::PI;
+use viscotack::Material;
+use viscotack::indentation::{
+    Adhesion, Control, EventKind, History, IndentationProblem, Profile, Resolution, Start, Trace, elastic_contact, march,
+};
+use viscotack::material::RelaxationTerm;
+
+const WORK: f64 = 1.6e-4 * PI;
+const ZONE: f64 = 0.013;
+const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
+
+fn rubber() -> Material {
+    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
+}
+
+fn three_terms() -> Material {
+    let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
+    Material::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
+}
+
+fn marched(material: &Material, control: Control, start: Start, fineness: f64) -> Trace {
+    let problem = IndentationProblem {
+        profile: SPHERE,
+        adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
+        control,
+        start,
+        instants_per_segment: 4,
+        resolution: Resolution { steps_per_zone: fineness, growth: 2.0 / fineness },
+    };
+    let trace = march(material, &problem, problem.resolution).unwrap();
+    let worst = trace.path.iter().fold(0.0f64, |most, point| most.max(point.residual.abs()));
+    println!(
+        "  {fineness}: steps {} closures {} panels {} balance {:e} residual {worst:e} end a {:.6} F {:.6e} events {:?}",
+        trace.work.steps,
+        trace.work.closure_evaluations,
+        trace.work.most_panels,
+        trace.balance_defect(),
+        trace.path.last().unwrap().contact_radius,
+        trace.path.last().unwrap().force,
+        trace.events.iter().map(|event| (event.kind, event.time, event.contact_radius)).collect::<Vec<_>>()
+    );
+    assert!(worst < 1e-9);
+    trace
+}
+
+fn kept(trace: &Trace, index: usize) -> viscotack::indentation::PathPoint {
+    trace.path[trace.kept[index]]
+}
+
+#[test]
+fn first_touch_and_the_two_elastic_limits_of_approach() {
+    for (speed, modulus) in [(1e5, 10.0), (1e-9, 1.0)] {
+        let trace = marched(&rubber(), Control::Penetration(History::from(0.0).at_speed(0.01, speed)), Start::Untouched, 8.0);
+        let first = elastic_contact(SPHERE, 10.0, WORK, ZONE, 0.0).unwrap();
+        assert!((kept(&trace, 0).contact_radius / first.contact_radius - 1.0).abs() < 1e-10);
+        for index in 1..=4 {
+            let point = kept(&trace, index);
+            let elastic = elastic_contact(SPHERE, modulus, WORK, ZONE, point.penetration).unwrap();
+            let defect = point.contact_radius / elastic.contact_radius - 1.0;
+            println!("V {speed:e}: defect of a {defect:e}");
+            assert!(defect.abs() < 1e-4);
+        }
+    }
+}
+
+#[test]
+fn cycles_converge_and_dissipate() {
+    for material in [rubber(), three_terms()] {
+        for speed in [2e-4, 2e-3, 2e-2] {
+            let history = History::from(0.0).at_speed(0.02, speed).at_speed(-0.01, speed);
+            let ends: Vec<[f64; 3]> = [5.0, 10.0, 20.0]
+                .iter()
+                .map(|&fineness| {
+                    let trace = marched(&material, Control::Penetration(history.clone()), Start::Untouched, fineness);
+                    assert!(trace.balance_defect() < 0.1 / fineness);
+                    let turn = kept(&trace, 4);
+                    [turn.contact_radius, turn.force, trace.largest_tension().unwrap()]
+                })
+                .collect();
+            for quantity in 0..3 {
+                let (first, second) = ((ends[1][quantity] - ends[0][quantity]).abs(), (ends[2][quantity] - ends[1][quantity]).abs());
+                println!("V {speed:e} {quantity}: {} {first:e} {second:e}", ends[2][quantity]);
+                assert!(second < 0.8 * first + 1e-4 * ends[2][quantity].abs());
+                assert!(second < 3e-3 * ends[2][quantity].abs());
+            }
+        }
+    }
+}
+
+/// Relaxed, a little back, held, then far forward past the edge of the relaxed start.
+#[test]
+fn re_advance_past_the_relaxed_edge() {
+    let history = History::from(0.032).at_speed(0.0, 2e-3).hold(1.0).at_speed(0.05, 2e-3).hold(300.0);
+    let ends: Vec<[f64; 3]> = [5.0, 10.0, 20.0]
+        .iter()
+        .map(|&fineness| {
+            let trace = marched(&rubber(), Control::Penetration(history.clone()), Start::Relaxed, fineness);
+            assert!(trace.balance_defect() < 0.1 / fineness);
+            let radii: Vec<f64> = (0..trace.kept.len()).map(|k| kept(&trace, k).contact_radius).collect();
+            println!("  radii {radii:?}");
+            let end = trace.path.last().unwrap();
+            [kept(&trace, 12).contact_radius, kept(&trace, 12).force, end.contact_radius]
+        })
+        .collect();
+    println!("{ends:?}");
+    for quantity in 0..3 {
+        let (first, second) = ((ends[1][quantity] - ends[0][quantity]).abs(), (ends[2][quantity] - ends[1][quantity]).abs());
+        assert!(second < 0.8 * first + 1e-5 && second < 2e-3 * ends[2][quantity].abs());
+    }
+    // Thirty retardation times later the contact has forgotten it all.
+    let elastic = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.05).unwrap();
+    assert!((ends[2][2] / elastic.contact_radius - 1.0).abs() < 2e-3);
+}
+
+/// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
+#[test]
+fn unloaded_contact_grows_from_glassy_to_soft() {
+    let trace = marched(&rubber(), Control::Force(History::from(0.0).hold(2000.0)), Start::Untouched, 8.0);
+    let end = trace.path.last().unwrap();
+    let soft = elastic_contact(SPHERE, 1.0, WORK, ZONE, end.penetration).unwrap();
+    println!(
+        "a {} to {}, soft {}, F {:e} of {:e}",
+        trace.path[0].contact_radius, end.contact_radius, soft.contact_radius, end.force, soft.force
+    );
+    assert!((end.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3 && soft.force.abs() < 5e-3 * WORK);
+    assert!(trace.balance_defect() < 0.02);
+}
+
+/// A force ramp until the contact opens; its penetration imposed on a second march gives the same contact.
+#[test]
+fn force_and_penetration_tell_one_story() {
+    for material in [rubber(), three_terms()] {
+        let start = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
+        let history = History::from(start.force).ramp(-6.0 * WORK, 20.0);
+        let force = marched(&material, Control::Force(history), Start::Relaxed, 10.0);
+        assert!(force.events.iter().any(|event| event.kind == EventKind::Detachment));
+        assert!(force.balance_defect() < 0.02);
+        let mut depths = History::from(force.path[0].penetration);
+        let mut time = 0.0;
+        let before: Vec<_> = force.path.iter().take_while(|point| point.time < 0.9 * force.events[0].time).collect();
+        for point in &before[1..] {
+            if point.time > time {
+                depths = depths.ramp(point.penetration, point.time - time);
+                time = point.time;
+            }
+        }
+        let penetration = marched(&material, Control::Penetration(depths), Start::Relaxed, 10.0);
+        let (last, twin) = (before.last().unwrap(), penetration.path.last().unwrap());
+        println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
+        assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+        assert!((last.force - twin.force).abs() < 2e-3 * last.force.abs());
+    }
+}
+
+/// A prescribed edge gives a penetration; that penetration gives the edge.
+#[test]
+fn radius_and_penetration_tell_one_story() {
+    let start = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
+    let a = start.contact_radius;
+    let radius = marched(&rubber(), Control::ContactRadius(History::from(a).ramp(0.8 * a, 10.0).ramp(0.9 * a, 5.0)), Start::Relaxed, 10.0);
+    assert!(radius.balance_defect() < 0.02);
+    let mut depths = History::from(radius.path[0].penetration);
+    let mut time = 0.0;
+    for point in &radius.path[1..] {
+        depths = depths.ramp(point.penetration, point.time - time);
+        time = point.time;
+    }
+    let penetration = marched(&rubber(), Control::Penetration(depths), Start::Relaxed, 10.0);
+    let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
+    println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
+    assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+}
+
+/// A step of the penetration is answered glassily, and a hold after it relaxes; opened and pushed again, the contact jumps in again.
+#[test]
+fn steps_holds_and_touching_again() {
+    let history = History::from(0.01).step(0.03).hold(500.0).step(-0.02).hold(1.0).at_speed(0.03, 0.05).hold(500.0);
+    let trace = marched(&rubber(), Control::Penetration(history), Start::Relaxed, 6.0);
+    let soft = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.03).unwrap();
+    let held = trace.path.iter().rfind(|point| point.time <= 500.0 && point.penetration == 0.03).unwrap();
+    println!("held {} soft {}", held.contact_radius, soft.contact_radius);
+    assert!((held.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3);
+    assert!(trace.events.iter().any(|event| event.kind == EventKind::Detachment));
+    assert!(trace.events.iter().any(|event| event.kind == EventKind::JumpIn));
+    assert!((trace.path.last().unwrap().contact_radius / soft.contact_radius - 1.0).abs() < 1e-3);
+}
