@@ -33,14 +33,20 @@ fn three_terms() -> Material {
     Material::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
 }
 
+fn history_is_long(control: &Control) -> bool {
+    match control {
+        Control::Penetration(history) | Control::Force(history) | Control::ContactRadius(history) => history.segments.len() > 10,
+    }
+}
+
 fn marched(material: &Material, control: Control, start: Start, fineness: f64) -> Trace {
     let problem = IndentationProblem {
         profile: SPHERE,
         adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
-        control,
         start,
-        instants_per_segment: 4,
+        instants_per_segment: if history_is_long(&control) { 1 } else { 4 },
         resolution: Resolution { steps_per_zone: fineness, growth: 2.0 / fineness },
+        control,
     };
     let trace = march(material, &problem, problem.resolution).unwrap();
     let worst = trace.path.iter().fold(0.0f64, |most, point| most.max(point.residual.abs()));
@@ -81,7 +87,7 @@ fn first_touch_and_the_two_elastic_limits_of_approach() {
 #[test]
 fn cycles_converge_and_dissipate() {
     for material in [rubber(), three_terms()] {
-        for speed in [2e-4, 2e-3, 2e-2] {
+        for speed in [2e-3, 2e-2] {
             let history = History::from(0.0).at_speed(0.02, speed).at_speed(-0.01, speed);
             let ends: Vec<[f64; 3]> = [5.0, 10.0, 20.0]
                 .iter()
@@ -146,7 +152,7 @@ fn unloaded_contact_grows_from_glassy_to_soft() {
 fn force_and_penetration_tell_one_story() {
     for material in [rubber(), three_terms()] {
         let start = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
-        let history = History::from(start.force).ramp(-6.0 * WORK, 20.0);
+        let history = History::from(start.force).ramp(-45.0 * WORK, 20.0);
         let force = marched(&material, Control::Force(history), Start::Relaxed, 10.0);
         assert!(force.events.iter().any(|event| event.kind == EventKind::Detachment));
         assert!(force.balance_defect() < 0.02);

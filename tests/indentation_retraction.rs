@@ -42,13 +42,13 @@ fn retraction(speed: f64, end: f64, fineness: f64) -> IndentationProblem {
     }
 }
 
-/// F_off at six speeds over six decades: the coarse step is judged by the fine one, and the change falls at least like the step.
+/// F_off at five speeds over five decades: the coarse step is judged by the fine one, and the change falls at least like the step.
 #[test]
 fn pull_off_converges_at_every_speed() {
     let jkr = 1.5 * PI * WORK;
     let mut last = 0.0;
-    for (speed, end) in [(1e-5, -0.046), (1e-4, -0.03), (1e-3, -0.03), (1e-2, 0.012), (1e-1, 0.022), (1e1, 0.023)] {
-        let forces: Vec<f64> = [6.0, 12.0, 24.0]
+    for (speed, end) in [(1e-4, -0.03), (1e-3, -0.03), (1e-2, 0.012), (1e-1, 0.022), (1e1, 0.023)] {
+        let forces: Vec<f64> = [5.0, 10.0, 20.0]
             .iter()
             .map(|&fineness| {
                 let problem = retraction(speed, end, fineness);
@@ -65,7 +65,7 @@ fn pull_off_converges_at_every_speed() {
             .collect();
         let (first, second) = ((forces[1] - forces[0]).abs(), (forces[2] - forces[1]).abs());
         println!("V {speed:e}: F_off/F_JKR {forces:?}, changes {first:e} {second:e}");
-        assert!(second < 0.7 * first && second < 1.5e-3);
+        assert!(second < 0.7 * first && second < 1e-3);
         assert!(forces[2] > last && forces[2] < BETA);
         last = forces[2];
     }

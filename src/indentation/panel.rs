@@ -76,8 +76,12 @@ impl Panel {
     }
 }
 
-/// The value at s of a list of panels in order; the nearer end panel is continued beyond the ends.
+/// The panel of an ordered list that holds s; the end panel beyond the ends.
+pub(super) fn panel_at(panels: &[Panel], s: f64) -> Option<&Panel> {
+    panels.get(panels.partition_point(|panel| panel.upper < s).min(panels.len().saturating_sub(1)))
+}
+
+/// The value at s of an ordered list of panels; the end panel is continued beyond the ends.
 pub(super) fn value_at(panels: &[Panel], s: f64) -> f64 {
-    let index = panels.partition_point(|panel| panel.upper < s).min(panels.len().saturating_sub(1));
-    panels.get(index).map_or(0.0, |panel| panel.at(s))
+    panel_at(panels, s).map_or(0.0, |panel| panel.at(s))
 }

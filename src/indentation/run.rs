@@ -85,6 +85,8 @@ pub struct IndentationProblem {
 const SMALLEST_STEP: f64 = 1.0 / 1024.0;
 /// First time step of a segment, over the shortest relaxation time and over the segment.
 const FIRST_TIME: f64 = 1e-3;
+/// Relative change of a rate that is no corner.
+const SAME_PACE: f64 = 0.1;
 /// Steps between two rounds of joining panels.
 const COARSENING_INTERVAL: u64 = 16;
 /// Strain, over the largest penetration, by which joining panels may change anything.
@@ -181,6 +183,10 @@ struct Marcher<'a> {
     step: f64,
     /// When the history had its last corner, or the contact its last event: time steps grow from there.
     corner: f64,
+    /// Rate of the last segment, and the last step and time: nearly the same rate goes on without a small restart.
+    pace: Option<(f64, f64, f64)>,
+    /// F(t) has a corner when the edge has left the first contact by one process zone: a step ends there.
+    landmark: Option<f64>,
     trace: Trace,
 }
 
@@ -220,8 +226,9 @@ impl<'a> Marcher<'a> {
             evaluations: 0,
             updates: 0,
         };
+        let landmark = problem.adhesion.map(|adhesion| contact.radius() - adhesion.process_zone);
         let trace = Trace { path: Vec::new(), kept: Vec::new(), events: Vec::new(), work: IndentationWork::default() };
-        Ok(Self { springs, problem, resolution, contact, edge, time: 0.0, step, corner: 0.0, trace })
+        Ok(Self { springs, problem, resolution, contact, edge, time: 0.0, step, corner: 0.0, pace: None, landmark, trace })
     }
 
     fn through(mut self) -> Result<Trace, Refusal> {
@@ -255,12 +262,17 @@ impl<'a> Marcher<'a> {
     /// A stretch of the history, landing on each kept instant.
     fn segment(&mut self, from: f64, segment: Segment, instants: u32) -> Result<(), Refusal> {
         let start = self.time;
-        self.corner = start;
         let end = start + segment.duration;
         let value = |time: f64| if time >= end { segment.end } else { from + (segment.end - from) * ((time - start) / segment.duration) };
         let first = FIRST_TIME * self.springs.shortest_time().min(segment.duration);
-        let mut reach = 0.1 * self.step;
-        let mut guess = first;
+        let rate = (segment.end - from) / segment.duration;
+        let (mut reach, mut guess) = match self.pace {
+            Some((last, reach, guess)) if (rate - last).abs() <= SAME_PACE * rate.abs() => (reach, guess),
+            _ => {
+                self.corner = start;
+                (0.1 * self.step, first)
+            }
+        };
         if segment.duration == 0.0 {
             self.at_once(from, segment.end)?;
         }
@@ -313,6 +325,7 @@ impl<'a> Marcher<'a> {
             }
             self.trace.kept.push(self.trace.path.len() - 1);
         }
+        self.pace = (segment.duration > 0.0).then_some((rate, reach, guess));
         Ok(())
     }
 
@@ -447,6 +460,12 @@ impl<'a> Marcher<'a> {
         let imposed = imposed(&self.problem.control, value);
         let mut reach = reach;
         let smallest = self.smallest();
+        if let Some(mark) = self.landmark {
+            let left = self.contact.radius() - mark;
+            if left > 1e-6 * self.step && left < reach {
+                reach = left;
+            }
+        }
         let mut inwards = true;
         let first = reach;
         while reach >= SMALLEST_STEP * first {

@@ -12,7 +12,7 @@
 //! As δ → 0, k → π/(2a) and C → K_I²/(2E∞*).
 
 use super::elliptic::elliptic_k;
-use super::panel::{POINTS, Panel, RULE, value_at};
+use super::panel::{POINTS, Panel, RULE, panel_at};
 use crate::refusal::Refusal;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -123,9 +123,12 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
         for piece in 0..pieces as usize {
             let top = high - width * piece as f64;
             let mut loads = [0.0; POINTS];
+            // A piece lies within one panel of each field.
+            let bonded = panel_at(line_load, a - length * (1.0 - top + 0.5 * width));
+            let free = panel_at(gap_factor, a + length * (top - 0.5 * width));
             for g in 0..POINTS {
                 let xi = 1.0 - top + width * RULE.nodes[g];
-                loads[g] = value_at(line_load, a - length * xi);
+                loads[g] = bonded.map_or(0.0, |panel| panel.at(a - length * xi));
                 zone.chebyshev(xi, &mut polynomials[g]);
             }
             for g in 0..POINTS {
@@ -139,7 +142,7 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
                     remembered += row * (moments[p] + width * running);
                 }
                 let local = -FRAC_PI_2 * loads[g] / (place * (place - length)).sqrt();
-                work += width * RULE.weights[g] * value_at(gap_factor, place) * (local + remembered);
+                work += width * RULE.weights[g] * free.map_or(0.0, |panel| panel.at(place)) * (local + remembered);
             }
             for (p, moment) in moments.iter_mut().enumerate().take(n) {
                 *moment += width * (0..POINTS).map(|l| RULE.weights[l] * polynomials[l][p] * loads[l]).sum::<f64>();
