@@ -142,8 +142,8 @@ pub(super) fn tension_root(values: [f64; 3], level: f64) -> Result<f64, Refusal>
     let slope = second - first - square;
     let constant = first - level;
     let discriminant = slope * slope - 4.0 * square * constant;
-    // Not the negation, so that a NaN is refused as well.
-    if !(discriminant >= 0.0 && square > 0.0) {
+    let found = discriminant >= 0.0 && square > 0.0;
+    if !found {
         return Err(Refusal::NoSuchState {
             reason: "no tension at the edge balances the work of adhesion".into(),
             limit_name: "the discriminant of the closure",

@@ -34,11 +34,12 @@ impl SurfaceFields {
     /// [`Refusal::OutOfRange`] for a negative radius, and at the edge, where the pressure is infinite.
     pub fn pressure(&self, radius: f64) -> Result<f64, Refusal> {
         let r = require_non_negative("radius", radius)?;
-        if r > self.radius {
-            return Ok(0.0);
-        }
-        if r == self.radius {
-            return Err(Refusal::out_of_range("radius", r, "other than the contact radius, where the pressure is infinite"));
+        if r >= self.radius {
+            return if r > self.radius {
+                Ok(0.0)
+            } else {
+                Err(Refusal::out_of_range("radius", r, "other than the contact radius, where the pressure is infinite"))
+            };
         }
         let root = |s: f64| ((s - r) * (s + r)).sqrt();
         let mut total = value_at(&self.line_load, self.radius) / root(self.radius);
@@ -91,8 +92,7 @@ impl SurfaceFields {
     }
 }
 
-/// Slope of the interpolant: exact for its polynomial by differences of two Gauss-node interpolations would lose digits; the
-/// derivative of the barycentric form is used.
+/// Slope of the interpolant, a polynomial of degree 7: this stencil of eight points is exact for it, and loses two digits to rounding.
 fn slope(panel: &Panel, s: f64) -> f64 {
     let width = panel.upper - panel.lower;
     // The interpolant has degree 7: an eight-point stencil of half the panel differentiates it exactly, with a rounding of 1e-14.

@@ -19,7 +19,7 @@ const NARROWEST: f64 = 1e-12;
 
 /// Voigt strains on the line; zero beyond the last panel.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Line {
+pub(super) struct Line {
     cells: Vec<(f64, f64)>,
     strains: Vec<f64>,
 }
@@ -271,8 +271,7 @@ impl<'a> Contact<'a> {
                 let factors = RULE.interpolation((low + (high - low) * x - left) / (right - left));
                 for j in 0..n {
                     let value: f64 = (0..POINTS).map(|l| factors[l] * values[l * n + j]).sum();
-                    // Not the negation, so that a NaN is not merged away.
-                    if !((value - strains[g * n + j]).abs() <= tolerance) {
+                    if value.is_nan() || (value - strains[g * n + j]).abs() > tolerance {
                         return None;
                     }
                 }
@@ -392,10 +391,10 @@ impl<'a> Contact<'a> {
         let mut total = 0.0;
         for (index, &(low, high)) in self.line.cells.iter().enumerate() {
             let loads = if self.bonded_at((low, high)) { self.cell_line_load(index, (low, high)) } else { [0.0; POINTS] };
-            for g in 0..POINTS {
+            for (g, (load, weight)) in loads.into_iter().zip(RULE.weights).enumerate() {
                 let place = (index * POINTS + g) * n;
                 let strains = self.line.strains.get(place..place + n).unwrap_or(&[]);
-                total += (high - low) * RULE.weights[g] * density(loads[g], strains);
+                total += (high - low) * weight * density(load, strains);
             }
         }
         total

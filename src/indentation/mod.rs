@@ -13,7 +13,7 @@
 //! | s | place on the line, as long as a radius | m |
 //! | f(s) | line profile of the indenter, s²/R for a sphere ([`Profile`]) | m |
 //! | W, Q | line displacement; line load (modulus times length) | m; Pa m |
-//! | e_j | Voigt strains of the creep terms, W = Q/E∞* + Σe_j ([`Line`]) | m |
+//! | e_j | Voigt strains of the creep terms, W = Q/E∞* + Σe_j ([`Contact`]) | m |
 //! | Δ | penetration | m |
 //! | F | force, compression positive, 2∫₀^a Q ds | N |
 //! | K_I | stress intensity of the rim, tension positive, −Q(a)/√(πa) | Pa√m |
@@ -25,33 +25,38 @@
 //! no matrix and no integral equation. Any coherent units.
 //!
 //! # How
-//! [`Line`] carries e_j on panels of Gauss nodes; an update is exact for an edge and a penetration that move linearly in time, for any number
+//! [`Contact`] carries e_j on panels of Gauss nodes; an update is exact for an edge and a penetration that move linearly in time, for any number
 //! of terms ([`Springs`]). [`zone_work`] is the closure. [`run`] marches under a [`Control`]: at each step it moves the edge
 //! by a prescribed distance and finds the time at which the closure holds there first.
 //!
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
+mod edge;
 mod elastic_zone;
 mod elliptic;
 mod fields;
 mod history;
 mod line;
-mod march;
+mod marcher;
 mod panel;
+mod problem;
 mod profile;
 mod run;
 mod solution;
 mod springs;
+mod start;
 mod zone;
 
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
 pub use history::{History, Segment};
-pub use line::{Contact, Line, Sweep};
+pub use line::{Contact, Sweep};
+pub use marcher::march;
 pub use panel::{POINTS, Panel};
+pub use problem::{Adhesion, Control, IndentationProblem, Resolution, Start};
 pub use profile::Profile;
-pub use run::{Adhesion, Control, IndentationProblem, Resolution, Start, march, run};
+pub use run::run;
 pub use solution::{Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 pub use springs::Springs;
 pub use zone::{Zone, zone_work};

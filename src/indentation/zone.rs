@@ -38,8 +38,8 @@ impl Zone {
     /// [`Refusal::OutOfRange`] for a ≤ δ, where the zone would reach the axis.
     pub fn new(contact_radius: f64, length: f64) -> Result<Self, Refusal> {
         let ratio = contact_radius / length;
-        // Not the negation, so that a NaN is refused as well.
-        if !(ratio > 1.0 && ratio.is_finite()) {
+        let larger = ratio > 1.0 && ratio.is_finite();
+        if !larger {
             return Err(Refusal::out_of_range("contact_radius", contact_radius, "greater than the process zone"));
         }
         // The nearest singularity is s = 0, at ξ = a/δ: Chebyshev coefficients fall like (z + √(z² − 1))^{−p}, z = 2a/δ − 1.

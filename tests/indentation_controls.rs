@@ -1,11 +1,7 @@
-//! Source: thesis Secs 4.4 (approach and retraction), 4.5, 4.9; this crate's force and radius control.
+//! Source: thesis Secs 4.2 to 4.5; this crate's force and radius control.
 //!
-//! Goal: approach, return and re-advance under any control; the same history seen by two controls is one history.
+//! Goal: the same history seen by two controls is one history; an unloaded contact grows from the glassy to the soft one.
 //!
-//! ```text
-//!   Δ  /\          first touch: glassy jump-in at Δ = 0;   fast: the glassy elastic contact;   slow: the soft one
-//!     /  \  /      re-advance past the edge of the relaxed start: an atom of Q stays inside the contact
-//! ```
 //! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (chapter 4), E0* = R = ρ = 1; a three-term solid.
 //!
 //! Oracle: elastic contacts at equal process zone; the energy identity; the step halved; a march under another control.
@@ -68,71 +64,6 @@ fn kept(trace: &Trace, index: usize) -> viscotack::indentation::PathPoint {
     trace.path[trace.kept[index]]
 }
 
-#[test]
-fn first_touch_and_the_two_elastic_limits_of_approach() {
-    for (speed, modulus) in [(1e5, 10.0), (1e-9, 1.0)] {
-        let trace = marched(&rubber(), Control::Penetration(History::from(0.0).at_speed(0.01, speed)), Start::Untouched, 8.0);
-        let first = elastic_contact(SPHERE, 10.0, WORK, ZONE, 0.0).unwrap();
-        assert!((kept(&trace, 0).contact_radius / first.contact_radius - 1.0).abs() < 1e-10);
-        for index in 1..=4 {
-            let point = kept(&trace, index);
-            let elastic = elastic_contact(SPHERE, modulus, WORK, ZONE, point.penetration).unwrap();
-            let defect = point.contact_radius / elastic.contact_radius - 1.0;
-            println!("V {speed:e}: defect of a {defect:e}");
-            assert!(defect.abs() < 1e-4);
-        }
-    }
-}
-
-#[test]
-fn cycles_converge_and_dissipate() {
-    for material in [rubber(), three_terms()] {
-        for speed in [2e-3, 2e-2] {
-            let history = History::from(0.0).at_speed(0.02, speed).at_speed(-0.01, speed);
-            let ends: Vec<[f64; 3]> = [5.0, 10.0, 20.0]
-                .iter()
-                .map(|&fineness| {
-                    let trace = marched(&material, Control::Penetration(history.clone()), Start::Untouched, fineness);
-                    assert!(trace.balance_defect() < 0.1 / fineness);
-                    let turn = kept(&trace, 4);
-                    [turn.contact_radius, turn.force, trace.largest_tension().unwrap()]
-                })
-                .collect();
-            for quantity in 0..3 {
-                let (first, second) = ((ends[1][quantity] - ends[0][quantity]).abs(), (ends[2][quantity] - ends[1][quantity]).abs());
-                println!("V {speed:e} {quantity}: {} {first:e} {second:e}", ends[2][quantity]);
-                assert!(second < 0.8 * first + 1e-4 * ends[2][quantity].abs());
-                assert!(second < 3e-3 * ends[2][quantity].abs());
-            }
-        }
-    }
-}
-
-/// Relaxed, a little back, held, then far forward past the edge of the relaxed start.
-#[test]
-fn re_advance_past_the_relaxed_edge() {
-    let history = History::from(0.032).at_speed(0.0, 2e-3).hold(1.0).at_speed(0.05, 2e-3).hold(300.0);
-    let ends: Vec<[f64; 3]> = [5.0, 10.0, 20.0]
-        .iter()
-        .map(|&fineness| {
-            let trace = marched(&rubber(), Control::Penetration(history.clone()), Start::Relaxed, fineness);
-            assert!(trace.balance_defect() < 0.1 / fineness);
-            let radii: Vec<f64> = (0..trace.kept.len()).map(|k| kept(&trace, k).contact_radius).collect();
-            println!("  radii {radii:?}");
-            let end = trace.path.last().unwrap();
-            [kept(&trace, 12).contact_radius, kept(&trace, 12).force, end.contact_radius]
-        })
-        .collect();
-    println!("{ends:?}");
-    for quantity in 0..3 {
-        let (first, second) = ((ends[1][quantity] - ends[0][quantity]).abs(), (ends[2][quantity] - ends[1][quantity]).abs());
-        assert!(second < 0.8 * first + 1e-5 && second < 2e-3 * ends[2][quantity].abs());
-    }
-    // Thirty retardation times later the contact has forgotten it all.
-    let elastic = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.05).unwrap();
-    assert!((ends[2][2] / elastic.contact_radius - 1.0).abs() < 2e-3);
-}
-
 /// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
 #[test]
 fn unloaded_contact_grows_from_glassy_to_soft() {
@@ -144,7 +75,9 @@ fn unloaded_contact_grows_from_glassy_to_soft() {
         trace.path[0].contact_radius, end.contact_radius, soft.contact_radius, end.force, soft.force
     );
     assert!((end.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3 && soft.force.abs() < 5e-3 * WORK);
-    assert!(trace.balance_defect() < 0.02);
+    // Trapezia over time steps that grow: second order.
+    let finer = marched(&rubber(), Control::Force(History::from(0.0).hold(2000.0)), Start::Untouched, 16.0);
+    assert!(finer.balance_defect() < 0.35 * trace.balance_defect() && finer.balance_defect() < 0.03);
 }
 
 /// A force ramp until the contact opens; its penetration imposed on a second march gives the same contact.
@@ -190,18 +123,4 @@ fn radius_and_penetration_tell_one_story() {
     let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
     println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
     assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
-}
-
-/// A step of the penetration is answered glassily, and a hold after it relaxes; opened and pushed again, the contact jumps in again.
-#[test]
-fn steps_holds_and_touching_again() {
-    let history = History::from(0.01).step(0.03).hold(500.0).step(-0.02).hold(1.0).at_speed(0.03, 0.05).hold(500.0);
-    let trace = marched(&rubber(), Control::Penetration(history), Start::Relaxed, 6.0);
-    let soft = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.03).unwrap();
-    let held = trace.path.iter().rfind(|point| point.time <= 500.0 && point.penetration == 0.03).unwrap();
-    println!("held {} soft {}", held.contact_radius, soft.contact_radius);
-    assert!((held.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3);
-    assert!(trace.events.iter().any(|event| event.kind == EventKind::Detachment));
-    assert!(trace.events.iter().any(|event| event.kind == EventKind::JumpIn));
-    assert!((trace.path.last().unwrap().contact_radius / soft.contact_radius - 1.0).abs() < 1e-3);
 }

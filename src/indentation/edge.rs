@@ -8,7 +8,7 @@
 
 use super::line::{Contact, Sweep};
 use super::panel::value_at;
-use super::run::Adhesion;
+use super::problem::Adhesion;
 use super::zone::Zone;
 use crate::refusal::Refusal;
 
