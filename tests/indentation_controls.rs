@@ -60,10 +60,6 @@ fn marched(material: &Material, control: Control, start: Start, fineness: f64) -
     trace
 }
 
-fn kept(trace: &Trace, index: usize) -> viscotack::indentation::PathPoint {
-    trace.path[trace.kept[index]]
-}
-
 /// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
 #[test]
 fn unloaded_contact_grows_from_glassy_to_soft() {
@@ -75,9 +71,7 @@ fn unloaded_contact_grows_from_glassy_to_soft() {
         trace.path[0].contact_radius, end.contact_radius, soft.contact_radius, end.force, soft.force
     );
     assert!((end.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3 && soft.force.abs() < 5e-3 * WORK);
-    // Trapezia over time steps that grow: second order.
-    let finer = marched(&rubber(), Control::Force(History::from(0.0).hold(2000.0)), Start::Untouched, 16.0);
-    assert!(finer.balance_defect() < 0.35 * trace.balance_defect() && finer.balance_defect() < 0.03);
+    assert!(trace.balance_defect() < 1e-3);
 }
 
 /// A force ramp until the contact opens; its penetration imposed on a second march gives the same contact.

@@ -3,7 +3,8 @@
 use super::edge::{Edge, Imposed, Step};
 use super::elastic_zone::tension_root;
 use super::history::Segment;
-use super::line::Contact;
+use super::line::{Contact, Sweep};
+use super::panel::RULE;
 use super::problem::{Control, IndentationProblem, Resolution, Start};
 use super::solution::{Event, EventKind, IndentationWork, PathPoint, Trace};
 use super::springs::Springs;
@@ -43,6 +44,8 @@ struct Marcher<'a> {
     problem: &'a IndentationProblem,
     resolution: Resolution,
     contact: Contact<'a>,
+    /// The contact at the last point of the path.
+    recorded: Contact<'a>,
     edge: Edge,
     time: f64,
     step: f64,
@@ -93,7 +96,8 @@ impl<'a> Marcher<'a> {
         };
         let landmark = problem.adhesion.map(|adhesion| contact.radius() - adhesion.process_zone);
         let trace = Trace { path: Vec::new(), kept: Vec::new(), events: Vec::new(), work: IndentationWork::default() };
-        Ok(Self { springs, problem, resolution, contact, edge, time: 0.0, step, corner: 0.0, pace: None, landmark, trace })
+        let recorded = contact.clone();
+        Ok(Self { springs, problem, resolution, contact, recorded, edge, time: 0.0, step, corner: 0.0, pace: None, landmark, trace })
     }
 
     fn through(mut self) -> Result<Trace, Refusal> {
@@ -452,11 +456,12 @@ impl<'a> Marcher<'a> {
             balance_defect: 0.0,
         };
         if let Some(last) = self.trace.path.last() {
-            let release = |point: &PathPoint| point.stress_intensity_factor.powi(2) / (2.0 * self.springs.glassy);
             let area = |point: &PathPoint| PI * point.contact_radius * point.contact_radius;
-            let external = 0.5 * (point.force + last.force) * (point.penetration - last.penetration);
-            let tip = 0.5 * (release(&point) + release(last)) * (area(&point) - area(last));
-            let lost = 0.5 * (point.dissipated_power + last.dissipated_power) * (point.time - last.time);
+            let [external, tip, lost] = if set_free {
+                [0.5 * (point.force + last.force) * (point.penetration - last.penetration), 0.0, 0.0]
+            } else {
+                turned_over(&self.recorded, contact, point.time - last.time, self.edge.sweep())
+            };
             let stored = point.stored_energy - last.stored_energy;
             if set_free {
                 // The interface takes Δγ per area from what the springs release; the rest is set free.
@@ -473,7 +478,22 @@ impl<'a> Marcher<'a> {
         }
         self.trace.work.most_panels = self.trace.work.most_panels.max(self.contact.panels() as u64);
         self.trace.path.push(point);
+        self.recorded = self.contact.clone();
     }
+}
+
+/// ∫F dΔ, ∫G_tip dA and ∫P_d dt over one step, by Gauss points of the motion itself: the line is exact at any instant within a step.
+fn turned_over(from: &Contact<'_>, to: &Contact<'_>, time: f64, sweep: Sweep) -> [f64; 3] {
+    let (rise, growth) = (to.penetration() - from.penetration(), to.radius() - from.radius());
+    let mut sums = [0.0; 3];
+    for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
+        let radius = from.radius() + growth * x;
+        let middle = from.moved_within(radius, from.penetration() + rise * x, time * x, sweep, (0.0, f64::INFINITY));
+        sums[0] += weight * rise * middle.force();
+        sums[1] += weight * growth * 2.0 * PI * radius * middle.tip_release_rate();
+        sums[2] += weight * time * middle.dissipated_power();
+    }
+    sums
 }
 
 fn imposed<'h>(control: &Control, value: &'h dyn Fn(f64) -> f64) -> Imposed<'h> {

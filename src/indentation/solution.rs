@@ -21,11 +21,11 @@ pub struct PathPoint {
     pub stored_energy: f64,
     /// P_d (W).
     pub dissipated_power: f64,
-    /// Running ∫F dΔ (J), by trapezia.
+    /// Running ∫F dΔ (J).
     pub external_work: f64,
-    /// Running ∫G_tip dA (J), by trapezia: what adhesion gives (advancing) or takes (receding) at the tip.
+    /// Running ∫G_tip dA (J): what adhesion gives (advancing) or takes (receding) at the tip.
     pub tip_work: f64,
-    /// Running ∫P_d dt (J), by trapezia, and what sudden jumps of the edge set free.
+    /// Running ∫P_d dt (J), and what sudden jumps of the edge set free.
     pub dissipated_energy: f64,
     /// Defect of the power balance F dΔ + G_tip dA = dU + P_d dt over this step (J).
     pub balance_defect: f64,
