@@ -86,14 +86,14 @@ fn first_touch_and_the_two_elastic_limits_of_approach() {
 
 #[test]
 fn cycles_converge_and_dissipate() {
-    for material in [rubber(), three_terms()] {
-        for speed in [2e-3, 2e-2] {
+    for (material, speeds) in [(rubber(), [2e-3]), (three_terms(), [2e-2])] {
+        for speed in speeds {
             let history = History::from(0.0).at_speed(0.02, speed).at_speed(-0.01, speed);
             let ends: Vec<[f64; 3]> = [4.0, 8.0, 16.0]
                 .iter()
                 .map(|&fineness| {
                     let trace = marched(&material, Control::Penetration(history.clone()), Start::Untouched, fineness);
-                    assert!(trace.balance_defect() < 0.8 / fineness.powi(2));
+                    assert!(trace.balance_defect() < 1e-4);
                     let turn = kept(&trace, 4);
                     [turn.contact_radius, turn.force, trace.largest_tension().unwrap()]
                 })
@@ -116,7 +116,7 @@ fn re_advance_past_the_relaxed_edge() {
         .iter()
         .map(|&fineness| {
             let trace = marched(&rubber(), Control::Penetration(history.clone()), Start::Relaxed, fineness);
-            assert!(trace.balance_defect() < 0.8 / fineness.powi(2));
+            assert!(trace.balance_defect() < 1e-4);
             let radii: Vec<f64> = (0..trace.kept.len()).map(|k| kept(&trace, k).contact_radius).collect();
             println!("  radii {radii:?}");
             let end = trace.path.last().unwrap();
