@@ -88,11 +88,10 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// The largest tension −F of the path (N), refined by a parabola through the three steps around it; none if nothing pulled.
+    /// The largest tension −F at a point of the path (N); none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
-        let best = self.path.iter().enumerate().max_by(|first, second| (-first.1.force).total_cmp(&-second.1.force))?;
-        let peak = -best.1.force;
+        let peak = self.path.iter().map(|point| -point.force).max_by(f64::total_cmp)?;
         (peak > 0.0).then_some(peak)
     }
 
