@@ -34,7 +34,7 @@ fn assert_free_of(rooms: &[&str], forbidden: &[&str]) {
     }
 }
 
-const PHYSICS: [&str; 8] = ["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "rivals"];
+const PHYSICS: [&str; 9] = ["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "rivals"];
 
 #[test]
 fn physics_knows_nothing_of_files_scenes_or_plots() {
@@ -51,7 +51,20 @@ fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
 #[test]
 fn no_plan_picks_a_rival() {
     assert_free_of(
-        &["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "scene", "plan", "outcome", "cli"],
+        &[
+            "special",
+            "material",
+            "elastic",
+            "closure",
+            "continuation",
+            "crack",
+            "sliding",
+            "indentation",
+            "scene",
+            "plan",
+            "outcome",
+            "cli",
+        ],
         &["crate::rivals"],
     );
 }

@@ -1,0 +1,155 @@
+//! An elastic contact that obeys the same closure: what a relaxed, or a glassy, contact is before any time has passed.
+//!
+//! Q = E*(Δ − f) inside, D = f − Δ outside, at the SAME process zone δ; tends to JKR as δ → 0, with a relative difference O(δ/a).
+
+use super::panel::Panel;
+use super::profile::Profile;
+use super::zone::{Zone, zone_work};
+use crate::refusal::{Refusal, require_finite, require_positive};
+use std::f64::consts::PI;
+
+/// Ratio of neighbouring trial radii of a search.
+const SEARCH_RATIO: f64 = 1.02;
+
+/// A contact in elastic equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticContact {
+    /// a (m).
+    pub contact_radius: f64,
+    /// Δ (m).
+    pub penetration: f64,
+    /// F (N).
+    pub force: f64,
+    /// K_I (Pa√m).
+    pub stress_intensity_factor: f64,
+    /// C/Δγ − 1.
+    pub residual: f64,
+}
+
+fn work(profile: Profile, modulus: f64, zone: f64, a: f64, penetration: f64) -> Result<f64, Refusal> {
+    let kernel = Zone::new(a, zone)?;
+    let inside: Vec<Panel> =
+        profile.breaks(a).windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| modulus * (penetration - profile.line(s)))).collect();
+    let outside = Panel::sampled(a, a + zone, |s| profile.line(s) - penetration);
+    let value = zone_work(&kernel, &inside, &[outside]);
+    // A pressed edge over an overlapping surface works positively as well; it is on the other side of equilibrium.
+    Ok(if penetration > profile.line(a) { -value } else { value })
+}
+
+fn state(profile: Profile, modulus: f64, a: f64, penetration: f64, residual: f64) -> ElasticContact {
+    let panels = profile.breaks(a);
+    let force = panels.windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| penetration - profile.line(s)).integral()).sum::<f64>();
+    let edge = modulus * (profile.line(a) - penetration);
+    ElasticContact {
+        contact_radius: a,
+        penetration,
+        force: 2.0 * modulus * force,
+        stress_intensity_factor: edge / (PI * a).sqrt(),
+        residual,
+    }
+}
+
+/// The stable equilibrium (the larger contact) at a penetration (m): modulus E* (Pa), Δγ (J/m²), δ (m).
+///
+/// # Errors
+/// [`Refusal::NoSuchState`] when no contact larger than the process zone is in equilibrium there; [`Refusal::Undefined`] for a flat punch, whose
+/// radius is given; [`Refusal::OutOfRange`].
+pub fn elastic_contact(
+    profile: Profile,
+    modulus: f64,
+    work_of_adhesion: f64,
+    process_zone: f64,
+    penetration: f64,
+) -> Result<ElasticContact, Refusal> {
+    let profile = profile.checked()?;
+    require_positive("contact_modulus", modulus)?;
+    require_positive("work_of_adhesion", work_of_adhesion)?;
+    require_positive("process_zone", process_zone)?;
+    require_finite("penetration", penetration)?;
+    if profile == Profile::FlatPunch {
+        return Err(Refusal::Undefined {
+            quantity: "the contact radius of a flat punch",
+            reason: "the punch gives it; prescribe it".into(),
+        });
+    }
+    let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
+    // Up, far beyond the last zero, then down to the first one.
+    let mut high = 1.001 * process_zone;
+    let mut beyond = 0;
+    for _ in 0..20_000 {
+        beyond = if balance(high)? > 0.0 && profile.line(high) > penetration { beyond + 1 } else { 0 };
+        if beyond > 60 {
+            break;
+        }
+        high *= SEARCH_RATIO;
+    }
+    let mut low = high;
+    while balance(low)? > 0.0 {
+        high = low;
+        low /= SEARCH_RATIO;
+        if low <= process_zone {
+            return Err(Refusal::NoSuchState {
+                reason: format!("no contact larger than its process zone is in equilibrium at the penetration {penetration:e}"),
+                limit_name: "the process zone",
+                limit: process_zone,
+            });
+        }
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if balance(middle)? > 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Ok(state(profile, modulus, high, penetration, balance(high)?))
+}
+
+/// The equilibrium with a given contact radius (m): C is a quadratic in Δ, and tension picks its root.
+///
+/// # Errors
+/// [`Refusal::OutOfRange`] for a radius not larger than the process zone; [`Refusal::NoSuchState`] when the quadratic has no root.
+pub fn elastic_contact_of_radius(
+    profile: Profile,
+    modulus: f64,
+    work_of_adhesion: f64,
+    process_zone: f64,
+    contact_radius: f64,
+) -> Result<ElasticContact, Refusal> {
+    let profile = profile.checked()?;
+    require_positive("contact_modulus", modulus)?;
+    require_positive("work_of_adhesion", work_of_adhesion)?;
+    require_positive("process_zone", process_zone)?;
+    let a = require_positive("contact_radius", contact_radius)?;
+    let depth = profile.line(a);
+    let unit = (2.0 * PI * a * work_of_adhesion / modulus).sqrt();
+    // At Δ ≤ f(a) the sign of `work` is that of C itself.
+    let sample = |x: f64| work(profile, modulus, process_zone, a, depth - unit * x);
+    let x = tension_root([sample(0.0)?, sample(1.0)?, sample(2.0)?], work_of_adhesion)?;
+    let penetration = depth - unit * x;
+    let residual = work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0;
+    Ok(state(profile, modulus, a, penetration, residual))
+}
+
+/// The larger root of the parabola through values at 0, 1, 2 where it reaches `level`.
+pub(super) fn tension_root(values: [f64; 3], level: f64) -> Result<f64, Refusal> {
+    let [first, second, third] = values;
+    let square = 0.5 * (third - 2.0 * second + first);
+    let slope = second - first - square;
+    let constant = first - level;
+    let discriminant = slope * slope - 4.0 * square * constant;
+    let found = discriminant >= 0.0 && square > 0.0;
+    if !found {
+        return Err(Refusal::NoSuchState {
+            reason: "no tension at the edge balances the work of adhesion".into(),
+            limit_name: "the discriminant of the closure",
+            limit: discriminant,
+        });
+    }
+    let root = discriminant.sqrt();
+    Ok(if slope <= 0.0 { (root - slope) / (2.0 * square) } else { -2.0 * constant / (slope + root) })
+}

@@ -1,0 +1,62 @@
+//! An axisymmetric indenter pressed on, or pulled off, a viscoelastic half-space (thesis chapter 4), by an exact reduction to a line.
+//!
+//! # Notation
+//! ```text
+//!            | F, Δ                          every point s of the line is a spring chain of its own:
+//!        \   v   /                              s < a(t):  W(s,t) = Δ(t) − f(s)   bonded
+//!         \     /  profile                      s > a(t):  Q(s,t) = 0             free
+//!   ‾‾‾‾‾‾‾\___/‾‾‾‾‾‾‾  surface                W = ∫ J(t − t′) dQ(s,t′)
+//!         |<-a->|
+//! ```
+//! | symbol | name | unit |
+//! |---|---|---|
+//! | s | place on the line, as long as a radius | m |
+//! | f(s) | line profile of the indenter, s²/R for a sphere ([`Profile`]) | m |
+//! | W, Q | line displacement; line load (modulus times length) | m; Pa m |
+//! | e_j | Voigt strains of the creep terms, W = Q/E∞* + Σe_j ([`Contact`]) | m |
+//! | Δ | penetration | m |
+//! | F | force, compression positive, 2∫₀^a Q ds | N |
+//! | K_I | stress intensity of the rim, tension positive, −Q(a)/√(πa) | Pa√m |
+//! | D(s) | gap factor W − (Δ − f) outside the contact | m |
+//! | C | work of the interface stresses in the process zone δ, per area (Eq 4.9) | J/m² |
+//!
+//! Every modulus is E* = E/(1 − ν²): make the material with [`Material::stiffened`](crate::material::Material::stiffened). The surface follows as
+//! w(r) = (2/π)∫₀^r W/√(r² − s²) ds and p(r) = (1/π)[Q(a)/√(a² − r²) − ∫_r^a Q′/√(s² − r²) ds], for ANY history of the edge, re-advancing too:
+//! no matrix and no integral equation. Any coherent units.
+//!
+//! # How
+//! [`Contact`] carries e_j on panels of Gauss nodes; an update is exact for an edge and a penetration that move linearly in time, for any number
+//! of terms ([`Springs`]). [`zone_work`] is the closure. [`run`] marches under a [`Control`]: at each step it moves the edge
+//! by a prescribed distance and finds the time at which the closure holds there first.
+//!
+//! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
+
+mod edge;
+mod elastic_zone;
+mod elliptic;
+mod fields;
+mod history;
+mod line;
+mod marcher;
+mod panel;
+mod problem;
+mod profile;
+mod run;
+mod solution;
+mod springs;
+mod start;
+mod zone;
+
+pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
+pub use elliptic::elliptic_k;
+pub use fields::SurfaceFields;
+pub use history::{History, Segment};
+pub use line::{Contact, Sweep};
+pub use marcher::march;
+pub use panel::{POINTS, Panel};
+pub use problem::{Adhesion, Control, IndentationProblem, Resolution, Start};
+pub use profile::Profile;
+pub use run::run;
+pub use solution::{Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+pub use springs::Springs;
+pub use zone::{Zone, zone_work};

@@ -1,0 +1,87 @@
+//! A function on a panel of the line by its values at eight Gauss nodes: integral, interpolation, running integral.
+
+use crate::special::gauss_legendre::UNIT_RULE_8;
+use std::sync::LazyLock;
+
+/// Nodes of a panel: polynomials up to degree 7 are kept exactly, their squares are integrated exactly.
+pub const POINTS: usize = 8;
+
+/// Nodes on 0…1, weights, barycentric weights, and running[g][l] = ∫₀^{x_g} of the l-th Lagrange polynomial.
+pub(super) struct Rule {
+    pub(super) nodes: [f64; POINTS],
+    pub(super) weights: [f64; POINTS],
+    barycentric: [f64; POINTS],
+    pub(super) running: [[f64; POINTS]; POINTS],
+}
+
+pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
+    let nodes: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.0));
+    let weights: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.1));
+    let barycentric = std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 0.25 / (nodes[i] - nodes[k])).product::<f64>());
+    let lagrange = |l: usize, x: f64| (0..POINTS).filter(|&k| k != l).map(|k| (x - nodes[k]) / (nodes[l] - nodes[k])).product::<f64>();
+    let running = std::array::from_fn(|g| {
+        std::array::from_fn(|l| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())
+    });
+    Rule { nodes, weights, barycentric, running }
+});
+
+impl Rule {
+    /// Factors of the values at the nodes that give the interpolant at x (0…1 inside).
+    pub(super) fn interpolation(&self, x: f64) -> [f64; POINTS] {
+        let mut factors = [0.0; POINTS];
+        let mut sum = 0.0;
+        for i in 0..POINTS {
+            let distance = x - self.nodes[i];
+            if distance == 0.0 {
+                factors = [0.0; POINTS];
+                factors[i] = 1.0;
+                return factors;
+            }
+            factors[i] = self.barycentric[i] / distance;
+            sum += factors[i];
+        }
+        factors.map(|factor| factor / sum)
+    }
+}
+
+/// A scalar on one panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Panel {
+    /// Left end (m).
+    pub lower: f64,
+    /// Right end (m).
+    pub upper: f64,
+    /// Values at the nodes, from left to right.
+    pub values: [f64; POINTS],
+}
+
+impl Panel {
+    /// A function sampled on a panel.
+    #[must_use]
+    pub fn sampled(lower: f64, upper: f64, function: impl Fn(f64) -> f64) -> Self {
+        Self { lower, upper, values: RULE.nodes.map(|x| function(lower + (upper - lower) * x)) }
+    }
+
+    /// The interpolant at s.
+    #[must_use]
+    pub fn at(&self, s: f64) -> f64 {
+        let factors = RULE.interpolation((s - self.lower) / (self.upper - self.lower));
+        factors.iter().zip(&self.values).map(|(factor, value)| factor * value).sum()
+    }
+
+    /// ∫ over the panel.
+    #[must_use]
+    pub fn integral(&self) -> f64 {
+        (self.upper - self.lower) * RULE.weights.iter().zip(&self.values).map(|(weight, value)| weight * value).sum::<f64>()
+    }
+}
+
+/// The panel of an ordered list that holds s; the end panel beyond the ends.
+pub(super) fn panel_at(panels: &[Panel], s: f64) -> Option<&Panel> {
+    panels.get(panels.partition_point(|panel| panel.upper < s).min(panels.len().saturating_sub(1)))
+}
+
+/// The value at s of an ordered list of panels; the end panel is continued beyond the ends.
+pub(super) fn value_at(panels: &[Panel], s: f64) -> f64 {
+    panel_at(panels, s).map_or(0.0, |panel| panel.at(s))
+}

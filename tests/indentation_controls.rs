@@ -1,0 +1,120 @@
+//! Source: thesis Secs 4.2 to 4.5; this crate's force and radius control.
+//!
+//! Goal: the same history seen by two controls is one history; an unloaded contact grows from the glassy to the soft one.
+//!
+//! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (chapter 4), E0* = R = ρ = 1; a three-term solid.
+//!
+//! Oracle: elastic contacts at equal process zone; the energy identity; the step halved; a march under another control.
+//!
+//! Tolerance: with each test.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use std::f64::consts::PI;
+use viscotack::Material;
+use viscotack::indentation::{
+    Adhesion, Control, EventKind, History, IndentationProblem, Profile, Resolution, Start, Trace, elastic_contact, march,
+};
+use viscotack::material::RelaxationTerm;
+
+const WORK: f64 = 1.6e-4 * PI;
+const ZONE: f64 = 0.013;
+const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
+
+fn rubber() -> Material {
+    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
+}
+
+fn three_terms() -> Material {
+    let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
+    Material::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
+}
+
+fn history_is_long(control: &Control) -> bool {
+    match control {
+        Control::Penetration(history) | Control::Force(history) | Control::ContactRadius(history) => history.segments.len() > 10,
+    }
+}
+
+fn marched(material: &Material, control: Control, start: Start, fineness: f64) -> Trace {
+    let problem = IndentationProblem {
+        profile: SPHERE,
+        adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
+        start,
+        instants_per_segment: if history_is_long(&control) { 1 } else { 4 },
+        resolution: Resolution { steps_per_zone: fineness, growth: 2.0 / fineness },
+        control,
+    };
+    let trace = march(material, &problem, problem.resolution).unwrap();
+    let worst = trace.path.iter().fold(0.0f64, |most, point| most.max(point.residual.abs()));
+    println!(
+        "  {fineness}: steps {} closures {} panels {} balance {:e} residual {worst:e} end a {:.6} F {:.6e} events {:?}",
+        trace.work.steps,
+        trace.work.closure_evaluations,
+        trace.work.most_panels,
+        trace.balance_defect(),
+        trace.path.last().unwrap().contact_radius,
+        trace.path.last().unwrap().force,
+        trace.events.iter().map(|event| (event.kind, event.time, event.contact_radius)).collect::<Vec<_>>()
+    );
+    assert!(worst < 1e-9);
+    trace
+}
+
+/// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
+#[test]
+fn unloaded_contact_grows_from_glassy_to_soft() {
+    let trace = marched(&rubber(), Control::Force(History::from(0.0).hold(2000.0)), Start::Untouched, 8.0);
+    let end = trace.path.last().unwrap();
+    let soft = elastic_contact(SPHERE, 1.0, WORK, ZONE, end.penetration).unwrap();
+    println!(
+        "a {} to {}, soft {}, F {:e} of {:e}",
+        trace.path[0].contact_radius, end.contact_radius, soft.contact_radius, end.force, soft.force
+    );
+    assert!((end.contact_radius / soft.contact_radius - 1.0).abs() < 1e-3 && soft.force.abs() < 5e-3 * WORK);
+    assert!(trace.balance_defect() < 1e-3);
+}
+
+/// A force ramp until the contact opens; its penetration imposed on a second march gives the same contact.
+#[test]
+fn force_and_penetration_tell_one_story() {
+    for material in [rubber(), three_terms()] {
+        let start = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
+        let history = History::from(start.force).ramp(-45.0 * WORK, 20.0);
+        let force = marched(&material, Control::Force(history), Start::Relaxed, 10.0);
+        assert!(force.events.iter().any(|event| event.kind == EventKind::Detachment));
+        assert!(force.balance_defect() < 1e-6);
+        let mut depths = History::from(force.path[0].penetration);
+        let mut time = 0.0;
+        let before: Vec<_> = force.path.iter().take_while(|point| point.time < 0.9 * force.events[0].time).collect();
+        for point in &before[1..] {
+            if point.time > time {
+                depths = depths.ramp(point.penetration, point.time - time);
+                time = point.time;
+            }
+        }
+        let penetration = marched(&material, Control::Penetration(depths), Start::Relaxed, 10.0);
+        let (last, twin) = (before.last().unwrap(), penetration.path.last().unwrap());
+        println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
+        assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+        assert!((last.force - twin.force).abs() < 2e-3 * last.force.abs());
+    }
+}
+
+/// A prescribed edge gives a penetration; that penetration gives the edge.
+#[test]
+fn radius_and_penetration_tell_one_story() {
+    let start = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.02).unwrap();
+    let a = start.contact_radius;
+    let radius = marched(&rubber(), Control::ContactRadius(History::from(a).ramp(0.8 * a, 10.0).ramp(0.9 * a, 5.0)), Start::Relaxed, 10.0);
+    assert!(radius.balance_defect() < 1e-6);
+    let mut depths = History::from(radius.path[0].penetration);
+    let mut time = 0.0;
+    for point in &radius.path[1..] {
+        depths = depths.ramp(point.penetration, point.time - time);
+        time = point.time;
+    }
+    let penetration = marched(&rubber(), Control::Penetration(depths), Start::Relaxed, 10.0);
+    let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
+    println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
+    assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+}
