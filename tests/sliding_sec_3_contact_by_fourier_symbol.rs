@@ -173,7 +173,7 @@ fn splitting_a_term_or_adding_a_vanishing_one_changes_nothing() {
 #[test]
 fn separation_keeps_its_digits_near_full_contact() {
     let solid = material(1.3e6, 100.0, &[0.5, 0.01]);
-    for half_width in [0.01, 0.7, 1.5, 2.9, 3.141] {
+    for half_width in [0.01, 0.7, 1.5, 2.9, 3.13] {
         let memory = ContactMemory::new(&solid, 2.0).unwrap();
         let contact = WaveContact { half_width, eccentricity: 0.1 * (PI - half_width).min(half_width) };
         let state = ContactState::new(&memory, contact, Prescribed::MeanPressure(0.3)).unwrap();
