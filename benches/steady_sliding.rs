@@ -9,6 +9,7 @@
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
+use viscotack::material::CreepTerm;
 use viscotack::rivals::sliding_collocation::richardson::extrapolated;
 use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
@@ -134,6 +135,72 @@ fn row(name: String, results: &[(f64, Option<f64>)]) -> Row {
     Row { name, seconds, error }
 }
 
+/// A solid with twelve terms over twelve decades, at speeds where four, six and eight of them are slower than the passage.
+fn twelve_terms() -> Material {
+    let terms: Vec<CreepTerm> =
+        (0..12).map(|index| CreepTerm { compliance: (1.0 - 1.0 / 30.0) / 1.1e6 / 12.0, retardation_time: 10f64.powi(-index) }).collect();
+    Material::from_creep(1.1e6 * 30.0, &terms, None).unwrap()
+}
+
+/// Warm states of one and of twelve terms: from the solution at a speed 2 % lower.
+fn many_terms() {
+    println!("warm states, from the solution at a speed 2 % lower, and cold ones; accuracy {TOLERANCE:e}");
+    let one = Material::standard_solid(1.1e6, 1.1e6 * 30.0, 1.0).unwrap();
+    for (name, material, speeds) in [("one term", one, [1e-3, 0.1, 3.0]), ("twelve terms", twelve_terms(), [1e4, 1e6, 1e8])] {
+        for rate in speeds {
+            let problem = SlidingProblem {
+                rate,
+                indenter: Indenter::Wave,
+                adhesion: Some(ADHESION),
+                control: SlidingControl::MeanPressure(0.1),
+                accuracy: TOLERANCE,
+            };
+            let (cold, found) = timed(REPEATS, || steady_sliding(&material, &problem));
+            let Ok(SlidingOutcome::Partial(found)) = found else {
+                println!("{name:14} kv = {rate:e}: no partial contact");
+                continue;
+            };
+            let next = SlidingProblem { rate: 1.02 * rate, ..problem };
+            let (warm, near) = timed(20, || steady_sliding_near(&material, &next, &found.start));
+            let near = near.unwrap();
+            println!(
+                "{name:14} kv = {rate:7.0e}: warm {:>8.3} ms ({} balances, error {:.0e}), cold {:>8.3} ms ({} balances)",
+                1e3 * warm,
+                near.work.closure_evaluations,
+                near.certificate.accuracy,
+                1e3 * cold,
+                found.work.closure_evaluations
+            );
+        }
+    }
+}
+
+/// Sweeps over eight decades of speed, state by state, as a scene runs them.
+fn sweeps() {
+    let material = Material::standard_solid(1.1e6, 1.1e7, 1.0).unwrap();
+    for points in [100, 200, 400] {
+        let (seconds, solved) = timed(1, || {
+            (0..points)
+                .filter(|&index| {
+                    let problem = SlidingProblem {
+                        rate: 10f64.powf(-4.0 + 8.0 * f64::from(index) / f64::from(points - 1)),
+                        indenter: Indenter::Wave,
+                        adhesion: Some(ADHESION),
+                        control: SlidingControl::MeanPressure(0.05),
+                        accuracy: TOLERANCE,
+                    };
+                    matches!(steady_sliding(&material, &problem), Ok(SlidingOutcome::Partial(_)))
+                })
+                .count()
+        });
+        println!(
+            "sweep of {points} speeds over eight decades: {:.3} s, {:.3} ms a state, {solved} partial contacts",
+            seconds,
+            1e3 * seconds / f64::from(points)
+        );
+    }
+}
+
 fn main() {
     let finest = std::env::var("FINEST").ok().and_then(|text| text.parse().ok()).unwrap_or(800);
     let meshes: Vec<usize> = MESHES.into_iter().filter(|&elements| elements <= finest).collect();
@@ -159,6 +226,8 @@ fn main() {
         states.iter().map(|state| (timed(1, || steady_sliding(&state.material, &state.problem)).0, Some(0.0))).collect();
     let us = row("this program, from the start".into(), &warm);
     let us_cold = row("this program, steady_sliding (the reference)".into(), &cold);
+    many_terms();
+    sweeps();
     let mut rivals = Vec::new();
     for (name, density, aligned) in [("thesis, n = 1", 1.0, false), ("thesis, n = 3", 3.0, false), ("window-aligned, n = 3", 3.0, true)] {
         let mut table: Vec<Vec<(f64, Option<Numbers>)>> = Vec::new();

@@ -14,12 +14,13 @@
 mod support;
 
 use std::f64::consts::PI;
-use support::sliding::contact_near;
+use support::sliding::{contact_at_rate, contact_near};
 use viscotack::Material;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{JohnsonWave, WestergaardWave};
+use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::WaveAdhesion;
 
@@ -59,6 +60,41 @@ fn elastic_contact_meets_johnsons_wave_at_first_order_in_the_process_zone() {
         for pair in errors.windows(2) {
             let ratio = pair[0] / pair[1];
             assert!((ratio - 10.0).abs() < 1.0, "p = {mean_pressure}: errors {errors:?}");
+        }
+    }
+}
+
+/// ζ → 0 with E0 and ζ → ∞ with E∞: the contact of the program at both ends of the speed range, as δ → 0. Tolerance: errors fall tenfold with δ to 10 %;
+/// ζ and 1/ζ are 1e-6 δ and below, so that the memory adds less than that.
+#[test]
+fn both_limits_of_the_speed_are_johnsons_waves_at_first_order_in_the_process_zone() {
+    for (beta, terms) in [(20.0, 1), (8.0, 6)] {
+        let relaxed = 0.7e6;
+        let terms: Vec<CreepTerm> = (0..terms)
+            .map(|index| CreepTerm {
+                compliance: (1.0 - 1.0 / beta) / relaxed / f64::from(terms),
+                retardation_time: 0.4 * 0.3_f64.powi(index),
+            })
+            .collect();
+        let material = Material::from_creep(relaxed * beta, &terms, None).unwrap();
+        for mean_pressure in [-0.02, 0.05] {
+            for (name, modulus, rate) in [("slow", 1.0, 1e-12), ("fast", beta, 1e12)] {
+                let exact = johnson(modulus, mean_pressure);
+                let errors: Vec<f64> = [1e-3, 1e-4, 1e-5]
+                    .into_iter()
+                    .map(|zone| {
+                        let found =
+                            contact_at_rate(&material, rate, Some(adhesion(zone)), Prescribed::MeanPressure(mean_pressure), 1e-10).unwrap();
+                        assert!((found.trailing_release - 1.0).abs() < 1e-5 && (found.leading_release - 1.0).abs() < 1e-5);
+                        found.state.contact().half_width - exact
+                    })
+                    .collect();
+                println!("β = {beta}, {name}, p = {mean_pressure}: a(δ) − a(0) = {errors:?}");
+                for pair in errors.windows(2) {
+                    let ratio = pair[0] / pair[1];
+                    assert!((ratio - 10.0).abs() < 1.0, "{name}, p = {mean_pressure}: errors {errors:?}");
+                }
+            }
         }
     }
 }

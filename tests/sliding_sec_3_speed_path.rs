@@ -17,7 +17,7 @@ use support::sliding::contact_at_rate;
 use viscotack::Material;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{JohnsonWave, WestergaardWave};
-use viscotack::material::RelaxationTerm;
+use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::sliding::contact::Prescribed;
 use viscotack::sliding::steady::WaveAdhesion;
 use viscotack::sliding::steady::full_contact_friction;
@@ -94,6 +94,34 @@ fn adhesiveless_twin_is_reached_as_adhesion_vanishes_and_its_limits_are_westerga
     };
     assert!((half_width(1e-8) / westergaard(1.0) - 1.0).abs() < 1e-6);
     assert!((half_width(1e8) / westergaard(beta) - 1.0).abs() < 1e-6);
+}
+
+/// By the relaxation function in time: a sinusoidal strain of amplitude ε has the loss ω∫₀^∞ (R(t) − E0) cos ωt dt. Simpson's rule over 40 of the
+/// longest relaxation times; tolerance 1e-9, its truncation.
+#[test]
+fn full_contact_friction_is_the_fourier_integral_of_the_relaxation_function() {
+    let terms: Vec<CreepTerm> =
+        [(2e-7, 0.9), (5e-7, 0.2), (3e-7, 0.05)].map(|(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).to_vec();
+    let material = Material::from_creep(2.2e7, &terms, None).unwrap();
+    let relaxed = material.relaxed_modulus();
+    for rate in [0.3, 4.0, 50.0] {
+        let points = 4_000_000;
+        let longest = material.relaxation_terms()[0].relaxation_time;
+        let step = 40.0 * longest / f64::from(points);
+        let integral: f64 = (0..=points)
+            .map(|index| {
+                let time = f64::from(index) * step;
+                let weight = if index == 0 || index == points { 1.0 } else { 2.0 + 2.0 * f64::from(index % 2) };
+                weight * (material.relaxation(time) - relaxed) * (rate * time).cos()
+            })
+            .sum::<f64>()
+            * step
+            / 3.0;
+        let expected = 0.5 * rate * integral / relaxed;
+        let found = full_contact_friction(&material, rate).unwrap();
+        println!("kv = {rate}: {} against {expected}", found.value);
+        assert!((found.value / expected - 1.0).abs() < 1e-9);
+    }
 }
 
 #[test]

@@ -266,6 +266,8 @@ impl EdgeBalance {
         let edges_pulled = states.moved.as_ref().is_none_or(|(trailing, leading)| pulled(state) && pulled(trailing) && pulled(leading));
         // Far from a parabola nothing can touch: its gap is looked at as far as the contact and its memory reach.
         let half_width = state.contact().half_width;
+        // Signs need no digits.
+        let rough = state.evaluated_at(Resolution::Coarse);
         let half_gap = match self.indenter {
             Indenter::Wave => PI - half_width,
             Indenter::Parabola => 10.0 * half_width,
@@ -275,7 +277,7 @@ impl EdgeBalance {
             // Dense at both edges, where interpenetration begins.
             let part = 1.0 - (0.5 * PI * f64::from(index) / f64::from(GAP_POINTS)).cos();
             for point in [state.behind_trailing(part * half_gap)?, state.ahead_of_leading(part * half_gap)?] {
-                let gap = state.gap(point);
+                let gap = rough.gap(point);
                 smallest = smallest.min(gap);
                 largest = largest.max(gap);
             }

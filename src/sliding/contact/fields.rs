@@ -1,6 +1,6 @@
 //! Pressure inside and gap outside of a solved contact, at any point given by its distances to the two edges.
 
-use super::indenter::Indenter;
+use super::arcs::Place;
 use super::quadrature::{ArcRange, memory_integrals};
 use super::state::ContactState;
 use crate::refusal::{Refusal, require_positive};
@@ -57,7 +57,9 @@ impl ContactState {
     #[must_use]
     pub fn pressure(&self, point: ArcPoint) -> f64 {
         let memory = &self.memory;
-        let [flat, odd, wave] = self.elastic_fields(point);
+        let shift = self.indenter.shift(self.contact.eccentricity);
+        let Place { root, angle } = self.arcs.inside(point);
+        let [flat, odd, wave] = self.indenter.pressures(angle, root, shift);
         let field = |strengths: (f64, f64)| wave + strengths.0 * flat + strengths.1 * odd;
         let mut pressure = memory.stiffening_ratio() * field(self.strengths(None));
         for (term, relaxation) in memory.relaxation.iter().enumerate() {
@@ -69,10 +71,9 @@ impl ContactState {
     /// The gap in Λ at a point outside the contact.
     #[must_use]
     pub fn gap(&self, point: ArcPoint) -> f64 {
-        let s = self.indenter.half_sine(self.contact.half_width);
         let shift = self.indenter.shift(self.contact.eccentricity);
-        let (root, angle) = self.outside(point);
-        let (wave, depth) = self.indenter.gaps(angle, root, s, shift);
+        let Place { root, angle } = self.arcs.outside(point);
+        let (wave, depth) = self.indenter.gaps(angle, root, self.arcs.half.0, shift);
         let mut gap = wave - self.flat_strength * depth;
         for (term, (load, creep)) in self.loads.iter().zip(self.memory.creep()).enumerate() {
             gap -= load * 2.0 / PI * creep.ratio * self.remembered_outside(point, term);
@@ -90,8 +91,10 @@ impl ContactState {
             opposite: self.indenter.gap_width(self.contact.half_width),
             rule: self.resolution.arc_rule(),
         };
+        let shift = self.indenter.shift(self.contact.eccentricity);
         let remembered = between.memory(relaxation.ratio, |from_trailing, from_leading| {
-            let [flat, odd, wave] = self.elastic_fields(ArcPoint { from_trailing, from_leading });
+            let Place { root, angle } = self.arcs.inside(ArcPoint { from_trailing, from_leading });
+            let [flat, odd, wave] = self.indenter.pressures(angle, root, shift);
             wave + strengths.0 * flat + strengths.1 * odd
         });
         remembered / relaxation.ratio
@@ -110,7 +113,7 @@ impl ContactState {
             rule: self.resolution.arc_rule(),
         };
         let remembered = between.memory(creep.ratio, |from_leading, from_trailing| {
-            let (root, (sine, cosine)) = self.outside(ArcPoint { from_trailing, from_leading });
+            let Place { root, angle: (sine, cosine) } = self.arcs.outside(ArcPoint { from_trailing, from_leading });
             (outside_cosine * sine + outside_sine * cosine) / root
         });
         remembered / creep.ratio
@@ -125,25 +128,6 @@ impl ContactState {
             odd -= load * pole * 2.0 / PI * outside_cosine;
         }
         (flat, odd)
-    }
-
-    /// H₀, H₁ and cos e W − sin e S inside the contact.
-    fn elastic_fields(&self, point: ArcPoint) -> [f64; 3] {
-        let (a, indenter) = (self.contact.half_width, self.indenter);
-        let y = if point.from_trailing < point.from_leading { point.from_trailing - a } else { a - point.from_leading };
-        let root = 2.0 * (indenter.half_sine(point.from_trailing) * indenter.half_sine(point.from_leading)).sqrt();
-        indenter.pressures(indenter.half_sine_cosine(y), root, indenter.shift(self.contact.eccentricity))
-    }
-
-    /// |X| and (sin(y/2), cos(y/2)) in the gap, a < y < 2π − a.
-    fn outside(&self, point: ArcPoint) -> (f64, (f64, f64)) {
-        let (a, indenter) = (self.contact.half_width, self.indenter);
-        let behind = point.from_trailing < point.from_leading;
-        let (near, far) = if behind { (point.from_trailing, point.from_leading) } else { (point.from_leading, point.from_trailing) };
-        // sin(far/2) = sin(a + near/2), but for rounding near the other end.
-        let other = if indenter == Indenter::Parabola { indenter.half_sine(2.0 * a + near) } else { indenter.half_sine(far) };
-        let (sine, cosine) = indenter.half_sine_cosine(a + near);
-        (2.0 * (indenter.half_sine(near) * other).sqrt(), (sine, if behind { -cosine } else { cosine }))
     }
 }
 

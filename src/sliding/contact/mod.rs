@@ -36,6 +36,7 @@
 //! ```
 //! Every integral is one-dimensional. Source: our own; the problem is thesis Eqs 3.16–3.24.
 
+mod arcs;
 mod fields;
 mod indenter;
 mod memory;

@@ -26,6 +26,7 @@
 //!
 //! Source of the closure: thesis Eqs 3.26–3.30.
 
+use super::arcs::Place;
 use super::fields::ArcPoint;
 use super::indenter::Indenter;
 use super::memory::ContactMemory;
@@ -197,23 +198,15 @@ impl ProcessZone {
     fn pressures(&self, state: &ContactState) -> Vec<Field> {
         let indenter = self.indenter;
         let half_width = state.contact.half_width;
-        let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
         let shift = indenter.shift(state.contact.eccentricity);
-        let side = match self.edge {
-            Edge::Trailing => -1.0,
-            Edge::Leading => 1.0,
-        };
         let elastic: Vec<[Values; 3]> = self
             .angles
             .iter()
             .map(|angles| {
                 let mut fields = [Values::zeros(), Values::zeros(), Values::zeros()];
-                for (index, &(sine, cosine)) in angles.iter().enumerate() {
-                    // sin((2a − d)/2), and y/2 = ±(a − d)/2.
-                    let far = whole.0 * cosine - whole.1 * sine;
-                    let root = 2.0 * (sine * far).sqrt();
-                    let half = (side * (half_edge.0 * cosine - half_edge.1 * sine), indenter.cosine_of_sum(half_edge, (-sine, cosine)));
-                    for (field, value) in fields.iter_mut().zip(indenter.pressures(half, root, shift)) {
+                for (index, &sine_cosine) in angles.iter().enumerate() {
+                    let Place { root, angle } = state.arcs.inside_at(sine_cosine, self.edge == Edge::Trailing);
+                    for (field, value) in fields.iter_mut().zip(indenter.pressures(angle, root, shift)) {
                         field[index] = value;
                     }
                 }
@@ -254,24 +247,17 @@ impl ProcessZone {
     fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Field> {
         let indenter = self.indenter;
         let half_width = state.contact.half_width;
-        let (half_edge, whole) = (indenter.half_sine_cosine(half_width), indenter.half_sine_cosine(2.0 * half_width));
         let shift = indenter.shift(state.contact.eccentricity);
-        let side = match edge {
-            Edge::Trailing => -1.0,
-            Edge::Leading => 1.0,
-        };
         let mut gaps = Vec::with_capacity(self.panels.len());
         let mut loads = Vec::with_capacity(self.panels.len());
         for angles in &self.angles {
             let (mut gap, mut even, mut odd) = (Values::zeros(), Values::zeros(), Values::zeros());
-            for (index, &(sine, cosine)) in angles.iter().enumerate() {
-                // sin(a + d/2), and (a + d)/2.
-                let root = 2.0 * (sine * (whole.0 * cosine + whole.1 * sine)).sqrt();
-                let half = (half_edge.0 * cosine + half_edge.1 * sine, side * indenter.cosine_of_sum(half_edge, (sine, cosine)));
-                let (wave, depth) = indenter.gaps(half, root, half_edge.0, shift);
+            for (index, &sine_cosine) in angles.iter().enumerate() {
+                let Place { root, angle } = state.arcs.outside_at(sine_cosine, edge == Edge::Trailing);
+                let (wave, depth) = indenter.gaps(angle, root, state.arcs.half.0, shift);
                 gap[index] = wave - state.flat_strength * depth;
-                even[index] = half.1 / root;
-                odd[index] = half.0 / root;
+                even[index] = angle.1 / root;
+                odd[index] = angle.0 / root;
             }
             gaps.push(Field { size: gap.abs(), value: gap });
             loads.push((even, odd));

@@ -1,5 +1,7 @@
 //! A contact with given edges: the linear system for the memory loads, and the totals.
 
+use super::arcs::{Arcs, Place};
+use super::fields::ArcPoint;
 use super::indenter::{Indenter, inverse_hyperbolic_sine};
 use super::memory::ContactMemory;
 use super::quadrature::{ArcRange, memory_integrals};
@@ -32,6 +34,7 @@ pub struct WaveContact {
 pub struct ContactState {
     pub(super) contact: WaveContact,
     pub(super) indenter: Indenter,
+    pub(super) arcs: Arcs,
     pub(super) resolution: Resolution,
     pub(super) memory: Arc<ContactMemory>,
     /// D.
@@ -136,6 +139,7 @@ impl ContactState {
         let state = Self {
             contact,
             indenter,
+            arcs: Arcs::new(indenter, half_width),
             resolution,
             memory: Arc::clone(memory),
             flat_strength,
@@ -160,6 +164,12 @@ impl ContactState {
     pub fn reversed(&self) -> Result<Self, Refusal> {
         let contact = WaveContact { eccentricity: -self.contact.eccentricity, ..self.contact };
         Self::at_resolution(&self.memory, self.indenter, contact, self.held(), self.resolution)
+    }
+
+    /// The same contact with its fields evaluated at another resolution; the loads stay.
+    #[must_use]
+    pub fn evaluated_at(&self, resolution: Resolution) -> Self {
+        Self { resolution, ..self.clone() }
     }
 
     /// The edges.
@@ -288,10 +298,10 @@ fn first_harmonic(
 fn inside_integrals(indenter: Indenter, half_width: f64, ratio: f64, shift: (f64, f64), resolution: Resolution) -> [f64; 3] {
     let gap = indenter.gap_width(half_width);
     let arc = ArcRange { length: 2.0 * half_width, before: gap, behind: gap, starts_at_edge: true };
-    memory_integrals(arc, ratio, resolution.arc_rule(), |distance, rest| {
-        let root = 2.0 * (indenter.half_sine(distance) * indenter.half_sine(rest)).sqrt();
-        let y = if distance < rest { distance - half_width } else { half_width - rest };
-        indenter.pressures(indenter.half_sine_cosine(y), root, shift).map(|value| value / ratio)
+    let arcs = Arcs::new(indenter, half_width);
+    memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+        let Place { root, angle } = arcs.inside(ArcPoint { from_trailing, from_leading });
+        indenter.pressures(angle, root, shift).map(|value| value / ratio)
     })
 }
 
@@ -299,14 +309,13 @@ fn inside_integrals(indenter: Indenter, half_width: f64, ratio: f64, shift: (f64
 fn outside_integrals(indenter: Indenter, half_width: f64, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
     let width = 2.0 * half_width;
     let arc = ArcRange { length: indenter.gap_width(half_width), before: width, behind: width, starts_at_edge: true };
-    let s = indenter.half_sine(half_width);
-    let [cosine, sine, depth, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution.arc_rule(), |distance, rest| {
-        let other = if rest < distance { indenter.half_sine(rest) } else { indenter.half_sine(width + distance) };
-        let root = 2.0 * (indenter.half_sine(distance) * other).sqrt();
-        // η/2 = π − (a + v)/2.
-        let (sine, cosine) = indenter.half_sine_cosine(half_width + distance);
-        [-cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), -root * cosine, root * sine]
-    });
+    let arcs = Arcs::new(indenter, half_width);
+    let s = arcs.half.0;
+    let [cosine, sine, depth, root_cosine, root_sine] =
+        memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+            let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
+            [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
+        });
     OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
 }
 

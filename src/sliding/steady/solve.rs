@@ -73,7 +73,9 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
         (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
             full_contact(material, problem, limit_name, limit, work)
         }
-        (Some(NoStart::Fold(PathEnd { last, widening: true })), _) if problem.indenter == Indenter::Wave => {
+        (Some(NoStart::Fold(PathEnd { last, widening: true })), _)
+            if problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(_)) =>
+        {
             full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last, work)
         }
         (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
