@@ -7,13 +7,17 @@ use std::fmt::Write as _;
 /// Most rows that are printed one by one; longer sweeps show their first and last.
 const MOST_ROWS: usize = 24;
 
+/// Most rows of an unswept scene that are printed in blocks.
+const MOST_BLOCKS: usize = 4;
+
 /// The whole screen output of a run.
 #[must_use]
 pub fn render(outcome: &Outcome) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "{}", outcome.title);
     let _ = writeln!(text, "{}", "─".repeat(outcome.title.chars().count().clamp(20, 100)));
-    if outcome.swept.is_empty() {
+    // A few blocks are read more easily than a table; a curve is not.
+    if outcome.swept.is_empty() && outcome.rows.len() <= MOST_BLOCKS {
         single(&mut text, outcome)
     } else {
         sweep(&mut text, outcome)

@@ -107,6 +107,7 @@ impl SlidingPlan {
             }
             SlidingLoad::Penetration(depth) => groups.push(group("penetration Δ/Λ", depth / self.scale.displacement, "1")),
             SlidingLoad::HalfWidth(width) => groups.push(group("reduced half-width", width / self.scale.length, "1")),
+            SlidingLoad::Every => {}
         }
         if self.solves(SlidingContact::Adhesive)
             && let (Some(adhesion), Some(given)) = (self.reduced_adhesion(), self.sliding.adhesion)
