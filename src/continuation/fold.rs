@@ -8,8 +8,8 @@ use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
 
-/// Step of the central differences, in scaled unknowns: truncation (1e-3)⁴, rounding 1e-16/1e-3.
-pub const CENTRAL_STEP: f64 = 1e-3;
+/// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴, rounding 1e-16/5e-4.
+pub const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
 /// Residual asked for; one that does not fall any more below the second is rounding.
@@ -40,15 +40,15 @@ pub struct FoldPoint<S> {
 ///
 /// # Errors
 /// Those of the equations.
-pub fn gradients<E: CurveEquations>(equations: &E, unknowns: [f64; 3], scales: [f64; 3]) -> Result<[[f64; 3]; 3], Refusal> {
+pub fn gradients<E: CurveEquations>(equations: &E, unknowns: [f64; 3], scales: [f64; 3], step: f64) -> Result<[[f64; 3]; 3], Refusal> {
     let mut rows = [[0.0; 3]; 3];
     for index in 0..3 {
         for (times, weight) in [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)] {
             let mut moved = unknowns;
-            moved[index] += times * CENTRAL_STEP * scales[index];
+            moved[index] += times * step * scales[index];
             let there = equations.evaluate(moved)?;
             for (row, value) in rows.iter_mut().zip([there.residual[0], there.residual[1], there.watched]) {
-                row[index] += weight * value / CENTRAL_STEP;
+                row[index] += weight * value / step;
             }
         }
     }
@@ -86,7 +86,9 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
     })
 }
 
-/// The fold of a quantity near a start.
+/// The fold of a quantity near a start, with a `step` of the gradients' differences in scaled unknowns.
+///
+/// Truncation of the differences, step⁴, is no part of the bars: a second call with another step shows it.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`].
@@ -96,10 +98,11 @@ pub fn located<E: CurveEquations>(
     quantity: Quantity,
     scales: [f64; 3],
     jacobian: Option<Matrix3<f64>>,
+    step: f64,
 ) -> Result<FoldPoint<E::State>, Refusal> {
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
-        let rows = gradients(equations, unknowns, scales)?;
+        let rows = gradients(equations, unknowns, scales, step)?;
         let tangent = tangent_of(&rows)?;
         let gradient = gradient(quantity, &rows, scales);
         let slope = gradient.dot(&tangent) / gradient.norm();
@@ -119,7 +122,7 @@ pub fn located<E: CurveEquations>(
         .ok_or_else(|| Refusal::NotConverged { what: "a fold of a curve", detail: "two folds merge: the Jacobian is singular".into() })?;
     // The residuals that are left count as rounding.
     let left = [found.rounding[0] + found.residual[0].abs(), found.rounding[1] + found.residual[1].abs()];
-    let of_slope = (found.rounding[0] + found.rounding[1]) / CENTRAL_STEP + CENTRAL_STEP.powi(4) + solved.residual;
+    let of_slope = (found.rounding[0] + found.rounding[1]) / step + solved.residual;
     let spread = |weights: Vector3<f64>| (weights[0] * left[0]).abs() + (weights[1] * left[1]).abs() + (weights[2] * of_slope).abs();
     let unknown_rounding = std::array::from_fn(|index| spread(inverse.row(index).transpose()) * scales[index]);
     let value = quantity.of(solved.unknowns, found.watched);

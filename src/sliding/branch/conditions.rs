@@ -5,6 +5,9 @@ use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
 use crate::sliding::steady::SlidingProblem;
 
+/// Half the narrowest gap of a branch, over the longer process zone.
+const GAP_IN_ZONES: f64 = 2.0;
+
 /// What varies along a branch, and what is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BranchPath {
@@ -62,7 +65,8 @@ pub struct BranchProblem {
 }
 
 impl BranchProblem {
-    /// The branch of all loads on a wave at one rate, as far as the equations mean something: contact and gap wider than the process zones.
+    /// The branch of all loads on a wave at one rate, as far as the equations mean something: the contact two process zones wide and the gap four. (A zone
+    /// that fills half of the gap meets the next contact; there the work of closing has turns of its own.)
     #[must_use]
     pub fn loads(rate: f64, adhesion: WaveAdhesion, accuracy: f64) -> Self {
         let zone = adhesion.trailing_zone.max(adhesion.leading_zone);
@@ -72,7 +76,7 @@ impl BranchProblem {
             adhesion,
             path: BranchPath::Loads,
             start: BranchStart::Slow,
-            half_widths: [zone, std::f64::consts::PI - zone],
+            half_widths: [zone, std::f64::consts::PI - GAP_IN_ZONES * zone],
             parameters: [0.0, f64::INFINITY],
             accuracy,
             points: 0,

@@ -1,13 +1,13 @@
 //! A turn of a branch: where it is, what turns there, and how well both are known.
 //!
-//! The fold equations are solved at one resolution and at the next; the difference, with what rounding leaves, is the error.
+//! The fold equations are solved at one resolution, with longer differences, and at the next; the difference, with what rounding leaves, is the error.
 
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
 use super::trace::{BranchWork, Coarse};
 use super::values::widened;
-use crate::continuation::arclength::Quantity;
-use crate::continuation::fold::{between, located};
+use crate::continuation::arclength::{Quantity, linearized};
+use crate::continuation::fold::{CENTRAL_STEP, between, located};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -17,6 +17,9 @@ use crate::sliding::steady::{PartialValues, Start, steady_sliding_near};
 use std::sync::Arc;
 
 use super::stability::SecondVariations;
+
+/// Part of the tangent along the half-width below which the mean pressure is prescribed instead.
+const NEAR_TURN: f64 = 0.1;
 
 /// What turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,6 +81,8 @@ pub struct Fold {
     pub value: Estimate,
     /// The contact at the turn; bars include what is uncertain of its place.
     pub contact: PartialValues,
+    /// Whether one side of the turn is stable under what turns (load or penetration; along parameters what is held); otherwise both are unstable.
+    pub borders_stable: bool,
     /// The second variations there: one determinant is zero to rounding.
     pub variations: SecondVariations,
     /// Where on the coarse curve.
@@ -111,8 +116,8 @@ pub(super) fn located_fold(
     let start = between(from, to, quantity.unknown());
     let fine = BranchEquations::new(material, problem, Resolution::Fine)?;
     let finest = BranchEquations::new(material, problem, Resolution::Finest)?;
-    let rough = located(&fine, start, quantity.unknown(), from.scales, None)?;
-    let best = located(&finest, rough.unknowns, quantity.unknown(), from.scales, rough.jacobian)?;
+    let rough = located(&fine, start, quantity.unknown(), from.scales, None, 2.0 * CENTRAL_STEP)?;
+    let best = located(&finest, rough.unknowns, quantity.unknown(), from.scales, rough.jacobian, CENTRAL_STEP)?;
     work.closure_evaluations += rough.evaluations + best.evaluations;
     let far = (0..3).map(|index| ((best.unknowns[index] - start[index]) / from.scales[index]).abs()).fold(0.0, f64::max);
     if far > 2.0 * (to.arclength - from.arclength) {
@@ -122,7 +127,9 @@ pub(super) fn located_fold(
     let value = Estimate::new(best.value, (best.value - rough.value).abs() + best.value_rounding);
     let state = &best.found.state.state;
     let pressure = state.mean_pressure();
-    let contact = contact_at(material, problem, best.unknowns, pressure, errors, work)?;
+    let (_, tangent) = linearized(&finest, best.unknowns, &best.found, 1e-6)?;
+    let by_pressure = tangent[0].abs() < NEAR_TURN;
+    let contact = contact_at(material, problem, best.unknowns, (pressure, by_pressure), errors, work)?;
     let (rate, adhesion) = problem.at(best.unknowns[2]);
     let balance = EdgeBalance::new(
         Arc::new(ContactMemory::new(material, rate)?),
@@ -132,7 +139,12 @@ pub(super) fn located_fold(
         Resolution::Finest,
     );
     let variations = SecondVariations::new(&balance, state.contact(), pressure, problem.indenter)?;
-    work.closure_evaluations += 6;
+    work.closure_evaluations += 12;
+    let frame = match (quantity, problem.held()) {
+        (FoldQuantity::Penetration, _) | (_, Some(SlidingControl::Penetration(_))) => f64::INFINITY,
+        _ => 0.0,
+    };
+    let borders_stable = variations.each_edge_is_held(frame);
     Ok(Fold {
         quantity,
         turn: if from.slope(quantity.unknown()) < 0.0 { Turn::Minimum } else { Turn::Maximum },
@@ -141,35 +153,43 @@ pub(super) fn located_fold(
         variations,
         arclength: 0.5 * (from.arclength + to.arclength),
         residual: best.residual,
+        borders_stable,
     })
 }
 
-/// The contact at given unknowns of a curve, with what their errors make of its values. The half-width is prescribed (or, along a held half-width, the
-/// mean pressure), under which a turn is an ordinary contact.
+/// The contact at given unknowns of a curve, with what their errors make of its values. Prescribed is the half-width or the mean pressure, whichever
+/// changes along the curve, so that a turn of the other is an ordinary contact.
 pub(super) fn contact_at(
     material: &Material,
     problem: &BranchProblem,
     unknowns: [f64; 3],
-    pressure: f64,
+    (pressure, by_pressure): (f64, bool),
     errors: [f64; 3],
     work: &mut BranchWork,
 ) -> Result<PartialValues, Refusal> {
     let [first, eccentricity, third] = unknowns;
-    let mut at = |first: f64, third: f64| -> Result<PartialValues, Refusal> {
-        let (control, guess) = match problem.held() {
-            Some(SlidingControl::HalfWidth(half_width)) => (SlidingControl::MeanPressure(first), half_width),
-            _ => (SlidingControl::HalfWidth(first), pressure),
-        };
-        let found = steady_sliding_near(material, &problem.steady(third, control), &Start::at(guess, eccentricity))?;
+    // The prescribed unknown with its error, what makes a control of it, the guess of the other, and whether a parameter is left over.
+    type Control = fn(f64) -> SlidingControl;
+    let (given, error, control, guess): (f64, f64, Control, f64) = match problem.held() {
+        Some(SlidingControl::HalfWidth(half_width)) => (first, errors[0], SlidingControl::MeanPressure, half_width),
+        None if by_pressure => (third, errors[2], SlidingControl::MeanPressure, first),
+        _ => (first, errors[0], SlidingControl::HalfWidth, pressure),
+    };
+    let mut at = |given: f64, third: f64| -> Result<PartialValues, Refusal> {
+        let found = steady_sliding_near(material, &problem.steady(third, control(given)), &Start::at(guess, eccentricity))?;
         work.closure_evaluations += found.work.closure_evaluations;
         Ok(found.values)
     };
-    let here = at(first, third)?;
-    // Differences far above the bars of both, far below curvature.
-    let step = 1e-4 * first.abs().max(1e-3);
-    let mut values = widened(&here, &at(first + step, third)?, errors[0] / step);
+    let here = at(given, third)?;
+    // Differences far above the bars of both, far below curvature, and away from the narrower of contact and gap.
+    let room = match control(given) {
+        SlidingControl::HalfWidth(half_width) => half_width.min(problem.indenter.widest() - half_width),
+        _ => given.abs().max(1e-3),
+    };
+    let step = 1e-4 * room;
+    let mut values = widened(&here, &at(given + step, third)?, error / step);
     if problem.path != BranchPath::Loads {
-        values = widened(&values, &at(first, third + 1e-4)?, errors[2] / 1e-4);
+        values = widened(&values, &at(given, third + 1e-4)?, errors[2] / 1e-4);
     }
     Ok(values)
 }

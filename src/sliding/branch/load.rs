@@ -3,7 +3,7 @@
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
 use crate::continuation::arclength::{CurveEquations, tangent_of};
-use crate::continuation::fold::gradients;
+use crate::continuation::fold::{CENTRAL_STEP, gradients};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -51,19 +51,19 @@ pub fn load_slopes(
         },
     };
     let unknowns = [half_width, contact.values.eccentricity.value, contact.values.mean_pressure.value];
-    let slopes = |resolution: Resolution| -> Result<([f64; 2], f64), Refusal> {
+    let slopes = |resolution: Resolution, step: f64| -> Result<([f64; 2], f64), Refusal> {
         let equations = BranchEquations::new(material, problem, resolution)?;
         let scales = equations.scales(unknowns);
-        let rows = gradients(&equations, unknowns, scales)?;
+        let rows = gradients(&equations, unknowns, scales, step)?;
         let tangent = tangent_of(&rows)?;
         let width = tangent[0] * scales[0];
         let rounding = equations.evaluate(unknowns)?.rounding;
         Ok(([tangent[2] * scales[2] / width, Vector3::from(rows[2]).dot(&tangent) / width], rounding[0] + rounding[1]))
     };
-    let (rough, _) = slopes(Resolution::Fine)?;
-    let (best, rounding) = slopes(Resolution::Finest)?;
-    // Truncation and rounding of the differences, over sizes of order one in scaled unknowns.
-    let floor = (rounding + f64::EPSILON) / crate::continuation::fold::CENTRAL_STEP + 1e-11;
+    let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
+    let (best, rounding) = slopes(Resolution::Finest, CENTRAL_STEP)?;
+    // Rounding of the differences, over sizes of order one in scaled unknowns.
+    let floor = (rounding + f64::EPSILON) / CENTRAL_STEP;
     let scale = 1.0 / half_width.min(problem.indenter.widest() - half_width);
     let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor * (best[index].abs() + scale));
     Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact })

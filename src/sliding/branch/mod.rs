@@ -22,6 +22,7 @@
 
 mod conditions;
 mod equations;
+mod events;
 mod fold;
 mod load;
 mod no_contact;

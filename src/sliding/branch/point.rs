@@ -26,7 +26,7 @@ pub struct BranchPoint {
     pub arclength: f64,
     /// The third unknown: p̄ along loads, or the rate kv (1/s), Γ, the factor of the zones. Exact unless a turn is near.
     pub parameter: Estimate,
-    /// The numbers of the contact. Along loads the half-width is exact, and load and penetration follow.
+    /// The numbers of the contact. Along loads the half-width is exact, and load and penetration follow; near a turn of the half-width the load is exact.
     pub values: PartialValues,
     /// How the works at the edges change when they move.
     pub variations: SecondVariations,
@@ -46,8 +46,13 @@ pub(super) fn accurate_point(
     let pressure = |part: f64| (1.0 - part) * from.state.state.mean_pressure() + part * to.state.state.mean_pressure();
     let (parameter, values) = match problem.held() {
         None => {
-            let steady = problem.steady(0.0, SlidingControl::HalfWidth(near[0]));
-            let found = steady_sliding_near(material, &steady, &Start::at(near[2], near[1]))?;
+            let wider = (1.0 - part) * from.tangent[0] + part * to.tangent[0];
+            let (control, start) = if wider.abs() > NEAR_TURN {
+                (SlidingControl::HalfWidth(near[0]), Start::at(near[2], near[1]))
+            } else {
+                (SlidingControl::MeanPressure(near[2]), Start::at(near[0], near[1]))
+            };
+            let found = steady_sliding_near(material, &problem.steady(0.0, control), &start)?;
             work.closure_evaluations += found.work.closure_evaluations;
             (found.values.mean_pressure, found.values)
         }
@@ -62,7 +67,7 @@ pub(super) fn accurate_point(
             let (best, found, second) = landed(&finest, (from, to), Quantity::Unknown(0), near[0], 1e-12)?;
             work.closure_evaluations += first + second;
             let error = (best[2] - rough[2]).abs() + found.rounding[0] + found.rounding[1] + 1e-12;
-            let values = contact_at(material, problem, best, found.state.state.mean_pressure(), [0.0, 0.0, error], work)?;
+            let values = contact_at(material, problem, best, (found.state.state.mean_pressure(), false), [0.0, 0.0, error], work)?;
             (Estimate::relative(parameter_of(problem, best[2]), error), values)
         }
     };
@@ -87,6 +92,6 @@ pub(super) fn accurate_point(
     );
     let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
     let variations = SecondVariations::new(&balance, contact, values.mean_pressure.value, problem.indenter)?;
-    work.closure_evaluations += 6;
+    work.closure_evaluations += 12;
     Ok(BranchPoint { arclength: 0.0, parameter, values, variations })
 }

@@ -10,6 +10,8 @@
 //! ```text
 //! M(k_f) = ∂W/∂l at fixed p̄ − ∂W/∂p̄ · ∂Δ/∂l / (∂Δ/∂p̄ + 1/k_f)          k_f → 0: load control, k_f → ∞: penetration control
 //! ```
+//! The works are those of steady sliding, so this is stability against moves that are slow on the scale of the passage over the contact.
+//!
 //! Source: thesis Sec 1.4 and 3.7 (signs of the second variation at both edges); the frame and the joint sign are our own.
 
 use crate::continuation::two_unknowns::TwoResiduals;
@@ -18,9 +20,9 @@ use crate::sliding::contact::{Indenter, Prescribed, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
 
 /// Step of the central differences over contact or gap, whichever is narrower.
-const STEP: f64 = 1e-4;
+const STEP: f64 = 5e-4;
 /// A sign below this part of the terms that make it up is not told.
-const UNTOLD: f64 = 1e-6;
+const UNTOLD: f64 = 1e-5;
 
 /// Whether a contact stays where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +51,7 @@ pub struct SecondVariations {
 }
 
 impl SecondVariations {
-    /// By central differences about an equilibrium; six evaluations.
+    /// By central differences about an equilibrium; twelve evaluations.
     ///
     /// # Errors
     /// Those of the contacts.
@@ -63,13 +65,21 @@ impl SecondVariations {
             let [trailing, leading] = found.residual();
             Ok::<_, Refusal>([trailing, leading, found.state.penetration()])
         };
-        let slope = |plus: [f64; 3], minus: [f64; 3], step: f64| -> [f64; 3] {
-            std::array::from_fn(|index| (plus[index] - minus[index]) / (2.0 * step))
+        // Fourth order: (f(−2h) − 8f(−h) + 8f(h) − f(2h))/12h.
+        let slope = |edges: [f64; 2], more: f64, step: f64| -> Result<[f64; 3], Refusal> {
+            let mut sum = [0.0; 3];
+            for (times, weight) in [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)] {
+                let there = at(times * edges[0], times * edges[1], times * more)?;
+                for (sum, value) in sum.iter_mut().zip(there) {
+                    *sum += weight * value / step;
+                }
+            }
+            Ok(sum)
         };
-        // The trailing edge moves out by 2h·½: wider by half of it, and the middle back by half of it.
-        let trailing = slope(at(0.5 * length, -0.5 * length, 0.0)?, at(-0.5 * length, 0.5 * length, 0.0)?, length);
-        let leading = slope(at(0.5 * length, 0.5 * length, 0.0)?, at(-0.5 * length, -0.5 * length, 0.0)?, length);
-        let loaded = slope(at(0.0, 0.0, load)?, at(0.0, 0.0, -load)?, load);
+        // An edge moves out by h: half of it wider, and the middle by half of it to that side.
+        let trailing = slope([0.5 * length, -0.5 * length], 0.0, length)?;
+        let leading = slope([0.5 * length, 0.5 * length], 0.0, length)?;
+        let loaded = slope([0.0, 0.0], load, load)?;
         // The residual is the root of the work: half its change.
         Ok(Self {
             at_fixed_load: [[2.0 * trailing[0], 2.0 * leading[0]], [2.0 * trailing[1], 2.0 * leading[1]]],
@@ -125,7 +135,16 @@ impl SecondVariations {
         }
     }
 
+    /// Whether both edges taken alone are held, with the other one at rest: at a turn, whether a stable contact is next to it.
+    #[must_use]
+    pub fn each_edge_is_held(&self, frame_stiffness: f64) -> bool {
+        let [[first, _], [_, fourth]] = self.in_frame_matrix(frame_stiffness);
+        first > 0.0 && fourth > 0.0
+    }
+
     /// The softest frame (p̄ per Δ, in E0*k/2) that holds the contact: zero if a held load does; none if not even a held penetration does.
+    ///
+    /// A sliding contact that a load holds need not be held by a stiff frame: there is no energy that would order the two.
     #[must_use]
     pub fn softest_frame(&self) -> Option<f64> {
         if self.under_load() == Stability::Stable {

@@ -1,7 +1,7 @@
 //! Pull-off, snap-in and toughness over speeds and works of adhesion (thesis Fig 3.14).
 
 use super::conditions::BranchProblem;
-use super::fold::{Fold, FoldQuantity, Turn};
+use super::fold::Fold;
 use super::toughness::{Toughness, of_branch};
 use super::trace::{BranchWork, trace};
 use crate::material::Material;
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// What a contact of one speed and adhesion can bear.
 #[derive(Debug, Clone)]
 pub struct Strength {
-    /// The smallest mean pressure, p_out; or why there is none.
+    /// The smallest mean pressure, p_out; none if no contact is stable under a held load, or the fold is outside the half-widths asked for.
     pub pull_off: Option<Fold>,
     /// The largest mean pressure of a partial contact, p_IN.
     pub snap_in: Option<Fold>,
@@ -50,11 +50,10 @@ pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: Wa
 
 fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
     let branch = trace(material, problem)?;
-    let first = |quantity, turn| branch.folds_of(quantity).find(|fold| fold.turn == turn).cloned();
     Ok(Strength {
-        pull_off: first(FoldQuantity::MeanPressure, Turn::Minimum),
-        snap_in: first(FoldQuantity::MeanPressure, Turn::Maximum),
-        separation: first(FoldQuantity::Penetration, Turn::Minimum),
+        pull_off: branch.pull_off(problem).cloned(),
+        snap_in: branch.snap_in().cloned(),
+        separation: branch.separation().cloned(),
         toughness: of_branch(material, problem, &branch),
         work: branch.work,
     })

@@ -7,7 +7,7 @@
 //! it, Gauss's rule in ln tan(a/2) gains digits with each node; two rules tell the error.
 
 use super::conditions::BranchProblem;
-use super::fold::{Fold, FoldQuantity, Turn};
+use super::fold::Fold;
 use super::load::load_slopes;
 use super::trace::{Branch, trace};
 use crate::estimate::Estimate;
@@ -40,7 +40,7 @@ pub fn toughness(material: &Material, problem: &BranchProblem) -> Result<Toughne
 /// The toughness of a branch of loads that has been traced.
 pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &Branch) -> Result<Toughness, Refusal> {
     let missing = |reason: &str, limit_name: &'static str, limit: f64| Refusal::NoSuchState { reason: reason.into(), limit_name, limit };
-    let separation = branch.folds_of(FoldQuantity::Penetration).find(|fold| fold.turn == Turn::Minimum).ok_or_else(|| {
+    let separation = branch.separation().ok_or_else(|| {
         missing("the penetration has no smallest value on this branch", "the narrowest half-width (in 1/k)", problem.half_widths[0])
     })?;
     let narrow = separation.contact.half_width.value;
@@ -51,7 +51,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
         .filter(|values| values.half_width.value > narrow)
         .min_by(|first, second| first.half_width.value.total_cmp(&second.half_width.value))
         .ok_or_else(|| {
-            let snap_in = branch.folds_of(FoldQuantity::MeanPressure).find(|fold| fold.turn == Turn::Maximum);
+            let snap_in = branch.snap_in();
             missing(
                 "no contact without load is stable: adhesion closes the gap by itself",
                 "snap-in mean pressure",

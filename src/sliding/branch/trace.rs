@@ -23,6 +23,11 @@ const MIDDLE: f64 = 1.2;
 /// Accuracy of the contact at which a branch begins.
 const START_ACCURACY: f64 = 1e-4;
 
+/// A slope whose smallest value is below this part of its change to the neighbours may have turned in between.
+const DIP: f64 = 2.0;
+/// Parts of a step where it may have.
+const REFINED: f64 = 8.0;
+
 /// A point of the coarse curve.
 pub(super) type Coarse = CurvePoint<EdgeStates>;
 
@@ -62,10 +67,12 @@ pub struct BranchWork {
 pub struct Branch {
     /// The kept points in order: along loads from narrow to wide, along parameters as they come, from the backward end to the forward one.
     pub points: Vec<BranchPoint>,
-    /// Points that were asked for and refused: arclength and reason.
+    /// Points, also those without load, that were asked for and refused: arclength and reason.
     pub left_out: Vec<(f64, Refusal)>,
     /// Turns, in order along the curve.
     pub folds: Vec<Fold>,
+    /// Turns that are there and were not solved: what, arclength and reason.
+    pub unlocated: Vec<(FoldQuantity, f64, Refusal)>,
     /// Contacts without load, in order along the curve; none along a held load.
     pub zero_load: Vec<PartialValues>,
     /// How the branch ends behind its first point.
@@ -115,10 +122,10 @@ pub(super) fn parameter_of(problem: &BranchProblem, third: f64) -> f64 {
 pub fn trace(material: &Material, problem: &BranchProblem) -> Result<Branch, Refusal> {
     let mut work = BranchWork::default();
     let (curve, begins, ends) = coarse(material, problem, &mut work)?;
-    let folds = folds(material, problem, &curve, &mut work)?;
-    let zero_load = zero_load(material, problem, &curve, &mut work)?;
-    let (points, left_out) = kept(material, problem, &curve, &mut work)?;
-    Ok(Branch { points, left_out, folds, zero_load, begins, ends, work, curve })
+    let (folds, unlocated) = folds(material, problem, &curve, &mut work);
+    let (points, mut left_out) = kept(material, problem, &curve, &mut work)?;
+    let zero_load = zero_load(material, problem, &curve, &mut left_out, &mut work)?;
+    Ok(Branch { points, left_out, folds, unlocated, zero_load, begins, ends, work, curve })
 }
 
 /// The coarse curve from end to end.
@@ -162,6 +169,7 @@ pub(super) fn coarse(
         })
         .collect();
     curve.extend(forward);
+    let curve = refined(&equations, problem, curve, work);
     Ok((curve, begins, ends))
 }
 
@@ -253,33 +261,97 @@ pub(super) fn changes<'a>(curve: &'a [Coarse], value: impl Fn(&Coarse) -> f64 + 
     })
 }
 
-fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Vec<Fold>, Refusal> {
-    let mut folds = Vec::new();
+type Turns = (Vec<Fold>, Vec<(FoldQuantity, f64, Refusal)>);
+
+fn folds(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Turns {
+    let (mut folds, mut unlocated) = (Vec::new(), Vec::new());
     for &quantity in FoldQuantity::of(problem) {
         let unknown = quantity.unknown();
         for (from, to) in changes(curve, move |point| point.slope(unknown)) {
-            folds.push(located_fold(material, problem, quantity, from, to, work)?);
+            // The last point of the curve is beyond the region asked for.
+            if [from, to].iter().any(|point| border(problem, point).is_some()) {
+                continue;
+            }
+            match located_fold(material, problem, quantity, from, to, work) {
+                Ok(fold) => folds.push(fold),
+                Err(refusal) => unlocated.push((quantity, from.arclength, refusal)),
+            }
         }
     }
     folds.sort_by(|first, second| first.arclength.total_cmp(&second.arclength));
-    Ok(folds)
+    (folds, unlocated)
 }
 
-fn zero_load(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Result<Vec<PartialValues>, Refusal> {
+fn zero_load(
+    material: &Material,
+    problem: &BranchProblem,
+    curve: &[Coarse],
+    left_out: &mut Vec<(f64, Refusal)>,
+    work: &mut BranchWork,
+) -> Result<Vec<PartialValues>, Refusal> {
     if problem.path != BranchPath::Loads {
         return Ok(Vec::new());
     }
     let equations = BranchEquations::new(material, problem, RESOLUTION)?;
-    changes(curve, |point| point.unknowns[2])
-        .map(|(from, to)| {
+    let mut found = Vec::new();
+    for (from, to) in changes(curve, |point| point.unknowns[2]) {
+        let mut at = || -> Result<PartialValues, Refusal> {
             let (unknowns, _, evaluations) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
             work.closure_evaluations += evaluations;
             let steady = problem.steady(0.0, SlidingControl::MeanPressure(0.0));
-            let found = steady_sliding_near(material, &steady, &Start::at(unknowns[0], unknowns[1]))?;
-            work.closure_evaluations += found.work.closure_evaluations;
-            Ok(found.values)
+            let contact = steady_sliding_near(material, &steady, &Start::at(unknowns[0], unknowns[1]))?;
+            work.closure_evaluations += contact.work.closure_evaluations;
+            Ok(contact.values)
+        };
+        match at() {
+            Ok(values) => found.push(values),
+            Err(refusal) => left_out.push((from.arclength, refusal)),
+        }
+    }
+    Ok(found)
+}
+
+/// Adds points where a slope comes near zero and goes back, so that two turns within a step are not missed.
+fn refined(equations: &BranchEquations<'_>, problem: &BranchProblem, curve: Vec<Coarse>, work: &mut BranchWork) -> Vec<Coarse> {
+    let near_turn = |first: &Coarse, middle: &Coarse, last: &Coarse| {
+        FoldQuantity::of(problem).iter().any(|quantity| {
+            let [first, middle, last] = [first, middle, last].map(|point| point.slope(quantity.unknown()));
+            let same = first * middle > 0.0 && middle * last > 0.0;
+            same && middle.abs() < first.abs().min(last.abs()) && middle.abs() < DIP * (first - middle).abs().max((last - middle).abs())
         })
-        .collect()
+    };
+    let dips: Vec<bool> =
+        curve.windows(3).map(|triple| if let [first, middle, last] = triple { near_turn(first, middle, last) } else { false }).collect();
+    // The dip may be on either side of the middle point.
+    let split =
+        |segment: usize| dips.get(segment).copied().unwrap_or(false) || (segment > 0 && dips.get(segment - 1).copied().unwrap_or(false));
+    let mut all = Vec::with_capacity(curve.len());
+    let mut after: Vec<Vec<Coarse>> = Vec::with_capacity(curve.len());
+    for (segment, pair) in curve.windows(2).enumerate() {
+        let mut between = Vec::new();
+        if let ([from, to], true) = (pair, split(segment)) {
+            let span = to.arclength - from.arclength;
+            let steps = Steps { first: span / REFINED, longest: span / REFINED, ..STEPS };
+            let along = (0..3).max_by(|&one, &two| from.tangent[one].abs().total_cmp(&from.tangent[two].abs())).unwrap_or(0);
+            let inside = |point: &Coarse| point.arclength < 0.999 * span;
+            let found = follow(equations, from.unknowns, Quantity::Unknown(along), from.tangent[along].signum(), &steps, &inside);
+            if let Ok(found) = found {
+                work.closure_evaluations += found.evaluations;
+                between = found.points.into_iter().skip(1).filter(|point| inside(point)).collect();
+                for point in &mut between {
+                    point.arclength += from.arclength;
+                }
+            }
+        }
+        work.curve_points += between.len() as u64;
+        after.push(between);
+    }
+    let mut after = after.into_iter();
+    for point in curve {
+        all.push(point);
+        all.extend(after.next().unwrap_or_default());
+    }
+    all
 }
 
 type Kept = (Vec<BranchPoint>, Vec<(f64, Refusal)>);
