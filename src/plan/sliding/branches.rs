@@ -6,8 +6,8 @@ use crate::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch};
 pub(super) use crate::sliding::branch::Fold;
 use crate::sliding::branch::{
-    Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, FoldQuantity, SecondVariations, Stability, Toughness, Turn, speed_folds,
-    toughness, trace,
+    Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn,
+    speed_folds, strengths, trace,
 };
 use crate::sliding::contact::{ContactMemory, Resolution, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
@@ -210,6 +210,7 @@ impl SlidingPlan {
                 residual,
             }
         };
+        let meant = [found.pull_off(problem), found.snap_in(), found.separation()].map(|fold| fold.map(|fold| fold.arclength.to_bits()));
         let mut items: Vec<(f64, Item)> = Vec::new();
         for point in found.points {
             let found = Ok(at(point.parameter, point.values, Some(&point.variations), None));
@@ -218,8 +219,16 @@ impl SlidingPlan {
         for (arclength, refusal) in found.left_out {
             items.push((arclength, Item { branch: name, event: "", found: Err(refusal), note: None }));
         }
+        for (quantity, arclength, refusal) in found.unlocated {
+            items.push((arclength, Item { branch: name, event: turn_of(quantity, None), found: Err(refusal), note: None }));
+        }
         for fold in found.folds {
-            let event = event(&fold);
+            let event = match meant.iter().position(|place| *place == Some(fold.arclength.to_bits())) {
+                Some(0) if fold.quantity == FoldQuantity::MeanPressure => "pull_off",
+                Some(1) if fold.quantity == FoldQuantity::MeanPressure => "snap_in",
+                Some(2) if fold.quantity == FoldQuantity::Penetration => "separation",
+                _ => turn_of(fold.quantity, Some(fold.turn)),
+            };
             let note = if fold.quantity == FoldQuantity::LogRate { gap.map(str::to_owned) } else { None };
             let found = Ok(at(fold.parameter(), fold.contact, Some(&fold.variations), Some(fold.residual)));
             items.push((fold.arclength, Item { branch: name, event, found, note }));
@@ -265,25 +274,38 @@ impl SlidingPlan {
     /// What the contact bears at the scene's speed.
     pub(super) fn borne(&self) -> Result<Borne, Refusal> {
         let problem = self.branch_problem(None, None)?;
+        if self.is_wave() {
+            let found = strengths(&self.material, &[problem.rate], &[problem.adhesion.reduced_work], problem.adhesion, self.accuracy);
+            let lost = || Refusal::NotConverged { what: "a strength", detail: "it was asked for and not given".into() };
+            let Strength { pull_off, snap_in, separation, toughness, work } = found.into_iter().next().ok_or_else(lost)?.strength?;
+            let mut closure_evaluations = work.closure_evaluations;
+            let zero_load = match &toughness {
+                Ok(toughness) => Some(toughness.unloaded),
+                Err(_) => {
+                    let branch = trace(&self.material, &problem)?;
+                    closure_evaluations += branch.work.closure_evaluations;
+                    self.stable_without_load(&problem, &branch)
+                }
+            };
+            return Ok(Borne { pull_off, snap_in, separation, zero_load, toughness, closure_evaluations });
+        }
         let branch = trace(&self.material, &problem)?;
-        let first = |quantity, turn| branch.folds_of(quantity).find(|fold| fold.turn == turn).cloned();
-        let pull_off = first(FoldQuantity::MeanPressure, Turn::Minimum);
-        let toughness = if self.is_wave() {
-            toughness(&self.material, &problem)
-        } else {
-            Err(Refusal::Undefined { quantity: "the toughness of a cylinder", reason: "it has no penetration".into() })
-        };
-        // The stable one is wider than at pull-off.
-        let narrowest = pull_off.as_ref().map_or(0.0, |fold| fold.contact.half_width.value);
-        let zero_load = branch.zero_load.iter().find(|values| values.half_width.value > narrowest && pull_off.is_some()).copied();
         Ok(Borne {
-            pull_off,
-            snap_in: first(FoldQuantity::MeanPressure, Turn::Maximum),
-            separation: first(FoldQuantity::Penetration, Turn::Minimum),
-            zero_load,
-            toughness,
+            pull_off: branch.pull_off(&problem).cloned(),
+            snap_in: None,
+            separation: None,
+            zero_load: self.stable_without_load(&problem, &branch),
+            toughness: Err(Refusal::Undefined { quantity: "the toughness of a cylinder", reason: "it has no penetration".into() }),
             closure_evaluations: branch.work.closure_evaluations,
         })
+    }
+
+    /// The contact without load that a held load leaves where it is.
+    fn stable_without_load(&self, problem: &BranchProblem, branch: &Branch) -> Option<PartialValues> {
+        let stable = |values: &&PartialValues| {
+            self.variations(problem, values).is_ok_and(|variations| variations.under_load() == Stability::Stable)
+        };
+        branch.zero_load.iter().find(stable).copied()
     }
 }
 
@@ -307,22 +329,27 @@ fn stable(stability: Stability) -> Option<bool> {
     }
 }
 
-/// The word of a turn.
-fn event(fold: &Fold) -> &'static str {
-    let smallest = fold.turn == Turn::Minimum;
-    match fold.quantity {
-        FoldQuantity::MeanPressure if smallest => "pull_off",
-        FoldQuantity::MeanPressure => "snap_in",
-        FoldQuantity::Penetration if smallest => "separation",
-        FoldQuantity::Penetration => "largest_penetration",
-        FoldQuantity::HalfWidth if smallest => "smallest_half_width",
-        FoldQuantity::HalfWidth => "largest_half_width",
-        FoldQuantity::LogRate if smallest => "smallest_speed",
-        FoldQuantity::LogRate => "largest_speed",
-        FoldQuantity::LogWork if smallest => "smallest_work_of_adhesion",
-        FoldQuantity::LogWork => "largest_work_of_adhesion",
-        FoldQuantity::LogZone if smallest => "smallest_process_zone",
-        FoldQuantity::LogZone => "largest_process_zone",
+/// The word of a turn that has no name of its own.
+fn turn_of(quantity: FoldQuantity, turn: Option<Turn>) -> &'static str {
+    match (quantity, turn) {
+        (FoldQuantity::MeanPressure, Some(Turn::Minimum)) => "smallest_load",
+        (FoldQuantity::MeanPressure, Some(Turn::Maximum)) => "largest_load",
+        (FoldQuantity::MeanPressure, None) => "turn_of_load",
+        (FoldQuantity::Penetration, Some(Turn::Minimum)) => "smallest_penetration",
+        (FoldQuantity::Penetration, Some(Turn::Maximum)) => "largest_penetration",
+        (FoldQuantity::Penetration, None) => "turn_of_penetration",
+        (FoldQuantity::HalfWidth, Some(Turn::Minimum)) => "smallest_half_width",
+        (FoldQuantity::HalfWidth, Some(Turn::Maximum)) => "largest_half_width",
+        (FoldQuantity::HalfWidth, None) => "turn_of_half_width",
+        (FoldQuantity::LogRate, Some(Turn::Minimum)) => "smallest_speed",
+        (FoldQuantity::LogRate, Some(Turn::Maximum)) => "largest_speed",
+        (FoldQuantity::LogRate, None) => "turn_of_speed",
+        (FoldQuantity::LogWork, Some(Turn::Minimum)) => "smallest_work_of_adhesion",
+        (FoldQuantity::LogWork, Some(Turn::Maximum)) => "largest_work_of_adhesion",
+        (FoldQuantity::LogWork, None) => "turn_of_work_of_adhesion",
+        (FoldQuantity::LogZone, Some(Turn::Minimum)) => "smallest_process_zone",
+        (FoldQuantity::LogZone, Some(Turn::Maximum)) => "largest_process_zone",
+        (FoldQuantity::LogZone, None) => "turn_of_process_zone",
     }
 }
 
