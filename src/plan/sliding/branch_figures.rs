@@ -44,7 +44,9 @@ impl SlidingPlan {
     pub(super) fn branch_drawings(&self, branch: &SlidingBranch, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let load = || Axis::linear(self.load_label());
         let width = || Axis::linear(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"));
-        let draw = |horizontal: Axis, vertical: Axis, columns: (usize, usize)| self.branch_figure(branch, scene, rows, (horizontal, vertical), columns);
+        let draw = |horizontal: Axis, vertical: Axis, columns: (usize, usize)| {
+            self.branch_figure(branch, scene, rows, (horizontal, vertical), columns)
+        };
         if branch.parameter.is_load() {
             let name = if self.is_wave() { "mean_pressure" } else { "load" };
             let mut figures = vec![(format!("{name}_against_half_width"), draw(width(), load(), (at::HALF_WIDTH, at::LOAD)))];
@@ -66,7 +68,9 @@ impl SlidingPlan {
         };
         let along = || Axis::logarithmic(label.clone());
         let against = branch.parameter.word();
-        let friction = (format!("friction_against_{against}"), draw(along(), Axis::linear(self.friction_label()), (column, at::FRICTION)));
+        let positive = rows.iter().filter_map(|row| row.value(at::FRICTION)).all(|friction| friction > 0.0);
+        let vertical = if positive { Axis::logarithmic(self.friction_label()) } else { Axis::linear(self.friction_label()) };
+        let friction = (format!("friction_against_{against}"), draw(along(), vertical, (column, at::FRICTION)));
         let other = match self.sliding.control {
             SlidingLoad::HalfWidth(_) => ("load", load(), at::LOAD),
             _ => ("half_width", width(), at::HALF_WIDTH),
@@ -74,12 +78,22 @@ impl SlidingPlan {
         vec![(format!("{}_against_{against}", other.0), draw(along(), other.1, (column, other.2))), friction]
     }
 
+    fn name_of(&self, branch: &SlidingBranch, held: Held) -> &'static str {
+        match held {
+            Held::Stable if branch.parameter.is_load() && self.is_wave() => "stable under load",
+            Held::Stable => "stable",
+            Held::ByPenetration => "stable at held penetration",
+            Held::Unstable => "unstable",
+        }
+    }
+
     /// How a row holds; none at a turn.
     fn held(&self, branch: &SlidingBranch, row: &Row) -> Option<Held> {
         let told = |name: &str| row.value(place_of(&self.sliding, name)).map(|flag| flag > 0.5);
         let by_penetration = || told("stable_under_penetration");
         if !branch.parameter.is_load() {
-            let held = if matches!(self.sliding.control, SlidingLoad::Penetration(_)) { by_penetration() } else { told("stable_under_load") };
+            let held =
+                if matches!(self.sliding.control, SlidingLoad::Penetration(_)) { by_penetration() } else { told("stable_under_load") };
             return held.map(|stable| if stable { Held::Stable } else { Held::Unstable });
         }
         match (told("stable_under_load")?, self.is_wave()) {
@@ -113,12 +127,18 @@ impl SlidingPlan {
                 let label = match (several, held) {
                     (true, Held::Stable) => own.first().map_or_else(String::new, |row| swept_label(scene, &row.swept)),
                     (true, _) => String::new(),
-                    (false, Held::Stable) if branch.parameter.is_load() && self.is_wave() => "stable under load".into(),
-                    (false, Held::Stable) => "stable".into(),
-                    (false, Held::ByPenetration) => "stable at held penetration".into(),
-                    (false, Held::Unstable) => "unstable".into(),
+                    (false, held) => self.name_of(branch, held).into(),
                 };
                 drawn = drawn.with_curve(Curve::new(label, points).with_line(held.line()).with_colour(colour));
+            }
+        }
+        if several {
+            // What the strokes are, without a curve of their own.
+            for held in Held::ALL {
+                let is_there = rows.iter().any(|row| states.contains(&row.state) && self.held(branch, row) == Some(held));
+                if is_there && held != Held::Stable {
+                    drawn = drawn.with_curve(Curve::new(self.name_of(branch, held), Vec::new()).with_line(held.line()).with_colour(2));
+                }
             }
         }
         // Signs on top of all curves.
@@ -130,12 +150,13 @@ impl SlidingPlan {
             }
         }
         let unnamed = |row: &&Row| MARKS.iter().all(|(event, ..)| row.label(3) != *event);
-        let folds: Vec<(f64, f64)> = if branch.parameter.is_load() {
-            Vec::new()
+        let folds: Vec<(f64, f64)> =
+            if branch.parameter.is_load() { Vec::new() } else { rows.iter().filter(kept).filter(unnamed).map(point).collect() };
+        if folds.is_empty() {
+            drawn
         } else {
-            rows.iter().filter(kept).filter(unnamed).map(point).collect()
-        };
-        if folds.is_empty() { drawn } else { drawn.with_curve(Curve::new("fold", folds).with_line(Line::None).with_marker(Marker::Diamond).with_colour(2)) }
+            drawn.with_curve(Curve::new("fold", folds).with_line(Line::None).with_marker(Marker::Diamond).with_colour(2))
+        }
     }
 
     /// The parts of one state's branches that hold in one way, gaps between them; a turn belongs to the parts on both sides.

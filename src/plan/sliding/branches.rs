@@ -191,7 +191,15 @@ impl SlidingPlan {
     }
 
     /// Points and turns of a branch in the order of the curve.
-    fn collect(&self, traced: &mut Traced, branch: &SlidingBranch, problem: &BranchProblem, found: Branch, name: &'static str, gap: Option<&str>) {
+    fn collect(
+        &self,
+        traced: &mut Traced,
+        branch: &SlidingBranch,
+        problem: &BranchProblem,
+        found: Branch,
+        name: &'static str,
+        gap: Option<&str>,
+    ) {
         traced.closure_evaluations += found.work.closure_evaluations;
         let stiffness = branch.frame_stiffness.map(|stiffness| stiffness * self.scale.displacement / self.scale.load);
         let at = |parameter: Estimate, values: PartialValues, variations: Option<&SecondVariations>, residual| {
@@ -302,9 +310,8 @@ impl SlidingPlan {
 
     /// The contact without load that a held load leaves where it is.
     fn stable_without_load(&self, problem: &BranchProblem, branch: &Branch) -> Option<PartialValues> {
-        let stable = |values: &&PartialValues| {
-            self.variations(problem, values).is_ok_and(|variations| variations.under_load() == Stability::Stable)
-        };
+        let stable =
+            |values: &&PartialValues| self.variations(problem, values).is_ok_and(|variations| variations.under_load() == Stability::Stable);
         branch.zero_load.iter().find(stable).copied()
     }
 }

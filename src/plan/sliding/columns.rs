@@ -110,7 +110,11 @@ pub(super) static COLUMNS: [Definition; 17] = [
 static BRANCH_COLUMNS: [Definition; 5] = [
     column("point", Measure::Number, "Number of the row along its branch, from 1; turns count."),
     column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
-    column("stable_under_load", Measure::Number, "1 if every small move of the edges is undone under a held load, 0 if one grows; none at a turn."),
+    column(
+        "stable_under_load",
+        Measure::Number,
+        "1 if every small move of the edges is undone under a held load, 0 if one grows; none at a turn.",
+    ),
     column("stable_under_penetration", Measure::Number, "The same under a held penetration."),
     column("stable_in_frame", Measure::Number, "The same as stable_under_load in the frame of the scene."),
 ];
@@ -132,7 +136,11 @@ static STRENGTH_COLUMNS: [Definition; 14] = [
     column("snap_in_pressure", Measure::Load, "p_IN, the largest load of a partial contact: above it the contact is full."),
     column("snap_in_half_width", Measure::Length, "a at snap-in."),
     column("snap_in_penetration", Measure::Displacement, "Δ at snap-in."),
-    column("separation_penetration", Measure::Displacement, "Δ_out, the smallest penetration: under a held penetration the contact is lost there."),
+    column(
+        "separation_penetration",
+        Measure::Displacement,
+        "Δ_out, the smallest penetration: under a held penetration the contact is lost there.",
+    ),
     column("separation_half_width", Measure::Length, "a at separation."),
     column("separation_pressure", Measure::Load, "p̄ at separation."),
     column(
@@ -150,7 +158,8 @@ pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
     let wave = matches!(sliding.indenter, SlidingIndenter::Wave { .. });
     match &sliding.task {
         SlidingTask::State | SlidingTask::Branch(_) => {
-            let mut definitions: Vec<&'static Definition> = COLUMNS.iter().take(if wave { COLUMNS.len() } else { at::PENETRATION }).collect();
+            let mut definitions: Vec<&'static Definition> =
+                COLUMNS.iter().take(if wave { COLUMNS.len() } else { at::PENETRATION }).collect();
             if let SlidingTask::Branch(branch) = &sliding.task {
                 let framed = usize::from(branch.frame_stiffness.is_some());
                 definitions.extend(BRANCH_COLUMNS.iter().take(if wave { 4 + framed } else { 3 }));

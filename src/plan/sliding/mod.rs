@@ -20,7 +20,8 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone, Units,
+    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 use scale::Scale;
@@ -120,13 +121,7 @@ impl SlidingPlan {
             (SlidingContact::Adhesiveless, SlidingControl::Penetration(depth)) if depth <= 0.0 => return Err(without("the penetration")),
             (SlidingContact::Adhesiveless, _) => None,
         };
-        Ok(SlidingProblem {
-            rate: self.rate(self.sliding.speed),
-            indenter: self.indenter(),
-            adhesion,
-            control,
-            accuracy: self.accuracy,
-        })
+        Ok(SlidingProblem { rate: self.rate(self.sliding.speed), indenter: self.indenter(), adhesion, control, accuracy: self.accuracy })
     }
 
     fn indenter(&self) -> Indenter {

@@ -92,9 +92,15 @@ pub(super) const KEYS: &[Key] = &[
             Word { word: "load_per_width", meaning: "cylinder: the same between two loads" },
             Word { word: "penetration", meaning: "wave: the same between two penetrations" },
             Word { word: "half_width", meaning: "the same between two half-widths" },
-            Word { word: "speed", meaning: "speeds at the given load, penetration or half-width, from the slow and from the fast contact; leave sliding.speed out" },
+            Word {
+                word: "speed",
+                meaning: "speeds at the given load, penetration or half-width, from the slow and from the fast contact; leave sliding.speed out",
+            },
             Word { word: "work_of_adhesion", meaning: "works of adhesion, process zones held; begins at adhesion.work_of_adhesion" },
-            Word { word: "process_zone", meaning: "process zones, in a fixed ratio, by the length of the trailing one; begins at the given one" },
+            Word {
+                word: "process_zone",
+                meaning: "process zones, in a fixed ratio, by the length of the trailing one; begins at the given one",
+            },
         ]),
         meaning: "What runs between `from` and `to` along the curve.",
     },
@@ -107,7 +113,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "sliding.branch.points",
         kind: Kind::Count { least: 2, most: 10_000 },
-        meaning: "How many contacts of the curve are rows, evenly spaced along it; turns come besides. Default 100.",
+        meaning: "About how many contacts of the curve are rows, evenly spaced along it, on each of the slow and the fast branch; turns come besides. Default 100.",
     },
     Key {
         path: "sliding.branch.frame_stiffness",

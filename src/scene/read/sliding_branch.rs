@@ -12,11 +12,7 @@ const DEFAULT_POINTS: f64 = 100.0;
 const LOADS: [&str; 4] = ["mean_pressure", "load_per_width", "penetration", "half_width"];
 
 /// What is looked for.
-pub(super) fn task(
-    sliding: &Section<'_>,
-    indenter: SlidingIndenter,
-    adhesion: Option<SlidingAdhesion>,
-) -> Result<SlidingTask, SceneError> {
+pub(super) fn task(sliding: &Section<'_>, indenter: SlidingIndenter, adhesion: Option<SlidingAdhesion>) -> Result<SlidingTask, SceneError> {
     let Some(name) = sliding.at_most_one(&["branch", "strength"])? else { return Ok(SlidingTask::State) };
     let Some(adhesion) = adhesion else {
         let message = format!("[sliding.{name}] is about adhesive contacts, but the scene has no [adhesion]");
@@ -70,11 +66,7 @@ pub(super) fn of_states(top: &Section<'_>, sliding: &Section<'_>) -> Result<(), 
     Ok(())
 }
 
-fn branch(
-    table: &Section<'_>,
-    indenter: SlidingIndenter,
-    adhesion: SlidingAdhesion,
-) -> Result<SlidingBranch, SceneError> {
+fn branch(table: &Section<'_>, indenter: SlidingIndenter, adhesion: SlidingAdhesion) -> Result<SlidingBranch, SceneError> {
     let word = table.required_text("parameter")?;
     let parameter = BranchParameter::WORDS
         .iter()
@@ -159,11 +151,12 @@ fn within(
             Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep adhesion.work_of_adhesion"))
         }
         (BranchParameter::WorkOfAdhesion, ..) => starts_at(adhesion.work_of_adhesion, "adhesion.work_of_adhesion"),
-        (BranchParameter::ProcessZone, _, SlidingZone::Lengths { trailing, .. }) => starts_at(trailing, "the process zone of the trailing edge"),
+        (BranchParameter::ProcessZone, _, SlidingZone::Lengths { trailing, .. }) => {
+            starts_at(trailing, "the process zone of the trailing edge")
+        }
         (BranchParameter::ProcessZone, _, SlidingZone::Cohesive { .. }) => {
             let message = "`sliding.branch.parameter` = \"process_zone\": the process zone follows from a cohesive stress";
-            Err(table.wrong("parameter", message, "needs a process zone by length")
-                .help("or sweep adhesion.process_zone.cohesive_stress"))
+            Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep adhesion.process_zone.cohesive_stress"))
         }
         _ => Ok(()),
     }
