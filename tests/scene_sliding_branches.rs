@@ -120,7 +120,9 @@ fn every_row_of_a_branch_obeys_the_identities_of_a_row() {
 #[test]
 fn a_branch_of_loads_goes_through_the_contacts_of_plain_scenes() {
     let rows = solved(&at(SPEED, LOADS));
-    for (row, values) in rows.iter().step_by(3) {
+    // Beyond snap-in the half-width turns back: there two contacts have one half-width.
+    let snap_in = rows.iter().position(|(row, _)| row.label(3) == "snap_in").unwrap();
+    for (row, values) in rows.iter().take(snap_in).step_by(2) {
         let plain = solved(&at(SPEED, &format!("half_width = {:e}\n", values["half_width"].value)));
         // At a turn the half-width has a bar, which a plain scene does not know of.
         let mut expected = plain[0].1.clone();

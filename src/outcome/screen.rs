@@ -58,7 +58,10 @@ fn single(text: &mut String, outcome: &Outcome) {
 
 /// A sweep: a line a row, with the columns that vary or matter most.
 fn sweep(text: &mut String, outcome: &Outcome) {
-    let shown: Vec<usize> = (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).take(5).collect();
+    let named = |index: &usize| outcome.columns.get(*index).is_some_and(|column| outcome.headline.contains(&column.name));
+    let (first, rest): (Vec<usize>, Vec<usize>) =
+        (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).partition(|index| outcome.headline.is_empty() || named(index));
+    let shown: Vec<usize> = if first.is_empty() { rest } else { first }.into_iter().take(5).collect();
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
     header.extend(outcome.labels.iter().map(|label| (*label).to_owned()));
     header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
@@ -160,7 +163,9 @@ fn with_unit(name: &str, unit: &str) -> String {
 
 /// At most ten digits, as many as the error leaves: for sweep tables.
 fn short(estimate: Estimate) -> String {
-    rounded(estimate, 9)
+    // Counts and answers to yes or no.
+    let whole = estimate.error == 0.0 && estimate.value.fract() == 0.0;
+    if whole { plain(estimate.value) } else { rounded(estimate, 9) }
 }
 
 /// A value with as many digits as its error leaves, and the error: `1.2345678901e-3 ± 2e-14`.

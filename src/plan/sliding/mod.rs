@@ -180,6 +180,30 @@ impl ProblemPlan for SlidingPlan {
         columns::columns(&self.sliding, self.units)
     }
 
+    fn headline(&self) -> &'static [&'static str] {
+        match &self.sliding.task {
+            SlidingTask::State => &[],
+            SlidingTask::Branch(branch) => match branch.parameter {
+                BranchParameter::Speed => &["speed", "half_width", "friction_stress", "friction_per_width", "stable_under_load"],
+                BranchParameter::WorkOfAdhesion => {
+                    &["work_of_adhesion", "half_width", "mean_pressure", "load_per_width", "stable_under_load"]
+                }
+                BranchParameter::ProcessZone => {
+                    &["trailing_process_zone", "half_width", "mean_pressure", "load_per_width", "stable_under_load"]
+                }
+                _ => &["half_width", "mean_pressure", "load_per_width", "penetration", "stable_under_load", "stable_under_penetration"],
+            },
+            SlidingTask::Strength => &[
+                "pull_off_pressure",
+                "pull_off_load_per_width",
+                "zero_load_half_width",
+                "snap_in_pressure",
+                "separation_penetration",
+                "toughness",
+            ],
+        }
+    }
+
     fn field_columns(&self) -> Vec<Column> {
         columns::field_columns(self.sliding.indenter, self.units)
     }
