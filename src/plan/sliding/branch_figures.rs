@@ -208,8 +208,10 @@ impl SlidingPlan {
         let mut figures = vec![(format!("pull_off_against_{against}"), over(Axis::linear(pull_off), strength::PULL_OFF, -1.0))];
         if self.is_wave() {
             let snap_in = self.label("snap-in pressure", r"$p_\mathrm{IN}$", " (Pa)", r"$2p_\mathrm{IN}/E_0^* k\Lambda$", "");
+            let positive = rows.iter().filter_map(|row| row.value(strength::SNAP_IN)).all(|pressure| pressure > 0.0);
+            let snap_in = if positive { Axis::logarithmic(snap_in) } else { Axis::linear(snap_in) };
             let toughness = self.label("toughness", "$T$", " (J/m)", r"$2T/E_0^* \Lambda^2$", "");
-            figures.push((format!("snap_in_against_{against}"), over(Axis::linear(snap_in), strength::SNAP_IN, 1.0)));
+            figures.push((format!("snap_in_against_{against}"), over(snap_in, strength::SNAP_IN, 1.0)));
             figures.push((format!("toughness_against_{against}"), over(Axis::linear(toughness), strength::TOUGHNESS, 1.0)));
         }
         figures
