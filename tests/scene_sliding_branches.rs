@@ -8,7 +8,8 @@
 //! Oracle: the identities of a row formed here; plain scenes at the half-width or the speed of a row; the same scene in reduced units; `JohnsonWave` in closed form.
 //!
 //! Tolerance: 1e-9 for products of one row; the bars of both between two solutions; 1e-5 for the limit of three process zones.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+// Flags and mirrored numbers are equal to the last bit.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 use std::collections::HashMap;
 use std::f64::consts::PI;
