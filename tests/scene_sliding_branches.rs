@@ -184,12 +184,16 @@ fn a_range_of_loads_or_depths_is_kept() {
     for (parameter, from, to) in [("mean_pressure", -2e3, 2e4), ("penetration", 0.0, 1e-6)] {
         let branch = format!("[sliding.branch]\nparameter = \"{parameter}\"\nfrom = {from:e}\nto = {to:e}\npoints = 12\n");
         let rows = solved(&at(SPEED, &branch));
-        assert!(rows.len() >= 6, "{parameter}: {}", rows.len());
+        assert!((9..=20).contains(&rows.len()), "{parameter}: {}", rows.len());
         for (_, values) in &rows {
             let found = values[parameter];
             assert!(found.value + found.error >= from && found.value - found.error <= to, "{parameter} {found:?}");
         }
     }
+    // From penetrating to pulled, the curve leaves the range and comes back: all of it is there.
+    let thin = "[sliding.branch]\nparameter = \"mean_pressure\"\nfrom = -1e3\nto = 1e3\npoints = 12\n";
+    let rows = solved(&at(SPEED, thin));
+    assert_eq!(rows.iter().filter(|(row, _)| row.label(3) == "zero_load").count(), 2);
     let beyond = "[sliding.branch]\nparameter = \"mean_pressure\"\nfrom = 1e6\nto = 2e6\n";
     let rows = Plan::new(&parsed(&at(SPEED, beyond))).unwrap().solve(0, &[]);
     assert_eq!((rows.len(), rows[0].status), (1, Status::NoSuchState));

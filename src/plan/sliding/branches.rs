@@ -6,8 +6,8 @@ use crate::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch};
 pub(super) use crate::sliding::branch::Fold;
 use crate::sliding::branch::{
-    Branch, BranchEnd, BranchPath, BranchProblem, BranchStart, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn,
-    speed_folds, strengths, trace,
+    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn, speed_folds,
+    strengths, trace,
 };
 use crate::sliding::contact::{ContactMemory, Resolution, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
@@ -18,8 +18,8 @@ use std::sync::Arc;
 const WIDEST_UNLOADED: f64 = 6.0;
 /// The same over Hertz's half-width at the largest load.
 const WIDEST_OVER_HERTZ: f64 = 2.0;
-/// More points than this many times those asked for are not solved to find enough inside a range.
-const MOST_POINTS: f64 = 8.0;
+/// Points by which is seen how much of a branch lies within a range.
+const PROBES: usize = 40;
 
 /// What a row of a branch is.
 pub(super) struct Item {
@@ -146,20 +146,20 @@ impl SlidingPlan {
         }
     }
 
-    /// The part of a branch of loads on which a quantity, by its place in an outline, lies within a span: the whole one is followed first.
+    /// The part of a branch of loads on which a quantity, by its place in an outline, lies within a span. The whole one is followed first, to see how
+    /// much of it that is.
     fn within(&self, branch: &SlidingBranch, problem: &mut BranchProblem, place: usize, [from, to]: [f64; 2]) -> Result<Traced, Refusal> {
-        let whole = trace(&self.material, &BranchProblem { points: 0, ..*problem })?;
-        let mut traced = Traced { items: Vec::new(), closure_evaluations: whole.work.closure_evaluations };
-        let outline = whole.outline();
-        let inside = |point: &[f64; 4]| point.get(place).is_some_and(|value| (from..=to).contains(value));
-        let near = |index: usize| {
-            let neighbours = [index.checked_sub(1), Some(index), Some(index + 1)];
-            neighbours.into_iter().flatten().any(|index| outline.get(index).is_some_and(inside))
+        let inside = |values: &PartialValues| {
+            let value = if place == 3 { values.penetration } else { values.mean_pressure };
+            value.value + value.error >= from && value.value - value.error <= to
         };
-        let kept: Vec<&[f64; 4]> = outline.iter().enumerate().filter(|(index, _)| near(*index)).map(|(_, point)| point).collect();
-        let Some(start) = kept.get(kept.len() / 2) else {
-            let values = || outline.iter().filter_map(|point| point.get(place).copied());
-            let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        let whole = trace(&self.material, &BranchProblem { points: PROBES, ..*problem })?;
+        let mut traced = Traced { items: Vec::new(), closure_evaluations: whole.work.closure_evaluations };
+        let met = whole.points.iter().filter(|point| inside(&point.values)).count();
+        let outline = whole.outline();
+        let values = || outline.iter().filter_map(|point| point.get(place).copied());
+        let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        if met == 0 && (from > most || to < least) {
             let (above, name) = (from > most, if place == 3 { "penetration" } else { "load" });
             return Err(Refusal::NoSuchState {
                 reason: format!("no contact of the branch has a {name} in the range"),
@@ -171,22 +171,12 @@ impl SlidingPlan {
                 },
                 limit: if above { most } else { least },
             });
-        };
-        let widths = || kept.iter().map(|point| point[0]);
-        let (narrow, wide) = (widths().fold(f64::INFINITY, f64::min), widths().fold(0.0, f64::max));
-        let [narrowest, widest] = problem.half_widths;
-        problem.half_widths = [narrow.max(narrowest), wide.min(widest)];
-        problem.start = BranchStart::Near { half_width: start[0], eccentricity: start[1], mean_pressure: start[2], parameter: 1.0 };
-        let part = kept.iter().filter(|point| inside(point)).count().max(1) as f64 / kept.len() as f64;
-        problem.points = (f64::from(branch.points) * (1.0 / part).min(MOST_POINTS)).ceil() as usize;
+        }
+        let part = met.max(1) as f64 / PROBES as f64;
+        problem.points = (f64::from(branch.points) / part).ceil() as usize;
         let found = trace(&self.material, problem)?;
         self.collect(&mut traced, branch, problem, found, "whole", None);
-        traced.items.retain(|item| {
-            item.found.as_ref().map_or(true, |found| {
-                let value = if place == 3 { found.values.penetration } else { found.values.mean_pressure };
-                value.value + value.error >= from && value.value - value.error <= to
-            })
-        });
+        traced.items.retain(|item| item.found.as_ref().map_or(true, |found| inside(&found.values)));
         Ok(traced)
     }
 

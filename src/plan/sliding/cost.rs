@@ -26,6 +26,10 @@ const EVERY_ADHESION: f64 = 250.0;
 /// Balances of a point of a branch: the contact, and what moved edges do to it.
 const POINT: f64 = 19.0;
 
+/// Points by which is seen how much of a branch lies within a range of loads, and points outside it over those inside.
+const PROBES: f64 = 40.0;
+const OUTSIDE: f64 = 0.7;
+
 impl SlidingPlan {
     /// Balances of a branch.
     fn balances_of_branch(&self, branch: &SlidingBranch) -> f64 {
@@ -36,6 +40,7 @@ impl SlidingPlan {
             // Followed as a whole, then where it is wanted.
             BranchParameter::MeanPressure | BranchParameter::LoadPerWidth | BranchParameter::Penetration => {
                 of(EVERY_LOAD) * if branch.range.is_some() { 2.0 } else { 1.0 }
+                    + if branch.range.is_some() { POINT * (PROBES + OUTSIDE * f64::from(branch.points)) } else { 0.0 }
             }
             BranchParameter::Speed => of(EVERY_SPEED),
             BranchParameter::WorkOfAdhesion | BranchParameter::ProcessZone => EVERY_ADHESION,
