@@ -20,6 +20,8 @@ const WIDEST_UNLOADED: f64 = 6.0;
 const WIDEST_OVER_HERTZ: f64 = 2.0;
 /// Points by which is seen how much of a branch lies within a range.
 const PROBES: usize = 40;
+/// More points than these are not solved to find enough inside a range.
+const MOST_POINTS: usize = 10_000;
 
 /// What a row of a branch is.
 pub(super) struct Item {
@@ -173,7 +175,7 @@ impl SlidingPlan {
             });
         }
         let part = met.max(1) as f64 / PROBES as f64;
-        problem.points = (f64::from(branch.points) / part).ceil() as usize;
+        problem.points = ((f64::from(branch.points) / part).ceil() as usize).min(MOST_POINTS.max(branch.points as usize));
         let found = trace(&self.material, problem)?;
         self.collect(&mut traced, branch, problem, found, "whole", None);
         traced.items.retain(|item| item.found.as_ref().map_or(true, |found| inside(&found.values)));
