@@ -18,6 +18,8 @@ use std::sync::Arc;
 const WIDEST_UNLOADED: f64 = 6.0;
 /// The same over Hertz's half-width at the largest load.
 const WIDEST_OVER_HERTZ: f64 = 2.0;
+/// The parts of a branch within a range, in the order of the curve.
+const PARTS: [&str; 4] = ["first", "second", "third", "fourth"];
 /// Points by which is seen how much of a branch lies within a range.
 const PROBES: usize = 40;
 /// More points than these are not solved to find enough inside a range.
@@ -25,7 +27,7 @@ const MOST_POINTS: usize = 10_000;
 
 /// What a row of a branch is.
 pub(super) struct Item {
-    /// Which branch: of one curve the word is "whole".
+    /// Which branch: of one curve the word is "whole", of the parts of it within a range "first" and so on.
     pub(super) branch: &'static str,
     /// The turn or the state that it is; empty for a point.
     pub(super) event: &'static str,
@@ -178,7 +180,17 @@ impl SlidingPlan {
         problem.points = ((f64::from(branch.points) / part).ceil() as usize).min(MOST_POINTS.max(branch.points as usize));
         let found = trace(&self.material, problem)?;
         self.collect(&mut traced, branch, problem, found, "whole", None);
-        traced.items.retain(|item| item.found.as_ref().map_or(true, |found| inside(&found.values)));
+        // A curve that leaves the range and comes back is so many parts.
+        let (mut part, mut left) = (0, false);
+        traced.items.retain_mut(|item| {
+            let kept = item.found.as_ref().map_or(true, |found| inside(&found.values));
+            if kept {
+                part += usize::from(left || part == 0);
+                item.branch = PARTS.get(part - 1).copied().unwrap_or("further");
+            }
+            left = !kept && part > 0;
+            kept
+        });
         Ok(traced)
     }
 
