@@ -113,6 +113,8 @@ fn every_row_of_a_branch_obeys_the_identities_of_a_row() {
             assert_eq!(values["stable_under_penetration"].value.to_bits(), 0);
         }
     }
+    assert!(["pull_off", "snap_in"].iter().all(|event| !rows[place(event)].1.contains_key("stable_under_load")));
+    assert!(!rows[place("separation")].1.contains_key("stable_under_penetration"));
     let load = |event: &str| rows[place(event)].1["mean_pressure"].value;
     assert!(rows.iter().all(|(_, values)| values["mean_pressure"].value <= load("snap_in") * (1.0 + 1e-12)));
     assert!(load("pull_off") < 0.0 && load("zero_load").abs() < 1e-6 * load("snap_in"));

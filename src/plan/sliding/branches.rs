@@ -242,7 +242,14 @@ impl SlidingPlan {
                 _ => turn_of(fold.quantity, Some(fold.turn)),
             };
             let note = if fold.quantity == FoldQuantity::LogRate { gap.map(str::to_owned) } else { None };
-            let found = Ok(at(fold.parameter(), fold.contact, Some(&fold.variations), Some(fold.residual)));
+            let mut found = at(fold.parameter(), fold.contact, Some(&fold.variations), Some(fold.residual));
+            // What is held turns here: neither stable nor unstable, whatever rounding says.
+            match (fold.quantity, problem.held()) {
+                (FoldQuantity::HalfWidth, _) => {}
+                (FoldQuantity::Penetration, _) | (_, Some(SlidingControl::Penetration(_))) => found.under_penetration = None,
+                _ => found.under_load = None,
+            }
+            let found = Ok(found);
             items.push((fold.arclength, Item { branch: name, event, found, note }));
         }
         items.sort_by(|first, second| first.0.total_cmp(&second.0));
