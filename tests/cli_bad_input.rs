@@ -187,6 +187,9 @@ const WAVE: &str = "[sliding.wave]\nwavelength = \"100 µm\"\namplitude = \"3 µ
 const SLIDING_ZONE: &str = "process_zone = { length = \"0.16 µm\" }";
 const CYLINDER: &str = "[sliding.cylinder]\nradius = \"5 mm\"\n";
 
+/// In place of the fields.
+const BRANCH: &str = "\n[sliding.branch]\nparameter = \"half_width\"\nfrom = \"2 µm\"\nto = \"40 µm\"\npoints = 9\n";
+
 /// Mistakes about a sliding contact.
 #[rustfmt::skip]
 const SLIDING_CASES: &[Case] = &[
@@ -230,6 +233,29 @@ const SLIDING_CASES: &[Case] = &[
     Case { kind: "a factor of a given zone", edits: &[("length = \"0.16 µm\"", "length = \"0.16 µm\", factor = 1")], place: "process_zone", says: &["`adhesion.process_zone.factor`", "belongs to a cohesive stress"], ..NONE },
     Case { kind: "one zone and two", edits: &[("length = \"0.16 µm\"", "length = 1e-7, leading_length = 1e-7")], place: "process_zone", says: &["`adhesion.process_zone.length` and `adhesion.process_zone.leading_length` exclude each other"], ..NONE },
     Case { kind: "distances of fields", edits: &[("points = 40", "from = \"1 nm\"")], place: "from = \"1 nm\"", says: &["`fields.from` belongs to a crack", "leave it out"], ..NONE },
+    // Branches and strengths.
+    Case { kind: "misspelt key of a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("parameter = ", "parametre = ")], place: "parametre", says: &["`sliding.branch.parametre`", "did you mean `parameter`?"], ..NONE },
+    Case { kind: "misspelt parameter of a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"halfwidth\"")], place: "halfwidth", says: &["`sliding.branch.parameter` = \"halfwidth\"", "did you mean \"half_width\"?"], ..NONE },
+    Case { kind: "no parameter of a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("parameter = \"half_width\"\n", "")], place: "[sliding.branch]", says: &["`sliding.branch.parameter` is missing", "allowed: \"mean_pressure\""], ..NONE },
+    Case { kind: "a branch along a line load of a wave", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"load_per_width\"")], place: "parameter", says: &["does not belong to this body", "\"mean_pressure\""], ..NONE },
+    Case { kind: "one end of a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("to = \"40 µm\"\n", "")], place: "[sliding.branch]", says: &["`sliding.branch.to` is missing"], ..NONE },
+    Case { kind: "ends of a branch the wrong way round", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("to = \"40 µm\"", "to = \"1 µm\"")], place: "to = ", says: &["`sliding.branch.to` (1e-6) is not above `sliding.branch.from`"], ..NONE },
+    Case { kind: "an end of a branch in another unit", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("to = \"40 µm\"", "to = \"40 kPa\"")], place: "40 kPa", says: &["`sliding.branch.to` = \"40 kPa\"", "measured in m"], ..NONE },
+    Case { kind: "a branch beyond half a wavelength", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("to = \"40 µm\"", "to = \"60 µm\"")], place: "to = ", says: &["`sliding.branch.to` (6e-5)", "half the wavelength"], ..NONE },
+    Case { kind: "a half-width of zero on a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("from = \"2 µm\"", "from = 0")], place: "from = ", says: &["`sliding.branch.from` is out of range along half_width", "greater than 0"], ..NONE },
+    Case { kind: "too few points of a branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("points = 9", "points = 1")], place: "points = 1", says: &["`sliding.branch.points` = 1", "from 2 to 10000"], ..NONE },
+    Case { kind: "a load and a branch of loads", edits: &[("\n[fields]\npoints = 40\n", BRANCH)], place: "mean_pressure", says: &["`sliding.mean_pressure` is given, but [sliding.branch] goes through every load", "leave it out"], ..NONE },
+    Case { kind: "a speed and a branch of speeds", edits: &[("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"speed\""), ("\"2 µm\"", "\"2 µm/s\""), ("\"40 µm\"", "\"40 µm/s\"")], place: "speed = ", says: &["`sliding.speed` is given, and runs along the branch", "leave it out"], ..NONE },
+    Case { kind: "no load of a branch of speeds", edits: &[(LOAD, ""), ("speed = \"1 mm/s\"\n", ""), ("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"speed\""), ("\"2 µm\"", "\"2 µm/s\""), ("\"40 µm\"", "\"40 µm/s\"")], place: "[sliding]", says: &["`sliding.mean_pressure`", "exactly one"], ..NONE },
+    Case { kind: "a branch that does not reach its start", edits: &[("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"work_of_adhesion\""), ("\"2 µm\"", "\"30 mJ/m²\""), ("\"40 µm\"", "\"40 mJ/m²\"")], place: "from = ", says: &["the branch begins at adhesion.work_of_adhesion (2e-2)", "must reach to"], ..NONE },
+    Case { kind: "works of adhesion with a cohesive stress", edits: &[("length = \"0.16 µm\"", "cohesive_stress = \"1 MPa\""), ("\n[fields]\npoints = 40\n", BRANCH), ("\"half_width\"", "\"work_of_adhesion\""), ("\"2 µm\"", "\"2 mJ/m²\""), ("\"40 µm\"", "\"40 mJ/m²\"")], place: "parameter", says: &["holds the process zones", "needs a process zone by length"], ..NONE },
+    Case { kind: "fields of a branch", edits: &[(LOAD, ""), ("[fields]", "[sliding.branch]\nparameter = \"half_width\"\n[fields]")], place: "fields", says: &["[fields] belongs to a contact under one load"], ..NONE },
+    Case { kind: "an adhesiveless branch", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH)], place: "contacts", says: &["branches and strengths are of adhesive ones"], ..NONE },
+    Case { kind: "a branch without adhesion", edits: &[("[adhesion]\nwork_of_adhesion = \"20 mJ/m²\"\nprocess_zone = { length = \"0.16 µm\" }\n", ""), (LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH)], place: "branch", says: &["[sliding.branch] is about adhesive contacts", "needs [adhesion]"], ..NONE },
+    Case { kind: "a branch and a strength", edits: &[(LOAD, ""), ("[fields]", "[sliding.branch]\nparameter = \"half_width\"\n[sliding.strength]\n[fields]")], place: "[sliding.strength]", says: &["`sliding.branch` and `sliding.strength` exclude each other"], ..NONE },
+    Case { kind: "a load and a strength", edits: &[("\n[fields]\npoints = 40\n", "\n[sliding.strength]\n")], place: "mean_pressure", says: &["[sliding.strength] goes through every load"], ..NONE },
+    Case { kind: "a key of a strength", edits: &[(LOAD, ""), ("\n[fields]\npoints = 40\n", "\n[sliding.strength]\npoints = 3\n")], place: "points", says: &["`sliding.strength.points` is not a key"], ..NONE },
+    Case { kind: "a frame of a cylinder", edits: &[(WAVE, CYLINDER), (LOAD, ""), ("\n[fields]\npoints = 40\n", BRANCH), ("\"40 µm\"", "\"400 µm\"\nframe_stiffness = \"1 kPa/µm\"")], place: "frame_stiffness", says: &["`sliding.branch.frame_stiffness`", "a cylinder has no penetration"], ..NONE },
     Case { kind: "a crack besides", edits: &[("", "[crack]\nspeed = 1\n")], place: "[sliding]", says: &["more than one problem: crack, sliding"], ..NONE },
     // Reduced scenes.
     Case { kind: "a wavelength in a reduced scene", edits: &[("title =", "units = \"reduced\"\ntitle ="), ("\"1 MPa\"", "1"), ("\"10 MPa\"", "10"), ("\"10 ms\"", "1"), ("\"20 mJ/m²\"", "0.01"), ("\"0.16 µm\"", "0.01"), ("\"1 mm/s\"", "1"), ("\"6 kPa\"", "0.05"), ("\"100 µm\"", "6"), ("\"3 µm\"", "1")], place: "wavelength", says: &["`sliding.wave.wavelength`", "is the unit", "leave it out"], ..NONE },

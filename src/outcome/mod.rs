@@ -33,6 +33,8 @@ pub struct Outcome {
     pub swept: Vec<SweptColumn>,
     /// What the values of the rows are.
     pub columns: Vec<Column>,
+    /// The columns that a table on the screen has room for; none: the first ones.
+    pub headline: &'static [&'static str],
     /// The rows, in the order of the sweep.
     pub rows: Vec<Row>,
     /// Wanted relative accuracy.

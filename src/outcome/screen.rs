@@ -7,13 +7,17 @@ use std::fmt::Write as _;
 /// Most rows that are printed one by one; longer sweeps show their first and last.
 const MOST_ROWS: usize = 24;
 
+/// Most rows of an unswept scene that are printed in blocks.
+const MOST_BLOCKS: usize = 4;
+
 /// The whole screen output of a run.
 #[must_use]
 pub fn render(outcome: &Outcome) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "{}", outcome.title);
     let _ = writeln!(text, "{}", "─".repeat(outcome.title.chars().count().clamp(20, 100)));
-    if outcome.swept.is_empty() {
+    // A few blocks are read more easily than a table; a curve is not.
+    if outcome.swept.is_empty() && outcome.rows.len() <= MOST_BLOCKS {
         single(&mut text, outcome)
     } else {
         sweep(&mut text, outcome)
@@ -54,7 +58,10 @@ fn single(text: &mut String, outcome: &Outcome) {
 
 /// A sweep: a line a row, with the columns that vary or matter most.
 fn sweep(text: &mut String, outcome: &Outcome) {
-    let shown: Vec<usize> = (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).take(5).collect();
+    let named = |index: &usize| outcome.columns.get(*index).is_some_and(|column| outcome.headline.contains(&column.name));
+    let (first, rest): (Vec<usize>, Vec<usize>) =
+        (0..outcome.columns.len()).filter(|&index| wanted(outcome, index)).partition(|index| outcome.headline.is_empty() || named(index));
+    let shown: Vec<usize> = if first.is_empty() { rest } else { first }.into_iter().take(5).collect();
     let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
     header.extend(outcome.labels.iter().map(|label| (*label).to_owned()));
     header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
@@ -156,7 +163,9 @@ fn with_unit(name: &str, unit: &str) -> String {
 
 /// At most ten digits, as many as the error leaves: for sweep tables.
 fn short(estimate: Estimate) -> String {
-    rounded(estimate, 9)
+    // Counts and answers to yes or no.
+    let whole = estimate.error == 0.0 && estimate.value.fract() == 0.0;
+    if whole { plain(estimate.value) } else { rounded(estimate, 9) }
 }
 
 /// A value with as many digits as its error leaves, and the error: `1.2345678901e-3 ± 2e-14`.

@@ -40,6 +40,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn predicted_work(&self, states: u64) -> Work;
     /// The columns of the result.
     fn columns(&self) -> Vec<Column>;
+    /// The columns that a table on the screen has room for; none: the first ones.
+    fn headline(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// The columns of the field table: the place, then the fields.
     fn field_columns(&self) -> Vec<Column>;
     /// Solves the state; one row a label.
@@ -118,6 +122,12 @@ impl Plan {
     #[must_use]
     pub fn columns(&self) -> Vec<Column> {
         self.problem.columns()
+    }
+
+    /// The columns that a table on the screen has room for; none: the first ones.
+    #[must_use]
+    pub fn headline(&self) -> &'static [&'static str] {
+        self.problem.headline()
     }
 
     /// The columns of the field table: the place, then the fields.

@@ -84,6 +84,7 @@ pub fn run(
             .map(|sweep| SweptColumn { key: sweep.key.clone(), unit: sweep.unit.clone(), values: sweep.values.len() })
             .collect(),
         columns: plan.columns(),
+        headline: plan.headline(),
         figures: plan.figures(scene, &rows),
         rows,
         accuracy: scene.accuracy,

@@ -182,6 +182,8 @@ pub struct Sliding {
     pub speed: f64,
     /// What is prescribed.
     pub control: SlidingLoad,
+    /// What is looked for.
+    pub task: SlidingTask,
     /// The contacts to solve, in the order named.
     pub contacts: Vec<SlidingContact>,
     /// What holds the faces together, if anything does.
@@ -227,6 +229,76 @@ pub enum SlidingLoad {
     Penetration(f64),
     /// a (m).
     HalfWidth(f64),
+    /// None: every load is met along a curve.
+    Every,
+}
+
+/// What is looked for of a sliding contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlidingTask {
+    /// The contact under the load.
+    State,
+    /// A curve of contacts.
+    Branch(SlidingBranch),
+    /// What the contact bears.
+    Strength,
+}
+
+/// A curve of contacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingBranch {
+    /// What runs along it.
+    pub parameter: BranchParameter,
+    /// The smallest and the largest value, if given.
+    pub range: Option<[f64; 2]>,
+    /// How many contacts are rows.
+    pub points: u32,
+    /// k_f (Pa/m), if a frame is given.
+    pub frame_stiffness: Option<f64>,
+}
+
+/// What runs along a curve of contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BranchParameter {
+    /// p̄ (Pa) of a wave.
+    MeanPressure,
+    /// F (N/m) of a cylinder.
+    LoadPerWidth,
+    /// Δ (m) of a wave.
+    Penetration,
+    /// a (m).
+    HalfWidth,
+    /// v (m/s).
+    Speed,
+    /// Δγ (J/m²); in a reduced scene Γ.
+    WorkOfAdhesion,
+    /// δ of the trailing edge (m).
+    ProcessZone,
+}
+
+impl BranchParameter {
+    /// Every parameter with its word.
+    pub const WORDS: [(Self, &'static str); 7] = [
+        (Self::MeanPressure, "mean_pressure"),
+        (Self::LoadPerWidth, "load_per_width"),
+        (Self::Penetration, "penetration"),
+        (Self::HalfWidth, "half_width"),
+        (Self::Speed, "speed"),
+        (Self::WorkOfAdhesion, "work_of_adhesion"),
+        (Self::ProcessZone, "process_zone"),
+    ];
+
+    /// The word in scenes and tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        Self::WORDS.iter().find(|(parameter, _)| *parameter == self).map_or("", |(_, word)| word)
+    }
+
+    /// Whether the load varies along the curve, all else being held.
+    #[must_use]
+    pub const fn is_load(self) -> bool {
+        matches!(self, Self::MeanPressure | Self::LoadPerWidth | Self::Penetration | Self::HalfWidth)
+    }
 }
 
 /// A kind of contact.

@@ -40,6 +40,8 @@ impl Dimension {
     pub const LOAD_PER_WIDTH: Self = Self { is_load: true, ..Self::ENERGY_PER_AREA };
     /// Pa √m.
     pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], is_load: false };
+    /// Pa/m.
+    pub const STIFFNESS_PER_AREA: Self = Self::new([-2, 1, -2, 0]);
     /// √m.
     pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0], is_load: false };
 
@@ -56,6 +58,7 @@ impl Dimension {
             Self::VISCOSITY => "a viscosity such as \"2 kPa s\"",
             Self::ENERGY_PER_AREA => "an energy per area such as \"50 mJ/m²\"",
             Self::LOAD_PER_WIDTH => "a load per width such as \"20 N/m\"",
+            Self::STIFFNESS_PER_AREA => "a stiffness per area such as \"5 kPa/µm\"",
             Self::STRESS_INTENSITY => "a stress intensity such as \"20 kPa √m\"",
             _ => "a number with the unit named in the documentation of the key",
         }
@@ -72,6 +75,7 @@ impl Dimension {
             Self::ENERGY_PER_AREA => "J/m²".into(),
             Self::LOAD_PER_WIDTH => "N/m".into(),
             Self::STRESS_INTENSITY => "Pa √m".into(),
+            Self::STIFFNESS_PER_AREA => "Pa/m".into(),
             other => written_out(other.halves),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::scale::Scale;
 use crate::outcome::Column;
-use crate::scene::typed::{SlidingIndenter, Units};
+use crate::scene::typed::{Sliding, SlidingIndenter, SlidingTask, Units};
 
 /// What a column measures.
 #[derive(Clone, Copy)]
@@ -15,11 +15,13 @@ pub(super) enum Measure {
     Coefficient,
     Release,
     Energy,
+    Adhesion,
+    Number,
 }
 
 /// A column, with the name that it has for a cylinder.
 pub(super) struct Definition {
-    name: &'static str,
+    pub(super) name: &'static str,
     of_cylinder: &'static str,
     pub(super) measure: Measure,
     meaning: &'static str,
@@ -42,11 +44,18 @@ pub(super) mod at {
     pub(crate) const PENETRATION: usize = 15;
 }
 
+/// Positions of the columns of a strength.
+pub(super) mod strength {
+    pub(crate) const PULL_OFF: usize = 2;
+    pub(crate) const SNAP_IN: usize = 7;
+    pub(crate) const TOUGHNESS: usize = 13;
+}
+
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, of_cylinder: name, measure, meaning }
 }
 
-pub(super) const COLUMNS: [Definition; 17] = [
+pub(super) static COLUMNS: [Definition; 17] = [
     column("speed", Measure::Speed, "v of the sliding body along +x; negative mirrors the contact."),
     column("half_width", Measure::Length, "a, half the width of the contact; accuracy relative to at least 1/k, of a cylinder L."),
     column("eccentricity", Measure::Length, "e, the middle of the contact ahead of the crest along +x; accuracy as of the half-width."),
@@ -97,12 +106,78 @@ pub(super) const COLUMNS: [Definition; 17] = [
     column("interface_work", Measure::Energy, "U = ½∫p w over a wavelength, per width; accuracy relative to at least E0*Λ²/2."),
 ];
 
-/// The definitions of an indenter's columns: a cylinder sinks into a half-plane without bound and has neither Δ nor U.
-pub(super) fn definitions(indenter: SlidingIndenter) -> &'static [Definition] {
-    match indenter {
-        SlidingIndenter::Wave { .. } => &COLUMNS,
-        SlidingIndenter::Cylinder { .. } => COLUMNS.get(..at::PENETRATION).unwrap_or(&COLUMNS),
+/// What a point of a branch has besides; those from the third on are of a wave.
+static BRANCH_COLUMNS: [Definition; 5] = [
+    column("point", Measure::Number, "Number of the row along its branch, from 1; turns count."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    column(
+        "stable_under_load",
+        Measure::Number,
+        "1 if every small move of the edges is undone under a held load, 0 if one grows; none at a turn.",
+    ),
+    column("stable_under_penetration", Measure::Number, "The same under a held penetration."),
+    column("stable_in_frame", Measure::Number, "The same as stable_under_load in the frame of the scene."),
+];
+
+/// What a contact bears; those of the penetration are of a wave.
+static STRENGTH_COLUMNS: [Definition; 14] = [
+    column("speed", Measure::Speed, "v of the sliding body along +x."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    Definition {
+        name: "pull_off_pressure",
+        of_cylinder: "pull_off_load_per_width",
+        measure: Measure::Load,
+        meaning: "p_out, the smallest load of a contact, below zero: under a held load it is lost there.",
+    },
+    column("pull_off_half_width", Measure::Length, "a at pull-off."),
+    column("pull_off_penetration", Measure::Displacement, "Δ at pull-off."),
+    column("zero_load_half_width", Measure::Length, "a of the stable contact without load."),
+    column("zero_load_penetration", Measure::Displacement, "Δ of the stable contact without load."),
+    column("snap_in_pressure", Measure::Load, "p_IN, the largest load of a partial contact: above it the contact is full."),
+    column("snap_in_half_width", Measure::Length, "a at snap-in."),
+    column("snap_in_penetration", Measure::Displacement, "Δ at snap-in."),
+    column(
+        "separation_penetration",
+        Measure::Displacement,
+        "Δ_out, the smallest penetration: under a held penetration the contact is lost there.",
+    ),
+    column("separation_half_width", Measure::Length, "a at separation."),
+    column("separation_pressure", Measure::Load, "p̄ at separation."),
+    column(
+        "toughness",
+        Measure::Energy,
+        "T, the work to separate the contact from no load on under a held penetration, per width and wavelength (3.41).",
+    ),
+];
+
+/// Those of a cylinder's strength.
+pub(super) const CYLINDER_STRENGTH: [usize; 5] = [0, 1, 2, 3, 5];
+
+/// The definitions of a scene's columns: a cylinder sinks into a half-plane without bound and has neither Δ nor U.
+pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
+    let wave = matches!(sliding.indenter, SlidingIndenter::Wave { .. });
+    match &sliding.task {
+        SlidingTask::State | SlidingTask::Branch(_) => {
+            let mut definitions: Vec<&'static Definition> =
+                COLUMNS.iter().take(if wave { COLUMNS.len() } else { at::PENETRATION }).collect();
+            if let SlidingTask::Branch(branch) = &sliding.task {
+                let framed = usize::from(branch.frame_stiffness.is_some());
+                definitions.extend(BRANCH_COLUMNS.iter().take(if wave { 4 + framed } else { 3 }));
+            }
+            definitions
+        }
+        SlidingTask::Strength => STRENGTH_COLUMNS
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| wave || CYLINDER_STRENGTH.contains(index))
+            .map(|(_, definition)| definition)
+            .collect(),
     }
+}
+
+/// The position of a column of a scene by its name.
+pub(super) fn place_of(sliding: &Sliding, name: &str) -> usize {
+    definitions(sliding).iter().position(|definition| definition.name == name).unwrap_or(usize::MAX)
 }
 
 impl Definition {
@@ -117,6 +192,8 @@ impl Definition {
             Measure::Coefficient => scale.slope,
             Measure::Release => work_of_adhesion,
             Measure::Energy => scale.energy_per_width,
+            Measure::Adhesion => scale.work_of_adhesion,
+            Measure::Number => 1.0,
         }
     }
 
@@ -130,6 +207,10 @@ impl Definition {
             (Measure::Coefficient, Units::Si, _) => "1",
             (Measure::Release, Units::Si, _) => "J/m²",
             (Measure::Energy, Units::Si, _) => "J/m",
+            (Measure::Adhesion, Units::Si, _) => "J/m²",
+            (Measure::Number, ..) => "1",
+            (Measure::Adhesion, Units::Reduced, true) => "πE0*kΛ²",
+            (Measure::Adhesion, Units::Reduced, false) => "πE0*L³/R²",
             (Measure::Speed, Units::Reduced, true) => "1/kτ",
             (Measure::Speed, Units::Reduced, false) => "L/τ",
             (Measure::Length, Units::Reduced, true) => "1/k",
@@ -149,13 +230,13 @@ impl Definition {
     }
 }
 
-pub(super) fn columns(indenter: SlidingIndenter, units: Units) -> Vec<Column> {
-    let wave = matches!(indenter, SlidingIndenter::Wave { .. });
-    definitions(indenter)
-        .iter()
+pub(super) fn columns(sliding: &Sliding, units: Units) -> Vec<Column> {
+    let wave = matches!(sliding.indenter, SlidingIndenter::Wave { .. });
+    definitions(sliding)
+        .into_iter()
         .map(|definition| Column {
             name: if wave { definition.name } else { definition.of_cylinder },
-            unit: definition.unit(indenter, units).to_owned(),
+            unit: definition.unit(sliding.indenter, units).to_owned(),
             meaning: definition.meaning,
         })
         .collect()

@@ -2,7 +2,7 @@
 
 use super::SlidingPlan;
 use crate::outcome::Work;
-use crate::scene::typed::SlidingContact;
+use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingContact, SlidingTask};
 
 /// Balances of an elastic contact, whatever its speed.
 const ELASTIC: f64 = 5.0;
@@ -17,7 +17,37 @@ const NO_ZONE: f64 = 0.1;
 /// Contacts solved for one balance with adhesion: as it is, and with each edge moved.
 const SOLVES: f64 = 3.0;
 
+/// Balances of a branch of every load with its turns, of an elastic contact and of one with memory, which may turn back once more.
+const EVERY_LOAD: [f64; 2] = [900.0, 2200.0];
+/// Balances of a branch of speeds, the same.
+const EVERY_SPEED: [f64; 2] = [330.0, 800.0];
+/// Balances of a branch of works of adhesion or process zones.
+const EVERY_ADHESION: f64 = 250.0;
+/// Balances of a point of a branch: the contact, and what moved edges do to it.
+const POINT: f64 = 19.0;
+
+/// Points by which is seen how much of a branch lies within a range of loads, and points outside it over those inside.
+const PROBES: f64 = 40.0;
+const OUTSIDE: f64 = 0.7;
+
 impl SlidingPlan {
+    /// Balances of a branch.
+    fn balances_of_branch(&self, branch: &SlidingBranch) -> f64 {
+        let memory = usize::from(!self.material.is_elastic());
+        let of = |ways: [f64; 2]| ways.get(memory).copied().unwrap_or(0.0);
+        let curve = match branch.parameter {
+            BranchParameter::HalfWidth => of(EVERY_LOAD),
+            // Followed as a whole, then where it is wanted.
+            BranchParameter::MeanPressure | BranchParameter::LoadPerWidth | BranchParameter::Penetration => {
+                of(EVERY_LOAD) * if branch.range.is_some() { 2.0 } else { 1.0 }
+                    + if branch.range.is_some() { POINT * (PROBES + OUTSIDE * f64::from(branch.points)) } else { 0.0 }
+            }
+            BranchParameter::Speed => of(EVERY_SPEED),
+            BranchParameter::WorkOfAdhesion | BranchParameter::ProcessZone => EVERY_ADHESION,
+        };
+        curve + POINT * f64::from(branch.points)
+    }
+
     /// Balances of one contact at a speed. Measured over the shipped scenes, see `tests/explain_predicts_work.rs`.
     fn balances(&self, contact: SlidingContact, speed: f64) -> f64 {
         let Some(time) = self.material.longest_retardation_time() else { return ELASTIC };
@@ -31,6 +61,19 @@ impl SlidingPlan {
 
     /// Expected work of a sweep of so many states, over the speeds that it runs through.
     pub(super) fn work_of_states(&self, states: u64) -> Work {
+        let of_curve = match &self.sliding.task {
+            SlidingTask::State => None,
+            SlidingTask::Branch(branch) => Some(self.balances_of_branch(branch)),
+            SlidingTask::Strength => Some(EVERY_LOAD.get(usize::from(!self.material.is_elastic())).copied().unwrap_or(0.0)),
+        };
+        if let Some(balances) = of_curve {
+            let balances = balances * states as f64;
+            return Work {
+                closure_evaluations: balances.ceil() as u64,
+                linear_solves: (SOLVES * balances).ceil() as u64,
+                ..Work::default()
+            };
+        }
         let of_contact = |contact: SlidingContact| {
             let balances = self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
             let solves = if contact == SlidingContact::Adhesive { SOLVES } else { 1.0 };

@@ -3,7 +3,7 @@
 use super::SlidingPlan;
 use crate::outcome::{Effect, Group};
 use crate::plan::citations::{Citation, JOHNSON_WAVE, THESIS, WESTERGAARD};
-use crate::scene::typed::{SlidingContact, SlidingLoad, SlidingZone, Units};
+use crate::scene::typed::{BranchParameter, SlidingContact, SlidingLoad, SlidingTask, SlidingZone, Units};
 
 impl SlidingPlan {
     fn solves(&self, contact: SlidingContact) -> bool {
@@ -44,6 +44,20 @@ impl SlidingPlan {
                 on: self.sliding.field_points.is_some(),
                 why: if self.sliding.field_points.is_some() { "[fields] is given" } else { "no [fields]" }.into(),
             },
+            Effect {
+                name: "branch",
+                on: matches!(self.sliding.task, SlidingTask::Branch(_)),
+                why: match &self.sliding.task {
+                    SlidingTask::Branch(branch) => format!("[sliding.branch] is given, along {}", branch.parameter.word()),
+                    _ => "no [sliding.branch]".into(),
+                },
+            },
+            Effect {
+                name: "strength",
+                on: self.sliding.task == SlidingTask::Strength,
+                why: if self.sliding.task == SlidingTask::Strength { "[sliding.strength] is given" } else { "no [sliding.strength]" }
+                    .into(),
+            },
             Effect { name: "sweep", on: self.swept, why: if self.swept { "[sweep] is given" } else { "no [sweep]" }.into() },
         ]
     }
@@ -61,6 +75,22 @@ impl SlidingPlan {
         }
         if self.solves(SlidingContact::Adhesiveless) {
             sentences.push("adhesiveless: no singular stress at either edge; two equations for two edges".to_owned());
+        }
+        if self.sliding.task != SlidingTask::State {
+            sentences.push(
+                "the curve of contacts is followed by arclength in its unknowns, past its turns; turns are solved with the condition that they turn, at two resolutions"
+                    .to_owned(),
+            );
+            sentences.push(match &self.sliding.task {
+                SlidingTask::Branch(branch) if branch.parameter == BranchParameter::Speed => {
+                    "from the slow contact and, where that turns back, from the fast one; stability by how the work of each edge follows both edges".to_owned()
+                }
+                SlidingTask::Branch(_) => {
+                    "stability by how the work of each edge follows both edges, under a held load and under a held penetration".to_owned()
+                }
+                _ => "the work to separate is the integral of the load over the penetration, by Gauss's rule in ln tan(a/2), two rules compared (3.41)".to_owned(),
+            });
+            return sentences;
         }
         sentences.push(
             match (self.sliding.speed == 0.0 && !self.swept, self.material.is_elastic()) {
@@ -107,6 +137,7 @@ impl SlidingPlan {
             }
             SlidingLoad::Penetration(depth) => groups.push(group("penetration Δ/Λ", depth / self.scale.displacement, "1")),
             SlidingLoad::HalfWidth(width) => groups.push(group("reduced half-width", width / self.scale.length, "1")),
+            SlidingLoad::Every => {}
         }
         if self.solves(SlidingContact::Adhesive)
             && let (Some(adhesion), Some(given)) = (self.reduced_adhesion(), self.sliding.adhesion)

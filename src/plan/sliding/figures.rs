@@ -58,7 +58,7 @@ impl SlidingPlan {
     }
 
     /// A label with its symbol: in SI units, or as a reduced group of a wave or of a cylinder.
-    fn label(&self, name: &str, symbol: &str, unit: &str, of_wave: &str, of_cylinder: &str) -> String {
+    pub(super) fn label(&self, name: &str, symbol: &str, unit: &str, of_wave: &str, of_cylinder: &str) -> String {
         match (self.units, self.is_wave()) {
             (Units::Si, _) => format!("{name} {symbol}{unit}"),
             (Units::Reduced, true) => format!("{name} {of_wave}"),
@@ -66,7 +66,7 @@ impl SlidingPlan {
         }
     }
 
-    fn friction_label(&self) -> String {
+    pub(super) fn friction_label(&self) -> String {
         match (self.units, self.is_wave()) {
             (Units::Si, true) => r"friction stress $\tau_f$ (Pa)".into(),
             (Units::Si, false) => "friction per width (N/m)".into(),
@@ -75,7 +75,7 @@ impl SlidingPlan {
         }
     }
 
-    fn swept_axis(&self, sweep: &Sweep) -> Axis {
+    pub(super) fn swept_axis(&self, sweep: &Sweep) -> Axis {
         match sweep.key.as_str() {
             "sliding.speed" => axis_of(sweep, self.label("sliding speed", "$v$", " (m/s)", r"$kv\tau$", r"$v\tau/L$")),
             "sliding.mean_pressure" => axis_of(sweep, self.label("mean pressure", r"$\bar{p}$", " (Pa)", r"$2\bar{p}/E_0^* k\Lambda$", "")),

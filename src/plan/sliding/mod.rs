@@ -1,11 +1,15 @@
 //! The plan of a sliding contact: which contacts, at which speed, under which load, with which fields.
 
+mod branch_figures;
+mod branch_rows;
+mod branches;
 mod columns;
 mod cost;
 mod describe;
 mod figures;
 mod scale;
 mod solve;
+mod strength_rows;
 mod validity;
 
 use crate::elastic::PlaneState;
@@ -15,7 +19,10 @@ use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::refusal::Refusal;
-use crate::scene::typed::{ElasticBody, Scene, Sliding, SlidingContact, SlidingIndenter, SlidingLoad, SlidingZone, Units};
+use crate::scene::typed::{
+    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    Units,
+};
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 use scale::Scale;
 
@@ -56,11 +63,11 @@ impl SlidingPlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
-            speeds: scene
-                .sweeps
-                .iter()
-                .find(|sweep| sweep.key == "sliding.speed")
-                .map_or_else(|| vec![sliding.speed], |sweep| sweep.values.clone()),
+            speeds: match (&sliding.task, scene.sweeps.iter().find(|sweep| sweep.key == "sliding.speed")) {
+                (SlidingTask::Branch(SlidingBranch { parameter: BranchParameter::Speed, range: Some(range), .. }), _) => range.to_vec(),
+                (_, Some(sweep)) => sweep.values.clone(),
+                (_, None) => vec![sliding.speed],
+            },
         };
         let Scale { length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width } = plan.scale;
         let scales = [length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width];
@@ -102,11 +109,7 @@ impl SlidingPlan {
 
     /// What the solver is asked.
     fn problem(&self, contact: SlidingContact) -> Result<SlidingProblem, Refusal> {
-        let control = match self.sliding.control {
-            SlidingLoad::MeanPressure(load) | SlidingLoad::LoadPerWidth(load) => SlidingControl::MeanPressure(load / self.scale.load),
-            SlidingLoad::Penetration(penetration) => SlidingControl::Penetration(penetration / self.scale.displacement),
-            SlidingLoad::HalfWidth(half_width) => SlidingControl::HalfWidth(half_width / self.scale.length),
-        };
+        let control = self.control();
         let without = |limit_name| Refusal::NoSuchState {
             reason: "without adhesion nothing holds a contact that is not pressed".into(),
             limit_name,
@@ -118,8 +121,21 @@ impl SlidingPlan {
             (SlidingContact::Adhesiveless, SlidingControl::Penetration(depth)) if depth <= 0.0 => return Err(without("the penetration")),
             (SlidingContact::Adhesiveless, _) => None,
         };
-        let indenter = if self.is_wave() { Indenter::Wave } else { Indenter::Parabola };
-        Ok(SlidingProblem { rate: self.rate(self.sliding.speed), indenter, adhesion, control, accuracy: self.accuracy })
+        Ok(SlidingProblem { rate: self.rate(self.sliding.speed), indenter: self.indenter(), adhesion, control, accuracy: self.accuracy })
+    }
+
+    fn indenter(&self) -> Indenter {
+        if self.is_wave() { Indenter::Wave } else { Indenter::Parabola }
+    }
+
+    /// What is prescribed; along every load of no meaning.
+    fn control(&self) -> SlidingControl {
+        match self.sliding.control {
+            SlidingLoad::MeanPressure(load) | SlidingLoad::LoadPerWidth(load) => SlidingControl::MeanPressure(load / self.scale.load),
+            SlidingLoad::Penetration(penetration) => SlidingControl::Penetration(penetration / self.scale.displacement),
+            SlidingLoad::HalfWidth(half_width) => SlidingControl::HalfWidth(half_width / self.scale.length),
+            SlidingLoad::Every => SlidingControl::MeanPressure(0.0),
+        }
     }
 }
 
@@ -137,7 +153,11 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn labels(&self) -> &'static [&'static str] {
-        &["contact", "state"]
+        match self.sliding.task {
+            SlidingTask::State => &["contact", "state"],
+            SlidingTask::Branch(_) => &["contact", "state", "branch", "event"],
+            SlidingTask::Strength => &["contact"],
+        }
     }
 
     fn effects(&self) -> Vec<Effect> {
@@ -157,7 +177,31 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn columns(&self) -> Vec<Column> {
-        columns::columns(self.sliding.indenter, self.units)
+        columns::columns(&self.sliding, self.units)
+    }
+
+    fn headline(&self) -> &'static [&'static str] {
+        match &self.sliding.task {
+            SlidingTask::State => &[],
+            SlidingTask::Branch(branch) => match branch.parameter {
+                BranchParameter::Speed => &["speed", "half_width", "friction_stress", "friction_per_width", "stable_under_load"],
+                BranchParameter::WorkOfAdhesion => {
+                    &["work_of_adhesion", "half_width", "mean_pressure", "load_per_width", "stable_under_load"]
+                }
+                BranchParameter::ProcessZone => {
+                    &["trailing_process_zone", "half_width", "mean_pressure", "load_per_width", "stable_under_load"]
+                }
+                _ => &["half_width", "mean_pressure", "load_per_width", "penetration", "stable_under_load", "stable_under_penetration"],
+            },
+            SlidingTask::Strength => &[
+                "pull_off_pressure",
+                "pull_off_load_per_width",
+                "zero_load_half_width",
+                "snap_in_pressure",
+                "separation_penetration",
+                "toughness",
+            ],
+        }
     }
 
     fn field_columns(&self) -> Vec<Column> {
@@ -165,7 +209,11 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.sliding.contacts.iter().map(|&contact| self.row(contact, state, swept)).collect()
+        match &self.sliding.task {
+            SlidingTask::State => self.sliding.contacts.iter().map(|&contact| self.row(contact, state, swept)).collect(),
+            SlidingTask::Branch(branch) => self.branch_rows(branch, state, swept),
+            SlidingTask::Strength => vec![self.strength_row(state, swept)],
+        }
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {
@@ -173,7 +221,11 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
-        self.drawings(scene, rows)
+        match &self.sliding.task {
+            SlidingTask::State => self.drawings(scene, rows),
+            SlidingTask::Branch(branch) => self.branch_drawings(branch, scene, rows),
+            SlidingTask::Strength => self.strength_drawings(scene, rows),
+        }
     }
 
     fn citations(&self) -> Vec<&'static Citation> {

@@ -67,7 +67,7 @@ fn cylinder_length(sliding: &Sliding, radius: f64, relaxed_modulus: f64) -> f64 
     let pressed = match sliding.control {
         SlidingLoad::LoadPerWidth(load) => (4.0 * load.abs() / (PI * relaxed_modulus) * radius).sqrt(),
         SlidingLoad::HalfWidth(half_width) => half_width,
-        SlidingLoad::MeanPressure(_) | SlidingLoad::Penetration(_) => 0.0,
+        SlidingLoad::MeanPressure(_) | SlidingLoad::Penetration(_) | SlidingLoad::Every => 0.0,
     };
     adhesion.max(pressed)
 }

@@ -5,15 +5,15 @@ use super::columns::{COLUMNS, at, columns, definitions};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
-use crate::scene::typed::{SlidingContact, SlidingZone, Units};
-use crate::sliding::steady::{FullContact, PartialContact, SlidingOutcome, SlidingWork, steady_sliding};
+use crate::scene::typed::{Sliding, SlidingContact, SlidingTask, SlidingZone, Units};
+use crate::sliding::steady::{FullContact, PartialContact, PartialValues, SlidingOutcome, SlidingWork, steady_sliding};
 use std::f64::consts::PI;
 
 /// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
 const CONVERSION: f64 = 6.0 * f64::EPSILON;
 
 /// A limit in the units of the scene.
-struct PassedLimit {
+pub(super) struct PassedLimit {
     name: &'static str,
     value: f64,
     unit: String,
@@ -34,18 +34,31 @@ impl From<PassedLimit> for Witness {
 
 impl SlidingPlan {
     pub(super) fn row(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Row {
-        let definitions = definitions(self.sliding.indenter);
-        let mut row = Row::new(state, swept, vec![contact.word().to_owned(), String::new()], definitions.len());
+        let mut row = Row::new(state, swept, vec![contact.word().to_owned(), String::new()], definitions(&self.sliding).len());
         if let Err(refusal) = self.fill(contact, &mut row) {
             row.labels = vec![contact.word().to_owned(), String::new()];
-            row.refuse(&refusal);
-            if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
-                let limit = self.limit(limit_name, limit);
-                row.reason = Some(format!("no such state exists: {reason} ({limit})"));
-                row.witness = Some(limit.into());
-            }
+            self.refuse(&mut row, refusal);
         }
         row
+    }
+
+    /// Ends a row by a refusal, limits in the units of the scene.
+    pub(super) fn refuse(&self, row: &mut Row, refusal: Refusal) {
+        row.refuse(&refusal);
+        if let Refusal::NoSuchState { limit_name, limit, .. } = refusal {
+            row.reason = Some(self.sentence(&refusal));
+            row.witness = Some(self.limit(limit_name, limit).into());
+        }
+    }
+
+    /// A refusal in words, limits in the units of the scene.
+    pub(super) fn sentence(&self, refusal: &Refusal) -> String {
+        match refusal {
+            Refusal::NoSuchState { reason, limit_name, limit } => {
+                format!("no such state exists: {reason} ({})", self.limit(limit_name, *limit))
+            }
+            other => other.to_string(),
+        }
     }
 
     fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
@@ -62,7 +75,8 @@ impl SlidingPlan {
                     row.fields = self.fields(&partial, points)?;
                     row.work.field_evaluations = u64::from(points);
                 }
-                self.partial_values(contact, &partial)
+                let speed = Estimate::exact(self.sliding.speed);
+                self.partial_values(&partial.values, speed, self.zones().filter(|_| contact == SlidingContact::Adhesive))
             }
             SlidingOutcome::Full(full) => {
                 row.labels = vec![contact.word().to_owned(), "full".to_owned()];
@@ -74,11 +88,22 @@ impl SlidingPlan {
                 self.full_values(&full)
             }
         };
-        let work_of_adhesion = match (self.units, self.sliding.adhesion) {
+        self.finish(row, reduced, self.work_of_adhesion())?;
+        row.assumptions = self.assumptions(row);
+        row.representable(&columns(&self.sliding, self.units))
+    }
+
+    /// Δγ of the scene as the unit of energy release rates.
+    pub(super) fn work_of_adhesion(&self) -> f64 {
+        match (self.units, self.sliding.adhesion) {
             (Units::Si, Some(adhesion)) => adhesion.work_of_adhesion,
             _ => 1.0,
-        };
-        let columns = columns(self.sliding.indenter, self.units);
+        }
+    }
+
+    /// Puts reduced values into a row in the units of the scene; the first, the speed, is in them already. Flags a row whose bounds are too wide.
+    pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, work_of_adhesion: f64) -> Result<(), Refusal> {
+        let columns = columns(&self.sliding, self.units);
         // Every reference scale is one reduced unit.
         let shortfall = columns.iter().zip(&reduced).skip(1).find_map(|(column, value)| {
             let estimate = (*value)?;
@@ -89,35 +114,37 @@ impl SlidingPlan {
             row.status = Status::Inaccurate;
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
-        row.values = definitions(self.sliding.indenter)
-            .iter()
+        row.values = definitions(&self.sliding)
+            .into_iter()
             .zip(reduced)
             .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, work_of_adhesion))))
             .collect();
-        row.assumptions = self.assumptions(row);
         row.representable(&columns)
     }
 
     /// A reduced number in the units of the scene.
-    fn in_units(&self, estimate: Estimate, factor: f64) -> Estimate {
+    pub(super) fn in_units(&self, estimate: Estimate, factor: f64) -> Estimate {
         let value = estimate.value * factor;
         let rounding = if self.units == Units::Si && estimate.error > 0.0 { CONVERSION * value.abs() } else { 0.0 };
         // No minus zero.
         Estimate::new(value + 0.0, (estimate.error * factor).abs() + rounding)
     }
 
-    /// The values of a partial contact in the order of the columns, reduced; the speed is in the scene's units already.
-    fn partial_values(&self, contact: SlidingContact, partial: &PartialContact) -> Vec<Option<Estimate>> {
-        let values = &partial.values;
-        let mirrored = |estimate: Estimate| Some(Estimate::new(self.direction() * estimate.value, estimate.error));
-        let adhesion = values.adhesion.as_ref();
-        let zones = self.reduced_adhesion().filter(|_| contact == SlidingContact::Adhesive);
-        let zone_error = match self.sliding.adhesion.map(|adhesion| adhesion.process_zone) {
+    /// The process zones, reduced.
+    pub(super) fn zones(&self) -> Option<[Estimate; 2]> {
+        let error = match self.sliding.adhesion.map(|adhesion| adhesion.process_zone) {
             Some(SlidingZone::Cohesive { .. }) => 8.0 * f64::EPSILON,
             _ => 0.0,
         };
+        self.reduced_adhesion().map(|zones| [zones.trailing_zone, zones.leading_zone].map(|zone| Estimate::relative(zone, error)))
+    }
+
+    /// The values of a partial contact in the order of the columns, reduced; the speed is in the scene's units already.
+    pub(super) fn partial_values(&self, values: &PartialValues, speed: Estimate, zones: Option<[Estimate; 2]>) -> Vec<Option<Estimate>> {
+        let mirrored = |estimate: Estimate| Some(Estimate::new(self.direction() * estimate.value, estimate.error));
+        let adhesion = values.adhesion.as_ref();
         vec![
-            Some(Estimate::exact(self.sliding.speed)),
+            Some(speed),
             Some(values.half_width),
             mirrored(values.eccentricity),
             Some(values.friction_stress),
@@ -130,8 +157,8 @@ impl SlidingPlan {
             adhesion.map(|values| values.adhesive_friction_stress),
             adhesion.map(|values| values.trailing_nonconservative),
             adhesion.map(|values| values.leading_nonconservative),
-            zones.map(|zones| Estimate::relative(zones.trailing_zone, zone_error)),
-            zones.map(|zones| Estimate::relative(zones.leading_zone, zone_error)),
+            zones.map(|[trailing, _]| trailing),
+            zones.map(|[_, leading]| leading),
             Some(values.penetration),
             Some(values.interface_work),
         ]
@@ -154,16 +181,18 @@ impl SlidingPlan {
     }
 
     /// −1 where the body slides along −x.
-    fn direction(&self) -> f64 {
+    pub(super) fn direction(&self) -> f64 {
         if self.sliding.speed < 0.0 { -1.0 } else { 1.0 }
     }
 
     /// A limit of the solver, which measure it has being told by its name, in the units of the scene.
-    fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
-        let of_column =
-            |column: usize| columns(self.sliding.indenter, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);
+    pub(super) fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
+        let plain = Sliding { task: SlidingTask::State, ..self.sliding.clone() };
+        let of_column = |column: usize| columns(&plain, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);
         let (name, value, unit) = if name.contains("rate") {
             ("the speed of the last partial contact", value * self.scale.length, of_column(at::SPEED))
+        } else if name.contains("narrowest half-width") {
+            ("the narrowest half-width", value * self.scale.length, of_column(at::HALF_WIDTH))
         } else if name.contains("penetration") {
             (name, value * self.scale.displacement, of_column(at::PENETRATION))
         } else if name.contains("pressure") || name.contains("load") {

@@ -38,9 +38,13 @@ const ASSUMPTIONS: [Assumption; 5] = [
 impl SlidingPlan {
     /// The numbers that the assumptions are judged by, for one row.
     pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
+        self.assumed(row.value(at::HALF_WIDTH), [row.value(at::TRAILING_ZONE), row.value(at::LEADING_ZONE)])
+    }
+
+    /// The same from a half-width and the process zones.
+    pub(super) fn assumed(&self, half_width: Option<f64>, zones: [Option<f64>; 2]) -> Vec<Option<f64>> {
         let si = (self.units == Units::Si).then_some(());
-        let half_width = row.value(at::HALF_WIDTH);
-        let zones = || [row.value(at::TRAILING_ZONE), row.value(at::LEADING_ZONE)].into_iter().flatten();
+        let zones = || zones.into_iter().flatten();
         let cohesive = match self.sliding.adhesion.map(|adhesion| adhesion.process_zone) {
             Some(SlidingZone::Cohesive { cohesive_stress, .. }) => zones().next().map(|_| cohesive_stress),
             _ => None,

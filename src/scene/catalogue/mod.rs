@@ -35,7 +35,7 @@ pub enum Kind {
         /// The unit it has in `units = "reduced"`.
         reduced: &'static str,
     },
-    /// A number of the dimension of another key (a sweep's values).
+    /// A number of the dimension of another key (a sweep's values, the ends of a branch).
     NumberOfSweptKey,
     /// A list of such numbers.
     NumbersOfSweptKey,

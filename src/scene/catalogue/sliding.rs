@@ -80,4 +80,53 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "1/k, of a cylinder L" },
         meaning: "Half the width of the contact; the load is found.",
     },
+    Key {
+        path: "sliding.branch",
+        kind: Kind::Table,
+        meaning: "A whole curve of adhesive contacts, unstable ones too, with its turns: pull-off, snap-in, separation, folds, zero load. Along a load no load is given besides; along the others the given one is held.",
+    },
+    Key {
+        path: "sliding.branch.parameter",
+        kind: Kind::Choice(&[
+            Word { word: "mean_pressure", meaning: "wave: every contact at the given speed, between two mean pressures or all of them" },
+            Word { word: "load_per_width", meaning: "cylinder: the same between two loads" },
+            Word { word: "penetration", meaning: "wave: the same between two penetrations" },
+            Word { word: "half_width", meaning: "the same between two half-widths" },
+            Word {
+                word: "speed",
+                meaning: "speeds at the given load, penetration or half-width, from the slow and from the fast contact; leave sliding.speed out",
+            },
+            Word { word: "work_of_adhesion", meaning: "works of adhesion, process zones held; begins at adhesion.work_of_adhesion" },
+            Word {
+                word: "process_zone",
+                meaning: "process zones, in a fixed ratio, by the length of the trailing one; begins at the given one",
+            },
+        ]),
+        meaning: "What runs between `from` and `to` along the curve.",
+    },
+    Key {
+        path: "sliding.branch.from",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "The smallest value of the parameter, in its unit; may be left out, with `to`, along mean_pressure, penetration and half_width of a wave.",
+    },
+    Key { path: "sliding.branch.to", kind: Kind::NumberOfSweptKey, meaning: "The largest value of the parameter." },
+    Key {
+        path: "sliding.branch.points",
+        kind: Kind::Count { least: 2, most: 10_000 },
+        meaning: "About how many contacts of the curve are rows, evenly spaced along it, on each of the slow and the fast branch; turns come besides. Default 100.",
+    },
+    Key {
+        path: "sliding.branch.frame_stiffness",
+        kind: Kind::Number {
+            dimension: Dimension::STIFFNESS_PER_AREA,
+            range: Range::Positive,
+            reduced: "E0*k/2 (mean pressure over penetration)",
+        },
+        meaning: "Wave: the stiffness k_f, per nominal area, of a frame that holds Δ + p̄/k_f; adds the column `stable_in_frame`.",
+    },
+    Key {
+        path: "sliding.strength",
+        kind: Kind::Table,
+        meaning: "What an adhesive contact bears at a speed: pull-off, snap-in, separation, the contact without load, the work to separate. It has no members, and no load is given besides.",
+    },
 ];

@@ -5,6 +5,7 @@ mod include;
 mod material;
 mod section;
 mod sliding;
+mod sliding_branch;
 
 use super::catalogue::Range;
 use super::check::{Units, check};

@@ -1,11 +1,11 @@
 //! The [sliding], [adhesion] and [fields] tables of a sliding contact.
 
 use super::section::Section;
-use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress};
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesive_stress};
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
-    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingContact, SlidingIndenter, SlidingLoad, SlidingZone,
+    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
 };
 use std::f64::consts::TAU;
 
@@ -17,9 +17,28 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
     }
     let indenter = indenter(&sliding)?;
     let counter_body = counter_body(&sliding)?;
-    let control = control(&sliding, indenter)?;
     let adhesion = adhesion(top)?;
+    let task = sliding_branch::task(&sliding, indenter, adhesion)?;
+    let control = if sliding_branch::meets_every_load(&task) {
+        sliding_branch::without_load(&sliding)?;
+        SlidingLoad::Every
+    } else {
+        control(&sliding, indenter)?
+    };
+    let speed = match sliding_branch::speeds(&task) {
+        Some([slowest, _]) => {
+            let message = "`sliding.speed` is given, and runs along the branch";
+            match sliding.node().get("speed") {
+                Some(_) => return Err(sliding.wrong("speed", message, "leave it out").help("or name another sliding.branch.parameter")),
+                None => slowest,
+            }
+        }
+        None => sliding.required_number("speed")?,
+    };
     let contacts = contacts(&sliding, adhesion.is_some())?;
+    if task != SlidingTask::State {
+        sliding_branch::of_states(top, &sliding)?;
+    }
     let field_points = match top.table("fields") {
         None => None,
         Some(fields) => {
@@ -27,7 +46,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
             Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
         }
     };
-    Ok(Sliding { indenter, counter_body, speed: sliding.required_number("speed")?, control, contacts, adhesion, field_points })
+    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, field_points })
 }
 
 fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {
