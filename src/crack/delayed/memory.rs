@@ -2,10 +2,10 @@
 //!
 //! Loads over the glassy limit (κ), lengths over the process zone (x), the history as pieces on which both are straight in time:
 //! ```text
-//! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        M_j = P_j − R_j
+//! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        M_j = P_j − R_j        N_j = g_jκ − l_jM_j
 //! w/Δγ = κ² + κ Σ M_j                            g_j = E∞J_j/τ_j, l_j = 1/τ_j; flow: g = E∞/η, l = 0
 //! ```
-//! Both integrals run over the window x(t₁) > x − 1. A step multiplies by e^{−l_jΔt}, moves R by P·Δx and adds one exact integral
+//! N is carried along: for a term much faster than the step it is a small difference of large numbers. Both integrals run over the window x(t₁) > x − 1. A step multiplies by e^{−l_jΔt}, moves R by P·Δx and adds one exact integral
 //! ([`super::moments`]), so a step costs one exponential per term. What leaves the window is subtracted; the sums are formed anew, forwards
 //! and without subtraction, whenever a rest leaves (it may be nearly all of P) and once per window.
 
@@ -43,8 +43,8 @@ struct Piece {
     duration: f64,
     places: [f64; 2],
     loads: [f64; 2],
-    /// Of a rest: each term's P at its end. Rests at one place become one piece, whatever the loads were.
-    rested: Option<Vec<f64>>,
+    /// Of a rest: what it left in each term's P and N at its end. Rests at one place become one piece, whatever the loads were.
+    rested: Option<Vec<[f64; 2]>>,
 }
 
 /// A step from the present: duration (s), advance (process zones), load at its start and end.
@@ -68,8 +68,8 @@ pub(crate) struct Sums {
     pub(crate) memory: f64,
     /// ΣP_j = −d(ΣM_j)/dx at fixed time.
     pub(crate) exposure: f64,
-    /// Σl_jM_j: what fades per second.
-    pub(crate) fading: f64,
+    /// ΣN_j, the rate at which ΣM_j grows at rest (1/s).
+    pub(crate) growth: f64,
 }
 
 /// The memory and the pieces that are in the window.
@@ -78,6 +78,8 @@ pub(crate) struct Memory {
     pub(crate) terms: Vec<Term>,
     exposure: Vec<f64>,
     lag: Vec<f64>,
+    lack: Vec<f64>,
+    load: f64,
     pieces: VecDeque<Piece>,
     /// Time and place of the tip since the last [`Memory::rebase`].
     pub(crate) clock: f64,
@@ -95,7 +97,9 @@ impl Memory {
         Self {
             terms,
             exposure: zeros.clone(),
-            lag: zeros,
+            lag: zeros.clone(),
+            lack: zeros,
+            load: 0.0,
             pieces: VecDeque::new(),
             clock: 0.0,
             place: 0.0,
@@ -127,7 +131,7 @@ impl Memory {
     /// P and M of one piece for one term, seen from `clock` and `place`.
     fn integrals(term: Term, index: usize, piece: &Piece, clock: f64, place: f64) -> [f64; 2] {
         if let Some(rested) = &piece.rested {
-            let exposure = rested.get(index).copied().unwrap_or(0.0) * (-term.rate * (clock - piece.end)).exp();
+            let exposure = rested.get(index).map_or(0.0, |values| values[0]) * (-term.rate * (clock - piece.end)).exp();
             return [exposure, exposure * (1.0 - (place - piece.places[1]))];
         }
         let (_, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
@@ -145,7 +149,7 @@ impl Memory {
     pub(crate) fn after(&mut self, step: &Step, mut each: Option<&mut Vec<f64>>) -> Sums {
         let (clock, place) = (self.clock + step.duration, self.place + step.advance);
         let leaving: Vec<Piece> = self.behind(place).collect();
-        let mut sums = Sums { memory: 0.0, exposure: 0.0, fading: 0.0 };
+        let mut sums = Sums { memory: 0.0, exposure: 0.0, growth: 0.0 };
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
@@ -155,20 +159,32 @@ impl Memory {
             // 1 − Δx·v is the weight of the step itself.
             let mut memory = (old - decay * self.lag[index] - step.advance * old)
                 + gain * (last * n0 + (first - last - last * step.advance) * n1 - (first - last) * step.advance * n2);
+            let mut lack = self.lack_after(index, step, decay, [n0, n1]);
             for piece in &leaving {
                 let [outside, weighted] = Self::integrals(*term, index, piece, clock, place);
                 exposure -= outside;
                 memory -= weighted;
+                lack += term.rate * weighted;
             }
             sums.memory += memory;
             sums.exposure += exposure;
-            sums.fading += term.rate * memory;
+            sums.growth += lack;
             if let Some(each) = each.as_mut() {
                 each.push(memory);
             }
         }
         self.kernel_evaluations += (self.terms.len() * (1 + leaving.len())) as u64;
         sums
+    }
+
+    /// N_j after a step: by parts, so that the difference of two large numbers is never formed.
+    fn lack_after(&self, index: usize, step: &Step, decay: f64, [n0, n1]: [f64; 2]) -> f64 {
+        let Some(term) = self.terms.get(index) else { return 0.0 };
+        let [first, last] = step.loads;
+        let before = self.lack[index] + term.gain * (first - self.load);
+        let exposed = term.gain * first - term.rate * self.exposure[index];
+        let fall = first - last;
+        decay * (before - step.advance * exposed) - term.gain * ((fall - step.advance * last) * n0 - 2.0 * step.advance * fall * n1)
     }
 
     /// Takes a step, and lets what is behind the window go.
@@ -178,11 +194,13 @@ impl Memory {
             let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
+            self.lack[index] = self.lack_after(index, step, decay, [n0, n1]);
             self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
             self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
         }
         self.kernel_evaluations += self.terms.len() as u64;
         let from = self.place;
+        self.load = last;
         self.clock += step.duration;
         self.place += step.advance;
         if step.duration > 0.0 {
@@ -198,6 +216,7 @@ impl Memory {
                 let [outside, weighted] = Self::integrals(*term, index, &piece, self.clock, self.place);
                 self.exposure[index] -= outside;
                 self.lag[index] -= outside - weighted;
+                self.lack[index] += term.rate * weighted;
             }
             self.kernel_evaluations += self.terms.len() as u64;
             self.left_since_sum += 1;
@@ -217,6 +236,7 @@ impl Memory {
                 _ => None,
             };
             let earlier = joined.as_ref().and_then(|last| last.rested.as_deref());
+            let earlier_load = joined.as_ref().map_or(0.0, |last| last.loads[1]);
             let [first, last] = step.loads;
             let exposures = self
                 .terms
@@ -224,8 +244,12 @@ impl Memory {
                 .enumerate()
                 .map(|(index, term)| {
                     let (decay, [n0, n1, _]) = fading_moments(term.rate * step.duration);
-                    let before = earlier.and_then(|values| values.get(index)).copied().unwrap_or(0.0);
-                    decay * before + term.gain * step.duration * (last * n0 + (first - last) * n1)
+                    let [before, lack] = earlier.and_then(|values| values.get(index)).copied().unwrap_or([0.0; 2]);
+                    let lack = lack + term.gain * (first - earlier_load);
+                    [
+                        decay * before + term.gain * step.duration * (last * n0 + (first - last) * n1),
+                        decay * lack - term.gain * (first - last) * n0,
+                    ]
                 })
                 .collect();
             piece.rested = Some(exposures);
@@ -240,35 +264,51 @@ impl Memory {
         self.pieces.len()
     }
 
-    /// P and R from the pieces, forwards: no subtraction.
+    /// P, R and N from the pieces, forwards: no subtraction.
     fn sum_anew(&mut self) {
         self.left_since_sum = 0;
         self.exposure.fill(0.0);
         self.lag.fill(0.0);
+        self.lack.fill(0.0);
+        let load_now = std::mem::replace(&mut self.load, 0.0);
         let mut last_place = self.pieces.front().map_or(self.place, |piece| piece.places[0]);
-        for piece in &self.pieces {
-            let (jump, advance) = (piece.places[0] - last_place, piece.places[1] - piece.places[0]);
+        let pieces = std::mem::take(&mut self.pieces);
+        for piece in &pieces {
+            self.jump(piece.places[0] - last_place);
             let [first, last] = piece.loads;
+            let step = Step { duration: piece.duration, advance: piece.places[1] - piece.places[0], loads: piece.loads };
             for (index, term) in self.terms.iter().enumerate() {
                 let (decay, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
                 let gain = term.gain * piece.duration;
                 let old = decay * self.exposure[index];
-                let rested = piece.rested.as_ref().and_then(|values| values.get(index));
-                if let Some(rested) = rested {
-                    self.lag[index] = decay * self.lag[index] + jump * old;
+                if let Some([rested, lack]) = piece.rested.as_ref().and_then(|values| values.get(index)) {
+                    self.lack[index] = lack - term.rate * decay * (self.exposure[index] - self.lag[index]);
+                    self.lag[index] *= decay;
                     self.exposure[index] = old + rested;
                     continue;
                 }
-                self.lag[index] = decay * self.lag[index] + (jump + advance) * old + gain * advance * (last * n1 + (first - last) * n2);
+                self.lack[index] = self.lack_after(index, &step, decay, [n0, n1]);
+                self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
                 self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
             }
+            self.load = last;
             last_place = piece.places[1];
         }
-        let jump = self.place - last_place;
-        for (lag, exposure) in self.lag.iter_mut().zip(&self.exposure) {
-            *lag += jump * exposure;
+        self.pieces = pieces;
+        self.jump(self.place - last_place);
+        for (lack, term) in self.lack.iter_mut().zip(&self.terms) {
+            *lack += term.gain * (load_now - self.load);
         }
+        self.load = load_now;
         self.kernel_evaluations += (self.terms.len() * self.pieces.len()) as u64;
+    }
+
+    /// Moves the tip in no time.
+    fn jump(&mut self, advance: f64) {
+        for (index, term) in self.terms.iter().enumerate() {
+            self.lag[index] += advance * self.exposure[index];
+            self.lack[index] += advance * term.rate * self.exposure[index];
+        }
     }
 
     /// Sets clock and place back near zero, so that long histories lose no digits; returns by how much.
@@ -288,6 +328,7 @@ impl Memory {
         self.pieces.clear();
         let places = [self.place - 1.0, self.place];
         self.pieces.push_back(Piece { end: self.clock, duration: crossing_time, places, loads: [load, load], rested: None });
+        self.load = load;
         self.sum_anew();
     }
 }

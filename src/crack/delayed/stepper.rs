@@ -223,9 +223,8 @@ impl Stepper<'_> {
     }
 
     /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ.
-    fn speed_of(&self, sums: &Sums, load: f64, load_slope: f64) -> f64 {
-        let gain: f64 = self.memory.terms.iter().map(|term| term.gain).sum();
-        let rate = load_slope * (2.0 * load + sums.memory) + load * (gain * load - sums.fading);
+    fn speed_of(sums: &Sums, load: f64, load_slope: f64) -> f64 {
+        let rate = load_slope * (2.0 * load + sums.memory) + load * sums.growth;
         let speed = rate / (load * sums.exposure);
         if speed.is_nan() { 0.0 } else { speed.min(f64::MAX) }
     }
@@ -269,7 +268,7 @@ impl Stepper<'_> {
     fn restart_grid(&mut self, ahead: &Ahead) {
         self.grid = (self.memory.place, 0);
         let sums = self.sums(&Step::none(ahead.load));
-        self.speed = self.speed_of(&sums, ahead.load, ahead.slope);
+        self.speed = Self::speed_of(&sums, ahead.load, ahead.slope);
     }
 
     fn arrest(&mut self, before: f64) {
@@ -384,7 +383,7 @@ impl Stepper<'_> {
     fn advance(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, on_line: bool) {
         let step = ahead.step(duration, advance);
         let sums = self.sums(&step);
-        let before = self.speed_of(&sums, step.loads[1], ahead.slope);
+        let before = Self::speed_of(&sums, step.loads[1], ahead.slope);
         if on_line {
             self.grid.1 += 1;
         }
@@ -394,7 +393,7 @@ impl Stepper<'_> {
         if self.kinks.iter().any(|kink| *kink <= passed) {
             self.kinks.retain(|kink| *kink > passed);
             let sums = self.sums(&Step::none(ahead.load));
-            self.speed = self.speed_of(&sums, ahead.load, ahead.slope);
+            self.speed = Self::speed_of(&sums, ahead.load, ahead.slope);
             self.event(RawKind::Kinks, [before, self.speed], 0.0);
             self.uniform = (0.0, 0);
         }
