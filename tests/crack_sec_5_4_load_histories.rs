@@ -8,9 +8,11 @@
 //! ```
 //! Parameters: solids of 1, 3 and 12 terms; β = 10 to 1000; loads from zero to beyond the glassy limit; dwells up to 1e9 retardation times.
 //!
-//! Oracle: the closure itself by quadrature of Eqs 5.53, 5.54 and 5.67 on the computed trajectory; closed forms at rest; invariances.
+//! Oracle: `reference_data/delayed_fracture_raw.csv` (Eqs 5.53, 5.54, 5.67 stepped in Python, nothing reduced); the collapsed closure by trapezia on the
+//! computed trajectory; closed forms at rest; invariances.
 //!
-//! Tolerance: 2e-6 for the closure by quadrature of a trajectory sampled at 4000 times; rounding (1e-11) for invariances.
+//! Tolerance: 3e-4 for the closure by trapezia over a trajectory sampled at 4000 times, some tens a zone (their own error); 1e-4 of a zone against
+//! 192 raw steps, whose error falls at second order; rounding (1e-11) for invariances; error bars must hold.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 #[path = "support/physics.rs"]
@@ -19,9 +21,7 @@ mod support;
 
 use physics::{Random, random_solid, relative};
 use support::{reference_materials, reference_rows};
-use viscotack::crack::delayed::{
-    EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, TipState, Trajectory, Wave, trajectory,
-};
+use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, TipState, Trajectory, Wave, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::elastic::PureShearStrip;
 use viscotack::elastic::plane_modulus::PlaneState;
@@ -114,8 +114,10 @@ fn eq_5_54_with_5_67_stepped_raw_agrees() {
         let problem = GrowthProblem::new(material, interface, 0.0).unwrap();
         let load: Vec<f64> = row.text("load").split(' ').skip(1).map(|text| text.parse().unwrap()).collect();
         let history =
-            LoadHistory::from_segments(&[LoadSegment::Step { load: load[0] }, LoadSegment::Ramp { duration: load[2], load: load[1] }]).unwrap();
-        let found = trajectory(&problem, &history, &[row.number("time")], Resolution { lines_per_zone: 128, ..Resolution::default() }).unwrap();
+            LoadHistory::from_segments(&[LoadSegment::Step { load: load[0] }, LoadSegment::Ramp { duration: load[2], load: load[1] }])
+                .unwrap();
+        let found =
+            trajectory(&problem, &history, &[row.number("time")], Resolution { lines_per_zone: 128, ..Resolution::default() }).unwrap();
         let place = found.samples[0].growth.unwrap().value / problem.process_zone();
         if place < 1e-6 {
             continue;
@@ -141,7 +143,7 @@ fn work_is_that_of_adhesion_while_the_tip_runs_and_less_while_it_rests() {
     for material in [one_term(), three_terms()] {
         let problem = problem(&material);
         let (low, high) = (problem.relaxed_limit(), problem.glassy_limit());
-        let top = low * (high / low).powf(0.6);
+        let top = low * (high / low).powf(0.4);
         let duration = 3.0;
         let history = LoadHistory::from_segments(&[
             LoadSegment::Ramp { duration: 0.4 * duration, load: top },
@@ -282,10 +284,16 @@ fn cycles_grow_a_little_each_and_their_cost_is_linear() {
             let cycles = LoadSegment::Cycles { count, period, lower: 0.2 * low, upper: 2.0 * low, wave };
             let history = LoadHistory::from_segments(&[cycles]).unwrap();
             let until = period * f64::from(count);
-            let found = trajectory(&problem, &history, &even_times(until, count), Resolution { lines_per_zone: 16, ..Resolution::default() }).unwrap();
+            let found =
+                trajectory(&problem, &history, &even_times(until, count), Resolution { lines_per_zone: 16, ..Resolution::default() })
+                    .unwrap();
             assert_sound(&found);
             let arrests = names(&found).iter().filter(|name| **name == "arrest").count();
-            println!("{wave:?} {count}: {:.4} zones, {arrests} arrests, {:?}", found.samples.last().unwrap().growth.unwrap().value / ZONE, found.work);
+            println!(
+                "{wave:?} {count}: {:.4} zones, {arrests} arrests, {:?}",
+                found.samples.last().unwrap().growth.unwrap().value / ZONE,
+                found.work
+            );
             assert!(arrests + 6 >= count as usize, "{:?}", names(&found));
             steps.push(found.work.steps as f64);
         }
@@ -384,7 +392,7 @@ fn units_split_terms_and_split_holds_change_nothing() {
 fn error_bars_hold_against_a_finer_run_over_random_histories() {
     let mut random = Random(4207);
     let (mut checked, mut widest) = (0, 0.0_f64);
-    for _ in 0..60 {
+    for _ in 0..120 {
         let material = random_solid(&mut random, 6, 4.0, 1e3);
         if material.stiffening_ratio() < 1.3 {
             continue;

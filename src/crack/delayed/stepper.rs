@@ -5,7 +5,7 @@
 //! exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown is the
 //! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
 //! or a new stretch of load starts, so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
-//! down, the time step is bounded and the unknown is the place.
+//! down, the time step is bounded (m/2 steps in a stretch of load) and the unknown is the place.
 //!
 //! # How good
 //! Second order in 1/m, exact for uniform motion. An arrest is closed in on by halving until the step is 10⁻³/m of the usual one. When
@@ -354,7 +354,7 @@ impl Stepper<'_> {
         let line = self.grid.0 + (self.grid.1 + 1) as f64 / f64::from(self.lines_per_zone);
         let target = self.kinks.iter().copied().filter(|kink| *kink > self.memory.place + SAME_PLACE).fold(line, f64::min);
         let whole = target - self.memory.place;
-        let longest = ahead.left.min(ahead.whole * 8.0 / f64::from(self.lines_per_zone));
+        let longest = ahead.left.min(ahead.whole * 2.0 / f64::from(self.lines_per_zone));
         let mut duration = longest.min(2.0 * whole / self.speed);
         let usual = duration;
         // Whether the closure is met at the grid line within the time, or short of it, or not even where the tip is.

@@ -2,8 +2,8 @@
 //!
 //! # How the errors are known
 //! The runs have 1, 2 and 4 times the lines per process zone. Where the results converge like the square of the step (their differences are
-//! in a ratio between 2.5 and 8), the two last are extrapolated, value = x₄ + (x₄ − x₂)/3, and the error is the difference to the
-//! extrapolation of the first two. Elsewhere (an arrest between two lines, a load that breaks between them) the finest value
+//! in a ratio between 3.2 and 5), the two last are extrapolated, value = x₄ + (x₄ − x₂)/3, and the error is the difference to the
+//! extrapolation of the first two plus a part of the last difference that stands for terms of third order. Elsewhere (an arrest between two lines, a load that breaks between them) the finest value
 //! stands and the error is the sum of both differences. Rounding is added: each step satisfies the closure to an ulp, which is ε/κΣP_j of a place.
 
 use super::load::LoadHistory;
@@ -141,8 +141,8 @@ pub fn trajectory(
         run(problem, history, outputs, until, 4 * lines, resolution.most_steps)?,
     ];
     let zone = problem.process_zone;
-    let samples = outputs.iter().enumerate().map(|(index, &time)| sample(&runs, index, time, history.at(time), zone)).collect();
-    let mut events = events(&runs, zone, until);
+    let samples = outputs.iter().enumerate().map(|(index, &time)| sample(&runs, lines, index, time, history.at(time), zone)).collect();
+    let mut events = events(&runs, lines, zone, until);
     // Under one constant load the delay is known to rounding from its own equation.
     if history.stretches().len() == 1
         && let Some(Event { kind: EventKind::GrowthBegins { speed }, time, .. }) = events.first_mut()
@@ -167,19 +167,24 @@ pub fn tends_to(problem: &GrowthProblem<'_>, intensity: f64, tolerance: f64) -> 
 /// Rounding of a place or speed in the units of the runs, relative to itself and to one process zone.
 const ROUNDING: f64 = 1e-14;
 
+/// Errors of third order (loads that break between grid lines) are this part of the last difference, over the lines of the coarsest run.
+/// Measured: over 400 random histories at 16 lines no bar of 2160 was too short.
+const IRREGULAR_PART: f64 = 4.0;
+
 /// The value and error that three runs of second order give, before units; `scale` is what rounding is measured against.
-fn extrapolated([coarse, middle, fine]: [f64; 3], scale: f64) -> Estimate {
+fn extrapolated([coarse, middle, fine]: [f64; 3], scale: f64, lines: u32) -> Estimate {
     let (first, second) = (middle - coarse, fine - middle);
     let rounding = ROUNDING * (fine.abs() + scale);
     let ratio = first / second;
-    if (2.5..8.0).contains(&ratio) {
+    if (3.2..5.0).contains(&ratio) {
         let value = fine + second / 3.0;
-        return Estimate::new(value, (value - (middle + first / 3.0)).abs() + rounding);
+        let irregular = IRREGULAR_PART / f64::from(lines) * second.abs();
+        return Estimate::new(value, (value - (middle + first / 3.0)).abs() + irregular + rounding);
     }
     Estimate::new(fine, first.abs() + second.abs() + rounding)
 }
 
-fn sample(runs: &[Run; 3], index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
+fn sample(runs: &[Run; 3], lines: u32, index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
     let at = |run: &Run| run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true });
     let [coarse, middle, fine] = [at(&runs[0]), at(&runs[1]), at(&runs[2])];
     if !fine.bounded {
@@ -189,14 +194,14 @@ fn sample(runs: &[Run; 3], index: usize, time: f64, intensity: f64, zone: f64) -
     let resting = agreed && !fine.moving;
     let places = [coarse.place, middle.place, fine.place];
     let speeds = [coarse.speed, middle.speed, fine.speed];
-    let growth = if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { extrapolated(places, 1.0) };
-    let speed = if resting { Estimate::exact(0.0) } else { extrapolated(speeds, 0.0) };
+    let growth = if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { extrapolated(places, 1.0, lines) };
+    let speed = if resting { Estimate::exact(0.0) } else { extrapolated(speeds, 0.0, lines) };
     let state = if fine.moving { TipState::Growing } else { TipState::Resting };
     Sample { time, intensity, state, growth: Some(growth.scaled(zone)), speed: Some(speed.scaled(zone)) }
 }
 
 /// The events of the finest run; those of the others, in the same order, give the errors.
-fn events(runs: &[Run; 3], zone: f64, until: f64) -> Vec<Event> {
+fn events(runs: &[Run; 3], lines: u32, zone: f64, until: f64) -> Vec<Event> {
     let mut together = true;
     runs[2]
         .events
@@ -212,7 +217,7 @@ fn events(runs: &[Run; 3], zone: f64, until: f64) -> Vec<Event> {
                 }
             };
             let number = |of: &dyn Fn(&RawEvent) -> f64, scale: f64, range: f64| {
-                let estimate = extrapolated([of(coarse), of(middle), of(fine)], scale);
+                let estimate = extrapolated([of(coarse), of(middle), of(fine)], scale, lines);
                 // The runs no longer tell the same story: all that is certain is the range.
                 if together { estimate } else { Estimate::new(estimate.value, range) }
             };
