@@ -64,11 +64,11 @@ fn eq_5_53_and_5_58_the_root_covers_the_distance() {
 fn eq_5_59_the_root_covers_the_distance() {
     let printed = [1e-6, 1e-4].map(|zone| ratio(false, true, zone));
     println!("stress as printed: {printed:?}");
-    // Proportional to δ^{3/2} more than the work that (5.60) states: no singularity at the tip at all.
+    // δ^{3/2} times the work that (5.60) states: there is no singularity at the tip at all.
     assert!((printed[1] / printed[0] - 1e3).abs() < 1e-6);
-    // Both as printed: (1/π)∫d(1 − d) = …, δ² too much.
+    // Both as printed: (2/π)∫₀¹ d(1 − d) dd = 1/(3π), times δ².
     let both = ratio(false, false, 1e-4) / 1e-8;
-    assert!((both - 2.0 / PI / 6.0 * 1.0).abs() < 1e-12 || (both - 4.0 / PI / 6.0 * 0.5).abs() < 1e-12, "{both}");
+    assert!((both - 1.0 / (3.0 * PI)).abs() < 1e-12, "{both}");
 }
 
 #[test]

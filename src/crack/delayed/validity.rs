@@ -2,7 +2,7 @@
 //!
 //! The tip fields are those of a crack in a wide body: the process zone must be short against the strip (δ ≪ h), the remote stress small
 //! against the cohesive one (σ∞ ≪ σ_c). With δ = (K/(√(2π)σ_c))² and K = σ∞√h both are one statement, δ/h = (σ∞/σ_c)²/(2π). The parameters
-//! printed under thesis Fig 5.7b break it: σ∞/σ_c reaches 7.5 and δ/h 9.
+//! printed under thesis Fig 5.7b break it: over the range of the figure σ∞/σ_c runs from 0.95 to 3.0 and δ/h from 0.14 to 1.4.
 
 use crate::refusal::{Refusal, require_non_negative, require_positive};
 
