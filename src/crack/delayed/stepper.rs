@@ -81,6 +81,9 @@ pub(crate) struct Run {
 /// A start of growth right after an arrest must exceed the work of adhesion by this part, or rounding would start it.
 const RESTART_THRESHOLD: f64 = 1e-13;
 
+/// Zones per second from which on a speed counts as this: a start within an ulp of the glassy limit has no memory to divide by.
+const FASTEST: f64 = 1e150;
+
 struct Stepper<'a> {
     memory: Memory,
     lines_per_zone: u32,
@@ -226,7 +229,7 @@ impl Stepper<'_> {
     fn speed_of(sums: &Sums, load: f64, load_slope: f64) -> f64 {
         let rate = load_slope * (2.0 * load + sums.memory) + load * sums.growth;
         let speed = rate / (load * sums.exposure);
-        if speed.is_nan() { 0.0 } else { speed.min(f64::MAX) }
+        if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
     }
 
     fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
@@ -423,8 +426,8 @@ impl Stepper<'_> {
             }
             let sample = if advance > 0.0 && duration > 0.0 {
                 let u = ((output - start) / duration).clamp(0.0, 1.0);
-                let [a, b] = speeds.map(|speed| speed * duration);
-                // Hermite's cubic, kept within the step.
+                // Hermite's cubic; slopes up to three times the mean one keep it monotone (Fritsch and Carlson, 1980).
+                let [a, b] = speeds.map(|speed| (speed * duration).clamp(0.0, 3.0 * advance));
                 let place = u * u * (3.0 - 2.0 * u) * advance + u * (1.0 - u) * ((1.0 - u) * a - u * b);
                 let slope = 6.0 * u * (1.0 - u) * advance + (1.0 - u) * (1.0 - 3.0 * u) * a + u * (3.0 * u - 2.0) * b;
                 RawSample { place: from + place.clamp(0.0, advance), speed: slope.max(0.0) / duration, moving: true, bounded: true }

@@ -90,6 +90,18 @@ pub enum EventKind {
     Unbounded,
 }
 
+impl EventKind {
+    /// The numbers it carries.
+    fn numbers(&self) -> Vec<Estimate> {
+        match *self {
+            Self::GrowthBegins { speed } | Self::Restart { speed } | Self::Arrest { speed_before: speed } => vec![speed],
+            Self::Jump { distance } => vec![distance],
+            Self::Kink { speed_before, speed_after } => vec![speed_before, speed_after],
+            Self::Unbounded => Vec::new(),
+        }
+    }
+}
+
 /// An event with its time and place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
@@ -141,7 +153,8 @@ pub fn trajectory(
         run(problem, history, outputs, until, 4 * lines, resolution.most_steps)?,
     ];
     let zone = problem.process_zone;
-    let samples = outputs.iter().enumerate().map(|(index, &time)| sample(&runs, lines, index, time, history.at(time), zone)).collect();
+    let samples: Vec<Sample> =
+        outputs.iter().enumerate().map(|(index, &time)| sample(&runs, lines, index, time, history.at(time), zone)).collect();
     let mut events = events(&runs, lines, zone, until);
     // Under one constant load the delay is known to rounding from its own equation.
     if history.stretches().len() == 1
@@ -149,6 +162,12 @@ pub fn trajectory(
         && let Onset::After { delay, initial_speed, .. } = onset(problem, history.last())?
     {
         (*time, *speed) = (delay, initial_speed);
+    }
+    // Whatever went wrong, no NaN leaves.
+    let bad = |estimate: &Estimate| !(estimate.value.is_finite() && estimate.error.is_finite());
+    let bad_sample = samples.iter().any(|sample: &Sample| sample.growth.iter().chain(&sample.speed).any(bad));
+    if bad_sample || events.iter().any(|event| bad(&event.time) || bad(&event.growth) || event.kind.numbers().iter().any(bad)) {
+        return Err(Refusal::NotConverged { what: "the growth of the crack", detail: "a result is not a finite number".into() });
     }
     let work = runs.iter().fold(GrowthWork::default(), |sum, run| sum.plus(run.work));
     Ok(Trajectory { samples, events, work })
