@@ -30,13 +30,13 @@
 //! |---|---|
 //! | [`load`] | K(t) from steps, holds, ramps, tables, cycles; from the stress on a strip |
 //! | [`problem`] | material, interface and zone length |
-//! | [`regime`] | no growth, delayed, immediate: which inequality of Eq 5.68 decides |
-//! | [`onset`] | delay and first speed under a constant load, Eq 5.66 |
+//! | [`mod@regime`] | no growth, delayed, immediate: which inequality of Eq 5.68 decides |
+//! | [`mod@onset`] | delay and first speed under a constant load, Eq 5.66 |
 //! | [`moments`] | an exponential against a cubic, for any ratio of step to time |
 //! | [`memory`] | the memory of a moving window, term by term |
 //! | [`first_crossing`] | the first time at which a resting tip starts, proved to be the first |
 //! | [`stepper`] | one run at one step size |
-//! | [`trajectory`] | three runs, extrapolated, with an error for every number |
+//! | [`mod@trajectory`] | three runs, extrapolated, with an error for every number |
 //! | [`validity`] | numbers that say where the model's assumptions end |
 //!
 //! **Choices.** δ is one length for a history: the thesis's (5.69) with its constant K. For other loads a growing zone is taken at a stated

@@ -89,6 +89,7 @@ struct Stepper<'a> {
     lines_per_zone: u32,
     outputs: &'a [f64],
     most_steps: u64,
+    until: f64,
     /// Time and place of the memory's own zero.
     base: [f64; 2],
     /// The grid: its start, in places of the memory, and the lines passed since.
@@ -113,6 +114,7 @@ struct Ahead {
     left: f64,
     last: f64,
     whole: f64,
+    longest_step: f64,
 }
 
 impl Ahead {
@@ -144,6 +146,7 @@ pub(crate) fn run(
         lines_per_zone,
         outputs,
         most_steps,
+        until,
         base: [0.0; 2],
         grid: (0.0, 0),
         kinks: Vec::new(),
@@ -157,34 +160,35 @@ pub(crate) fn run(
     };
     let limit = problem.glassy_limit();
     for stretch in history.stretches() {
-        let mut duration = stretch.duration.min(until - stretch.start);
-        if duration <= 0.0 && stretch.start > until {
+        if stretch.start > until {
             break;
         }
+        let mut duration = stretch.duration;
         let [first, mut last] = [stretch.from / limit, stretch.to / limit];
         if first >= 1.0 {
             stepper.unbounded(stretch.start);
             return Ok(stepper.finished());
-        }
-        if duration < stretch.duration {
-            last = if stretch.duration.is_infinite() { first } else { first + (last - first) * (duration / stretch.duration) };
         }
         let breaks = last >= 1.0;
         if breaks {
             duration *= (1.0 - first) / (last - first);
             last = 1.0;
         }
-        let slope = if duration > 0.0 { (last - first) / duration } else { 0.0 };
-        let mut ahead = Ahead { load: first, slope, left: duration.max(0.0), last, whole: duration };
+        let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
+        let longest_step = 2.0 * duration / f64::from(lines_per_zone);
+        let mut ahead = Ahead { load: first, slope, left: duration, last, whole: duration, longest_step };
         stepper.enter(&ahead);
         stepper.pass(&mut ahead, breaks)?;
+        if stepper.is_over() {
+            break;
+        }
         if breaks {
             stepper.unbounded(stretch.start + duration);
             return Ok(stepper.finished());
         }
         // The clock is that of the history, not a sum of steps.
         if stretch.duration.is_finite() {
-            stepper.base[0] = stretch.start + duration.max(0.0) - stepper.memory.clock;
+            stepper.base[0] = stretch.start + duration - stepper.memory.clock;
             if stepper.memory.clock > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
                 stepper.rebase();
             }
@@ -196,6 +200,11 @@ pub(crate) fn run(
 impl Stepper<'_> {
     fn time(&self) -> f64 {
         self.base[0] + self.memory.clock
+    }
+
+    /// Whether the last output is reached, to the clock's rounding. A step of growth may end after it, so that no step depends on it.
+    fn is_over(&self) -> bool {
+        self.until - self.time() <= 4.0 * f64::EPSILON * self.until
     }
 
     fn place(&self) -> f64 {
@@ -283,8 +292,7 @@ impl Stepper<'_> {
 
     /// Passes a stretch of load.
     fn pass(&mut self, ahead: &mut Ahead, breaks: bool) -> Result<(), Refusal> {
-        // Half an ulp of what is left in the clock is nothing.
-        while ahead.left > 0.0 {
+        while ahead.left > 0.0 && !self.is_over() {
             if self.run.work.steps >= self.most_steps {
                 return Err(Refusal::NotConverged {
                     what: "the growth of the crack",
@@ -308,24 +316,25 @@ impl Stepper<'_> {
     }
 
     fn rest(&mut self, ahead: &mut Ahead) {
+        let longest = ahead.left.min(self.until - self.time());
         let mut memories = Vec::with_capacity(self.memory.terms.len());
         self.memory.after(&Step::none(ahead.load), Some(&mut memories));
         let rest = Rest {
             terms: &self.memory.terms,
             memories: &memories,
-            loads: [ahead.load, ahead.last],
-            duration: ahead.left,
+            loads: [ahead.load, ahead.load_after(longest)],
+            duration: longest,
             threshold: self.threshold,
         };
         let (crossing, count) = rest.first_crossing();
         self.run.work.closure_evaluations += u64::from(count);
         self.run.work.kernel_evaluations += u64::from(count) * self.memory.terms.len() as u64;
-        let duration = crossing.unwrap_or(ahead.left);
+        let duration = crossing.unwrap_or(longest);
         self.accept(ahead, duration, 0.0, [0.0; 2]);
         if crossing.is_none() {
             return;
         }
-        if duration <= 1e-13 * ahead.whole {
+        if self.ever_moved && duration <= 1e-13 * longest {
             // No time has passed since an arrest: rounding. Ask for more.
             self.threshold *= 10.0;
         }
@@ -346,10 +355,11 @@ impl Stepper<'_> {
     fn grow(&mut self, ahead: &mut Ahead) {
         if self.uniform.1 > self.lines_per_zone + 2 && self.kinks.is_empty() && ahead.slope == 0.0 {
             let crossing = self.uniform.0 * f64::from(self.lines_per_zone);
-            if ahead.left > 4.0 * crossing {
+            let left = ahead.left.min(self.until - self.time());
+            if left > 4.0 * crossing {
                 self.memory.make_steady(crossing, ahead.load);
-                let advance = ahead.left / crossing;
-                self.accept(ahead, ahead.left, advance, [1.0 / crossing; 2]);
+                let advance = left / crossing;
+                self.accept(ahead, left, advance, [1.0 / crossing; 2]);
                 self.memory.make_steady(crossing, ahead.load);
                 return;
             }
@@ -357,7 +367,7 @@ impl Stepper<'_> {
         let line = self.grid.0 + (self.grid.1 + 1) as f64 / f64::from(self.lines_per_zone);
         let target = self.kinks.iter().copied().filter(|kink| *kink > self.memory.place + SAME_PLACE).fold(line, f64::min);
         let whole = target - self.memory.place;
-        let longest = ahead.left.min(ahead.whole * 2.0 / f64::from(self.lines_per_zone));
+        let longest = ahead.left.min(ahead.longest_step);
         let mut duration = longest.min(2.0 * whole / self.speed);
         let usual = duration;
         // Whether the closure is met at the grid line within the time, or short of it, or not even where the tip is.
@@ -458,6 +468,8 @@ impl Stepper<'_> {
     fn finished(mut self) -> Run {
         let last = RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true };
         self.run.samples.resize(self.outputs.len(), last);
+        let until = self.until * (1.0 + 4.0 * f64::EPSILON);
+        self.run.events.retain(|event| event.time <= until);
         self.run.work.kernel_evaluations += self.memory.kernel_evaluations;
         self.run.work.most_pieces = self.memory.most_pieces as u64;
         self.run
