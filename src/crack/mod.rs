@@ -26,6 +26,7 @@
 pub mod body;
 pub mod cohesive_zone;
 pub mod curve;
+pub mod delayed;
 pub mod near_tip;
 pub mod persson_brener;
 pub mod process_zone;
