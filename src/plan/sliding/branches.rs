@@ -9,10 +9,7 @@ use crate::sliding::branch::{
     Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn, speed_folds,
     strengths, trace,
 };
-use crate::sliding::contact::{ContactMemory, Resolution, WaveContact};
-use crate::sliding::edge_balance::EdgeBalance;
 use crate::sliding::steady::{PartialValues, SlidingControl, WaveAdhesion};
-use std::sync::Arc;
 
 /// The widest contact of a cylinder that is followed, in L, at no load.
 const WIDEST_UNLOADED: f64 = 6.0;
@@ -252,6 +249,10 @@ impl SlidingPlan {
             let found = Ok(found);
             items.push((fold.arclength, Item { branch: name, event, found, note }));
         }
+        for point in found.zero_load {
+            let found = Ok(at(point.values.mean_pressure, point.values, Some(&point.variations), None));
+            items.push((point.arclength, Item { branch: name, event: "zero_load", found, note: None }));
+        }
         items.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut items: Vec<Item> = items.into_iter().map(|(_, item)| item).collect();
         if let (Some(first), Some(note)) = (items.first_mut(), self.ending("begins", &found.begins)) {
@@ -260,22 +261,7 @@ impl SlidingPlan {
         if let (Some(last), Some(note)) = (items.last_mut(), self.ending("ends", &found.ends)) {
             last.note = Some(note);
         }
-        for values in found.zero_load {
-            let variations = self.variations(problem, &values).ok();
-            let found = at(values.mean_pressure, values, variations.as_ref(), None);
-            let item = Item { branch: name, event: "zero_load", found: Ok(found), note: None };
-            items.insert(crossing(&items, values.half_width.value), item);
-        }
         traced.items.extend(items);
-    }
-
-    /// The second variations of a contact along loads.
-    fn variations(&self, problem: &BranchProblem, values: &PartialValues) -> Result<SecondVariations, Refusal> {
-        let memory = Arc::new(ContactMemory::new(&self.material, problem.rate)?);
-        let control = SlidingControl::MeanPressure(values.mean_pressure.value);
-        let balance = EdgeBalance::new(memory, problem.indenter, Some(problem.adhesion), control, Resolution::Fine);
-        let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
-        SecondVariations::new(&balance, contact, values.mean_pressure.value, problem.indenter)
     }
 
     /// Where a branch stops before the end that was asked for.
@@ -286,7 +272,8 @@ impl SlidingPlan {
                 Some(format!("the branch {verb} at a half-width of {half_width:.4e}: {}", self.sentence(reason)))
             }
             BranchEnd::TooLong => Some(format!("the branch {verb} here: it is too long")),
-            BranchEnd::HalfWidth(_) | BranchEnd::Parameter(_) => None,
+            BranchEnd::NearFull(_) => Some(format!("the branch {verb} here: full contact is too near for its digits")),
+            BranchEnd::HalfWidth(_) | BranchEnd::Parameter(_) | BranchEnd::Closed => None,
         }
     }
 
@@ -303,7 +290,7 @@ impl SlidingPlan {
                 Err(_) => {
                     let branch = trace(&self.material, &problem)?;
                     closure_evaluations += branch.work.closure_evaluations;
-                    self.stable_without_load(&problem, &branch)
+                    stable_without_load(&branch)
                 }
             };
             return Ok(Borne { pull_off, snap_in, separation, zero_load, toughness, closure_evaluations });
@@ -313,18 +300,16 @@ impl SlidingPlan {
             pull_off: branch.pull_off(&problem).cloned(),
             snap_in: None,
             separation: None,
-            zero_load: self.stable_without_load(&problem, &branch),
+            zero_load: stable_without_load(&branch),
             toughness: Err(Refusal::Undefined { quantity: "the toughness of a cylinder", reason: "it has no penetration".into() }),
             closure_evaluations: branch.work.closure_evaluations,
         })
     }
+}
 
-    /// The contact without load that a held load leaves where it is.
-    fn stable_without_load(&self, problem: &BranchProblem, branch: &Branch) -> Option<PartialValues> {
-        let stable =
-            |values: &&PartialValues| self.variations(problem, values).is_ok_and(|variations| variations.under_load() == Stability::Stable);
-        branch.zero_load.iter().find(stable).copied()
-    }
+/// The contact without load that a held load leaves where it is.
+fn stable_without_load(branch: &Branch) -> Option<PartialValues> {
+    branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values)
 }
 
 /// Rate, Γ and factor of the zones at a value of the parameter.
@@ -369,18 +354,4 @@ fn turn_of(quantity: FoldQuantity, turn: Option<Turn>) -> &'static str {
         (FoldQuantity::LogZone, Some(Turn::Maximum)) => "largest_process_zone",
         (FoldQuantity::LogZone, None) => "turn_of_process_zone",
     }
-}
-
-/// Where a contact without load stands among the rows: between those of opposite load nearest to its half-width.
-fn crossing(items: &[Item], half_width: f64) -> usize {
-    let values = |item: Option<&Item>| item.and_then(|item| item.found.as_ref().ok()).map(|found| found.values);
-    (1..items.len())
-        .filter_map(|index| {
-            let (before, after) = (values(items.get(index - 1))?, values(items.get(index))?);
-            let changes = (before.mean_pressure.value < 0.0) != (after.mean_pressure.value < 0.0);
-            let middle = 0.5 * (before.half_width.value + after.half_width.value);
-            changes.then_some((index, (middle - half_width).abs()))
-        })
-        .min_by(|first, second| first.1.total_cmp(&second.1))
-        .map_or(0, |(index, _)| index)
 }
