@@ -12,7 +12,7 @@
 //! ε Σ m|A_m|/m: the same as one ulp of x would do. A thin free layer bends by A_1 ≈ −6/(kd)³, and the bound is relative to that.
 //!
 //! Cost: M complex products a value, 5 to 7 ns each (12 µs at kd = 0.01), ten times that to prepare. Layers thinner than kd = 1e-3 are summed by
-//! an integral over the harmonics ([`super::thin_layer`]), at 0.1 to 1 ms a value whatever kd; far from the load then with S instead of A, so that the
+//! an integral over the harmonics (`thin_layer.rs`), at 0.1 to 1 ms a value whatever kd; far from the load then with S instead of A, so that the
 //! small displacement of a thin confined layer keeps its digits.
 
 use super::green::HalfPlaneGreen;
