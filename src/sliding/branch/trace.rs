@@ -29,8 +29,8 @@ const DIP: f64 = 2.0;
 /// Parts of a step where it may have.
 const REFINED: f64 = 8.0;
 
-/// 1 − Δ below which a branch is not followed: an ulp of Δ is then 1e-9 of it, and a stiff contact multiplies that by what presses over what pulls.
-const NEAREST_TO_FULL: f64 = 3e-7;
+/// 1 − Δ below which a branch is not followed: moved contacts keep it to its last digits, but an ulp of a half-width near π then is 1e-8 of π − a.
+const NEAREST_TO_FULL: f64 = 1e-13;
 /// Turns that are refused before no more are looked for.
 const MOST_UNLOCATED: usize = 12;
 
@@ -194,7 +194,7 @@ fn border(problem: &BranchProblem, point: &Coarse) -> Option<BranchEnd> {
     if half_width > widest {
         return Some(BranchEnd::HalfWidth(widest));
     }
-    if problem.indenter == Indenter::Wave && 1.0 - point.watched < NEAREST_TO_FULL {
+    if problem.indenter == Indenter::Wave && point.state.state.mean_separation() < NEAREST_TO_FULL {
         return Some(BranchEnd::NearFull(half_width));
     }
     if problem.path != BranchPath::Loads {
