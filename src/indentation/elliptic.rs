@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-/// K(m) for m < 1, by the arithmetic-geometric mean: π/(2·agm(1, √(1 − m))); relative error below 4e-16 (measured against 40 digits).
+/// K(m) for m < 1, by the arithmetic-geometric mean: π/(2·agm(1, √(1 − m))); relative error below 1e-15 at the seven values of 40 digits that its test holds.
 ///
 /// Six means suffice for 0 ≤ m ≤ 1 − 1e-10: the number of digits doubles with each. A NaN for m ≥ 1.
 #[must_use]

@@ -64,17 +64,19 @@ pub(super) fn solved(
         let (found, admissibility) =
             balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST))?;
         count(u64::from(found.evaluations), work);
-        let here = outputs(&balance, &found.solution)?;
+        let (here, release_rounding) = outputs(&balance, &found.solution)?;
         let Sensitivity { jacobian, outputs: slopes } = sensitivity(&balance, found.unknowns, &found.solution, &here)?;
         let fine_balance = balance_at(finer);
         let fine = fine_balance.evaluate(found.unknowns)?;
         count(3, work);
-        let fine_outputs = outputs(&fine_balance, &fine)?;
+        // Each set of release rates (here, at both differences, at the finer level) takes the reversed contact as well.
+        work.contacts += if problem.adhesion.is_some() { 4 } else { 0 };
+        let (fine_outputs, _) = outputs(&fine_balance, &fine)?;
         let singular =
             || Refusal::NotConverged { what: "the edges of a sliding contact", detail: "the Jacobian is singular: a fold is near".into() };
         let inverse = inverse_columns(&jacobian).ok_or_else(singular)?;
         let moved = solve_two_by_two(&jacobian, fine.residual()).ok_or_else(singular)?;
-        let own = rounding_of_outputs(&found.solution, problem.adhesion);
+        let own = rounding_of_outputs(&found.solution, problem.adhesion, release_rounding);
         let of_conditions = found.solution.rounding;
         let estimates: Vec<Estimate> = (0..OUTPUTS)
             .map(|output| {
@@ -129,7 +131,7 @@ fn sensitivity(balance: &EdgeBalance, unknowns: [f64; 2], states: &EdgeStates, h
         for (row, entry) in jacobian.iter_mut().enumerate() {
             entry[index] = (there.residual()[row] - states.residual()[row]) / small[index];
         }
-        for (slope, (after, before)) in slopes.iter_mut().zip(outputs(balance, &there)?.iter().zip(here)) {
+        for (slope, (after, before)) in slopes.iter_mut().zip(outputs(balance, &there)?.0.iter().zip(here)) {
             slope[index] = (after - before) / small[index];
         }
     }
@@ -141,12 +143,15 @@ fn inverse_columns(matrix: &Jacobian) -> Option<[[f64; 2]; 2]> {
     Some([solve_two_by_two(matrix, [1.0, 0.0])?, solve_two_by_two(matrix, [0.0, 1.0])?])
 }
 
-fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusal> {
+/// The outputs, and what rounding leaves uncertain of both release rates.
+fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<(Outputs, [f64; 2]), Refusal> {
     let state = &states.state;
     let contact = state.contact();
     let friction = state.friction_stress();
-    let (trailing, leading) = balance.releases(states)?.map_or((0.0, 0.0), |(trailing, leading)| (trailing.value, leading.value));
-    Ok([
+    let none = Estimate::exact(0.0);
+    let (released, gained) = balance.releases(states)?.unwrap_or((none, none));
+    let (trailing, leading) = (released.value, gained.value);
+    let values = [
         contact.half_width,
         contact.eccentricity,
         contact.eccentricity - contact.half_width,
@@ -159,10 +164,11 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<Outputs, Refusa
         trailing,
         leading,
         balance.adhesion().map_or(0.0, |adhesion| adhesion.reduced_work * (trailing - leading)),
-    ])
+    ];
+    Ok((values, [released.error, gained.error]))
 }
 
-fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
+fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>, release_rounding: [f64; 2]) -> Outputs {
     let state = &states.state;
     let WaveSizes { length, pressure, penetration, friction, energy } = sizes(states);
     let unit = ROUNDING * (1.0 + state.condition().ln());
@@ -174,9 +180,9 @@ fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> O
     rounding[7] = unit * friction / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
     rounding[8] = unit * energy;
     if let Some(adhesion) = adhesion {
-        // Integrals over the same zones as the conditions.
-        rounding[9] = states.rounding[0];
-        rounding[10] = states.rounding[1];
+        // Integrals over the same zones as the conditions; the gap of the reversed contact may be the larger one.
+        rounding[9] = states.rounding[0].max(release_rounding[0]);
+        rounding[10] = states.rounding[1].max(release_rounding[1]);
         rounding[11] = adhesion.reduced_work * (rounding[9] + rounding[10]);
     }
     rounding
