@@ -13,56 +13,10 @@
 //! Tolerance: with each test.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use std::f64::consts::PI;
-use viscotack::Material;
-use viscotack::indentation::{
-    Adhesion, Control, EventKind, History, IndentationProblem, Profile, Resolution, Start, Trace, elastic_contact, march,
-};
-use viscotack::material::RelaxationTerm;
+mod support;
 
-const WORK: f64 = 1.6e-4 * PI;
-const ZONE: f64 = 0.013;
-const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
-
-fn rubber() -> Material {
-    Material::standard_solid(1.0, 10.0, 10.0).unwrap()
-}
-
-fn three_terms() -> Material {
-    let term = |modulus, relaxation_time| RelaxationTerm { modulus, relaxation_time };
-    Material::from_relaxation(1.0, &[term(3.0, 0.1), term(4.0, 1.0), term(2.0, 20.0)]).unwrap()
-}
-
-fn history_is_long(control: &Control) -> bool {
-    match control {
-        Control::Penetration(history) | Control::Force(history) | Control::ContactRadius(history) => history.segments.len() > 10,
-    }
-}
-
-fn marched(material: &Material, control: Control, start: Start, fineness: f64) -> Trace {
-    let problem = IndentationProblem {
-        profile: SPHERE,
-        adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
-        start,
-        instants_per_segment: if history_is_long(&control) { 1 } else { 4 },
-        resolution: Resolution { steps_per_zone: fineness, growth: 2.0 / fineness },
-        control,
-    };
-    let trace = march(material, &problem, problem.resolution).unwrap();
-    let worst = trace.path.iter().fold(0.0f64, |most, point| most.max(point.residual.abs()));
-    println!(
-        "  {fineness}: steps {} closures {} panels {} balance {:e} residual {worst:e} end a {:.6} F {:.6e} events {:?}",
-        trace.work.steps,
-        trace.work.closure_evaluations,
-        trace.work.most_panels,
-        trace.balance_defect(),
-        trace.path.last().unwrap().contact_radius,
-        trace.path.last().unwrap().force,
-        trace.events.iter().map(|event| (event.kind, event.time, event.contact_radius)).collect::<Vec<_>>()
-    );
-    assert!(worst < 1e-9);
-    trace
-}
+use support::indentation::{SPHERE, WORK, ZONE, marched, rubber, three_terms};
+use viscotack::indentation::{Control, EventKind, History, Start, Trace, elastic_contact};
 
 /// The changes of a quantity over two halvings of the step, and its last value.
 fn changes(ends: &[[f64; 3]], quantity: usize) -> [f64; 3] {

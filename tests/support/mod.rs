@@ -1,6 +1,7 @@
 //! What several test files share: reference data with its header checked, and materials named in it.
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
+pub mod indentation;
 pub mod random;
 pub mod sliding;
 
