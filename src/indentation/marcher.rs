@@ -32,6 +32,8 @@ const LARGEST_EDGE_TOLERANCE: f64 = 1e-10;
 const MOST_STEPS: u64 = 1_000_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
+/// Part of the largest force that is none.
+const NO_FORCE: f64 = 1e-12;
 /// Overlap at which a contact without adhesion begins, over its depth.
 const FIRST_OVERLAP: f64 = 1e-9;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
@@ -73,6 +75,8 @@ pub(super) struct Marcher<'a> {
     /// F(t) has a corner when the edge has left the place of its last corner by one process zone: a step ends there.
     pub(super) landmarks: Vec<f64>,
     pub(super) slopes: (f64, f64),
+    /// Largest force imposed.
+    force_scale: f64,
     pub(super) record: Record<'a>,
 }
 
@@ -133,6 +137,7 @@ impl<'a> Marcher<'a> {
             pace: None,
             landmarks: Vec::new(),
             slopes: (0.0, 0.0),
+            force_scale: largest(Controlled::Force),
         })
     }
 
@@ -265,6 +270,17 @@ impl<'a> Marcher<'a> {
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
         let controlled = stretch.segment.controlled;
+        let mut cap = cap;
+        if controlled == Controlled::Force && self.problem.adhesion.is_none() && self.contact.radius() > 0.0 {
+            // Without adhesion the contact ends where the force does, with a root of the time left: towards it by tenths.
+            let (now, then) = (value(0.0), value(cap));
+            if now <= NO_FORCE * self.force_scale {
+                return self.detach(EventKind::Detachment, &imposed);
+            }
+            if then < 0.1 * now {
+                cap *= 0.9 * now / (now - then);
+            }
+        }
         let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
         if apart > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.

@@ -139,7 +139,9 @@ impl Stepper<'_, '_> {
     pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
-        let (inner, outer) = (here - reach, (here + reach).min(rim));
+        // A contact no larger than its process zone has no closure: further in is far.
+        let inner = (here - reach).max(1.001 * self.edge.zone());
+        let outer = (here + reach).min(rim);
         let mut search = Search { low: None, high: None, last: None };
         // Without a past, a little to either side of the edge tells which way it goes.
         let mut stride = 1e-3 * reach;
