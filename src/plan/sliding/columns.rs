@@ -13,7 +13,10 @@ pub(super) enum Measure {
     Load,
     Friction,
     Coefficient,
+    /// An energy release rate of the trailing edge, over its work of adhesion.
     Release,
+    /// The same of the leading edge.
+    LeadingRelease,
     Energy,
     Adhesion,
     Number,
@@ -38,6 +41,8 @@ pub(super) mod at {
     pub(crate) const LEADING_RELEASE: usize = 6;
     pub(crate) const LOAD: usize = 7;
     pub(crate) const ADHESIVE_FRICTION: usize = 10;
+    pub(crate) const TRAILING_NONCONSERVATIVE: usize = 11;
+    pub(crate) const LEADING_NONCONSERVATIVE: usize = 12;
     pub(crate) const TRAILING_ZONE: usize = 13;
     pub(crate) const LEADING_ZONE: usize = 14;
     /// A cylinder's columns end before this one.
@@ -70,8 +75,8 @@ pub(super) static COLUMNS: [Definition; 17] = [
         Measure::Coefficient,
         "Friction over load, where the load presses; accuracy relative to at least kΛ, of a cylinder L/R.",
     ),
-    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ."),
-    column("leading_energy_release_rate", Measure::Release, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
+    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ of that edge."),
+    column("leading_energy_release_rate", Measure::LeadingRelease, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
     Definition {
         name: "mean_pressure",
         of_cylinder: "load_per_width",
@@ -93,7 +98,7 @@ pub(super) static COLUMNS: [Definition; 17] = [
     ),
     column(
         "leading_nonconservative_work",
-        Measure::Release,
+        Measure::LeadingRelease,
         "Δγ − G₂: work of the interface at the closing edge that is not stored (3.22).",
     ),
     column("trailing_process_zone", Measure::Length, "δ of the edge that opens."),
@@ -182,7 +187,7 @@ pub(super) fn place_of(sliding: &Sliding, name: &str) -> usize {
 
 impl Definition {
     /// Its factor from reduced units to those of the scene.
-    pub(super) fn factor(&self, scale: &Scale, work_of_adhesion: f64) -> f64 {
+    pub(super) fn factor(&self, scale: &Scale, [trailing, leading]: [f64; 2]) -> f64 {
         match self.measure {
             Measure::Speed => 1.0,
             Measure::Length => scale.length,
@@ -190,7 +195,8 @@ impl Definition {
             Measure::Load => scale.load,
             Measure::Friction => scale.friction,
             Measure::Coefficient => scale.slope,
-            Measure::Release => work_of_adhesion,
+            Measure::Release => trailing,
+            Measure::LeadingRelease => leading,
             Measure::Energy => scale.energy_per_width,
             Measure::Adhesion => scale.work_of_adhesion,
             Measure::Number => 1.0,
@@ -205,7 +211,7 @@ impl Definition {
             (Measure::Load | Measure::Friction, Units::Si, true) => "Pa",
             (Measure::Load | Measure::Friction, Units::Si, false) => "N/m",
             (Measure::Coefficient, Units::Si, _) => "1",
-            (Measure::Release, Units::Si, _) => "J/m²",
+            (Measure::Release | Measure::LeadingRelease, Units::Si, _) => "J/m²",
             (Measure::Energy, Units::Si, _) => "J/m",
             (Measure::Adhesion, Units::Si, _) => "J/m²",
             (Measure::Number, ..) => "1",
@@ -223,7 +229,7 @@ impl Definition {
             (Measure::Friction, Units::Reduced, false) => "πE0*L³/R²",
             (Measure::Coefficient, Units::Reduced, true) => "kΛ",
             (Measure::Coefficient, Units::Reduced, false) => "L/R",
-            (Measure::Release, Units::Reduced, _) => "Δγ",
+            (Measure::Release | Measure::LeadingRelease, Units::Reduced, _) => "Δγ",
             (Measure::Energy, Units::Reduced, true) => "E0*Λ²/2",
             (Measure::Energy, Units::Reduced, false) => "E0*L⁴/2R²",
         }

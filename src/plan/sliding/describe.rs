@@ -143,10 +143,13 @@ impl SlidingPlan {
             && let (Some(adhesion), Some(given)) = (self.reduced_adhesion(), self.sliding.adhesion)
         {
             if self.is_wave() {
-                groups.push(group("adhesion Γ = Δγ/(πE0*kΛ²)", adhesion.reduced_work, "1"));
-                groups.push(group("Johnson's α = 2√Γ", 2.0 * adhesion.reduced_work.sqrt(), "1"));
+                groups.push(group("adhesion Γ = Δγ/(πE0*kΛ²)", adhesion.trailing_work, "1"));
+                groups.push(group("Johnson's α = 2√Γ", 2.0 * adhesion.trailing_work.sqrt(), "1"));
             } else {
-                groups.push(group("adhesion Γ = ΔγR²/(πE0*L³)", adhesion.reduced_work, "1"));
+                groups.push(group("adhesion Γ = ΔγR²/(πE0*L³)", adhesion.trailing_work, "1"));
+            }
+            if !adhesion.is_even() {
+                groups.push(group("the same of the leading edge, over the trailing one's", adhesion.leading_work / adhesion.trailing_work, "1"));
             }
             match given.process_zone {
                 SlidingZone::Lengths { trailing, leading } if trailing.to_bits() != leading.to_bits() => {

@@ -88,21 +88,21 @@ impl SlidingPlan {
                 self.full_values(&full)
             }
         };
-        self.finish(row, reduced, self.work_of_adhesion())?;
+        self.finish(row, reduced, self.works_of_adhesion())?;
         row.assumptions = self.assumptions(row);
         row.representable(&columns(&self.sliding, self.units))
     }
 
-    /// Δγ of the scene as the unit of energy release rates.
-    pub(super) fn work_of_adhesion(&self) -> f64 {
+    /// Δγ of both edges as the units of their energy release rates.
+    pub(super) fn works_of_adhesion(&self) -> [f64; 2] {
         match (self.units, self.sliding.adhesion) {
-            (Units::Si, Some(adhesion)) => adhesion.work_of_adhesion,
-            _ => 1.0,
+            (Units::Si, Some(adhesion)) => adhesion.works,
+            _ => [1.0; 2],
         }
     }
 
     /// Puts reduced values into a row in the units of the scene; the first, the speed, is in them already. Flags a row whose bounds are too wide.
-    pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, work_of_adhesion: f64) -> Result<(), Refusal> {
+    pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, works_of_adhesion: [f64; 2]) -> Result<(), Refusal> {
         let columns = columns(&self.sliding, self.units);
         // Every reference scale is one reduced unit.
         let shortfall = columns.iter().zip(&reduced).skip(1).find_map(|(column, value)| {
@@ -117,7 +117,7 @@ impl SlidingPlan {
         row.values = definitions(&self.sliding)
             .into_iter()
             .zip(reduced)
-            .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, work_of_adhesion))))
+            .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, works_of_adhesion))))
             .collect();
         row.representable(&columns)
     }

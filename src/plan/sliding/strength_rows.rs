@@ -33,7 +33,7 @@ impl SlidingPlan {
         let turned = |fold: &Option<Fold>| fold.as_ref().map(|fold| fold.value);
         let all = [
             Some(Estimate::exact(self.sliding.speed)),
-            adhesion.map(|adhesion| Estimate::exact(adhesion.reduced_work)),
+            adhesion.map(|adhesion| Estimate::exact(adhesion.trailing_work)),
             turned(pull_off),
             of(pulled, half_width),
             of(pulled, penetration),
@@ -52,7 +52,7 @@ impl SlidingPlan {
         } else {
             super::columns::CYLINDER_STRENGTH.iter().filter_map(|&place| all.get(place).copied()).collect()
         };
-        self.finish(row, reduced, self.work_of_adhesion())?;
+        self.finish(row, reduced, self.works_of_adhesion())?;
         let residual = [pull_off, snap_in, separation].into_iter().flatten().map(|fold| fold.residual).fold(0.0, f64::max);
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible: true });
         row.work = Work { closure_evaluations: *closure_evaluations, linear_solves: SOLVES * closure_evaluations, ..Work::default() };

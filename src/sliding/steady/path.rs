@@ -5,7 +5,7 @@
 //! whose contact is far from its prediction is a jump to another root: it is refused and halved, not accepted. Paths are followed coarsely; only
 //! the contact at their end is solved to the accuracy asked for.
 
-use super::elastic_start::elastic_unknown;
+use super::elastic_start::elastic_unknowns;
 use super::problem::SlidingProblem;
 use super::solution::SlidingWork;
 use crate::continuation::two_unknowns::Jacobian;
@@ -91,7 +91,7 @@ pub(in crate::sliding) enum From {
 /// Follows the contact of a material to the rate of the problem; adds to `work`.
 pub(in crate::sliding) fn start_at_rate(
     material: &Material,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     from: From,
     work: &mut SlidingWork,
 ) -> Result<Start, NoStart> {
@@ -99,8 +99,11 @@ pub(in crate::sliding) fn start_at_rate(
         From::Slow => 1.0,
         From::Fast => material.stiffening_ratio(),
     };
-    let first = elastic_unknown(problem, modulus).map_err(NoStart::Elastic)?;
-    let at_rest = Start { unknowns: [first, 0.0], jacobian: None };
+    let elastic = |rate: f64| -> Result<Start, NoStart> {
+        let unknowns = elastic_unknowns(problem, problem.adhesion_at(rate), modulus).map_err(NoStart::Elastic)?;
+        Ok(Start { unknowns, jacobian: None })
+    };
+    let at_rest = elastic(problem.rate)?;
     let (Some(longest), Some(shortest)) =
         (material.longest_retardation_time(), material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp))
     else {
@@ -111,7 +114,7 @@ pub(in crate::sliding) fn start_at_rate(
     }
     let half_width = match problem.control {
         SlidingControl::HalfWidth(half_width) => half_width,
-        _ => first,
+        _ => at_rest.unknowns[0],
     };
     let zone = problem.adhesion.map_or(0.1 * half_width, |adhesion| adhesion.trailing_zone.min(adhesion.leading_zone));
     let begin = match from {
@@ -120,8 +123,10 @@ pub(in crate::sliding) fn start_at_rate(
     };
     let balance_at = |log_rate: f64| {
         let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
-        Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse))
+        Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion_at(log_rate.exp()), problem.control, Resolution::Coarse))
     };
+    // The elastic contact has the works of the speed at which the path begins.
+    let at_rest = if problem.work_by_speed.is_some() { elastic(begin)? } else { at_rest };
     let range = Range { begin: begin.ln(), end: problem.rate.ln(), first: FIRST_STEP, longest: LONGEST_STEP, shortest: SHORTEST_STEP };
     follow(balance_at, at_rest, range, work).map_err(|none| match none {
         NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
@@ -132,7 +137,7 @@ pub(in crate::sliding) fn start_at_rate(
 /// Reaches a pull by which neither end of the speed range is held: at no load first, then by loads falling at the rate of the problem.
 ///
 /// An edge that moves at the right speed resists pulls that neither the relaxed nor the glassy contact could.
-pub(super) fn start_by_pulling(material: &Material, problem: &SlidingProblem, work: &mut SlidingWork) -> Result<Start, NoStart> {
+pub(super) fn start_by_pulling(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Result<Start, NoStart> {
     let unloaded = SlidingProblem { control: SlidingControl::MeanPressure(0.0), ..*problem };
     let SlidingControl::MeanPressure(target) = problem.control else {
         return Err(NoStart::Fold(PathEnd { last: problem.rate, widening: false }));
