@@ -8,11 +8,12 @@
 use super::elastic_start::elastic_unknowns;
 use super::problem::SlidingProblem;
 use super::solution::SlidingWork;
+use super::uneven_start::mean_work;
 use crate::continuation::two_unknowns::Jacobian;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Resolution};
-use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
+use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::sync::Arc;
 
 /// The longest step in ln speed.
@@ -99,11 +100,11 @@ pub(in crate::sliding) fn start_at_rate(
         From::Slow => 1.0,
         From::Fast => material.stiffening_ratio(),
     };
-    let elastic = |rate: f64| -> Result<Start, NoStart> {
+    let elastic = |rate: f64, work: &mut SlidingWork| -> Result<Start, NoStart> {
         let unknowns = elastic_unknowns(problem, problem.adhesion_at(rate), modulus).map_err(NoStart::Elastic)?;
-        Ok(Start { unknowns, jacobian: None })
+        settled(material, problem, rate, modulus, Start { unknowns, jacobian: None }, work)
     };
-    let at_rest = elastic(problem.rate)?;
+    let at_rest = elastic(problem.rate, work)?;
     let (Some(longest), Some(shortest)) =
         (material.longest_retardation_time(), material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp))
     else {
@@ -126,11 +127,45 @@ pub(in crate::sliding) fn start_at_rate(
         Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion_at(log_rate.exp()), problem.control, Resolution::Coarse))
     };
     // The elastic contact has the works of the speed at which the path begins.
-    let at_rest = if problem.work_by_speed.is_some() { elastic(begin)? } else { at_rest };
+    let at_rest = if problem.work_by_speed.is_some() { elastic(begin, work)? } else { at_rest };
     let range = Range { begin: begin.ln(), end: problem.rate.ln(), first: FIRST_STEP, longest: LONGEST_STEP, shortest: SHORTEST_STEP };
     follow(balance_at, at_rest, range, work).map_err(|none| match none {
         NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
         elastic => elastic,
+    })
+}
+
+/// The contact at a rate near an elastic one: itself where both edges take the same work. A process zone of any length moves a contact of uneven works far from
+/// its limit for short ones, the more the smaller the lesser work is; where Newton's method does not get there, the works are taken apart bit by bit.
+fn settled(
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    rate: f64,
+    modulus: f64,
+    start: Start,
+    work: &mut SlidingWork,
+) -> Result<Start, NoStart> {
+    let Some(adhesion) = problem.adhesion_at(rate).filter(|adhesion| !adhesion.is_even()) else { return Ok(start) };
+    let memory = Arc::new(ContactMemory::new(material, rate).map_err(NoStart::Elastic)?);
+    let apart = |part: f64| {
+        let mean = mean_work(adhesion);
+        let of = |edge: f64| mean * (edge / mean).powf(part);
+        WaveAdhesion { trailing_work: of(adhesion.trailing_work), leading_work: of(adhesion.leading_work), ..adhesion }
+    };
+    let balance_at = |part: f64| {
+        Ok(EdgeBalance::new(Arc::clone(&memory), problem.indenter, Some(apart(part)), problem.control, Resolution::Coarse))
+    };
+    let range = |begin: f64| Range { begin, end: 1.0, first: 0.25, longest: 0.5, shortest: SHORTEST_STEP };
+    // Without a step this is one solution.
+    if let Ok(found) = follow(balance_at, start, range(1.0), work) {
+        return Ok(found);
+    }
+    let even = elastic_unknowns(problem, Some(apart(0.0)), modulus).map_err(NoStart::Elastic)?;
+    follow(balance_at, Start { unknowns: even, jacobian: None }, range(0.0), work).map_err(|_| {
+        NoStart::Elastic(Refusal::NotConverged {
+            what: "the edges of a sliding contact with uneven works",
+            detail: "no contact with both edges pulled was found near the elastic one; the lesser work may be too small for the length of its process zone".into(),
+        })
     })
 }
 
