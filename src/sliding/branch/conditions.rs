@@ -103,7 +103,7 @@ impl<'a> BranchProblem<'a> {
     }
 
     /// The steady problem at a point of the branch: `third` is the third unknown.
-    pub(super) fn steady(&self, third: f64, control: SlidingControl) -> SlidingProblem<'a> {
+    pub(in crate::sliding) fn steady(&self, third: f64, control: SlidingControl) -> SlidingProblem<'a> {
         let (rate, adhesion) = self.at(third);
         SlidingProblem {
             rate,
