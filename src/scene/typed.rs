@@ -189,6 +189,8 @@ pub struct Sliding {
     pub contacts: Vec<SlidingContact>,
     /// What holds the faces together at that speed, if anything does.
     pub adhesion: Option<SlidingAdhesion>,
+    /// Whether the works of adhesion are given for each edge.
+    pub works_per_edge: bool,
     /// How the works of adhesion follow the speed (m/s), if they do.
     pub work_by_speed: Option<WorkBySpeed>,
     /// Columns besides the ones that always are there.

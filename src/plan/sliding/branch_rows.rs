@@ -61,6 +61,7 @@ impl SlidingPlan {
                 reduced.push(flag(found.in_frame));
             }
         }
+        reduced.extend(self.extras_of_point(&found.values, found.reduced_works));
         let note = row.reason.take();
         row.status = Status::Solved;
         let follows = branch.parameter == BranchParameter::WorkOfAdhesion

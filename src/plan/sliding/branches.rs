@@ -1,13 +1,11 @@
-//! Curves of contacts and strengths as the solver gives them, in reduced units: the one place of this plan that calls [`crate::sliding::branch`].
+//! Curves of contacts as the solver gives them, in reduced units: the one place of this plan that follows a [`crate::sliding::branch`].
 
 use super::SlidingPlan;
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch};
-pub(super) use crate::sliding::branch::Fold;
 use crate::sliding::branch::{
-    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn, speed_folds,
-    strength, trace,
+    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Turn, speed_folds, trace,
 };
 use crate::sliding::steady::{PartialValues, SlidingControl, WaveAdhesion};
 
@@ -53,16 +51,6 @@ pub(super) struct Found {
 /// A curve of contacts.
 pub(super) struct Traced {
     pub(super) items: Vec<Item>,
-    pub(super) closure_evaluations: u64,
-}
-
-/// What a contact bears.
-pub(super) struct Borne {
-    pub(super) pull_off: Option<Fold>,
-    pub(super) snap_in: Option<Fold>,
-    pub(super) separation: Option<Fold>,
-    pub(super) zero_load: Option<PartialValues>,
-    pub(super) toughness: Result<Toughness, Refusal>,
     pub(super) closure_evaluations: u64,
 }
 
@@ -278,37 +266,10 @@ impl SlidingPlan {
         }
     }
 
-    /// What the contact bears at the scene's speed.
-    pub(super) fn borne(&self) -> Result<Borne, Refusal> {
-        let problem = self.branch_problem(None, None)?;
-        if self.is_wave() {
-            let Strength { pull_off, snap_in, separation, toughness, work } = strength(&self.material, &problem)?;
-            let mut closure_evaluations = work.closure_evaluations;
-            let zero_load = match &toughness {
-                Ok(toughness) => Some(toughness.unloaded),
-                Err(_) => {
-                    let branch = trace(&self.material, &problem)?;
-                    closure_evaluations += branch.work.closure_evaluations;
-                    stable_without_load(&branch)
-                }
-            };
-            return Ok(Borne { pull_off, snap_in, separation, zero_load, toughness, closure_evaluations });
-        }
-        let branch = trace(&self.material, &problem)?;
-        Ok(Borne {
-            pull_off: branch.pull_off(&problem).cloned(),
-            snap_in: None,
-            separation: None,
-            zero_load: stable_without_load(&branch),
-            toughness: Err(Refusal::Undefined { quantity: "the toughness of a cylinder", reason: "it has no penetration".into() }),
-            closure_evaluations: branch.work.closure_evaluations,
-        })
+    /// The branch of every load at the scene's speed, whose turns are what the contact bears.
+    pub(super) fn every_load(&self) -> Result<BranchProblem<'_>, Refusal> {
+        self.branch_problem(None, None)
     }
-}
-
-/// The contact without load that a held load leaves where it is.
-fn stable_without_load(branch: &Branch) -> Option<PartialValues> {
-    branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values)
 }
 
 /// Rate, Γ of both edges and factor of the zones at a value of the parameter.

@@ -19,15 +19,16 @@ pub(super) enum Measure {
     LeadingRelease,
     Energy,
     Adhesion,
+    Modulus,
     Number,
 }
 
 /// A column, with the name that it has for a cylinder.
 pub(super) struct Definition {
     pub(super) name: &'static str,
-    of_cylinder: &'static str,
+    pub(super) of_cylinder: &'static str,
     pub(super) measure: Measure,
-    meaning: &'static str,
+    pub(super) meaning: &'static str,
 }
 
 /// Positions of the columns in a row.
@@ -56,7 +57,7 @@ pub(super) mod strength {
     pub(crate) const TOUGHNESS: usize = 13;
 }
 
-const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
+pub(super) const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, of_cylinder: name, measure, meaning }
 }
 
@@ -114,7 +115,7 @@ pub(super) static COLUMNS: [Definition; 17] = [
 /// What a point of a branch has besides; those from the third on are of a wave.
 static BRANCH_COLUMNS: [Definition; 5] = [
     column("point", Measure::Number, "Number of the row along its branch, from 1; turns count."),
-    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, where the edges differ that of the trailing one; in a reduced scene Γ."),
     column(
         "stable_under_load",
         Measure::Number,
@@ -127,7 +128,7 @@ static BRANCH_COLUMNS: [Definition; 5] = [
 /// What a contact bears; those of the penetration are of a wave.
 static STRENGTH_COLUMNS: [Definition; 14] = [
     column("speed", Measure::Speed, "v of the sliding body along +x."),
-    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, where the edges differ that of the trailing one; in a reduced scene Γ."),
     Definition {
         name: "pull_off_pressure",
         of_cylinder: "pull_off_load_per_width",
@@ -161,7 +162,7 @@ pub(super) const CYLINDER_STRENGTH: [usize; 5] = [0, 1, 2, 3, 5];
 /// The definitions of a scene's columns: a cylinder sinks into a half-plane without bound and has neither Δ nor U.
 pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
     let wave = matches!(sliding.indenter, SlidingIndenter::Wave { .. });
-    match &sliding.task {
+    let mut definitions: Vec<&'static Definition> = match &sliding.task {
         SlidingTask::State | SlidingTask::Branch(_) => {
             let mut definitions: Vec<&'static Definition> =
                 COLUMNS.iter().take(if wave { COLUMNS.len() } else { at::PENETRATION }).collect();
@@ -177,7 +178,9 @@ pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
             .filter(|(index, _)| wave || CYLINDER_STRENGTH.contains(index))
             .map(|(_, definition)| definition)
             .collect(),
-    }
+    };
+    definitions.extend(super::extra_columns::extra_definitions(sliding));
+    definitions
 }
 
 /// The position of a column of a scene by its name.
@@ -199,7 +202,8 @@ impl Definition {
             Measure::LeadingRelease => leading,
             Measure::Energy => scale.energy_per_width,
             Measure::Adhesion => scale.work_of_adhesion,
-            Measure::Number => 1.0,
+            // The material's own unit.
+            Measure::Modulus | Measure::Number => 1.0,
         }
     }
 
@@ -214,6 +218,8 @@ impl Definition {
             (Measure::Release | Measure::LeadingRelease, Units::Si, _) => "J/m²",
             (Measure::Energy, Units::Si, _) => "J/m",
             (Measure::Adhesion, Units::Si, _) => "J/m²",
+            (Measure::Modulus, Units::Si, _) => "Pa",
+            (Measure::Modulus, Units::Reduced, _) => "E0*",
             (Measure::Number, ..) => "1",
             (Measure::Adhesion, Units::Reduced, true) => "πE0*kΛ²",
             (Measure::Adhesion, Units::Reduced, false) => "πE0*L³/R²",

@@ -6,6 +6,8 @@ mod branches;
 mod columns;
 mod cost;
 mod describe;
+mod extra_columns;
+mod extras;
 mod figures;
 mod scale;
 mod solve;

@@ -62,7 +62,8 @@ impl SlidingPlan {
     }
 
     fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
-        let reduced = match steady_sliding(&self.material, &self.problem(contact)?)? {
+        let problem = self.problem(contact)?;
+        let (mut reduced, extras) = match steady_sliding(&self.material, &problem)? {
             SlidingOutcome::Partial(partial) => {
                 row.labels = vec![contact.word().to_owned(), "partial".to_owned()];
                 row.work = counted(&partial.work);
@@ -76,7 +77,8 @@ impl SlidingPlan {
                     row.work.field_evaluations = u64::from(points);
                 }
                 let speed = Estimate::exact(self.sliding.speed);
-                self.partial_values(&partial.values, speed, self.zones().filter(|_| contact == SlidingContact::Adhesive))
+                let zones = self.zones().filter(|_| contact == SlidingContact::Adhesive);
+                (self.partial_values(&partial.values, speed, zones), self.extras_of_state(&problem, Some(&partial.values))?)
             }
             SlidingOutcome::Full(full) => {
                 row.labels = vec![contact.word().to_owned(), "full".to_owned()];
@@ -85,11 +87,17 @@ impl SlidingPlan {
                 let limit = self.limit(full.limit_name, full.limit);
                 row.reason = Some(format!("past {limit}"));
                 row.witness = Some(limit.into());
-                self.full_values(&full)
+                (self.full_values(&full), self.extras_of_state(&problem, None)?)
             }
         };
+        reduced.truncate(if self.is_wave() { COLUMNS.len() } else { at::PENETRATION });
+        reduced.extend(extras.values);
+        row.work += extras.work;
         self.finish(row, reduced, self.works_of_adhesion())?;
         row.assumptions = self.assumptions(row);
+        if !extras.notes.is_empty() {
+            row.reason = Some(row.reason.take().into_iter().chain(extras.notes).collect::<Vec<_>>().join("; "));
+        }
         row.representable(&columns(&self.sliding, self.units))
     }
 

@@ -42,6 +42,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
     if let (Some(adhesion), Some(works)) = (adhesion, &works) {
         sliding_branch::fits(&sliding, &task, indenter, adhesion, works)?;
     }
+    let works_per_edge = works.as_ref().is_some_and(|works| works.per_edge);
     let work_by_speed = works.and_then(|works| works.law);
     let columns = columns(&sliding, &task, indenter, adhesion.is_some())?;
     let contacts = contacts(&sliding, adhesion.is_some())?;
@@ -55,7 +56,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
             Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
         }
     };
-    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, work_by_speed, columns, field_points })
+    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, works_per_edge, work_by_speed, columns, field_points })
 }
 
 fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {

@@ -13,6 +13,8 @@ pub(super) struct GivenWorks<'a> {
     table: Section<'a>,
     /// At speed zero, or at the first speed of a table: trailing, leading.
     given: [f64; 2],
+    /// Whether each edge has its own.
+    pub(super) per_edge: bool,
     /// What they are multiplied by.
     pub(super) law: Option<WorkBySpeed>,
 }
@@ -22,14 +24,16 @@ pub(super) fn read<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>>, Scen
     let Some(table) = top.table("adhesion") else { return Ok(None) };
     let Some(by_speed) = table.table("by_speed") else {
         let given = of_edges(&table)?;
-        return Ok(Some(GivenWorks { table, given, law: None }));
+        let per_edge = is_per_edge(&table);
+        return Ok(Some(GivenWorks { table, given, per_edge, law: None }));
     };
     let way = by_speed.exactly_one(&["speed", "table"])?;
     if way == "speed" {
         let law = WorkBySpeed::power(by_speed.required_number("speed")?, by_speed.required_number("exponent")?);
         let law = law.map_err(|refusal| by_speed.wrong("speed", format!("the law of [adhesion.by_speed] cannot be made: {refusal}"), "here"))?;
         let given = of_edges(&table)?;
-        return Ok(Some(GivenWorks { table, given, law: Some(law) }));
+        let per_edge = is_per_edge(&table);
+        return Ok(Some(GivenWorks { table, given, per_edge, law: Some(law) }));
     }
     by_speed.without(&["exponent"], "a law with a reference speed")?;
     if let Some(key) = [WHOLE, PER_EDGE[0], PER_EDGE[1]].into_iter().find(|key| table.node().get(key).is_some()) {
@@ -61,7 +65,12 @@ pub(super) fn read<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>>, Scen
         .collect();
     let law = WorkBySpeed::table(&relative)
         .map_err(|refusal| by_speed.wrong("table", format!("`adhesion.by_speed.table` cannot be used: {refusal}"), "from these entries"))?;
-    Ok(Some(GivenWorks { table, given: [first.trailing, first.leading], law: Some(law) }))
+    let per_edge = items.iter().any(is_per_edge);
+    Ok(Some(GivenWorks { table, given: [first.trailing, first.leading], per_edge, law: Some(law) }))
+}
+
+fn is_per_edge(table: &Section<'_>) -> bool {
+    PER_EDGE.iter().any(|key| table.node().get(key).is_some())
 }
 
 /// One work for both edges, or one for each.

@@ -2,11 +2,13 @@
 
 use super::conditions::BranchProblem;
 use super::fold::Fold;
+use super::stability::Stability;
 use super::toughness::{Toughness, of_branch};
 use super::trace::{BranchWork, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::edge_balance::WaveAdhesion;
+use crate::sliding::steady::PartialValues;
 use rayon::prelude::*;
 
 /// What a contact of one speed and adhesion can bear.
@@ -18,6 +20,8 @@ pub struct Strength {
     pub snap_in: Option<Fold>,
     /// The smallest penetration, Δ_out.
     pub separation: Option<Fold>,
+    /// The stable contact without load.
+    pub zero_load: Option<PartialValues>,
     /// The work to separate; or why it is none.
     pub toughness: Result<Toughness, Refusal>,
     /// What the branch took.
@@ -56,6 +60,8 @@ pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: Wa
 pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
     let branch = trace(material, problem)?;
     let toughness = of_branch(material, problem, &branch);
+    let stable = || branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values);
+    let zero_load = toughness.as_ref().map_or_else(|_| stable(), |toughness| Some(toughness.unloaded));
     Ok(Strength {
         pull_off: branch.pull_off(problem).cloned(),
         snap_in: branch.snap_in().cloned(),
@@ -65,6 +71,7 @@ pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength
                 + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
             ..branch.work
         },
+        zero_load,
         toughness,
     })
 }
