@@ -65,7 +65,7 @@ fn friction_parts(values: &PartialValues) -> [Option<Estimate>; 3] {
 }
 
 impl SlidingPlan {
-    fn asks(&self, columns: SlidingColumns) -> bool {
+    pub(super) fn asks(&self, columns: SlidingColumns) -> bool {
         self.sliding.columns.contains(&columns)
     }
 

@@ -45,6 +45,7 @@ impl SlidingPlan {
                 format!("eccentricity_against_{against}"),
                 over_sweep(self.label("eccentricity", "$e$", " (m)", "$ke$", "$e/L$"), at::ECCENTRICITY),
             ));
+            figures.extend(self.extra_drawings(scene, rows, &against, &["half_width", "friction_stress"]));
             figures.extend(self.release_figure(&families, horizontal.clone()).map(|drawn| (format!("edges_against_{against}"), drawn)));
         }
         figures.extend(self.field_figures(scene, rows));

@@ -7,6 +7,7 @@ mod columns;
 mod cost;
 mod describe;
 mod extra_columns;
+mod extra_figures;
 mod extras;
 mod figures;
 mod scale;
