@@ -206,17 +206,7 @@ impl SlidingPlan {
             (Units::Reduced, false) => r"pull-off force $|F_\mathrm{out}| R/\pi E_0^* L^2$",
         };
         // Beside each the elastic companion, if it is asked for.
-        let beside = |mut drawn: Figure, name: &str, sign: f64| {
-            let column = place_of(&self.sliding, name);
-            for (index, family) in families.iter().enumerate() {
-                let points = family.points(innermost, |row| sign * value(row, column));
-                if points.iter().any(|(_, value)| value.is_finite()) {
-                    let label = if index == 0 { r"elastic, of modulus $|E(\omega)|$" } else { "" };
-                    drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Dashed).with_colour(family.colour));
-                }
-            }
-            drawn
-        };
+        let beside = |drawn: Figure, name: &str, sign: f64| self.beside_companion(drawn, &families, name, sign);
         let pulled = over(Axis::linear(pull_off), strength::PULL_OFF, -1.0);
         let mut figures = vec![(format!("pull_off_against_{against}"), beside(pulled, "elastic_pull_off_pressure", -1.0))];
         if self.is_wave() {
@@ -229,7 +219,7 @@ impl SlidingPlan {
             let tough = over(Axis::linear(toughness), strength::TOUGHNESS, 1.0);
             figures.push((format!("toughness_against_{against}"), beside(tough, "elastic_toughness", 1.0)));
         }
-        figures.extend(self.extra_drawings(scene, rows, &against, &["pull_off_pressure", "toughness"]));
+        figures.extend(self.extra_drawings(scene, rows, &against, [("pull_off_pressure", r"|p_\mathrm{out}|"), ("toughness", "T")]));
         figures
     }
 }

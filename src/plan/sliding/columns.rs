@@ -5,7 +5,7 @@ use crate::outcome::Column;
 use crate::scene::typed::{Sliding, SlidingIndenter, SlidingTask, Units};
 
 /// What a column measures.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) enum Measure {
     Speed,
     Length,
@@ -21,6 +21,8 @@ pub(super) enum Measure {
     Adhesion,
     Modulus,
     Number,
+    /// A quotient of outputs: as accurate as they are, which its own bar tells.
+    Ratio,
 }
 
 /// A column, with the name that it has for a cylinder.
@@ -203,7 +205,7 @@ impl Definition {
             Measure::Energy => scale.energy_per_width,
             Measure::Adhesion => scale.work_of_adhesion,
             // The material's own unit.
-            Measure::Modulus | Measure::Number => 1.0,
+            Measure::Modulus | Measure::Number | Measure::Ratio => 1.0,
         }
     }
 
@@ -220,7 +222,7 @@ impl Definition {
             (Measure::Adhesion, Units::Si, _) => "J/m²",
             (Measure::Modulus, Units::Si, _) => "Pa",
             (Measure::Modulus, Units::Reduced, _) => "E0*",
-            (Measure::Number, ..) => "1",
+            (Measure::Number | Measure::Ratio, ..) => "1",
             (Measure::Adhesion, Units::Reduced, true) => "πE0*kΛ²",
             (Measure::Adhesion, Units::Reduced, false) => "πE0*L³/R²",
             (Measure::Speed, Units::Reduced, true) => "1/kτ",

@@ -16,7 +16,7 @@ static FRICTION_PARTS: [Definition; 3] = [
         measure: Measure::Friction,
         meaning: "Friction less the part of the edges: what is dissipated away from them, also because they widen the contact.",
     },
-    column("edge_share", Measure::Number, "μ_a/μ: the part of the edges, G₁ − G₂ (3.40), over all friction; may be negative or above 1."),
+    column("edge_share", Measure::Ratio, "μ_a/μ: the part of the edges, G₁ − G₂ (3.40), over all friction; may be negative or above 1."),
     column(
         "regime",
         Measure::Number,
@@ -55,7 +55,7 @@ macro_rules! by_parameters {
         Definition {
             name: concat!($name, $suffix),
             of_cylinder: concat!($of_cylinder, $suffix),
-            measure: Measure::Number,
+            measure: Measure::Ratio,
             meaning: $meaning,
         }
     };

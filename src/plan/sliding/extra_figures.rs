@@ -30,7 +30,7 @@ impl SlidingPlan {
         families(scene, rows, &[Kind { word, name: word, line: Line::Solid }])
     }
 
-    pub(super) fn extra_drawings(&self, scene: &Scene, rows: &[Row], against: &str, outputs: &[&str]) -> Vec<(String, Figure)> {
+    pub(super) fn extra_drawings(&self, scene: &Scene, rows: &[Row], against: &str, outputs: [(&str, &str); 2]) -> Vec<(String, Figure)> {
         let Some(sweep) = scene.sweeps.last() else { return Vec::new() };
         let families = self.adhesive_families(scene, rows);
         let mut figures = Vec::new();
@@ -44,13 +44,27 @@ impl SlidingPlan {
             && let Some(family) = families.first()
         {
             // Of several curves the first: five parameters are enough for one figure.
-            for output in outputs {
-                if let Some(drawn) = self.sensitivity_figure(output, family, self.swept_axis(sweep)) {
+            for (output, symbol) in outputs {
+                if let Some(drawn) = self.sensitivity_figure(output, symbol, family, self.swept_axis(sweep)) {
                     figures.push((format!("sensitivity_of_{output}_against_{against}"), drawn));
                 }
             }
         }
         figures
+    }
+
+    /// A figure with the elastic companion of each adhesive curve, dashed, if it is asked for.
+    pub(super) fn beside_companion(&self, mut drawn: Figure, families: &[Family<'_>], name: &str, sign: f64) -> Figure {
+        let column = place_of(&self.sliding, name);
+        let word = SlidingContact::Adhesive.word();
+        for (index, family) in families.iter().filter(|family| family.kind.word == word).enumerate() {
+            let points = family.points(innermost, |row| sign * value(row, column));
+            if points.iter().any(|(_, value)| value.is_finite()) {
+                let label = if index == 0 { r"elastic, of modulus $|E(\omega)|$" } else { "" };
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Dashed).with_colour(family.colour));
+            }
+        }
+        drawn
     }
 
     /// μ_a/μ, with the two shares at which one dissipation governs.
@@ -91,9 +105,8 @@ impl SlidingPlan {
         drawn
     }
 
-    fn sensitivity_figure(&self, output: &str, family: &Family<'_>, horizontal: Axis) -> Option<Figure> {
-        let name = output.replace('_', " ");
-        let mut drawn = Figure::new(horizontal, Axis::linear(format!(r"sensitivity $\partial\ln/\partial\ln$ of the {name}")));
+    fn sensitivity_figure(&self, output: &str, symbol: &str, family: &Family<'_>, horizontal: Axis) -> Option<Figure> {
+        let mut drawn = Figure::new(horizontal, Axis::linear(format!(r"sensitivity $\partial\ln {symbol}/\partial\ln$ parameter")));
         let mut any = false;
         for (colour, (suffix, label)) in PARAMETERS.into_iter().enumerate() {
             let column = place_of(&self.sliding, &format!("{output}{suffix}"));

@@ -37,15 +37,13 @@ impl SlidingPlan {
                 drawn
             };
             figures.push((format!("friction_against_{against}"), friction));
-            figures.push((
-                format!("half_width_against_{against}"),
-                over_sweep(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"), at::HALF_WIDTH),
-            ));
+            let half_width = over_sweep(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"), at::HALF_WIDTH);
+            figures.push((format!("half_width_against_{against}"), self.beside_companion(half_width, &families, "elastic_half_width", 1.0)));
             figures.push((
                 format!("eccentricity_against_{against}"),
                 over_sweep(self.label("eccentricity", "$e$", " (m)", "$ke$", "$e/L$"), at::ECCENTRICITY),
             ));
-            figures.extend(self.extra_drawings(scene, rows, &against, &["half_width", "friction_stress"]));
+            figures.extend(self.extra_drawings(scene, rows, &against, [("half_width", "a"), ("friction_stress", r"\tau_f")]));
             figures.extend(self.release_figure(&families, horizontal.clone()).map(|drawn| (format!("edges_against_{against}"), drawn)));
         }
         figures.extend(self.field_figures(scene, rows));

@@ -1,7 +1,7 @@
 //! One state of a sliding contact: a row for each kind of contact, from the solver's reduced numbers.
 
 use super::SlidingPlan;
-use super::columns::{COLUMNS, at, columns, definitions};
+use super::columns::{COLUMNS, Measure, at, columns, definitions};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
@@ -113,8 +113,9 @@ impl SlidingPlan {
     pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, works_of_adhesion: [f64; 2]) -> Result<(), Refusal> {
         let columns = columns(&self.sliding, self.units);
         // Every reference scale is one reduced unit.
-        let shortfall = columns.iter().zip(&reduced).skip(1).find_map(|(column, value)| {
-            let estimate = (*value)?;
+        let definitions = definitions(&self.sliding);
+        let shortfall = columns.iter().zip(&definitions).zip(&reduced).skip(1).find_map(|((column, definition), value)| {
+            let estimate = value.filter(|_| definition.measure != Measure::Ratio)?;
             let error = estimate.error / estimate.value.abs().max(1.0);
             (error > self.accuracy).then_some((column.name, error))
         });
@@ -122,7 +123,7 @@ impl SlidingPlan {
             row.status = Status::Inaccurate;
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
-        row.values = definitions(&self.sliding)
+        row.values = definitions
             .into_iter()
             .zip(reduced)
             .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, works_of_adhesion))))

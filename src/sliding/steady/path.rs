@@ -100,18 +100,18 @@ pub(in crate::sliding) fn start_at_rate(
         From::Slow => 1.0,
         From::Fast => material.stiffening_ratio(),
     };
-    let elastic = |rate: f64, work: &mut SlidingWork| -> Result<Start, NoStart> {
+    let elastic = |rate: f64| -> Result<Start, NoStart> {
         let unknowns = elastic_unknowns(problem, problem.adhesion_at(rate), modulus).map_err(NoStart::Elastic)?;
-        settled(material, problem, rate, modulus, Start { unknowns, jacobian: None }, work)
+        Ok(Start { unknowns, jacobian: None })
     };
-    let at_rest = elastic(problem.rate, work)?;
+    let at_rest = elastic(problem.rate)?;
     let (Some(longest), Some(shortest)) =
         (material.longest_retardation_time(), material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp))
     else {
-        return Ok(at_rest);
+        return settled(material, problem, problem.rate, modulus, at_rest, work);
     };
     if problem.rate == 0.0 {
-        return Ok(at_rest);
+        return settled(material, problem, problem.rate, modulus, at_rest, work);
     }
     let half_width = match problem.control {
         SlidingControl::HalfWidth(half_width) => half_width,
@@ -127,7 +127,8 @@ pub(in crate::sliding) fn start_at_rate(
         Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion_at(log_rate.exp()), problem.control, Resolution::Coarse))
     };
     // The elastic contact has the works of the speed at which the path begins.
-    let at_rest = if problem.work_by_speed.is_some() { elastic(begin, work)? } else { at_rest };
+    let at_rest = if problem.work_by_speed.is_some() { elastic(begin)? } else { at_rest };
+    let at_rest = settled(material, problem, begin, modulus, at_rest, work)?;
     let range = Range { begin: begin.ln(), end: problem.rate.ln(), first: FIRST_STEP, longest: LONGEST_STEP, shortest: SHORTEST_STEP };
     follow(balance_at, at_rest, range, work).map_err(|none| match none {
         NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
