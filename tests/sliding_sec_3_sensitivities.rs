@@ -84,14 +84,7 @@ impl Case {
             SlidingControl::MeanPressure(pressure) => SlidingControl::MeanPressure(pressure / inputs.relaxed),
             other => other,
         };
-        SlidingProblem {
-            rate: self.rate,
-            indenter: self.indenter,
-            adhesion: Some(adhesion),
-            work_by_speed: None,
-            control,
-            accuracy: 1e-12,
-        }
+        SlidingProblem { rate: self.rate, indenter: self.indenter, adhesion: Some(adhesion), work_by_speed: None, control, accuracy: 1e-12 }
     }
 
     fn solved(&self) -> PartialContact {
@@ -111,8 +104,24 @@ fn cases() -> Vec<Case> {
         Case { name: "load", beta: 10.0, shares: &ONE, indenter: wave, rate: 0.05, adhesion: even, control: load(0.06) },
         Case { name: "pull", beta: 10.0, shares: &ONE, indenter: wave, rate: 0.05, adhesion: even, control: load(-0.02) },
         Case { name: "three times, uneven", beta: 30.0, shares: &THREE, indenter: wave, rate: 0.3, adhesion: uneven, control: load(0.2) },
-        Case { name: "penetration", beta: 10.0, shares: &ONE, indenter: wave, rate: 0.4, adhesion: even, control: SlidingControl::Penetration(0.3) },
-        Case { name: "half-width", beta: 20.0, shares: &THREE, indenter: wave, rate: 1.5, adhesion: uneven, control: SlidingControl::HalfWidth(0.8) },
+        Case {
+            name: "penetration",
+            beta: 10.0,
+            shares: &ONE,
+            indenter: wave,
+            rate: 0.4,
+            adhesion: even,
+            control: SlidingControl::Penetration(0.3),
+        },
+        Case {
+            name: "half-width",
+            beta: 20.0,
+            shares: &THREE,
+            indenter: wave,
+            rate: 1.5,
+            adhesion: uneven,
+            control: SlidingControl::HalfWidth(0.8),
+        },
         Case { name: "cylinder", beta: 10.0, shares: &ONE, indenter: cylinder, rate: 0.1, adhesion: even, control: load(0.05) },
     ]
 }
@@ -120,12 +129,7 @@ fn cases() -> Vec<Case> {
 fn outputs(contact: &PartialContact, relaxed: f64) -> [f64; 4] {
     let values = &contact.values;
     // In a unit of pressure that does not change.
-    [
-        values.half_width.value,
-        values.mean_pressure.value * relaxed,
-        values.penetration.value,
-        values.friction_stress.value * relaxed,
-    ]
+    [values.half_width.value, values.mean_pressure.value * relaxed, values.penetration.value, values.friction_stress.value * relaxed]
 }
 
 #[test]

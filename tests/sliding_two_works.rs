@@ -140,7 +140,10 @@ fn an_elastic_wave_with_hysteresis_is_the_closed_form() {
             );
             // What is left of order δ³ (and, glassy, 1/ζ): 1e-9 is the fourth power of the largest zone over a contact of one.
             let tolerance = 2e-8;
-            assert!((found[0] - half_width).abs() < tolerance && (found[1] - eccentricity).abs() < tolerance, "{name} {trailing} {leading}");
+            assert!(
+                (found[0] - half_width).abs() < tolerance && (found[1] - eccentricity).abs() < tolerance,
+                "{name} {trailing} {leading}"
+            );
             // (Δγ₁ − Δγ₂)/λ: what hysteresis takes, and nothing else, in the units of Γ.
             assert!((found[2] - (trailing - leading)).abs() < tolerance, "{name} {trailing} {leading}: friction {}", found[2]);
         }
@@ -252,10 +255,8 @@ fn a_law_that_says_nothing_changes_nothing() {
     let plain = problem(WaveAdhesion::even(0.003, 5e-3), 0.3, SlidingControl::MeanPressure(0.1));
     let (one, two) = (partial(&material, &plain), partial(&material, &SlidingProblem { work_by_speed: Some(&law), ..plain }));
     assert_eq!(one.values, two.values);
-    let branch = BranchProblem {
-        points: 9,
-        ..BranchProblem::speeds(plain.control, [1e-3, 1e3], BranchStart::Slow, plain.adhesion.unwrap(), 1e-9)
-    };
+    let branch =
+        BranchProblem { points: 9, ..BranchProblem::speeds(plain.control, [1e-3, 1e3], BranchStart::Slow, plain.adhesion.unwrap(), 1e-9) };
     let followed = BranchProblem { work_by_speed: Some(&law), ..branch };
     let (one, two) = (trace(&material, &branch).unwrap(), trace(&material, &followed).unwrap());
     assert_eq!(one.outline(), two.outline());
@@ -341,13 +342,18 @@ fn a_branch_of_speeds_follows_the_law() {
     println!("fold at {at_fold:?}, with works held at {elsewhere:?}");
     assert!((elsewhere.value - at_fold.value).abs() <= elsewhere.error + at_fold.error + 1e-12 * at_fold.value);
     assert!(at_fold.error < 1e-7 * at_fold.value, "{at_fold:?}");
-    // Without the law it turns elsewhere.
+    // Without the law it turns elsewhere, or not at all.
     let constant = trace(&material, &base).unwrap();
-    let unlike = constant.folds_of(FoldQuantity::LogRate).next().unwrap().parameter();
-    assert!((unlike.value / at_fold.value - 1.0).abs() > 0.1, "{unlike:?}");
+    let unlike = constant.folds_of(FoldQuantity::LogRate).next().map(|fold| fold.parameter().value);
+    assert!(unlike.is_none_or(|rate| (rate / at_fold.value - 1.0).abs() > 0.1), "{unlike:?}");
     // The contact at the fold is one of constant works there.
     let near = problem_near(&fold.contact, works(at_fold.value), at_fold.value);
-    let found = viscotack::sliding::steady::steady_sliding_near(&material, &near, &viscotack::sliding::steady::Start::at(0.05, fold.contact.eccentricity.value)).unwrap();
+    let found = viscotack::sliding::steady::steady_sliding_near(
+        &material,
+        &near,
+        &viscotack::sliding::steady::Start::at(0.05, fold.contact.eccentricity.value),
+    )
+    .unwrap();
     assert!((found.values.mean_pressure.value - 0.05).abs() < 1e-8, "{:?}", found.values.mean_pressure);
 }
 
@@ -368,7 +374,8 @@ fn branches_of_two_works_turn_where_the_closed_form_does() {
     let samples: Vec<f64> = (1..400_000).map(|index| PI * f64::from(index) / 400_000.0).map(load).filter(|load| load.is_finite()).collect();
     let turn = |index: usize| samples[index];
     let smallest = (1..samples.len() - 1).find(|&index| turn(index) < turn(index - 1) && turn(index) < turn(index + 1)).map(turn).unwrap();
-    let largest = (1..samples.len() - 1).rev().find(|&index| turn(index) > turn(index - 1) && turn(index) > turn(index + 1)).map(turn).unwrap();
+    let largest =
+        (1..samples.len() - 1).rev().find(|&index| turn(index) > turn(index - 1) && turn(index) > turn(index + 1)).map(turn).unwrap();
     let found = at_vanishing_zone(|zone| {
         let found = strength(&elastic, &BranchProblem::loads(0.5, uneven(trailing, leading, zone), 1e-10)).unwrap();
         let (pull_off, snap_in) = (found.pull_off.unwrap(), found.snap_in.unwrap());

@@ -92,9 +92,9 @@ impl WorkBySpeed {
     pub fn in_unit(&self, unit: f64) -> Self {
         Self(match &self.0 {
             Law::Power { speed, exponent } => Law::Power { speed: speed / unit, exponent: *exponent },
-            Law::Table(entries) => Law::Table(
-                entries.iter().map(|entry| WorkAtSpeed { speed: entry.speed - unit.ln(), ..*entry }).collect(),
-            ),
+            Law::Table(entries) => {
+                Law::Table(entries.iter().map(|entry| WorkAtSpeed { speed: entry.speed - unit.ln(), ..*entry }).collect())
+            }
         })
     }
 
@@ -132,7 +132,9 @@ mod tests {
         let entry = |speed: f64, trailing: f64, leading: f64| WorkAtSpeed { speed, trailing, leading };
         let table = WorkBySpeed::table(&[entry(1.0, 2.0, 2.0), entry(100.0, 32.0, 0.5), entry(1e4, 32.0, 0.5)]).unwrap();
         // ln v half way: geometric means.
-        for (speed, trailing, leading) in [(1e-9, 2.0, 2.0), (0.0, 2.0, 2.0), (1.0, 2.0, 2.0), (10.0, 8.0, 1.0), (1e3, 32.0, 0.5), (1e9, 32.0, 0.5)] {
+        for (speed, trailing, leading) in
+            [(1e-9, 2.0, 2.0), (0.0, 2.0, 2.0), (1.0, 2.0, 2.0), (10.0, 8.0, 1.0), (1e3, 32.0, 0.5), (1e9, 32.0, 0.5)]
+        {
             let [first, second] = table.factors(speed);
             assert!(close(first, trailing) && close(second, leading), "{speed} {first} {second}");
             let [first, second] = table.in_unit(0.1).factors(10.0 * speed);
@@ -143,7 +145,12 @@ mod tests {
     #[test]
     fn what_is_no_law_is_refused() {
         let entry = |speed: f64, trailing: f64| WorkAtSpeed { speed, trailing, leading: 1.0 };
-        for entries in [&[entry(1.0, 1.0)][..], &[entry(1.0, 1.0), entry(1.0, 2.0)], &[entry(1.0, 1.0), entry(2.0, 0.0)], &[entry(0.0, 1.0), entry(2.0, 1.0)]] {
+        for entries in [
+            &[entry(1.0, 1.0)][..],
+            &[entry(1.0, 1.0), entry(1.0, 2.0)],
+            &[entry(1.0, 1.0), entry(2.0, 0.0)],
+            &[entry(0.0, 1.0), entry(2.0, 1.0)],
+        ] {
             assert!(WorkBySpeed::table(entries).is_err());
         }
         assert!(WorkBySpeed::power(0.0, 1.0).is_err() && WorkBySpeed::power(1.0, f64::NAN).is_err());

@@ -341,11 +341,8 @@ pub enum SlidingColumns {
 
 impl SlidingColumns {
     /// All of them with their words.
-    pub const WORDS: [(Self, &'static str); 3] = [
-        (Self::ElasticCompanion, "elastic_companion"),
-        (Self::FrictionParts, "friction_parts"),
-        (Self::Sensitivities, "sensitivities"),
-    ];
+    pub const WORDS: [(Self, &'static str); 3] =
+        [(Self::ElasticCompanion, "elastic_companion"), (Self::FrictionParts, "friction_parts"), (Self::Sensitivities, "sensitivities")];
 }
 
 /// Adhesion of a sliding contact.

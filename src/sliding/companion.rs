@@ -70,7 +70,10 @@ pub fn elastic_companion(material: &Material, problem: &SlidingProblem<'_>) -> R
 /// [`Refusal::Undefined`] if the branch is not one of loads; those of [`companion_modulus`] and of the branch.
 pub fn companion_strength(material: &Material, problem: &BranchProblem<'_>) -> Result<ElasticCompanion<Strength>, Refusal> {
     if problem.path != BranchPath::Loads {
-        return Err(Refusal::Undefined { quantity: "the strength of an elastic companion", reason: "the branch is not one of loads".into() });
+        return Err(Refusal::Undefined {
+            quantity: "the strength of an elastic companion",
+            reason: "the branch is not one of loads".into(),
+        });
     }
     let modulus = companion_modulus(material, problem.indenter, problem.rate)?;
     let twin = BranchProblem { adhesion: softened(problem.adhesion, modulus.value), work_by_speed: None, ..*problem };

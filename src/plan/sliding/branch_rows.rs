@@ -67,9 +67,7 @@ impl SlidingPlan {
         let follows = branch.parameter == BranchParameter::WorkOfAdhesion
             || branch.parameter == BranchParameter::Speed && self.work_by_rate.is_some();
         let works_of_adhesion = match (follows, self.units) {
-            (true, Units::Si) => {
-                found.reduced_works.map(|work| work.value * self.scale.work_of_adhesion)
-            }
+            (true, Units::Si) => found.reduced_works.map(|work| work.value * self.scale.work_of_adhesion),
             _ => self.works_of_adhesion(),
         };
         self.finish(row, reduced, works_of_adhesion)?;

@@ -138,7 +138,13 @@ impl SlidingPlan {
 
     /// The part of a branch of loads on which a quantity, by its place in an outline, lies within a span. The whole one is followed first, to see how
     /// much of it that is.
-    fn within(&self, branch: &SlidingBranch, problem: &mut BranchProblem<'_>, place: usize, [from, to]: [f64; 2]) -> Result<Traced, Refusal> {
+    fn within(
+        &self,
+        branch: &SlidingBranch,
+        problem: &mut BranchProblem<'_>,
+        place: usize,
+        [from, to]: [f64; 2],
+    ) -> Result<Traced, Refusal> {
         let inside = |values: &PartialValues| {
             let value = if place == 3 { values.penetration } else { values.mean_pressure };
             value.value + value.error >= from && value.value - value.error <= to

@@ -88,7 +88,8 @@ impl SlidingPlan {
             };
         }
         let of_contact = |contact: SlidingContact| {
-            let mut balances = self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
+            let mut balances =
+                self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
             if contact == SlidingContact::Adhesive {
                 balances += if self.asks(SlidingColumns::ElasticCompanion) { ELASTIC } else { 0.0 };
                 balances += if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[0] } else { 0.0 };

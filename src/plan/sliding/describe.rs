@@ -79,8 +79,14 @@ impl SlidingPlan {
             );
         }
         for (columns, sentence) in [
-            (SlidingColumns::FrictionParts, "friction of the edges is G₁ − G₂ over the wavelength (3.40), that of the bulk the rest of the friction"),
-            (SlidingColumns::ElasticCompanion, "elastic companion: the same contact of an elastic solid with the modulus |E*(ω)| at ω = kv"),
+            (
+                SlidingColumns::FrictionParts,
+                "friction of the edges is G₁ − G₂ over the wavelength (3.40), that of the bulk the rest of the friction",
+            ),
+            (
+                SlidingColumns::ElasticCompanion,
+                "elastic companion: the same contact of an elastic solid with the modulus |E*(ω)| at ω = kv",
+            ),
             (SlidingColumns::Sensitivities, "sensitivities: implicit derivatives of the solved equations, two resolutions compared"),
         ] {
             if self.asks(columns) {
@@ -163,7 +169,11 @@ impl SlidingPlan {
                 groups.push(group("adhesion Γ = ΔγR²/(πE0*L³)", adhesion.trailing_work, "1"));
             }
             if !adhesion.is_even() {
-                groups.push(group("the same of the leading edge, over the trailing one's", adhesion.leading_work / adhesion.trailing_work, "1"));
+                groups.push(group(
+                    "the same of the leading edge, over the trailing one's",
+                    adhesion.leading_work / adhesion.trailing_work,
+                    "1",
+                ));
             }
             match given.process_zone {
                 SlidingZone::Lengths { trailing, leading } if trailing.to_bits() != leading.to_bits() => {

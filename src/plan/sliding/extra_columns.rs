@@ -112,8 +112,7 @@ pub(super) fn extra_definitions(sliding: &Sliding) -> Vec<&'static Definition> {
         if strength { definitions.extend(&COMPANION_STRENGTH) } else { definitions.extend(&COMPANION) }
     }
     if asks(SlidingColumns::Sensitivities) {
-        let (sets, shown) =
-            if strength { (&OF_STRENGTH, outputs_of_strength(sliding)) } else { (&OF_STATE, outputs_of_state(sliding)) };
+        let (sets, shown) = if strength { (&OF_STRENGTH, outputs_of_strength(sliding)) } else { (&OF_STATE, outputs_of_state(sliding)) };
         definitions.extend(sets.iter().zip(shown).filter(|(_, shown)| *shown).flat_map(|(set, _)| set));
     }
     definitions

@@ -131,11 +131,7 @@ impl SlidingPlan {
                 SlidingOutcome::Partial(contact) => {
                     extras.balances(contact.work.closure_evaluations);
                     let values = contact.values;
-                    extras.values.extend([
-                        Some(values.half_width),
-                        Some(stiffer(values.mean_pressure, modulus)),
-                        Some(values.penetration),
-                    ]);
+                    extras.values.extend([Some(values.half_width), Some(stiffer(values.mean_pressure, modulus)), Some(values.penetration)]);
                 }
                 SlidingOutcome::Full(_) => {
                     extras.values.extend([None; 3]);

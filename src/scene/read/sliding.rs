@@ -5,7 +5,8 @@ use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesi
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
-    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
+    SlidingZone,
 };
 use std::f64::consts::TAU;
 

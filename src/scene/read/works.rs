@@ -30,7 +30,8 @@ pub(super) fn read<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>>, Scen
     let way = by_speed.exactly_one(&["speed", "table"])?;
     if way == "speed" {
         let law = WorkBySpeed::power(by_speed.required_number("speed")?, by_speed.required_number("exponent")?);
-        let law = law.map_err(|refusal| by_speed.wrong("speed", format!("the law of [adhesion.by_speed] cannot be made: {refusal}"), "here"))?;
+        let law =
+            law.map_err(|refusal| by_speed.wrong("speed", format!("the law of [adhesion.by_speed] cannot be made: {refusal}"), "here"))?;
         let given = of_edges(&table)?;
         let per_edge = is_per_edge(&table);
         return Ok(Some(GivenWorks { table, given, per_edge, law: Some(law) }));

@@ -67,8 +67,7 @@ pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength
         snap_in: branch.snap_in().cloned(),
         separation: branch.separation().cloned(),
         work: BranchWork {
-            closure_evaluations: branch.work.closure_evaluations
-                + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
+            closure_evaluations: branch.work.closure_evaluations + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
             ..branch.work
         },
         zero_load,

@@ -96,5 +96,10 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
     let (best, error) = integral(&UNIT_RULE_20)?;
     // The integrand vanishes at both ends, p̄ at one and dΔ at the other: errors of the ends enter squared.
     let ends = 2.0 * PI * (separation.contact.mean_pressure.value.abs() * separation.value.error + unloaded.mean_pressure.error);
-    Ok(Toughness { value: Estimate::new(best, (best - rough).abs() + error + ends), unloaded, separation: separation.clone(), closure_evaluations })
+    Ok(Toughness {
+        value: Estimate::new(best, (best - rough).abs() + error + ends),
+        unloaded,
+        separation: separation.clone(),
+        closure_evaluations,
+    })
 }

@@ -12,7 +12,8 @@ use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
 use crate::sliding::steady::{
-    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding, steady_sliding_near,
+    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding,
+    steady_sliding_near,
 };
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].

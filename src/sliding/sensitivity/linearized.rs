@@ -77,9 +77,8 @@ impl Place<'_> {
                 row[index] = value;
             }
         }
-        let by_zone = differences(step, |moved| {
-            quantities(&self.balance(memory(self.material, self.rate)?, moved, resolution), self.unknowns)
-        })?;
+        let by_zone =
+            differences(step, |moved| quantities(&self.balance(memory(self.material, self.rate)?, moved, resolution), self.unknowns))?;
         // The solver sees times by kvτ only.
         let by_time = if self.rate > 0.0 && !self.material.is_elastic() {
             differences(step, |moved| {
@@ -128,6 +127,7 @@ pub(super) fn stiffened(material: &Material, factor: f64) -> Result<Material, Re
     let glassy = relaxed * material.stiffening_ratio() * factor;
     let gained: f64 = material.creep_terms().iter().map(|term| term.compliance).sum();
     let share = (glassy - relaxed) / glassy / relaxed / gained;
-    let terms: Vec<CreepTerm> = material.creep_terms().iter().map(|term| CreepTerm { compliance: share * term.compliance, ..*term }).collect();
+    let terms: Vec<CreepTerm> =
+        material.creep_terms().iter().map(|term| CreepTerm { compliance: share * term.compliance, ..*term }).collect();
     Material::from_creep(glassy, &terms, None)
 }

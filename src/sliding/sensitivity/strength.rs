@@ -42,9 +42,7 @@ pub fn strength_sensitivities(
     let mut of = |fold: &Option<Fold>| -> Result<Option<Sensitivity>, Refusal> {
         let Some(fold) = fold else { return Ok(None) };
         closure_evaluations += 2 * EVALUATIONS;
-        of_fold(material, problem, fold).map(|derivatives| {
-            Some(derivatives.map(|derivative| logarithmic(derivative?, fold.value)))
-        })
+        of_fold(material, problem, fold).map(|derivatives| Some(derivatives.map(|derivative| logarithmic(derivative?, fold.value))))
     };
     let (pull_off, snap_in, separation) = (of(&strength.pull_off)?, of(&strength.snap_in)?, of(&strength.separation)?);
     let toughness = match &strength.toughness {
@@ -138,9 +136,9 @@ fn of_toughness(
             let measure = 2.0 * PI * weight * (end - begin) * half_width.sin();
             let slopes = Slopes::new(&linear)?;
             for (sum, parameter) in sums.iter_mut().zip(Parameter::ALL) {
-                *sum = sum.zip(slopes.integrand(&linear, parameter)).map(|(sum, more)| {
-                    Estimate::new(sum.value + measure * more.value, sum.error + measure.abs() * more.error)
-                });
+                *sum = sum
+                    .zip(slopes.integrand(&linear, parameter))
+                    .map(|(sum, more)| Estimate::new(sum.value + measure * more.value, sum.error + measure.abs() * more.error));
             }
         }
         Ok(sums)

@@ -22,11 +22,7 @@ use std::f64::consts::PI;
 ///
 /// # Errors
 /// [`Refusal::NoSuchState`] above snap-in and below pull-off, with that limit in units of the problem.
-pub(super) fn elastic_unknowns(
-    problem: &SlidingProblem<'_>,
-    adhesion: Option<WaveAdhesion>,
-    modulus: f64,
-) -> Result<[f64; 2], Refusal> {
+pub(super) fn elastic_unknowns(problem: &SlidingProblem<'_>, adhesion: Option<WaveAdhesion>, modulus: f64) -> Result<[f64; 2], Refusal> {
     if let Some(adhesion) = is_uneven_wave(problem, adhesion) {
         return uneven_unknowns(problem, adhesion, modulus);
     }

@@ -153,9 +153,8 @@ fn settled(
         let of = |edge: f64| mean * (edge / mean).powf(part);
         WaveAdhesion { trailing_work: of(adhesion.trailing_work), leading_work: of(adhesion.leading_work), ..adhesion }
     };
-    let balance_at = |part: f64| {
-        Ok(EdgeBalance::new(Arc::clone(&memory), problem.indenter, Some(apart(part)), problem.control, Resolution::Coarse))
-    };
+    let balance_at =
+        |part: f64| Ok(EdgeBalance::new(Arc::clone(&memory), problem.indenter, Some(apart(part)), problem.control, Resolution::Coarse));
     let range = |begin: f64| Range { begin, end: 1.0, first: 0.25, longest: 0.5, shortest: SHORTEST_STEP };
     // Without a step this is one solution.
     if let Ok(found) = follow(balance_at, start, range(1.0), work) {

@@ -75,13 +75,14 @@ pub(super) fn uneven_unknowns(problem: &SlidingProblem<'_>, adhesion: WaveAdhesi
             let sine = wave.sine(half_width).ok_or_else(too_much)?;
             return Ok([wave.mean_pressure(half_width).ok_or_else(too_much)?, sine.asin()]);
         }
-        SlidingControl::MeanPressure(pressure) => (pressure, UnevenWave::mean_pressure, ["pull-off mean pressure", "snap-in mean pressure"]),
+        SlidingControl::MeanPressure(pressure) => {
+            (pressure, UnevenWave::mean_pressure, ["pull-off mean pressure", "snap-in mean pressure"])
+        }
         SlidingControl::Penetration(depth) => (depth, UnevenWave::penetration, ["smallest penetration", "largest penetration"]),
     };
     // Dense at both ends.
     let place = |index: u32| PI * (0.5 * PI * f64::from(index) / f64::from(SAMPLES)).sin().powi(2);
-    let samples: Vec<(f64, f64)> =
-        (1..SAMPLES).filter_map(|index| Some((place(index), value(&wave, place(index))?))).collect();
+    let samples: Vec<(f64, f64)> = (1..SAMPLES).filter_map(|index| Some((place(index), value(&wave, place(index))?))).collect();
     // The longest rise is the part between pull-off and snap-in; what falls at a wide contact snaps in by itself.
     let (mut rise, mut from) = (None, 0);
     for index in 1..=samples.len() {
