@@ -32,7 +32,7 @@ type Numbers = [f64; 8];
 struct State {
     material: Material,
     memory: ContactMemory,
-    problem: SlidingProblem,
+    problem: SlidingProblem<'static>,
     prescribed: Prescribed,
     start: WaveContact,
     reference: Numbers,

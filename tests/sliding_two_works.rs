@@ -332,7 +332,7 @@ fn a_branch_of_speeds_follows_the_law() {
         let closest = outline.iter().min_by(|one, two| (one[0] - half_width).abs().total_cmp(&(two[0] - half_width).abs())).unwrap();
         assert!((closest[2] - 0.05).abs() < 1e-6 + 3.0 * (closest[0] - half_width).abs(), "{rate}: {closest:?}");
     }
-    let fold = branch.folds_of(FoldQuantity::LogRate).next().expect("the slow contact turns back");
+    let fold = branch.folds_of(FoldQuantity::LogRate).next().unwrap();
     let at_fold = fold.parameter();
     assert!(fastest <= at_fold.value + at_fold.error && fastest > 0.5 * at_fold.value, "{fastest} {at_fold:?}");
     // A curve turns in speed where the conditions at fixed speed become singular: at the works of that speed, whatever they do elsewhere.
