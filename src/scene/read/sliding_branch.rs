@@ -133,7 +133,8 @@ pub(super) fn fits(
 ) -> Result<(), SceneError> {
     let (SlidingTask::Branch(branch), Some(table)) = (task, sliding.table("branch")) else { return Ok(()) };
     let Some(range) = branch.range else { return Ok(()) };
-    within(&table, branch.parameter, indenter, adhesion, range)?;
+    let work = if works.per_edge { "the work of adhesion of the trailing edge" } else { "adhesion.work_of_adhesion" };
+    within(&table, branch.parameter, (indenter, adhesion, work), range)?;
     if branch.parameter == BranchParameter::Speed {
         range.into_iter().try_for_each(|speed| works.covers(speed))?;
         if works.law.is_some() && matches!(adhesion.process_zone, SlidingZone::Cohesive { .. }) {
@@ -148,8 +149,7 @@ pub(super) fn fits(
 fn within(
     table: &Section<'_>,
     parameter: BranchParameter,
-    indenter: SlidingIndenter,
-    adhesion: SlidingAdhesion,
+    (indenter, adhesion, work): (SlidingIndenter, SlidingAdhesion, &str),
     [smallest, largest]: [f64; 2],
 ) -> Result<(), SceneError> {
     let starts_at = |start: f64, name: &str| {
@@ -168,7 +168,7 @@ fn within(
             let message = "`sliding.branch.parameter` = \"work_of_adhesion\" holds the process zones, but adhesion.process_zone follows from a cohesive stress";
             Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep adhesion.work_of_adhesion"))
         }
-        (BranchParameter::WorkOfAdhesion, ..) => starts_at(adhesion.works[0], "the work of adhesion of the trailing edge"),
+        (BranchParameter::WorkOfAdhesion, ..) => starts_at(adhesion.works[0], work),
         (BranchParameter::ProcessZone, _, SlidingZone::Lengths { trailing, .. }) => {
             starts_at(trailing, "the process zone of the trailing edge")
         }
