@@ -23,7 +23,7 @@ use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, WaveAd
 use viscotack::{Estimate, Material, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 fn one_time(beta: f64) -> Material {

@@ -7,12 +7,13 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Indenter, Prescribed, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl};
+use crate::sliding::steady::adhesion_at;
 use std::sync::Arc;
 
 /// The equations of a branch at one resolution.
 pub(super) struct BranchEquations<'a> {
     material: &'a Material,
-    problem: &'a BranchProblem,
+    problem: &'a BranchProblem<'a>,
     resolution: Resolution,
     /// At the rate and adhesion of the problem; serves every point along loads and adhesions.
     prepared: EdgeBalance,
@@ -24,7 +25,7 @@ impl<'a> BranchEquations<'a> {
     ///
     /// # Errors
     /// Those of the material at that rate.
-    pub(super) fn new(material: &'a Material, problem: &'a BranchProblem, resolution: Resolution) -> Result<Self, Refusal> {
+    pub(super) fn new(material: &'a Material, problem: &'a BranchProblem<'a>, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
         Ok(Self { material, problem, resolution, prepared, memory: Arc::new(ContactMemory::new(material, rate)?) })
@@ -32,16 +33,14 @@ impl<'a> BranchEquations<'a> {
 
     fn balance(
         material: &Material,
-        problem: &BranchProblem,
+        problem: &BranchProblem<'_>,
         resolution: Resolution,
         rate: f64,
         zones: f64,
     ) -> Result<EdgeBalance, Refusal> {
         let memory = Arc::new(ContactMemory::new(material, rate)?);
         let factor = zones.exp();
-        let mut adhesion = problem.adhesion;
-        adhesion.trailing_zone *= factor;
-        adhesion.leading_zone *= factor;
+        let adhesion = adhesion_at(problem.adhesion, problem.work_by_speed, problem.rate, rate).with_zones_times(factor);
         let control = problem.held().unwrap_or(SlidingControl::MeanPressure(0.0));
         Ok(EdgeBalance::new(memory, problem.indenter, Some(adhesion), control, resolution))
     }
@@ -56,7 +55,7 @@ impl<'a> BranchEquations<'a> {
         let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / half_width.abs().max(1e-12));
         let stiffness = 1.0 / real.hypot(imaginary);
         let size = self.problem.indenter.half_angle_scale(half_width).abs() * stiffness;
-        size + pressure.abs() + (self.problem.adhesion.reduced_work * stiffness * slope).sqrt()
+        size + pressure.abs() + (self.problem.adhesion.trailing_work.max(self.problem.adhesion.leading_work) * stiffness * slope).sqrt()
     }
 
     /// The scale of lengths at a half-width: that of contact or gap, whichever is narrower.
@@ -83,7 +82,7 @@ impl CurveEquations for BranchEquations<'_> {
             }
             // residual + 1 is the root of a work over that of adhesion.
             BranchPath::Adhesions(_) => {
-                (self.prepared.evaluate([first, second])?, (self.problem.adhesion.reduced_work / third.exp()).sqrt())
+                (self.prepared.evaluate([first, second])?, (self.problem.adhesion.trailing_work / third.exp()).sqrt())
             }
             BranchPath::Zones(_) => {
                 let balance = Self::balance(self.material, self.problem, self.resolution, self.problem.rate, third)?;

@@ -39,6 +39,6 @@ pub use load::{LoadSlopes, load_slopes};
 pub use no_contact::{NoContactBetween, SpeedFolds, speed_folds};
 pub use point::BranchPoint;
 pub use stability::{SecondVariations, Stability};
-pub use strength::{Strength, StrengthAt, strengths};
+pub use strength::{Strength, StrengthAt, strength, strengths};
 pub use toughness::{Toughness, toughness};
 pub use trace::{Branch, BranchEnd, BranchWork, trace};

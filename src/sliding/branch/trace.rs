@@ -12,7 +12,8 @@ use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
 use crate::sliding::steady::{
-    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, start_at_rate, steady_sliding, steady_sliding_near,
+    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding,
+    steady_sliding_near,
 };
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
@@ -213,8 +214,7 @@ fn border(problem: &BranchProblem, point: &Coarse) -> Option<BranchEnd> {
 /// The unknowns at which a branch begins.
 fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
-        let problem =
-            SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+        let problem = at_start(problem, rate, control);
         match steady_sliding(material, &problem)? {
             SlidingOutcome::Partial(contact) => {
                 work.closure_evaluations += contact.work.closure_evaluations;
@@ -266,21 +266,27 @@ fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) ->
                 _ => (From::Slow, problem.parameters[0]),
             };
             let mut counters = SlidingWork::default();
-            let steady =
-                SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+            let steady = at_start(problem, rate, control);
             let start: Start = start_at_rate(material, &steady, from, &mut counters).map_err(|none| none.refusal())?;
             work.closure_evaluations += counters.closure_evaluations;
             Ok([start.unknowns[0], start.unknowns[1], rate.ln()])
         }
         (BranchPath::Adhesions(control), _) => {
             let (values, _) = steady(problem.rate, control)?;
-            Ok(placed(control, &values, problem.adhesion.reduced_work.ln()))
+            Ok(placed(control, &values, problem.adhesion.trailing_work.ln()))
         }
         (BranchPath::Zones(control), _) => {
             let (values, _) = steady(problem.rate, control)?;
             Ok(placed(control, &values, 0.0))
         }
     }
+}
+
+/// The contact at which a branch begins, roughly.
+fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl) -> SlidingProblem<'a> {
+    let &BranchProblem { indenter, work_by_speed, .. } = problem;
+    let adhesion = Some(adhesion_at(problem.adhesion, work_by_speed, problem.rate, rate));
+    SlidingProblem { rate, indenter, adhesion, work_by_speed, control, accuracy: START_ACCURACY }
 }
 
 /// Neighbouring points between which something changes sign.

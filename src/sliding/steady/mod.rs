@@ -6,11 +6,13 @@ mod path;
 mod problem;
 mod solution;
 mod solve;
+mod uneven_start;
 
 pub use super::contact::Indenter;
 pub use super::edge_balance::{SlidingControl, WaveAdhesion};
 pub use path::Start;
 pub(super) use path::{From, start_at_rate};
 pub use problem::SlidingProblem;
+pub(super) use problem::adhesion_at;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};

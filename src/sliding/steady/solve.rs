@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off and past a fold where the contact
 /// was narrowing; [`Refusal::NotConverged`] is a defect.
-pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<SlidingOutcome, Refusal> {
+pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
     let mut work = SlidingWork::default();
@@ -93,14 +93,14 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
-pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start: &Start) -> Result<PartialContact, Refusal> {
+pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
     solved(&memory, problem, start, &mut SlidingWork::default())
 }
 
 /// Whether the limit that an elastic contact has passed is snap-in or full contact.
-fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
+fn may_fill(problem: &SlidingProblem<'_>, limit: f64) -> bool {
     let asked = match problem.control {
         SlidingControl::MeanPressure(pressure) => pressure,
         SlidingControl::Penetration(penetration) => penetration,
@@ -111,7 +111,7 @@ fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
 
 fn full_contact(
     material: &Material,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     limit_name: &'static str,
     limit: f64,
     work: SlidingWork,
