@@ -1,5 +1,6 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
+mod delayed;
 mod history;
 
 use super::sweep::Sweep;
@@ -9,6 +10,7 @@ use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 
 pub use super::check::Units;
+pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
 
 /// A whole scene at one point of its sweep.
@@ -45,6 +47,8 @@ pub struct SceneMaterial {
 pub enum Problem {
     /// A crack that opens or closes steadily.
     SteadyCrack(SteadyCrack),
+    /// A crack under a load history.
+    DelayedFracture(DelayedFracture),
     /// A contact that slides steadily.
     Sliding(Sliding),
 }

@@ -75,6 +75,8 @@ impl GrowthWork {
 pub(crate) struct Run {
     pub(crate) samples: Vec<RawSample>,
     pub(crate) events: Vec<RawEvent>,
+    /// The greatest |w/Δγ − 1| after a step of growth.
+    pub(crate) residual: f64,
     pub(crate) work: GrowthWork,
 }
 
@@ -156,7 +158,7 @@ pub(crate) fn run(
         threshold: 0.0,
         uniform: (0.0, 0),
         rebased_at: 0,
-        run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), work: GrowthWork::default() },
+        run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
     };
     let limit = problem.glassy_limit();
     for stretch in history.stretches() {
@@ -396,6 +398,8 @@ impl Stepper<'_> {
     fn advance(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, on_line: bool) {
         let step = ahead.step(duration, advance);
         let sums = self.sums(&step);
+        let load = step.loads[1];
+        self.run.residual = self.run.residual.max((load * (load + sums.memory) - 1.0).abs());
         let before = Self::speed_of(&sums, step.loads[1], ahead.slope);
         if on_line {
             self.grid.1 += 1;

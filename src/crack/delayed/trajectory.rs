@@ -120,6 +120,8 @@ pub struct Trajectory {
     pub samples: Vec<Sample>,
     /// In order of time.
     pub events: Vec<Event>,
+    /// The greatest |w/Δγ − 1| that a step of growth left.
+    pub residual: f64,
     /// Work of all three runs.
     pub work: GrowthWork,
 }
@@ -152,7 +154,8 @@ pub fn trajectory(
         run(problem, history, outputs, until, 2 * lines, resolution.most_steps)?,
         run(problem, history, outputs, until, 4 * lines, resolution.most_steps)?,
     ];
-    let zone = problem.process_zone;
+    let peak = history.peak();
+    let zone = problem.process_zone_at(peak);
     let samples: Vec<Sample> =
         outputs.iter().enumerate().map(|(index, &time)| sample(&runs, lines, index, time, history.at(time), zone)).collect();
     let mut events = events(&runs, lines, zone, until);
@@ -170,7 +173,8 @@ pub fn trajectory(
         return Err(Refusal::NotConverged { what: "the growth of the crack", detail: "a result is not a finite number".into() });
     }
     let work = runs.iter().fold(GrowthWork::default(), |sum, run| sum.plus(run.work));
-    Ok(Trajectory { samples, events, work })
+    let residual = runs.iter().map(|run| run.residual).fold(0.0, f64::max);
+    Ok(Trajectory { samples, events, residual, work })
 }
 
 /// The steady motion that growth under a constant load K tends to: the opening theory of [`VirtualWork`] with the same zone.
@@ -178,7 +182,7 @@ pub fn trajectory(
 /// # Errors
 /// [`Refusal::NoSuchState`] for a load at or beyond a limit of Eq 5.68; [`Refusal::Undefined`] for an elastic material.
 pub fn tends_to(problem: &GrowthProblem<'_>, intensity: f64, tolerance: f64) -> Result<SteadyState, Refusal> {
-    let interface = problem.interface();
+    let interface = problem.interface_at(intensity);
     let curve = VirtualWork::new(problem.material, Motion::Opening, interface)?;
     at_drive(&curve, interface.body.drive(interface.work_of_adhesion, intensity), tolerance)
 }

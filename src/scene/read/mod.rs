@@ -1,6 +1,7 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
 mod crack;
+mod crack_history;
 pub mod history;
 mod include;
 mod material;
@@ -71,6 +72,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let material = material::read(&top)?;
     let problem = match the_problem(&top)? {
+        "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
         _ => {
             top.without(&["history"], "a crack or a sphere")?;
@@ -80,7 +82,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
-        Problem::Sliding(_) => 1e-6,
+        Problem::Sliding(_) | Problem::DelayedFracture(_) => 1e-6,
     };
     Ok(Scene {
         // One line, whatever the text or the file's name holds.
