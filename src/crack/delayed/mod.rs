@@ -35,6 +35,8 @@
 //! | [`moments`] | an exponential against a cubic, for any ratio of step to time |
 //! | [`memory`] | the memory of a moving window, term by term |
 //! | [`first_crossing`] | the first time at which a resting tip starts, proved to be the first |
+//! | [`quasi_steady`] | growth over very many zones under a slow load |
+//! | [`zone`] | the process zone over the greatest one |
 //! | [`stepper`] | one run at one step size |
 //! | [`mod@trajectory`] | three runs, extrapolated, with an error for every number |
 //! | [`validity`] | numbers that say where the model's assumptions end |
@@ -48,10 +50,12 @@ pub mod memory;
 pub mod moments;
 pub mod onset;
 pub mod problem;
+pub mod quasi_steady;
 pub mod regime;
 pub mod stepper;
 pub mod trajectory;
 pub mod validity;
+pub mod zone;
 
 pub use load::{LoadHistory, LoadSegment, Wave};
 pub use onset::{Onset, onset};
