@@ -256,8 +256,9 @@ impl Memory {
             self.first += 1;
         }
         let before = |first: usize| first.checked_sub(1);
-        while let Some((index, piece)) =
-            before(self.first).and_then(|index| Some((index, self.pieces.get(index)?.clone()))).filter(|(_, piece)| piece.places[1] > back + SAME_PLACE)
+        while let Some((index, piece)) = before(self.first)
+            .and_then(|index| Some((index, self.pieces.get(index)?.clone())))
+            .filter(|(_, piece)| piece.places[1] > back + SAME_PLACE)
         {
             self.exchange(&piece, 1.0);
             self.first = index;

@@ -14,9 +14,9 @@
 use super::first_crossing::Rest;
 use super::load::LoadHistory;
 use super::memory::{Memory, SAME_PLACE, Step, Sums, terms_of};
+use super::problem::GrowthProblem;
 use super::quasi_steady::{QuasiSteady, Steadiness};
 use super::zone::RelativeZone;
-use super::problem::GrowthProblem;
 use crate::refusal::Refusal;
 
 /// What the tip does, as counted by one run.
@@ -38,6 +38,8 @@ pub(crate) struct RawEvent {
     pub(crate) place: f64,
     pub(crate) speeds: [f64; 2],
     pub(crate) jump: f64,
+    /// What is not known of the place, beyond the error of stepping.
+    pub(crate) doubt: f64,
 }
 
 /// The tip at an output time.
@@ -47,6 +49,8 @@ pub(crate) struct RawSample {
     pub(crate) speed: f64,
     pub(crate) moving: bool,
     pub(crate) bounded: bool,
+    /// What is not known of place and speed, beyond the error of stepping.
+    pub(crate) doubts: [f64; 2],
 }
 
 /// Work done by a run.
@@ -88,6 +92,9 @@ const RESTART_THRESHOLD: f64 = 1e-13;
 /// Zones per second from which on a speed counts as this: a start within an ulp of the glassy limit has no memory to divide by.
 const FASTEST: f64 = 1e150;
 
+/// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
+const NEAREST: f64 = 1e-8;
+
 struct Stepper<'a> {
     memory: Memory,
     lines_per_zone: u32,
@@ -104,6 +111,8 @@ struct Stepper<'a> {
     quasi_steady: QuasiSteady,
     /// Lines passed since the motion was last disturbed.
     undisturbed: u32,
+    /// What is not known of place and speed after quasi-steady growth.
+    doubts: [f64; 2],
     moving: bool,
     ever_moved: bool,
     speed: f64,
@@ -171,6 +180,7 @@ pub(crate) fn run(
         zone,
         quasi_steady: QuasiSteady::new(terms_of(problem.material), zone),
         undisturbed: 0,
+        doubts: [0.0; 2],
         moving: false,
         ever_moved: false,
         speed: 0.0,
@@ -264,7 +274,7 @@ impl Stepper<'_> {
     }
 
     fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
-        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump };
+        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0] };
         self.run.events.push(event);
     }
 
@@ -329,10 +339,10 @@ impl Stepper<'_> {
                 });
             }
             if self.moving {
-                if breaks && ahead.left <= 1e-9 * ahead.whole {
+                if breaks && (ahead.left <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
                     break;
                 }
-                self.grow(ahead);
+                self.grow(ahead, breaks);
             } else {
                 self.rest(ahead);
             }
@@ -382,7 +392,7 @@ impl Stepper<'_> {
     }
 
     /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
-    fn grow(&mut self, ahead: &mut Ahead) {
+    fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
         let zone = ahead.zone.at(ahead.load);
         let calm = !self.rests.iter().any(|rest| self.in_zone(*rest, ahead.load));
         if self.uniform.1 > self.lines_per_zone + 2 && calm && ahead.slope == 0.0 {
@@ -396,7 +406,12 @@ impl Stepper<'_> {
                 return;
             }
         }
-        if calm && ahead.slope != 0.0 && self.undisturbed >= 2 * self.lines_per_zone && self.undisturbed % self.lines_per_zone == 0 && self.glide(ahead) {
+        if calm
+            && ahead.slope != 0.0
+            && self.undisturbed >= 2 * self.lines_per_zone
+            && self.undisturbed % self.lines_per_zone == 0
+            && self.glide(ahead, breaks)
+        {
             return;
         }
         let line = self.grid.0 + (self.grid.1 + 1) as f64 * self.grid.2 - self.memory.place;
@@ -433,20 +448,20 @@ impl Stepper<'_> {
     }
 
     /// Follows slow growth by its quasi-steady speed, as far as that is good; false if it is not good enough here.
-    fn glide(&mut self, ahead: &mut Ahead) -> bool {
+    fn glide(&mut self, ahead: &mut Ahead, breaks: bool) -> bool {
         let tolerance = Steadiness::tolerance(self.lines_per_zone);
-        let left = ahead.left.min(self.until - self.time()) - 1e-9 * ahead.whole;
-        let mut moved = 0.0;
+        let end = ahead.left.min(self.until - self.time()) - if breaks { 1e-9 * ahead.whole } else { 0.0 };
+        let (mut moved, mut left) = (0.0, end);
         let Some(mut now) = self.quasi_steady.motion(ahead.load, ahead.slope).filter(|motion| {
-            motion.correction * motion.correction <= tolerance && (self.speed / motion.speed - 1.0).abs() <= tolerance
+            let allowed = tolerance + Steadiness::noise(ahead.load);
+            motion.correction * motion.correction <= tolerance && (self.speed / motion.speed - 1.0).abs() <= allowed
         }) else {
             self.count_quasi_steady();
             return false;
         };
-        let end = self.time() + left;
         let mut panel = 8.0 * now.crossing_time;
-        while self.time() < end {
-            let duration = panel.min(end - self.time());
+        while left > 0.0 {
+            let duration = if panel > 0.99 * left { left } else { panel };
             let at = |part: f64, this: &mut Self| this.quasi_steady.motion(ahead.load_after(part * duration), ahead.slope);
             let nodes = [at(0.25, self), at(0.5, self), at(0.75, self), at(1.0, self)];
             let [Some(one), Some(two), Some(three), Some(four)] = nodes else {
@@ -454,20 +469,23 @@ impl Stepper<'_> {
                 if panel < 4.0 * now.crossing_time { break } else { continue }
             };
             // Boole's rule; the place half-way must be that of the cubic which the outputs are read from.
-            let advance = duration / 90.0
-                * (7.0 * (now.speed + four.speed) + 32.0 * (one.speed + three.speed) + 12.0 * two.speed);
+            let advance = duration / 90.0 * (7.0 * (now.speed + four.speed) + 32.0 * (one.speed + three.speed) + 12.0 * two.speed);
             let half = duration / 12.0 * (now.speed + 4.0 * one.speed + two.speed);
             let cubic = 0.5 * advance + duration / 8.0 * (now.speed - four.speed);
-            let rough = (half - cubic).abs() > Steadiness::PANEL * advance;
+            let rough = (half - cubic).abs() > (Steadiness::PANEL + Steadiness::noise(ahead.load_after(duration))) * advance;
             if rough || four.correction * four.correction > tolerance {
                 panel = 0.5 * duration;
                 if panel < 4.0 * now.crossing_time { break } else { continue }
             }
+            let doubt = now.doubt().max(four.doubt());
+            self.doubts[0] += doubt * advance;
+            self.doubts[1] = doubt * now.speed.max(four.speed);
             self.write_outputs(ahead, duration, advance, [now.speed, four.speed]);
             self.memory.clock += duration;
             self.memory.place += advance;
             ahead.pass(duration);
             self.run.work.steps += 1;
+            left = if duration >= left { 0.0 } else { left - duration };
             moved += advance;
             now = four;
             panel = 1.5 * duration;
@@ -477,12 +495,22 @@ impl Stepper<'_> {
         }
         self.count_quasi_steady();
         self.undisturbed = 0;
+        self.doubts[1] = 0.0;
         if moved == 0.0 {
             return false;
         }
         let zone = ahead.zone.at(ahead.load);
         self.memory.zone = zone;
-        self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone));
+        // The way is as good as the motion: its duration is set such that the closure holds to rounding, and the next step starts from there.
+        let mut factor = 1.0;
+        for _ in 0..4 {
+            self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone, factor));
+            let excess = self.excess(&Step::none(ahead.load, zone));
+            factor *= 1.0 - excess / now.sensitivity;
+            if excess.abs() < 1e-14 {
+                break;
+            }
+        }
         self.rests.clear();
         self.restart_grid(ahead);
         self.speed = now.speed;
@@ -558,9 +586,15 @@ impl Stepper<'_> {
                 let [a, b] = speeds.map(|speed| (speed * duration).clamp(0.0, 3.0 * advance));
                 let place = u * u * (3.0 - 2.0 * u) * advance + u * (1.0 - u) * ((1.0 - u) * a - u * b);
                 let slope = 6.0 * u * (1.0 - u) * advance + (1.0 - u) * (1.0 - 3.0 * u) * a + u * (3.0 * u - 2.0) * b;
-                RawSample { place: from + place.clamp(0.0, advance), speed: slope.max(0.0) / duration, moving: true, bounded: true }
+                RawSample {
+                    place: from + place.clamp(0.0, advance),
+                    speed: slope.max(0.0) / duration,
+                    moving: true,
+                    bounded: true,
+                    doubts: self.doubts,
+                }
             } else {
-                RawSample { place: from, speed: 0.0, moving: false, bounded: true }
+                RawSample { place: from, speed: 0.0, moving: false, bounded: true, doubts: self.doubts }
             };
             self.run.samples.push(sample);
         }
@@ -571,17 +605,25 @@ impl Stepper<'_> {
             if output >= time {
                 break;
             }
-            let sample = RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true };
+            let sample =
+                RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true, doubts: self.doubts };
             self.run.samples.push(sample);
         }
-        let event = RawEvent { kind: RawKind::Unbounded, time, place: self.place(), speeds: [self.speed.max(0.0), 0.0], jump: 0.0 };
+        let event = RawEvent {
+            kind: RawKind::Unbounded,
+            time,
+            place: self.place(),
+            speeds: [self.speed.max(0.0), 0.0],
+            jump: 0.0,
+            doubt: self.doubts[0],
+        };
         self.run.events.push(event);
-        let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false };
+        let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false, doubts: [0.0; 2] };
         self.run.samples.resize(self.outputs.len(), gone);
     }
 
     fn finished(mut self) -> Run {
-        let last = RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true };
+        let last = RawSample { place: self.place(), speed: self.speed.max(0.0), moving: self.moving, bounded: true, doubts: self.doubts };
         self.run.samples.resize(self.outputs.len(), last);
         let until = self.until * (1.0 + 4.0 * f64::EPSILON);
         self.run.events.retain(|event| event.time <= until);

@@ -208,7 +208,9 @@ fn extrapolated([coarse, middle, fine]: [f64; 3], scale: f64, lines: u32) -> Est
 }
 
 fn sample(runs: &[Run; 3], lines: u32, index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
-    let at = |run: &Run| run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true });
+    let at = |run: &Run| {
+        run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true, doubts: [0.0; 2] })
+    };
     let [coarse, middle, fine] = [at(&runs[0]), at(&runs[1]), at(&runs[2])];
     if !fine.bounded {
         return Sample { time, intensity, state: TipState::Unbounded, growth: None, speed: None };
@@ -217,8 +219,10 @@ fn sample(runs: &[Run; 3], lines: u32, index: usize, time: f64, intensity: f64, 
     let resting = agreed && !fine.moving;
     let places = [coarse.place, middle.place, fine.place];
     let speeds = [coarse.speed, middle.speed, fine.speed];
-    let growth = if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { extrapolated(places, 1.0, lines) };
-    let speed = if resting { Estimate::exact(0.0) } else { extrapolated(speeds, 0.0, lines) };
+    let doubted = |estimate: Estimate, doubt: f64| Estimate::new(estimate.value, estimate.error + doubt);
+    let growth =
+        if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { doubted(extrapolated(places, 1.0, lines), fine.doubts[0]) };
+    let speed = if resting { Estimate::exact(0.0) } else { doubted(extrapolated(speeds, 0.0, lines), fine.doubts[1]) };
     let state = if fine.moving { TipState::Growing } else { TipState::Resting };
     Sample { time, intensity, state, growth: Some(growth.scaled(zone)), speed: Some(speed.scaled(zone)) }
 }
@@ -255,7 +259,8 @@ fn events(runs: &[Run; 3], lines: u32, zone: f64, until: f64) -> Vec<Event> {
                 RawKind::Unbounded => EventKind::Unbounded,
             };
             let time = number(&|event| event.time, 0.0, until);
-            Event { kind, time, growth: number(&|event| event.place, 1.0, place).scaled(zone) }
+            let growth = number(&|event| event.place, 1.0, place);
+            Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.doubt).scaled(zone) }
         })
         .collect()
 }

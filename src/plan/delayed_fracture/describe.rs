@@ -32,7 +32,11 @@ impl DelayedFracturePlan {
                 !self.is_one_step(),
                 if self.is_one_step() { "[[history]] is one step, held" } else { "[[history]] changes the load" },
             ),
-            effect("strip", self.strip.is_some(), if self.strip.is_some() { "[crack.strip]: its stress is the load" } else { "no [crack.strip]" }),
+            effect(
+                "strip",
+                self.strip.is_some(),
+                if self.strip.is_some() { "[crack.strip]: its stress is the load" } else { "no [crack.strip]" },
+            ),
             effect("healing", false, "broken faces never join again (thesis Sec 5.4)"),
             effect("sweep", self.swept, if self.swept { "[sweep] is given" } else { "no [sweep]" }),
         ]
@@ -42,7 +46,8 @@ impl DelayedFracturePlan {
         let mut sentences =
             vec!["virtual work: the double integral of (5.67) collapses exactly to the creep function over the time since each place entered the process zone".to_owned()];
         if self.is_one_step() {
-            sentences.push("delay and first speed: one root of the creep series, to rounding; the speed at last: the steady theory".to_owned());
+            sentences
+                .push("delay and first speed: one root of the creep series, to rounding; the speed at last: the steady theory".to_owned());
         }
         if self.crack.output.points > 0 || !self.is_one_step() {
             let lines = self.resolution().lines_per_zone;
@@ -51,7 +56,9 @@ impl DelayedFracturePlan {
                 2 * lines,
                 4 * lines
             ));
-            sentences.push("slow growth over very many zones is followed by its quasi-steady speed, to first order in the load's rate".to_owned());
+            sentences.push(
+                "slow growth over very many zones is followed by its quasi-steady speed, to first order in the load's rate".to_owned(),
+            );
         }
         sentences
     }
@@ -71,7 +78,9 @@ impl DelayedFracturePlan {
             let peak = self.history.peak();
             groups.extend([
                 Group { name: "no growth up to K".into(), value: problem.relaxed_limit() * factor, unit: unit("Pa √m", "√(2E0Δγ)") },
-                Group { name: "immediate growth from K".into(), value: problem.glassy_limit() * factor, unit: unit("Pa √m", "√(2E0Δγ)") },
+                Group {
+                    name: "immediate growth from K".into(), value: problem.glassy_limit() * factor, unit: unit("Pa √m", "√(2E0Δγ)")
+                },
                 Group { name: "greatest K".into(), value: peak * factor, unit: unit("Pa √m", "√(2E0Δγ)") },
                 Group { name: "process zone at the greatest K".into(), value: problem.process_zone_at(peak), unit: unit("m", "a₀") },
             ]);

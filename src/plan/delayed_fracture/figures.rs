@@ -43,7 +43,8 @@ impl DelayedFracturePlan {
             figures.push(("growth_against_time".into(), self.against_time(scene, rows, (time(), growth), at::GROWTH)));
             figures.push(("speed_against_time".into(), self.against_time(scene, rows, (time(), speed), at::SPEED)));
             if !self.is_one_step() {
-                figures.push(("stress_intensity_against_time".into(), self.against_time(scene, rows, (time(), load), at::STRESS_INTENSITY)));
+                figures
+                    .push(("stress_intensity_against_time".into(), self.against_time(scene, rows, (time(), load), at::STRESS_INTENSITY)));
             }
         }
         figures.extend(self.against_swept(scene, rows));
@@ -68,10 +69,14 @@ impl DelayedFracturePlan {
             let mut points = Vec::with_capacity(own.len());
             for row in &own {
                 // Both sides of an event are drawn.
-                if column == at::SPEED && let Some(before) = row.value(at::SPEED_BEFORE) {
+                if column == at::SPEED
+                    && let Some(before) = row.value(at::SPEED_BEFORE)
+                {
                     points.push((value(row, at::TIME), before));
                 }
-                if column == at::GROWTH && let (Some(jump), Some(growth)) = (row.value(at::JUMP), row.value(at::GROWTH)) {
+                if column == at::GROWTH
+                    && let (Some(jump), Some(growth)) = (row.value(at::JUMP), row.value(at::GROWTH))
+                {
                     points.push((value(row, at::TIME), growth));
                     points.push((value(row, at::TIME), growth + jump));
                     continue;
@@ -90,7 +95,11 @@ impl DelayedFracturePlan {
             for (event, marker, name) in MARKS {
                 let of_event = |row: &&Row| states.contains(&row.state) && row.label(0) == "event" && row.label(2) == event;
                 let place = |row: &Row| {
-                    let y = if column == at::SPEED { row.value(at::SPEED_BEFORE).filter(|_| event == "arrest").or(row.value(at::SPEED)) } else { row.value(column) };
+                    let y = if column == at::SPEED {
+                        row.value(at::SPEED_BEFORE).filter(|_| event == "arrest").or(row.value(at::SPEED))
+                    } else {
+                        row.value(column)
+                    };
                     (value(row, at::TIME), y.unwrap_or(f64::NAN))
                 };
                 let points: Vec<(f64, f64)> = rows.iter().filter(of_event).map(place).filter(|point| point.1.is_finite()).collect();
@@ -109,8 +118,11 @@ impl DelayedFracturePlan {
             match segment {
                 HistorySegment::Table { table, .. } => {
                     if let Some(column) = table.others.iter().find(|column| column.name == "growth").filter(|_| !several) {
-                        let points = table.times.iter().zip(&column.values).map(|(time, place)| (start + time, place.unwrap_or(f64::NAN))).collect();
-                        drawn = drawn.with_curve(Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenSquare).with_colour(1));
+                        let points =
+                            table.times.iter().zip(&column.values).map(|(time, place)| (start + time, place.unwrap_or(f64::NAN))).collect();
+                        drawn = drawn.with_curve(
+                            Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenSquare).with_colour(1),
+                        );
                     }
                     start += table.times.last().copied().unwrap_or(0.0);
                 }

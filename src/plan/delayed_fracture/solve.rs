@@ -86,13 +86,7 @@ impl DelayedFracturePlan {
         }
     }
 
-    fn summary(
-        &self,
-        problem: &GrowthProblem<'_>,
-        found: Option<&Trajectory>,
-        mut row: Row,
-        scales: &Scales,
-    ) -> Result<Row, Refusal> {
+    fn summary(&self, problem: &GrowthProblem<'_>, found: Option<&Trajectory>, mut row: Row, scales: &Scales) -> Result<Row, Refusal> {
         let (peak, last) = (self.history.peak(), self.history.last());
         let report = regime(problem, peak)?;
         let (inequality, left, right) = report.decision();

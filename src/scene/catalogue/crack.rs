@@ -6,7 +6,11 @@ use crate::scene::units::Dimension;
 const LENGTH: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "relaxed zone a₀" };
 
 pub(super) const KEYS: &[Key] = &[
-    Key { path: "crack", kind: Kind::Table, meaning: "A crack that opens or closes steadily; with a [[history]], a crack that opens under it, rests, and never heals." },
+    Key {
+        path: "crack",
+        kind: Kind::Table,
+        meaning: "A crack that opens or closes steadily; with a [[history]], a crack that opens under it, rests, and never heals.",
+    },
     Key {
         path: "crack.motion",
         kind: Kind::Choice(&[
