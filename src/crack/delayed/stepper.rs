@@ -132,6 +132,8 @@ struct Ahead {
     left: f64,
     last: f64,
     whole: f64,
+    /// When the stretch ends, by the clock of the history.
+    end: f64,
     longest_step: f64,
     zone: RelativeZone,
 }
@@ -206,7 +208,8 @@ pub(crate) fn run(
         }
         let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
         let longest_step = 2.0 * duration / f64::from(lines_per_zone);
-        let mut ahead = Ahead { load: first, slope, left: duration, last, whole: duration, longest_step, zone };
+        let mut ahead =
+            Ahead { load: first, slope, left: duration, last, whole: duration, end: stretch.start + duration, longest_step, zone };
         stepper.enter(&ahead);
         stepper.pass(&mut ahead, breaks)?;
         if stepper.is_over() {
@@ -396,7 +399,11 @@ impl Stepper<'_> {
         let zone = ahead.zone.at(ahead.load);
         let calm = !self.rests.iter().any(|rest| self.in_zone(*rest, ahead.load));
         if self.uniform.1 > self.lines_per_zone + 2 && calm && ahead.slope == 0.0 {
-            let crossing = self.uniform.0 * f64::from(self.lines_per_zone);
+            // Steps agree to their own rounding, which is that of many lines: the steady motion is known better.
+            let stepped = self.uniform.0 * f64::from(self.lines_per_zone);
+            let steady = self.quasi_steady.motion(ahead.load, 0.0).map_or(stepped, |motion| motion.crossing_time);
+            self.count_quasi_steady();
+            let crossing = if (steady / stepped - 1.0).abs() < 1e-9 { steady } else { stepped };
             let left = ahead.left.min(self.until - self.time());
             if left > 4.0 * crossing {
                 self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
@@ -495,7 +502,6 @@ impl Stepper<'_> {
         }
         self.count_quasi_steady();
         self.undisturbed = 0;
-        self.doubts[1] = 0.0;
         if moved == 0.0 {
             return false;
         }
@@ -532,6 +538,10 @@ impl Stepper<'_> {
         if on_line {
             self.grid.1 += 1;
             self.undisturbed = self.undisturbed.saturating_add(1);
+            // The way before was that of quasi-steady growth, until it is two zones behind.
+            if self.undisturbed > 2 * self.lines_per_zone {
+                self.doubts[1] = 0.0;
+            }
         }
         let within: Vec<f64> = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).collect();
         self.accept(ahead, duration, advance, [self.speed, before]);
@@ -575,7 +585,8 @@ impl Stepper<'_> {
     /// Writes the outputs that lie in a step; between its ends x is the cubic with both speeds.
     fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2]) {
         let (start, from) = (self.time(), self.place());
-        let end = start + duration;
+        // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
+        let end = if ahead.left <= duration { ahead.end } else { start + duration };
         while let Some(&output) = self.outputs.get(self.run.samples.len()) {
             if output >= end && !(ahead.left <= duration && output <= end) {
                 break;

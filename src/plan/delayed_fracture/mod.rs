@@ -37,9 +37,10 @@ pub(super) struct DelayedFracturePlan {
     swept: bool,
 }
 
-/// Lines per process zone at an accuracy of 1e-6, and at most.
-const LINES: f64 = 32.0;
-const MOST_LINES: u32 = 2048;
+/// Lines per process zone at an accuracy of 1e-3, at least and at most.
+const LINES: f64 = 768.0;
+const FEWEST_LINES: f64 = 64.0;
+const MOST_LINES: f64 = 4096.0;
 /// Steps of one run before it is refused.
 const MOST_STEPS: u64 = 40_000_000;
 
@@ -105,10 +106,11 @@ impl DelayedFracturePlan {
         squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
     }
 
-    /// How finely the history is stepped: the error of a place falls with the fourth power under a constant load, with the second at least.
+    /// How finely the history is stepped: the error falls with the fourth power of the lines under a constant load, with the second and less
+    /// where fast terms answer to a start within the first line.
     fn resolution(&self) -> Resolution {
-        let finer = (1e-6 / self.accuracy).cbrt();
-        let lines = (LINES * finer).ceil().clamp(16.0, f64::from(MOST_LINES));
+        let finer = (1e-3 / self.accuracy).powf(0.25);
+        let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
         Resolution { lines_per_zone: lines as u32, most_steps: MOST_STEPS }
     }
 
