@@ -102,9 +102,10 @@ impl DelayedFracturePlan {
                     };
                     (value(row, at::TIME), y.unwrap_or(f64::NAN))
                 };
-                let points: Vec<(f64, f64)> = rows.iter().filter(of_event).map(place).filter(|point| point.1.is_finite()).collect();
+                let points: Vec<(f64, f64)> =
+                    rows.iter().filter(of_event).map(place).filter(|point| point.1 > 0.0 || column != at::SPEED).collect();
                 if !points.is_empty() && points.len() <= MOST_MARKS {
-                    drawn = drawn.with_curve(Curve::new(name, points).with_line(Line::None).with_marker(marker).with_colour(MOST_STATES));
+                    drawn = drawn.with_curve(Curve::new(name, points).with_line(Line::None).with_marker(marker).with_colour(2));
                 }
             }
         }

@@ -35,6 +35,8 @@ pub(super) struct DelayedFracturePlan {
     units: Units,
     accuracy: f64,
     swept: bool,
+    /// The crack at some values of a swept load, for the cost of the whole sweep.
+    examples: Vec<DelayedFracture>,
 }
 
 /// Lines per process zone at an accuracy of 1e-3, at least and at most.
@@ -57,11 +59,7 @@ impl DelayedFracturePlan {
                 Some(PureShearStrip::new(strip.half_height, strip.lateral, crack.plane, ratio)?)
             }
         };
-        let (segments, duration) = history::segments(&crack.history);
-        let history = match &strip {
-            Some(strip) => LoadHistory::of_strip_stress(&segments, strip)?,
-            None => LoadHistory::from_segments(&segments)?,
-        };
+        let (history, duration) = history::loads(&crack.history, strip.as_ref())?;
         let plan = Self {
             crack: crack.clone(),
             plane_material: scene.material.series.stiffened(stiffening)?,
@@ -73,6 +71,7 @@ impl DelayedFracturePlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
+            examples: history::examples(scene, crack),
         };
         let problem = plan.problem()?;
         let numbers = [plan.duration, problem.glassy_limit(), problem.process_zone_at(plan.history.peak())];
@@ -156,7 +155,19 @@ impl ProblemPlan for DelayedFracturePlan {
     }
 
     fn predicted_work(&self, states: u64) -> Work {
-        self.work_of_a_state() * states
+        let example = |crack: &DelayedFracture| {
+            let (history, duration) = history::loads(&crack.history, self.strip.as_ref()).ok()?;
+            Some(Self { crack: crack.clone(), history, duration, examples: Vec::new(), ..self.clone() }.work_of_a_state())
+        };
+        let works: Vec<Work> = self.examples.iter().filter_map(example).collect();
+        if works.is_empty() {
+            return self.work_of_a_state() * states;
+        }
+        let mut sum = Work::default();
+        let count = works.len() as u64;
+        works.into_iter().for_each(|work| sum += work);
+        let mean = |total: u64| (u128::from(total) * u128::from(states) / u128::from(count)) as u64;
+        Work { closure_evaluations: mean(sum.closure_evaluations), kernel_evaluations: mean(sum.kernel_evaluations), ..Work::default() }
     }
 
     fn columns(&self) -> Vec<Column> {

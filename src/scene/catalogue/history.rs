@@ -68,7 +68,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Choice(HistoryQuantity::WORDS),
         meaning: "What a table or cycles control; may be left out where the problem has only one such quantity.",
     },
-    Key { path: "history[].cycles", kind: Kind::Count { least: 1, most: 10_000_000 }, meaning: "Go through so many cycles." },
+    Key { path: "history[].cycles", kind: Kind::Count { least: 1, most: 1_000_000 }, meaning: "Go through so many cycles." },
     Key { path: "history[].period", kind: TIME, meaning: "How long one cycle takes." },
     Key { path: "history[].lower", kind: Kind::NumberOfSweptKey, meaning: "The smaller value of a cycle, in the quantity's unit." },
     Key { path: "history[].upper", kind: Kind::NumberOfSweptKey, meaning: "The larger value of a cycle, in the quantity's unit." },
