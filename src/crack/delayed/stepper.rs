@@ -416,7 +416,7 @@ impl Stepper<'_> {
         if calm
             && ahead.slope != 0.0
             && self.undisturbed >= 2 * self.lines_per_zone
-            && self.undisturbed % self.lines_per_zone == 0
+            && self.undisturbed.is_multiple_of(self.lines_per_zone)
             && self.glide(ahead, breaks)
         {
             return;

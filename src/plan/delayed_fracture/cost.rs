@@ -11,6 +11,8 @@ const RUNS: f64 = 7.0;
 /// Balances of a step, and integrals of a term in a balance: measured over the shipped scenes, 6 to 9 and 2 to 2.5.
 const BALANCES: f64 = 7.5;
 const INTEGRALS: f64 = 2.3;
+/// Balances of a step in a ramp over those under a constant load.
+const RAMP: f64 = 1.2;
 /// Zones after which growth under a constant load is uniform to rounding: measured, 7 to 14.
 const ZONES_UNTIL_UNIFORM: f64 = 10.0;
 /// Balances of a start that is looked for, and of the steady speed.
@@ -86,7 +88,8 @@ impl DelayedFracturePlan {
             }
             let zones = if constant { zones.min(ZONES_UNTIL_UNIFORM) } else { zones.min(16.0 * lines) };
             if zones > 0.0 {
-                steps += RUNS * lines * zones.max(if constant { 0.0 } else { 0.25 });
+                // In a ramp a step is bounded in time as well, to half as many as there are lines; and the ends of growth are looked for.
+                steps += RUNS * lines * if constant { zones } else { RAMP * (zones + 0.5) };
             }
             rests += 3.0;
         }
