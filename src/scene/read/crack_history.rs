@@ -1,4 +1,4 @@
-//! The [crack] table of a scene with a [[history]]: a crack under a load history.
+//! The [crack] table of a scene with a `[[history]]`: a crack under a load history.
 
 use super::crack::{adhesion, body, lateral, plane};
 use super::history;
