@@ -10,9 +10,10 @@
 mod bad_input;
 mod command_support;
 
+use bad_input::delayed::DELAYED_CASES;
 use bad_input::sliding::SLIDING_CASES;
 use bad_input::{Case, NONE};
-use command_support::{Answer, Folder, GOOD, SLIDING};
+use command_support::{Answer, DELAYED, Folder, GOOD, SLIDING};
 
 const SPEED: &str = "speed = \"1 mm/s\"";
 const SWEPT: &str = "key = \"crack.speed\"\nfrom = \"1 µm/s\"\nto = \"1 m/s\"\npoints = 3";
@@ -211,7 +212,8 @@ fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
     assert!(CASES.len() >= 40);
     let mut report = String::new();
     let of_cracks = CASES.iter().chain(CRACK_CASES).map(|case| (GOOD, case));
-    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))) {
+    let of_histories = DELAYED_CASES.iter().map(|case| (DELAYED, case));
+    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))).chain(of_histories) {
         let text = spoilt(good, case);
         let folder = Folder::with(&text);
         if let Some((name, content)) = case.file {

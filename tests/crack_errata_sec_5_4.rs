@@ -90,7 +90,7 @@ fn fig_5_7b_parameters_break_the_assumptions_and_still_compute() {
         let stress = (2.0 * work * relaxed * k / half_height).sqrt();
         let intensity = strip.stress_intensity_factor(stress).unwrap();
         let problem = GrowthProblem::new(&material, interface, intensity).unwrap();
-        let zone = problem.process_zone();
+        let zone = problem.process_zone_at(intensity);
         assert!((zone / (0.8937e-9 * k) - 1.0).abs() < 1e-3, "δ = {zone:e} at k = {k}: 0.9k nm");
         let validity = growth_validity(zone, half_height, stress, Some(cohesive)).unwrap();
         println!("k = {k}: δ = {:.3} nm, {validity:?}", zone * 1e9);

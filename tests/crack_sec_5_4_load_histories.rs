@@ -20,6 +20,7 @@ mod physics;
 mod support;
 
 use physics::{Random, random_solid, relative};
+use std::f64::consts::TAU;
 use support::{reference_materials, reference_rows};
 use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, TipState, Trajectory, Wave, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
@@ -106,36 +107,52 @@ fn work_ratio(material: &Material, found: &Trajectory, index: usize) -> f64 {
 fn eq_5_54_with_5_67_stepped_raw_agrees() {
     let materials = reference_materials();
     let rows = reference_rows("delayed_fracture_raw.csv");
-    let (mut count, mut worst, mut sums) = (0, 0.0_f64, [0.0; 3]);
+    let (mut counts, mut worst, mut sums) = ([0, 0], 0.0_f64, [[0.0; 3]; 2]);
     for (index, row) in rows.iter().enumerate().filter(|(_, row)| row.text("steps") == "48") {
         let material = &materials[row.text("material")];
-        let process_zone = ProcessZone::Constant { length: row.number("process_zone") };
-        let interface = Interface { work_of_adhesion: row.number("work_of_adhesion"), process_zone, body: CrackBody::AgainstRigid };
-        let problem = GrowthProblem::new(material, interface, 0.0).unwrap();
+        let length = row.number("process_zone");
         let load: Vec<f64> = row.text("load").split(' ').skip(1).map(|text| text.parse().unwrap()).collect();
-        let history =
-            LoadHistory::from_segments(&[LoadSegment::Step { load: load[0] }, LoadSegment::Ramp { duration: load[2], load: load[1] }])
-                .unwrap();
+        let follows = row.text("load").starts_with("follow");
+        // δ(K) = length·(K/K₀)², K₀ the first load.
+        let process_zone = if follows {
+            ProcessZone::Growing { cohesive_stress: load[1] / (TAU * length).sqrt(), factor: 1.0 }
+        } else {
+            ProcessZone::Constant { length }
+        };
+        let interface = Interface { work_of_adhesion: row.number("work_of_adhesion"), process_zone, body: CrackBody::AgainstRigid };
+        let problem = GrowthProblem::following(material, interface).unwrap();
+        let segments = if follows {
+            vec![LoadSegment::Table { points: load.chunks(2).map(|corner| (corner[0], corner[1])).collect() }]
+        } else {
+            vec![LoadSegment::Step { load: load[0] }, LoadSegment::Ramp { duration: load[2], load: load[1] }]
+        };
+        let history = LoadHistory::from_segments(&segments).unwrap();
         let found =
             trajectory(&problem, &history, &[row.number("time")], Resolution { lines_per_zone: 128, ..Resolution::default() }).unwrap();
-        let place = found.samples[0].growth.unwrap().value / problem.process_zone();
+        let place = found.samples[0].growth.unwrap().value / length;
         if place < 1e-6 {
             continue;
         }
         // Rows of 48, 96 and 192 steps are 16 apart.
         let errors = [0, 16, 32].map(|further| (rows[index + further].number("place") - place).abs());
         println!("{} t = {}: {place:.6}, raw stepping off by {errors:?}", row.text("case"), row.text("time"));
-        assert!(errors[2] < 1e-4, "{} at {}: {errors:?}", row.text("case"), row.text("time"));
-        for (sum, error) in sums.iter_mut().zip(errors) {
+        let (middle, finest) = (rows[index + 16].number("place"), rows[index + 32].number("place"));
+        // Of second order: the finest raw value is off by a third of its difference to the one before. These loads run faster.
+        let allowed = if follows { 0.7 * (finest - middle).abs() + 2e-5 } else { 1e-4 };
+        assert!(errors[2] < allowed, "{} at {}: {errors:?}", row.text("case"), row.text("time"));
+        for (sum, error) in sums[usize::from(follows)].iter_mut().zip(errors) {
             *sum += error;
         }
+        counts[usize::from(follows)] += 1;
         worst = worst.max(errors[2]);
-        count += 1;
     }
-    let orders = [(sums[0] / sums[1]).log2(), (sums[1] / sums[2]).log2()];
-    println!("{count} values, worst at the finest {worst:.1e}, orders of the mean error {orders:.2?}");
-    assert!(count >= 30);
-    assert!(orders.iter().all(|order| *order > 1.3), "{orders:?}");
+    let _ = worst;
+    for (name, count, sums) in [("constant zones", counts[0], sums[0]), ("zones that follow the load", counts[1], sums[1])] {
+        let orders = [(sums[0] / sums[1]).log2(), (sums[1] / sums[2]).log2()];
+        println!("{name}: {count} values, worst at the finest {worst:.1e}, orders of the mean error {orders:.2?}");
+        assert!(count >= 30, "{name}");
+        assert!(orders.iter().all(|order| *order > 1.3), "{name}: {orders:?}");
+    }
 }
 
 #[test]

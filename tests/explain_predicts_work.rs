@@ -10,7 +10,7 @@
 
 mod command_support;
 
-use command_support::{GOOD, SINGLE, SLIDING, shipped_scenes};
+use command_support::{DELAYED, GOOD, SINGLE, SLIDING, shipped_scenes};
 use std::path::Path;
 use viscotack::outcome::{Outcome, Work};
 use viscotack::plan::{self, Plan};
@@ -122,6 +122,37 @@ fn every_kind_of_scene_costs_what_is_predicted() {
     }
     assert!(cases > 200, "{cases}");
     assert!(wrong.is_empty(), "{} of {cases}\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn every_kind_of_history_costs_what_is_predicted() {
+    let mut wrong = Vec::new();
+    let ways = [
+        ("held", "stress_intensity = \"2.6 kPa √m\"", "hold = 12"),
+        ("ramp", "stress_intensity = \"2 kPa √m\"", "stress_intensity = \"3 kPa √m\"\nduration = 9"),
+        ("cycles", "stress_intensity = \"1 kPa √m\"", "cycles = 20\nperiod = 0.5\nlower = \"0.6 kPa √m\"\nupper = \"3.4 kPa √m\""),
+        ("square", "stress_intensity = \"1 kPa √m\"", "cycles = 9\nperiod = 2\nlower = 0\nupper = \"2.8 kPa √m\"\nwave = \"square\""),
+    ];
+    for (name, first, second) in ways {
+        for law in ["growing", "constant"] {
+            for creep in [
+                "[{ fraction = 1, retardation_time = 1 }]",
+                "[{ fraction = 0.5, retardation_time = 1 }, { fraction = 0.5, retardation_time = 0.1 }]",
+            ] {
+                for accuracy in ["1e-2", "1e-4"] {
+                    let text = DELAYED.replace("stress_intensity = \"3 kPa √m\"", first).replace("hold = \"2 s\"", second);
+                    let sets =
+                        [format!("adhesion.process_zone.law={law}"), format!("material.creep={creep}"), format!("accuracy={accuracy}")];
+                    let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
+                    let (predicted, outcome) = solved(parsed(&text), &sets);
+                    wrong.extend(
+                        misprediction(predicted, &outcome).map(|complaint| format!("{name} {law} {creep} {accuracy}: {complaint}")),
+                    );
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

@@ -214,6 +214,8 @@ fn taken_through(mut document: Document) -> bool {
     assert!(!plan.field_columns().is_empty());
     let few_fields = match &scene.problem {
         Problem::SteadyCrack(crack) => crack.fields.is_none_or(|fields| fields.points <= 300),
+        // A history may be long: what it costs is known before.
+        Problem::DelayedFracture(crack) => crack.output.points <= 1000 && plan.predicted_work().closure_evaluations <= 30_000,
         Problem::Sliding(sliding) => {
             sliding.field_points.is_none_or(|points| points <= 400) && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
         }

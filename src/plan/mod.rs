@@ -8,6 +8,7 @@
 mod assumptions;
 pub mod citations;
 mod curves;
+mod delayed_fracture;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -19,6 +20,7 @@ use crate::refusal::Refusal;
 use crate::scene::sweep;
 use crate::scene::typed::{Problem, Scene};
 use citations::Citation;
+use delayed_fracture::DelayedFracturePlan;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -71,6 +73,7 @@ impl Plan {
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
         let problem: Arc<dyn ProblemPlan> = match &scene.problem {
             Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
+            Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
             Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
         };
         Ok(Self { problem, states: sweep::states(&scene.sweeps) })

@@ -24,6 +24,11 @@ pub const TEMPLATES: &[Template] = &[
         text: include_str!("../../scenes/templates/strip.toml"),
     },
     Template {
+        name: "delayed",
+        meaning: "a crack under a load history: delay, growth, arrest",
+        text: include_str!("../../scenes/templates/delayed.toml"),
+    },
+    Template {
         name: "sliding",
         meaning: "a wave that slides with adhesion: friction and contact against speed",
         text: include_str!("../../scenes/templates/sliding.toml"),

@@ -1,5 +1,8 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
+mod delayed;
+mod history;
+
 use super::sweep::Sweep;
 use crate::closure::work_by_speed::WorkBySpeed;
 use crate::crack::{CrackBody, Motion};
@@ -8,6 +11,8 @@ use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 
 pub use super::check::Units;
+pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
+pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +48,8 @@ pub struct SceneMaterial {
 pub enum Problem {
     /// A crack that opens or closes steadily.
     SteadyCrack(SteadyCrack),
+    /// A crack under a load history.
+    DelayedFracture(DelayedFracture),
     /// A contact that slides steadily.
     Sliding(Sliding),
 }

@@ -42,6 +42,30 @@ to = "1 mm"
 points = 5
 "#;
 
+/// A crack under a load history that is right: a step, a hold.
+pub const DELAYED: &str = r#"title = "A delayed scene for tests"
+
+[material]
+relaxed_modulus = "1 MPa"
+glassy_modulus = "10 MPa"
+creep = [{ fraction = 1, retardation_time = "1 s" }]
+
+[adhesion]
+work_of_adhesion = "1 J/m²"
+process_zone = { cohesive_stress = "1 MPa" }
+
+[crack]
+body = "against_rigid"
+plane = "stress"
+points = 5
+
+[[history]]
+stress_intensity = "3 kPa √m"
+
+[[history]]
+hold = "2 s"
+"#;
+
 /// A sliding contact that is right, with adhesion and without, at one speed.
 pub const SLIDING: &str = r#"title = "A sliding scene for tests"
 

@@ -20,6 +20,8 @@ delayed_fracture_raw.csv (key: case, steps, time): the tip as the thesis steps i
     (5.54) with (5.53) as printed but for the root over the distance: displacement on M points of the zone as a sum over all earlier
     steps, each with its own increment of J and the mean of u_1 at its ends; (5.67) by the midpoint rule in the angle x = a + zone sin^2; the
     place x_0(t_k+1) by bisection and secants. Double precision. `place` is in process zones; `time` in s; three numbers of steps a case.
+    `load` is "hold K_0 K_1 end" or "ramp K_0 K_1 end", straight from K_0 to K_1; or "follow t_0 K_0 t_1 K_1 ...", straight between these, where the
+    process zone follows the load, process_zone (K(t)/K_0)^2: at each step the points of the zone are those of the zone at that time
 """
 
 import sys
@@ -159,7 +161,12 @@ def raw_cases():
     """(case, material, kind of load, K^2 at its start as a part of the delayed range); a ramp rises by RISE"""
     names = [name for name, m in MATERIALS.items() if m.kind == "creep" and not m.flow and len(m.series) in (1, 3)]
     chosen = [next(n for n in names if len(MATERIALS[n].series) == 1), next(n for n in names if len(MATERIALS[n].series) == 3)]
-    return [(f"{name}_{kind}", name, kind, part) for name in chosen for kind, part in (("hold", 0.35), ("ramp", 0.3))]
+    kinds = (("hold", 0.35), ("ramp", 0.3), ("follow", 0.3), ("swing", 0.3))
+    return [(f"{name}_{kind}", name, kind, part) for name in chosen for kind, part in kinds]
+
+
+# Loads over the first one, and times over the start of growth, after the ramp up to it: a zone that grows; one that shrinks and grows again.
+WAYS = {"follow": [(4.0, 1 + 2 * RISE)], "swing": [(2.0, 1 + 2 * RISE), (2.75, 1 + 0.3 * RISE), (4.0, 1 + 2 * RISE)]}
 
 
 def ramp_work(material, k, rise, t):
@@ -173,8 +180,7 @@ def ramp_work(material, k, rise, t):
 def raw_run(material, work, zone, load, end, steps, points=1600):
     import numpy as np
     theta = (np.arange(points) + 0.5) * (np.pi / 2) / points
-    inside, outside = np.sin(theta) ** 2 * zone, np.cos(theta) ** 2 * zone
-    weight = (np.pi / 2) / points * 2 * np.sqrt(zone) * np.cos(theta) / np.sqrt(2 * np.pi)    # sigma+/K dx
+    longest = max(zone(t) for t in np.linspace(0.0, end, 4001))
     strengths, times = np.array([float(j) for j in material.strengths]), np.array([float(t) for t in material.times])
     glassy = float(material.instant_compliance())
     grid = np.linspace(0.0, end, steps + 1)
@@ -185,6 +191,9 @@ def raw_run(material, work, zone, load, end, steps, points=1600):
         return glassy + (strengths * -np.expm1(-np.outer(np.atleast_1d(t), 1 / times))).sum(axis=1)
 
     for n in range(1, steps + 1):
+        here = zone(grid[n])
+        outside = np.cos(theta) ** 2 * here
+        weight = (np.pi / 2) / points * 2 * np.sqrt(here) * np.cos(theta) / np.sqrt(2 * np.pi)    # sigma+/K dx
         increments = compliance(grid[n] - grid[:n]) - compliance(grid[n] - grid[1:n + 1])
         c = np.zeros(n + 1)
         c[:n] += 0.5 * increments
@@ -196,9 +205,9 @@ def raw_run(material, work, zone, load, end, steps, points=1600):
             places[n] = x
             gaps = outside[:, None] - (x - places[None, :n + 1])
             gap = np.sqrt(np.maximum(gaps, 0.0)) @ c
-            return 0.5 / zone * k[n] * float(weight @ gap) - work
+            return 0.5 / here * k[n] * float(weight @ gap) - work
 
-        low, high = places[n - 1], places[n - 1] + zone
+        low, high = places[n - 1], places[n - 1] + here
         f_low = excess(low)
         if f_low <= 0:
             places[n] = low
@@ -208,14 +217,23 @@ def raw_run(material, work, zone, load, end, steps, points=1600):
         for _ in range(60):
             x = low + (high - low) * f_low / (f_low - f_high)
             value = excess(x)
-            if abs(value) < 1e-12 * work or high - low < 1e-13 * zone:
+            if abs(value) < 1e-12 * work or high - low < 1e-13 * longest:
                 break
             if value > 0:
                 low, f_low, f_high = x, value, 0.5 * f_high
             else:
                 high, f_high, f_low = x, value, 0.5 * f_low
         places[n] = x
-    return places / zone
+    return places
+
+
+def ramp_through(corners):
+    def load(t):
+        for (t0, k0), (t1, k1) in zip(corners, corners[1:]):
+            if t <= t1:
+                return k0 + (k1 - k0) * (t - t0) / (t1 - t0)
+        return corners[-1][1]
+    return load
 
 
 def raw_rows():
@@ -228,12 +246,18 @@ def raw_rows():
             k = float(mp.sqrt(lower ** 2 + (upper ** 2 - lower ** 2) * exact(part)))
             late = delay(material, work, exact(k))
             # The start of growth lies on a node, a quarter of the way: otherwise it is found to first order only.
-            rise = RISE * k / (4 * float(late)) if kind == "ramp" else 0.0
+            rise = 0.0 if kind == "hold" else RISE * k / (4 * float(late))
             end = 4 * float(mp.findroot(lambda t: ramp_work(material, k, rise, t) - work, (late / 2, late), solver="anderson"))
         last = k + rise * end
         load, text = (lambda t: k + rise * t), f"{kind} {double(k)} {double(last)} {double(end)}"
+        length = lambda t: zone
+        if kind in WAYS:
+            # The ramp up to the start of growth, a quarter of the way, then the points of the way.
+            corners = [(0.0, k), (end / 4, k + rise * end / 4)] + [(end / 4 * time, k * ratio) for time, ratio in WAYS[kind]]
+            load, text = ramp_through(corners), "follow " + " ".join(f"{double(t)} {double(v)}" for t, v in corners)
+            length = lambda t: zone * (load(t) / k) ** 2
         for steps in (48, 96, 192):
-            places = raw_run(material, float(work), zone, load, end, steps)
+            places = raw_run(material, float(work), length, load, end, steps) / zone
             for index in range(16):
                 node = (index + 1) * steps // 16
                 out.append(dict(case=case, material=name, work_of_adhesion=double(material.adhesion), process_zone=double(zone), load=text,

@@ -1,19 +1,24 @@
 //! When a resting tip starts: the first time at which the work reaches Δγ, proved to be the first.
 //!
-//! At rest every M_j obeys Ṁ_j = g_jκ − l_jM_j with κ straight in time, so M_j(t) is a straight line plus one exponential: convex or concave
-//! throughout. Over an interval a convex one is at most its greater end, a concave one at most the crossing of its end tangents; so
+//! At rest in a zone of one length every M_j obeys Ṁ_j = g_jκ − l_jM_j with κ straight in time, so M_j(t) is a straight line plus one
+//! exponential: convex or concave throughout. A zone that follows the load grows and shrinks with it, and M_j grows with the zone: the greater
+//! zone of an interval, kept fixed over it, bounds M_j from above. Over an interval a convex one is at most its greater end, a concave one at most the crossing of its end tangents; so
 //! κ(κ + ΣM_j) has an upper bound, and an interval whose bound is below Δγ holds no start. Others are halved, the earlier half first.
 
 use super::memory::Term;
 use super::moments::fading_moments;
+use std::rc::Rc;
 
 /// Intervals looked at before what is left counts as a touch that starts nothing.
 const MOST_INTERVALS: u32 = 20_000;
 
-/// A rest: the terms' memories at its start, and the load over it.
+/// A rest: the terms' memories at its start for any zone, and the load over it.
 pub(crate) struct Rest<'a> {
     pub(crate) terms: &'a [Term],
-    pub(crate) memories: &'a [f64],
+    /// The memories in the zone of a load.
+    pub(crate) memories: &'a dyn Fn(f64) -> Vec<f64>,
+    /// Whether the zone follows the load; if not, the memories are those of any.
+    pub(crate) follows: bool,
     pub(crate) loads: [f64; 2],
     pub(crate) duration: f64,
     /// The work that must be exceeded is Δγ(1 + threshold).
@@ -25,6 +30,8 @@ pub(crate) struct Rest<'a> {
 struct Moment {
     time: f64,
     load: f64,
+    /// The memories at the start of the rest, in the zone of this moment.
+    starts: Rc<Vec<f64>>,
     memories: Vec<f64>,
 }
 
@@ -35,26 +42,41 @@ impl Moment {
 }
 
 impl Rest<'_> {
-    fn at(&self, time: f64) -> Moment {
-        let load =
-            if time >= self.duration { self.loads[1] } else { self.loads[0] + (self.loads[1] - self.loads[0]) * (time / self.duration) };
-        let memories = self
-            .terms
-            .iter()
-            .zip(self.memories)
-            .map(|(term, memory)| {
-                let (decay, [n0, n1, _]) = fading_moments(term.rate * time);
-                decay * memory + term.gain * time * (load * n0 + (self.loads[0] - load) * n1)
-            })
-            .collect();
-        Moment { time, load, memories }
+    fn load_at(&self, time: f64) -> f64 {
+        if time >= self.duration { self.loads[1] } else { self.loads[0] + (self.loads[1] - self.loads[0]) * (time / self.duration) }
+    }
+
+    /// The memories at a time, from those at the start in a zone that is kept.
+    fn memories_at(&self, time: f64, starts: &[f64]) -> Vec<f64> {
+        let load = self.load_at(time);
+        let evolved = |(term, memory): (&Term, &f64)| {
+            let (decay, [n0, n1, _]) = fading_moments(term.rate * time);
+            decay * memory + term.gain * time * (load * n0 + (self.loads[0] - load) * n1)
+        };
+        self.terms.iter().zip(starts).map(evolved).collect()
+    }
+
+    /// The moment at a time; of a constant zone the starts are those of any other moment.
+    fn at(&self, time: f64, known: Option<&Moment>) -> Moment {
+        let load = self.load_at(time);
+        let starts = match known.filter(|_| !self.follows) {
+            Some(known) => Rc::clone(&known.starts),
+            None => Rc::new((self.memories)(load)),
+        };
+        Moment { time, load, memories: self.memories_at(time, &starts), starts }
     }
 
     /// An upper bound of the excess between two moments.
     fn bound(&self, start: &Moment, end: &Moment) -> f64 {
         let width = end.time - start.time;
         let mut sum = 0.0;
-        for ((term, first), last) in self.terms.iter().zip(&start.memories).zip(&end.memories) {
+        // In the greater of the zones.
+        let (firsts, lasts) = match (self.follows, start.load < end.load) {
+            (false, _) => (start.memories.clone(), end.memories.clone()),
+            (true, true) => (self.memories_at(start.time, &end.starts), end.memories.clone()),
+            (true, false) => (start.memories.clone(), self.memories_at(end.time, &start.starts)),
+        };
+        for ((term, first), last) in self.terms.iter().zip(&firsts).zip(&lasts) {
             let slopes = [term.gain * start.load - term.rate * first, term.gain * end.load - term.rate * last];
             sum += if slopes[0] > 0.0 && slopes[1] < 0.0 {
                 // first + s₀u = last − s₁(w − u)
@@ -72,7 +94,9 @@ impl Rest<'_> {
     pub(crate) fn first_crossing(&self) -> (Option<f64>, u32) {
         let mut count = 2;
         // Intervals still to be looked at, the earliest last.
-        let mut open = vec![(self.at(0.0), self.at(self.duration))];
+        let start = self.at(0.0, None);
+        let end = self.at(self.duration, Some(&start));
+        let mut open = vec![(start, end)];
         while let Some((start, end)) = open.pop() {
             if self.bound(&start, &end) <= 0.0 {
                 continue;
@@ -85,7 +109,7 @@ impl Rest<'_> {
                 }
                 continue;
             }
-            let middle = self.at(middle);
+            let middle = self.at(middle, Some(&start));
             count += 1;
             open.push((middle.clone(), end));
             open.push((start, middle));

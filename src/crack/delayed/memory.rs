@@ -1,13 +1,16 @@
-//! The memory of a moving window: two numbers per creep term, whatever the length of the history.
+//! The memory of a moving window: three numbers per creep term, whatever the length of the history.
 //!
-//! Loads over the glassy limit (κ), lengths over the process zone (x), the history as pieces on which both are straight in time:
+//! Loads over the glassy limit (κ), lengths over the greatest process zone of the history (x; the present zone is z ≤ 1), the history as
+//! pieces on which both are straight in time:
 //! ```text
-//! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        M_j = P_j − R_j        N_j = g_jκ − l_jM_j
+//! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        over x(t₁) > x − z
+//! M_j = P_j − R_j/z        Q_j = g_jκ − l_jP_j        N_j = g_jκ − l_jM_j = Q_j + l_jR_j/z
 //! w/Δγ = κ² + κ Σ M_j                            g_j = E∞J_j/τ_j, l_j = 1/τ_j; flow: g = E∞/η, l = 0
 //! ```
-//! N is carried along: for a term much faster than the step it is a small difference of large numbers. Both integrals run over the window x(t₁) > x − 1. A step multiplies by e^{−l_jΔt}, moves R by P·Δx and adds one exact integral
-//! ([`super::moments`]), so a step costs one exponential per term. What leaves the window is subtracted; the sums are formed anew, forwards
-//! and without subtraction, whenever a rest leaves (it may be nearly all of P) and once per window.
+//! Q is carried along: for a term much faster than the step it is a small difference of large numbers. A step multiplies by e^{−l_jΔt},
+//! moves R by P·Δx and adds one exact integral ([`super::moments`]), so a step costs one exponential per term. What leaves the window is
+//! subtracted, and what a growing window takes back is added; the sums are formed anew, forwards and without subtraction, whenever a rest
+//! leaves (it may be nearly all of P) and once per window. Pieces are kept until no zone of the history reaches them.
 
 use super::moments::fading_moments;
 use crate::material::Material;
@@ -43,21 +46,39 @@ struct Piece {
     duration: f64,
     places: [f64; 2],
     loads: [f64; 2],
-    /// Of a rest: what it left in each term's P and N at its end. Rests at one place become one piece, whatever the loads were.
+    /// Of a rest: what it left in each term's P and Q at its end. Rests at one place become one piece, whatever the loads were.
     rested: Option<Vec<[f64; 2]>>,
 }
 
-/// A step from the present: duration (s), advance (process zones), load at its start and end.
+impl Piece {
+    /// The part between two places, of a piece that is no rest.
+    fn part(&self, from: f64, to: f64) -> Self {
+        let [first, last] = self.places;
+        let at = |place: f64| ((place - first) / (last - first)).clamp(0.0, 1.0);
+        let (start, end) = (at(from), at(to));
+        let load = |part: f64| self.loads[0] + part * (self.loads[1] - self.loads[0]);
+        Self {
+            end: self.end - (1.0 - end) * self.duration,
+            duration: (end - start) * self.duration,
+            places: [from, to],
+            loads: [load(start), load(end)],
+            rested: None,
+        }
+    }
+}
+
+/// A step from the present: duration (s), advance, load at its start and end, process zone at its end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Step {
     pub(crate) duration: f64,
     pub(crate) advance: f64,
     pub(crate) loads: [f64; 2],
+    pub(crate) zone: f64,
 }
 
 impl Step {
-    pub(crate) const fn none(load: f64) -> Self {
-        Self { duration: 0.0, advance: 0.0, loads: [load, load] }
+    pub(crate) const fn none(load: f64, zone: f64) -> Self {
+        Self { duration: 0.0, advance: 0.0, loads: [load, load], zone }
     }
 }
 
@@ -66,13 +87,22 @@ impl Step {
 pub(crate) struct Sums {
     /// ΣM_j.
     pub(crate) memory: f64,
-    /// ΣP_j = −d(ΣM_j)/dx at fixed time.
+    /// ΣP_j = −z d(ΣM_j)/dx at fixed time.
     pub(crate) exposure: f64,
-    /// ΣN_j, the rate at which ΣM_j grows at rest (1/s).
+    /// ΣR_j = z² d(ΣM_j)/dz at fixed time and place.
+    pub(crate) lag: f64,
+    /// ΣN_j, the rate at which ΣM_j grows at rest in a constant zone (1/s).
     pub(crate) growth: f64,
 }
 
-/// The memory and the pieces that are in the window.
+/// What a piece holds of one term, seen from a time and place: P, R, and M in a zone.
+struct Held {
+    exposure: f64,
+    lag: f64,
+    weighted: f64,
+}
+
+/// The memory and the pieces that are in the window, or may come back into it.
 #[derive(Debug, Clone)]
 pub(crate) struct Memory {
     pub(crate) terms: Vec<Term>,
@@ -80,7 +110,11 @@ pub(crate) struct Memory {
     lag: Vec<f64>,
     lack: Vec<f64>,
     load: f64,
+    /// z.
+    pub(crate) zone: f64,
     pieces: VecDeque<Piece>,
+    /// Pieces before this one are behind the window.
+    first: usize,
     /// Time and place of the tip since the last [`Memory::rebase`].
     pub(crate) clock: f64,
     pub(crate) place: f64,
@@ -92,7 +126,7 @@ pub(crate) struct Memory {
 }
 
 impl Memory {
-    pub(crate) fn new(terms: Vec<Term>) -> Self {
+    pub(crate) fn new(terms: Vec<Term>, zone: f64) -> Self {
         let zeros = vec![0.0; terms.len()];
         Self {
             terms,
@@ -100,7 +134,9 @@ impl Memory {
             lag: zeros.clone(),
             lack: zeros,
             load: 0.0,
+            zone,
             pieces: VecDeque::new(),
+            first: 0,
             clock: 0.0,
             place: 0.0,
             left_since_sum: 0,
@@ -109,122 +145,143 @@ impl Memory {
         }
     }
 
-    /// The parts of pieces behind the window of a tip at `place`, oldest first.
-    fn behind(&self, place: f64) -> impl Iterator<Item = Piece> + '_ {
-        let back = place - 1.0;
-        self.pieces.iter().take_while(move |piece| piece.places[0] < back - SAME_PLACE).map(move |piece| {
-            let [from, to] = piece.places;
-            if to <= back {
-                return piece.clone();
-            }
-            let part = (back - from) / (to - from);
-            Piece {
-                end: piece.end - (1.0 - part) * piece.duration,
-                duration: part * piece.duration,
-                places: [from, back],
-                loads: [piece.loads[0], piece.loads[0] + part * (piece.loads[1] - piece.loads[0])],
-                rested: None,
-            }
-        })
+    /// The parts of pieces that a window from `back` on leaves, with −1, and those that it takes back, with 1.
+    fn exchanged(&self, back: f64) -> Vec<(f64, Piece)> {
+        let leaving = self.pieces.range(self.first..).take_while(move |piece| piece.places[0] < back - SAME_PLACE);
+        let leaving = leaving.map(|piece| (-1.0, if piece.places[1] <= back { piece.clone() } else { piece.part(piece.places[0], back) }));
+        let entering = self.pieces.range(..self.first).rev().take_while(move |piece| piece.places[1] > back + SAME_PLACE);
+        let entering = entering.map(|piece| (1.0, if piece.places[0] >= back { piece.clone() } else { piece.part(back, piece.places[1]) }));
+        leaving.chain(entering).collect()
     }
 
-    /// P and M of one piece for one term, seen from `clock` and `place`.
-    fn integrals(term: Term, index: usize, piece: &Piece, clock: f64, place: f64) -> [f64; 2] {
+    /// One piece for one term, seen from `clock` and `place` with a zone.
+    fn held(term: Term, index: usize, piece: &Piece, clock: f64, place: f64, zone: f64) -> Held {
+        let fade = (-term.rate * (clock - piece.end)).exp();
         if let Some(rested) = &piece.rested {
-            let exposure = rested.get(index).map_or(0.0, |values| values[0]) * (-term.rate * (clock - piece.end)).exp();
-            return [exposure, exposure * (1.0 - (place - piece.places[1]))];
+            let exposure = rested.get(index).map_or(0.0, |values| values[0]) * fade;
+            let distance = place - piece.places[1];
+            return Held { exposure, lag: exposure * distance, weighted: exposure * (1.0 - distance / zone) };
         }
         let (_, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
-        let scale = term.gain * piece.duration * (-term.rate * (clock - piece.end)).exp();
+        let scale = term.gain * piece.duration * fade;
         let [first, last] = piece.loads;
-        let weights = piece.places.map(|earlier| 1.0 - (place - earlier));
-        let (load_slope, weight_slope) = (first - last, weights[0] - weights[1]);
-        [
-            scale * (last * n0 + load_slope * n1),
-            scale * (last * weights[1] * n0 + (last * weight_slope + load_slope * weights[1]) * n1 + load_slope * weight_slope * n2),
-        ]
+        let load_slope = first - last;
+        let distances = piece.places.map(|earlier| place - earlier);
+        let weights = distances.map(|distance| 1.0 - distance / zone);
+        // ∫ (last + load_slope·v)(a₁ + (a₀ − a₁)v) e^{−…v} dv, v backwards from the end.
+        let product = |[before, after]: [f64; 2]| {
+            let slope = before - after;
+            scale * (last * after * n0 + (last * slope + load_slope * after) * n1 + load_slope * slope * n2)
+        };
+        Held { exposure: scale * (last * n0 + load_slope * n1), lag: product(distances), weighted: product(weights) }
     }
 
-    /// The sums after a step that is not taken, and each term's M_j if a place for them is given.
-    pub(crate) fn after(&mut self, step: &Step, mut each: Option<&mut Vec<f64>>) -> Sums {
-        let (clock, place) = (self.clock + step.duration, self.place + step.advance);
-        let leaving: Vec<Piece> = self.behind(place).collect();
-        let mut sums = Sums { memory: 0.0, exposure: 0.0, growth: 0.0 };
+    /// The sums after a step that is not taken.
+    pub(crate) fn after(&mut self, step: &Step) -> Sums {
+        let (clock, place, zone) = (self.clock + step.duration, self.place + step.advance, step.zone);
+        let exchanged = self.exchanged(place - zone);
+        let mut sums = Sums { memory: 0.0, exposure: 0.0, lag: 0.0, growth: 0.0 };
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
-            let mut exposure = old + gain * (last * n0 + (first - last) * n1);
-            // 1 − Δx·v is the weight of the step itself.
-            let mut memory = (old - decay * self.lag[index] - step.advance * old)
-                + gain * (last * n0 + (first - last - last * step.advance) * n1 - (first - last) * step.advance * n2);
-            let mut lack = self.lack_after(index, step, decay, [n0, n1]);
-            for piece in &leaving {
-                let [outside, weighted] = Self::integrals(*term, index, piece, clock, place);
-                exposure -= outside;
-                memory -= weighted;
-                lack += term.rate * weighted;
+            let own = gain * (last * n0 + (first - last) * n1);
+            let mut exposure = old + own;
+            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+            // 1 − Δx·v/z is the weight of the step itself.
+            let advance = step.advance / zone;
+            let mut memory = (old - decay * self.lag[index] / zone - advance * old)
+                + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2);
+            let mut lack = self.lack_after(index, step, decay, n0);
+            for (sign, piece) in &exchanged {
+                let held = Self::held(*term, index, piece, clock, place, zone);
+                exposure += sign * held.exposure;
+                lag += sign * held.lag;
+                memory += sign * held.weighted;
+                lack -= sign * term.rate * held.exposure;
             }
             sums.memory += memory;
             sums.exposure += exposure;
-            sums.growth += lack;
-            if let Some(each) = each.as_mut() {
-                each.push(memory);
-            }
+            sums.lag += lag;
+            sums.growth += lack + term.rate * lag / zone;
         }
-        self.kernel_evaluations += (self.terms.len() * (1 + leaving.len())) as u64;
+        self.kernel_evaluations += (self.terms.len() * (1 + exchanged.len())) as u64;
         sums
     }
 
-    /// N_j after a step: by parts, so that the difference of two large numbers is never formed.
-    fn lack_after(&self, index: usize, step: &Step, decay: f64, [n0, n1]: [f64; 2]) -> f64 {
-        let Some(term) = self.terms.get(index) else { return 0.0 };
-        let [first, last] = step.loads;
-        let before = self.lack[index] + term.gain * (first - self.load);
-        let exposed = term.gain * first - term.rate * self.exposure[index];
-        let fall = first - last;
-        decay * (before - step.advance * exposed) - term.gain * ((fall - step.advance * last) * n0 - 2.0 * step.advance * fall * n1)
+    /// Each term's M_j here and now, in a zone.
+    pub(crate) fn memories_in(&self, zone: f64) -> Vec<f64> {
+        let exchanged = self.exchanged(self.place - zone);
+        let of_term = |(index, term): (usize, &Term)| {
+            let change = |(sign, piece): &(f64, Piece)| sign * Self::held(*term, index, piece, self.clock, self.place, zone).weighted;
+            self.exposure[index] - self.lag[index] / zone + exchanged.iter().map(change).sum::<f64>()
+        };
+        self.terms.iter().enumerate().map(of_term).collect()
     }
 
-    /// Takes a step, and lets what is behind the window go.
+    /// Q_j after a step: by parts, so that the difference of two large numbers is never formed.
+    fn lack_after(&self, index: usize, step: &Step, decay: f64, n0: f64) -> f64 {
+        let Some(term) = self.terms.get(index) else { return 0.0 };
+        let [first, last] = step.loads;
+        decay * (self.lack[index] + term.gain * (first - self.load)) + term.gain * (last - first) * n0
+    }
+
+    /// Takes a step; what is then behind the window goes, and what is again in it comes back.
     pub(crate) fn take(&mut self, step: &Step) {
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
-            self.lack[index] = self.lack_after(index, step, decay, [n0, n1]);
+            self.lack[index] = self.lack_after(index, step, decay, n0);
             self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
             self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
         }
         self.kernel_evaluations += self.terms.len() as u64;
         let from = self.place;
         self.load = last;
+        self.zone = step.zone;
         self.clock += step.duration;
         self.place += step.advance;
         if step.duration > 0.0 {
             self.remember(step, from);
         }
+        let back = self.place - self.zone;
         let mut rest_left = false;
-        while let Some(piece) = self.pieces.front().cloned() {
-            if piece.places[1] > self.place - 1.0 + SAME_PLACE {
-                break;
-            }
+        while let Some(piece) = self.pieces.get(self.first).filter(|piece| piece.places[1] <= back + SAME_PLACE).cloned() {
             rest_left |= piece.rested.is_some();
-            for (index, term) in self.terms.iter().enumerate() {
-                let [outside, weighted] = Self::integrals(*term, index, &piece, self.clock, self.place);
-                self.exposure[index] -= outside;
-                self.lag[index] -= outside - weighted;
-                self.lack[index] += term.rate * weighted;
-            }
-            self.kernel_evaluations += self.terms.len() as u64;
+            self.exchange(&piece, -1.0);
             self.left_since_sum += 1;
-            self.pieces.pop_front();
+            self.first += 1;
         }
-        if rest_left || self.left_since_sum > self.pieces.len() {
+        let before = |first: usize| first.checked_sub(1);
+        while let Some((index, piece)) = before(self.first)
+            .and_then(|index| Some((index, self.pieces.get(index)?.clone())))
+            .filter(|(_, piece)| piece.places[1] > back + SAME_PLACE)
+        {
+            self.exchange(&piece, 1.0);
+            self.first = index;
+        }
+        // The greatest zone is 1.
+        while self.first > 0 && self.pieces.front().is_some_and(|piece| piece.places[1] <= self.place - 1.0 + SAME_PLACE) {
+            self.pieces.pop_front();
+            self.first -= 1;
+        }
+        if rest_left || self.left_since_sum > self.pieces.len() - self.first {
             self.sum_anew();
         }
+    }
+
+    /// Adds a whole piece to the sums, or subtracts it.
+    fn exchange(&mut self, piece: &Piece, sign: f64) {
+        for (index, term) in self.terms.iter().enumerate() {
+            let held = Self::held(*term, index, piece, self.clock, self.place, self.zone);
+            self.exposure[index] += sign * held.exposure;
+            self.lag[index] += sign * held.lag;
+            self.lack[index] -= sign * term.rate * held.exposure;
+        }
+        self.kernel_evaluations += self.terms.len() as u64;
     }
 
     /// Adds the step to the pieces; a rest joins a rest at the same place.
@@ -259,36 +316,37 @@ impl Memory {
         self.most_pieces = self.most_pieces.max(self.pieces.len());
     }
 
-    /// How many pieces the window holds.
+    /// How many pieces are held.
     pub(crate) fn pieces_held(&self) -> usize {
         self.pieces.len()
     }
 
-    /// P, R and N from the pieces, forwards: no subtraction.
+    /// P, R and Q from the pieces in the window, forwards: no subtraction.
     fn sum_anew(&mut self) {
         self.left_since_sum = 0;
         self.exposure.fill(0.0);
         self.lag.fill(0.0);
         self.lack.fill(0.0);
         let load_now = std::mem::replace(&mut self.load, 0.0);
-        let mut last_place = self.pieces.front().map_or(self.place, |piece| piece.places[0]);
+        let mut last_place = self.pieces.get(self.first).map_or(self.place, |piece| piece.places[0]);
         let pieces = std::mem::take(&mut self.pieces);
-        for piece in &pieces {
+        for piece in pieces.range(self.first..) {
             self.jump(piece.places[0] - last_place);
             let [first, last] = piece.loads;
-            let step = Step { duration: piece.duration, advance: piece.places[1] - piece.places[0], loads: piece.loads };
+            let advance = piece.places[1] - piece.places[0];
+            let step = Step { duration: piece.duration, advance, loads: piece.loads, zone: self.zone };
             for (index, term) in self.terms.iter().enumerate() {
                 let (decay, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
                 let gain = term.gain * piece.duration;
                 let old = decay * self.exposure[index];
                 if let Some([rested, lack]) = piece.rested.as_ref().and_then(|values| values.get(index)) {
-                    self.lack[index] = lack - term.rate * decay * (self.exposure[index] - self.lag[index]);
+                    self.lack[index] = lack - term.rate * old;
                     self.lag[index] *= decay;
                     self.exposure[index] = old + rested;
                     continue;
                 }
-                self.lack[index] = self.lack_after(index, &step, decay, [n0, n1]);
-                self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+                self.lack[index] = self.lack_after(index, &step, decay, n0);
+                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2));
                 self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
             }
             self.load = last;
@@ -300,14 +358,13 @@ impl Memory {
             *lack += term.gain * (load_now - self.load);
         }
         self.load = load_now;
-        self.kernel_evaluations += (self.terms.len() * self.pieces.len()) as u64;
+        self.kernel_evaluations += (self.terms.len() * (self.pieces.len() - self.first)) as u64;
     }
 
     /// Moves the tip in no time.
     fn jump(&mut self, advance: f64) {
-        for (index, term) in self.terms.iter().enumerate() {
-            self.lag[index] += advance * self.exposure[index];
-            self.lack[index] += advance * term.rate * self.exposure[index];
+        for (lag, exposure) in self.lag.iter_mut().zip(&self.exposure) {
+            *lag += advance * exposure;
         }
     }
 
@@ -323,12 +380,27 @@ impl Memory {
         shift
     }
 
-    /// Replaces the window by a uniform motion: one process zone in `crossing_time` under one load.
-    pub(crate) fn make_steady(&mut self, crossing_time: f64, load: f64) {
+    /// Replaces the history: the tip came here through places at these distances behind it (falling to zero), so long ago (s), under
+    /// these loads.
+    pub(crate) fn replace(&mut self, way: &[[f64; 3]]) {
         self.pieces.clear();
-        let places = [self.place - 1.0, self.place];
-        self.pieces.push_back(Piece { end: self.clock, duration: crossing_time, places, loads: [load, load], rested: None });
-        self.load = load;
+        self.first = 0;
+        for pair in way.windows(2) {
+            let [[from, earlier, first], [to, later, last]] = pair else { continue };
+            if earlier > later {
+                self.pieces.push_back(Piece {
+                    end: self.clock - later,
+                    duration: earlier - later,
+                    places: [self.place - from, self.place - to],
+                    loads: [*first, *last],
+                    rested: None,
+                });
+                self.load = *last;
+            }
+        }
+        let back = self.place - self.zone;
+        self.first = self.pieces.iter().take_while(|piece| piece.places[1] <= back + SAME_PLACE).count();
+        self.most_pieces = self.most_pieces.max(self.pieces.len());
         self.sum_anew();
     }
 }

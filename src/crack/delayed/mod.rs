@@ -11,7 +11,7 @@
 //! |---|---|---|
 //! | K(t) ≥ 0 | `intensity` of the stress, opening | Pa √m |
 //! | x₀(t) | `growth`: how far the tip has run since the start of the history, never decreasing | m |
-//! | δ | `process_zone`, one length for a whole history | m |
+//! | δ | `process_zone`: one length for a whole history, or δ(t) at the current load | m |
 //! | Δγ | `work_of_adhesion` | J/m² |
 //! | t_d | `delay`: the time from loading to first growth | s |
 //! | c | deformable halves, [`CrackBody`](crate::crack::CrackBody) | – |
@@ -35,12 +35,29 @@
 //! | [`moments`] | an exponential against a cubic, for any ratio of step to time |
 //! | [`memory`] | the memory of a moving window, term by term |
 //! | [`first_crossing`] | the first time at which a resting tip starts, proved to be the first |
+//! | [`quasi_steady`] | growth over very many zones under a slow load |
+//! | [`zone`] | the process zone over the greatest one |
 //! | [`stepper`] | one run at one step size |
 //! | [`mod@trajectory`] | three runs, extrapolated, with an error for every number |
 //! | [`validity`] | numbers that say where the model's assumptions end |
 //!
-//! **Choices.** δ is one length for a history: the thesis's (5.69) with its constant K. For other loads a growing zone is taken at a stated
-//! intensity. Moduli are those of the plane problem, as in [`crate::crack`].
+//! # A zone that follows the load
+//! [`GrowthProblem::following`] takes δ(t) = α(K(t)/(√(2π)σ_c))² at the current load. The closure is virtual work at one frozen instant (thesis
+//! Sec 4.3: nothing is re-solved while the edge is moved by δ): stress and gap are the fields of the time t, and neither of them knows δ, as both are
+//! those of a sharp tip, stress K(t)/√(2πd), gap a superposition of the tip fields of all earlier times. So only two things see δ(t): the
+//! length of the virtual move, and how much of the stress and the gap lies within it,
+//! ```text
+//! (c/2δ) ∫₀^δ K(t)/√(2πd) · u(δ − d, t) dd,    u(s, t) = √(8/π) ∫ J(t − t₁) d[K(t₁) √(s − (x − x₀(t₁)))₊]
+//! ∫₀^δ d^{−1/2} (δ − (x − x₁) − d)₊^{1/2} dd = (π/2)(δ − (x − x₁))₊        ⇒  the formula above with δ = δ(t)
+//! ```
+//! No term in dδ/dt appears: the zone has no state of its own, so lengthening it at a resting tip costs and gives nothing, and the balance stays
+//! closed. What follows: the delay is untouched (at rest x = x₁, the bracket is 1 for any δ); the first speed takes δ(t_d); w still falls with x and now rises
+//! with K twice, through K and through δ, so growth is as well posed as before; a growing zone takes places back in that had left it, a
+//! shrinking one lets them go without motion; under a constant load nothing changes, so the late speed is the steady one with δ(K). A cohesive zone with
+//! a traction law would store and release work as it lengthens; this theory has none (see `verification/pages/named_gaps.md`).
+//!
+//! **Choices.** [`GrowthProblem::new`] keeps one length for a history: the thesis's (5.69) with its constant K, or that at a stated intensity. Moduli are
+//! those of the plane problem, as in [`crate::crack`].
 
 pub mod first_crossing;
 pub mod load;
@@ -48,10 +65,12 @@ pub mod memory;
 pub mod moments;
 pub mod onset;
 pub mod problem;
+pub mod quasi_steady;
 pub mod regime;
 pub mod stepper;
 pub mod trajectory;
 pub mod validity;
+pub mod zone;
 
 pub use load::{LoadHistory, LoadSegment, Wave};
 pub use onset::{Onset, onset};

@@ -101,7 +101,7 @@ pub fn onset(problem: &GrowthProblem<'_>, intensity: f64) -> Result<Onset, Refus
     }
     error += material.modulus_rounding() * needed.to_come.max(1.0 / material.glassy_modulus());
     let relative = error / slope + root.relative_error;
-    let speed = problem.process_zone * (slope / come) / time;
+    let speed = problem.process_zone_at(intensity) * (slope / come) / time;
     let speed_relative = 2.0 * relative + come_error / come + 4.0 * f64::EPSILON + exponent_rounding(problem, time);
     Ok(Onset::After {
         delay: Estimate::relative(time, relative),

@@ -120,6 +120,8 @@ pub struct Trajectory {
     pub samples: Vec<Sample>,
     /// In order of time.
     pub events: Vec<Event>,
+    /// The greatest |w/Δγ − 1| that a step of growth left.
+    pub residual: f64,
     /// Work of all three runs.
     pub work: GrowthWork,
 }
@@ -152,7 +154,8 @@ pub fn trajectory(
         run(problem, history, outputs, until, 2 * lines, resolution.most_steps)?,
         run(problem, history, outputs, until, 4 * lines, resolution.most_steps)?,
     ];
-    let zone = problem.process_zone;
+    let peak = history.peak();
+    let zone = problem.process_zone_at(peak);
     let samples: Vec<Sample> =
         outputs.iter().enumerate().map(|(index, &time)| sample(&runs, lines, index, time, history.at(time), zone)).collect();
     let mut events = events(&runs, lines, zone, until);
@@ -170,7 +173,8 @@ pub fn trajectory(
         return Err(Refusal::NotConverged { what: "the growth of the crack", detail: "a result is not a finite number".into() });
     }
     let work = runs.iter().fold(GrowthWork::default(), |sum, run| sum.plus(run.work));
-    Ok(Trajectory { samples, events, work })
+    let residual = runs.iter().map(|run| run.residual).fold(0.0, f64::max);
+    Ok(Trajectory { samples, events, residual, work })
 }
 
 /// The steady motion that growth under a constant load K tends to: the opening theory of [`VirtualWork`] with the same zone.
@@ -178,7 +182,7 @@ pub fn trajectory(
 /// # Errors
 /// [`Refusal::NoSuchState`] for a load at or beyond a limit of Eq 5.68; [`Refusal::Undefined`] for an elastic material.
 pub fn tends_to(problem: &GrowthProblem<'_>, intensity: f64, tolerance: f64) -> Result<SteadyState, Refusal> {
-    let interface = problem.interface();
+    let interface = problem.interface_at(intensity);
     let curve = VirtualWork::new(problem.material, Motion::Opening, interface)?;
     at_drive(&curve, interface.body.drive(interface.work_of_adhesion, intensity), tolerance)
 }
@@ -204,7 +208,9 @@ fn extrapolated([coarse, middle, fine]: [f64; 3], scale: f64, lines: u32) -> Est
 }
 
 fn sample(runs: &[Run; 3], lines: u32, index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
-    let at = |run: &Run| run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true });
+    let at = |run: &Run| {
+        run.samples.get(index).copied().unwrap_or(RawSample { place: 0.0, speed: 0.0, moving: false, bounded: true, doubts: [0.0; 2] })
+    };
     let [coarse, middle, fine] = [at(&runs[0]), at(&runs[1]), at(&runs[2])];
     if !fine.bounded {
         return Sample { time, intensity, state: TipState::Unbounded, growth: None, speed: None };
@@ -213,8 +219,10 @@ fn sample(runs: &[Run; 3], lines: u32, index: usize, time: f64, intensity: f64, 
     let resting = agreed && !fine.moving;
     let places = [coarse.place, middle.place, fine.place];
     let speeds = [coarse.speed, middle.speed, fine.speed];
-    let growth = if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { extrapolated(places, 1.0, lines) };
-    let speed = if resting { Estimate::exact(0.0) } else { extrapolated(speeds, 0.0, lines) };
+    let doubted = |estimate: Estimate, doubt: f64| Estimate::new(estimate.value, estimate.error + doubt);
+    let growth =
+        if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { doubted(extrapolated(places, 1.0, lines), fine.doubts[0]) };
+    let speed = if resting { Estimate::exact(0.0) } else { doubted(extrapolated(speeds, 0.0, lines), fine.doubts[1]) };
     let state = if fine.moving { TipState::Growing } else { TipState::Resting };
     Sample { time, intensity, state, growth: Some(growth.scaled(zone)), speed: Some(speed.scaled(zone)) }
 }
@@ -251,7 +259,8 @@ fn events(runs: &[Run; 3], lines: u32, zone: f64, until: f64) -> Vec<Event> {
                 RawKind::Unbounded => EventKind::Unbounded,
             };
             let time = number(&|event| event.time, 0.0, until);
-            Event { kind, time, growth: number(&|event| event.place, 1.0, place).scaled(zone) }
+            let growth = number(&|event| event.place, 1.0, place);
+            Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.doubt).scaled(zone) }
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! Keys of steady cracks.
+//! Keys of cracks: steady ones, and those under a load history.
 
 use super::{Key, Kind, Range, Word};
 use crate::scene::units::Dimension;
@@ -6,7 +6,11 @@ use crate::scene::units::Dimension;
 const LENGTH: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "relaxed zone a₀" };
 
 pub(super) const KEYS: &[Key] = &[
-    Key { path: "crack", kind: Kind::Table, meaning: "A crack that opens or closes steadily." },
+    Key {
+        path: "crack",
+        kind: Kind::Table,
+        meaning: "A crack that opens or closes steadily; with a [[history]], a crack that opens under it, rests, and never heals.",
+    },
     Key {
         path: "crack.motion",
         kind: Kind::Choice(&[
@@ -78,5 +82,23 @@ pub(super) const KEYS: &[Key] = &[
             Word { word: "uniaxial", meaning: "free contraction along the strip, as in (5.46)" },
         ]),
         meaning: "Whether the strip may contract along its length.",
+    },
+    Key {
+        path: "crack.points",
+        kind: Kind::Count { least: 0, most: 1_000_000 },
+        meaning: "Under a [[history]]: at how many times the tip is looked at; events are reported besides. 0 for summary and events alone. Default 200.",
+    },
+    Key {
+        path: "crack.spacing",
+        kind: Kind::Choice(&[
+            Word { word: "linear", meaning: "equal differences from time zero; the default" },
+            Word { word: "logarithmic", meaning: "equal ratios from `first_time`" },
+        ]),
+        meaning: "Under a [[history]]: how these times are spread up to the end of the last segment.",
+    },
+    Key {
+        path: "crack.first_time",
+        kind: Kind::Number { dimension: Dimension::TIME, range: Range::Positive, reduced: "reference time" },
+        meaning: "Under a [[history]]: the first of logarithmic times; default 1e-6 of the whole history.",
     },
 ];

@@ -11,26 +11,30 @@ use crate::scene::typed::{CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, Sce
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<SteadyCrack, SceneError> {
     let crack = top.required_table("crack", "it is the problem")?;
-    let reduced = crack.units() == Units::Reduced;
     let motion = match crack.text("motion") {
         Some("closing") => Motion::Closing,
         _ => Motion::Opening,
     };
-    let body = match crack.text("body") {
-        Some("two_halves") => CrackBody::TwoHalves,
-        Some(_) => CrackBody::AgainstRigid,
-        // The groups of a reduced scene are the same for both.
-        None if reduced => CrackBody::AgainstRigid,
-        None => return Err(crack.missing("body")),
-    };
+    crack.without(&["points", "spacing", "first_time"], "a crack under a [[history]]")?;
+    let body = body(&crack)?;
     let plane = plane(&crack, top, material)?;
-    let (work_of_adhesion, process_zone) = adhesion(top, &crack, motion, body)?;
+    let (work_of_adhesion, process_zone) = adhesion(top, Some((&crack, motion)), body)?;
     let theories = theories(top, &crack, motion, process_zone)?;
     let control = control(&crack, plane, material, work_of_adhesion)?;
     Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
 }
 
-fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Result<PlaneState, SceneError> {
+pub(super) fn body(crack: &Section<'_>) -> Result<CrackBody, SceneError> {
+    Ok(match crack.text("body") {
+        Some("two_halves") => CrackBody::TwoHalves,
+        Some(_) => CrackBody::AgainstRigid,
+        // The groups of a reduced scene are the same for both.
+        None if crack.units() == Units::Reduced => CrackBody::AgainstRigid,
+        None => return Err(crack.missing("body")),
+    })
+}
+
+pub(super) fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Result<PlaneState, SceneError> {
     if crack.units() == Units::Reduced {
         return match crack.text("plane") {
             Some("strain") => {
@@ -49,12 +53,18 @@ fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Re
     }
 }
 
-fn adhesion(top: &Section<'_>, crack: &Section<'_>, motion: Motion, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
+pub(super) fn adhesion(top: &Section<'_>, steady: Option<(&Section<'_>, Motion)>, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
     let table = top.required_table("adhesion", "a crack moves by the balance of work at its tip")?;
     let reduced = table.units() == Units::Reduced;
     table.without(&["trailing_work_of_adhesion", "leading_work_of_adhesion"], "a sliding contact")?;
     let by_speed = match table.node().get("by_speed") {
-        Some(_) => Some(work_at_speed(top, &table, crack, motion)?),
+        Some(_) => match steady {
+            Some((crack, motion)) => Some(work_at_speed(top, &table, crack, motion)?),
+            None => {
+                let message = "`adhesion.by_speed`: under a [[history]] the tip finds its speed, and the work would follow it";
+                return Err(table.wrong("by_speed", message, "leave it out, or give `crack.speed`"));
+            }
+        },
         None => None,
     };
     let work = match (by_speed.map_or_else(|| table.number("work_of_adhesion"), |work| Ok(Some(work)))?, reduced) {
@@ -166,6 +176,21 @@ fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, wor
 }
 
 fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial) -> Result<Strip, SceneError> {
+    let lateral = lateral(table, crack, plane, material)?;
+    let load = match table.exactly_one(&["strain", "stress"])? {
+        "strain" => StripLoad::Strain(table.required_number("strain")?),
+        _ => StripLoad::Stress(table.required_number("stress")?),
+    };
+    Ok(Strip { half_height: table.required_number("half_height")?, load, lateral })
+}
+
+/// Whether a strip contracts along its length; refuses a strip that cannot be loaded.
+pub(super) fn lateral(
+    table: &Section<'_>,
+    crack: &Section<'_>,
+    plane: PlaneState,
+    material: &SceneMaterial,
+) -> Result<SidewaysStrain, SceneError> {
     if table.units() == Units::Reduced {
         return Err(crack.wrong("strip", "`crack.strip` needs lengths and stresses in SI units", "write units = \"si\""));
     }
@@ -181,11 +206,7 @@ fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: 
         let message = "an incompressible strip, clamped and in plane strain, cannot be stretched at all";
         return Err(crack.wrong("strip", message, "use plane = \"stress\", or a Poisson ratio below 0.5"));
     }
-    let load = match table.exactly_one(&["strain", "stress"])? {
-        "strain" => StripLoad::Strain(table.required_number("strain")?),
-        _ => StripLoad::Stress(table.required_number("stress")?),
-    };
-    Ok(Strip { half_height: table.required_number("half_height")?, load, lateral })
+    Ok(lateral)
 }
 
 fn fields(top: &Section<'_>) -> Result<Option<Fields>, SceneError> {

@@ -1,8 +1,11 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
 mod crack;
+mod crack_history;
+pub mod history;
 mod include;
 mod material;
+mod measured_table;
 mod section;
 mod sliding;
 mod sliding_branch;
@@ -25,13 +28,14 @@ const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
-/// Replaces included files by their content; to be done once, before `--set`s, sweeps and [`read`].
+/// Replaces a material file by its content and reads the tables of a history; to be done before `--set`s, sweeps and [`read`].
 ///
 /// # Errors
 /// A file that cannot be read, or a key that is given twice.
 pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
     include::resolve(document)?;
-    speed_table::resolve(document)
+    speed_table::resolve(document)?;
+    measured_table::resolve(document)
 }
 
 /// States of a sweep that are tried before a scene is called wrong.
@@ -71,13 +75,18 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let material = material::read(&top)?;
     let problem = match the_problem(&top)? {
+        "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
-        _ => Problem::Sliding(sliding::read(&top, &material)?),
+        _ => {
+            top.without(&["history"], "a crack or a sphere")?;
+            Problem::Sliding(sliding::read(&top, &material)?)
+        }
     };
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
+        Problem::DelayedFracture(_) => 1e-3,
     };
     Ok(Scene {
         // One line, whatever the text or the file's name holds.
