@@ -98,6 +98,8 @@ pub struct Document {
     pub root: Node,
     folder: PathBuf,
     hash: String,
+    /// Further files that the scene names, by the names it gives them.
+    attached: Vec<(String, SourceText)>,
 }
 
 /// No scene that a person writes is larger (bytes).
@@ -125,7 +127,7 @@ impl Document {
     pub fn parse(name: &str, text: String, folder: &Path) -> Result<Self, SceneError> {
         let source = SourceText::new(name, text);
         let root = parse_tree(&source)?;
-        let mut document = Self { root, folder: folder.to_owned(), hash: String::new() };
+        let mut document = Self { root, folder: folder.to_owned(), hash: String::new(), attached: Vec::new() };
         document.add_to_hash(&source);
         Ok(document)
     }
@@ -134,6 +136,18 @@ impl Document {
     #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// A file that the scene names, if it was attached.
+    #[must_use]
+    pub fn attached(&self, name: &str) -> Option<&SourceText> {
+        self.attached.iter().find(|(known, _)| known == name).map(|(_, source)| source)
+    }
+
+    /// Attaches a file under the name that the scene gives it, and adds it to the hash.
+    pub fn attach(&mut self, name: &str, source: SourceText) {
+        self.add_to_hash(&source);
+        self.attached.push((name.to_owned(), source));
     }
 
     /// SHA-256 of everything that was read: the scene, included files, and `--set`s, in order.

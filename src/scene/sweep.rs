@@ -4,6 +4,7 @@ use super::catalogue::{self, Key, Kind};
 use super::check::{self, Units};
 use super::diagnostic::{Place, SceneError};
 use super::document::{Document, Node, Value};
+use super::read::history::dependent_kind;
 use super::read::{has_table, is_number, nearest_number, range_of};
 use super::units::Dimension;
 
@@ -98,15 +99,16 @@ fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError
     let key_node = table.get("key").ok_or_else(|| missing("key", &header))?;
     let Value::Text(path) = &key_node.value else { return Err(missing("key", &header)) };
     let key = swept_key(root, path, &key_node.place)?;
-    let (dimension, unit) = match key.kind {
-        Kind::Number { dimension, .. } => (dimension, if units == Units::Si { dimension.si_unit() } else { "1".to_owned() }),
-        _ => (Dimension::NUMBER, "1".to_owned()),
+    let (dimension, range) = match key.kind {
+        Kind::Number { dimension, .. } => (dimension, range_of(key)),
+        _ => dependent_kind(root, path, key).unwrap_or((Dimension::NUMBER, range_of(key))),
     };
+    let unit = if units == Units::Si { dimension.si_unit() } else { "1".to_owned() };
     let value_of = |node: &Node| -> Result<f64, SceneError> {
         let value = check::number(node, path, dimension, units)?;
         match key.kind {
             Kind::Count { least, most } => check::count(node, path, least, most).map(f64::from),
-            _ => check::check_range(node, path, value, range_of(key)).map(|()| value),
+            _ => check::check_range(node, path, value, range).map(|()| value),
         }
     };
     let (values, logarithmic) = match (table.get("values"), table.get("from"), table.get("to"), table.get("points")) {
@@ -154,7 +156,7 @@ fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, Sce
     if generic == "sweep" || generic.starts_with("sweep.") || generic.starts_with("sweep[]") {
         return Err(SceneError::at(place, format!("`sweep.key` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
     }
-    let Some(key) = catalogue::key(&generic).filter(|key| is_number(key)) else {
+    let Some(key) = catalogue::key(&generic).filter(|key| is_number(key) || dependent_kind(root, path, key).is_some()) else {
         let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
         let label = nearest_number(path).map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
         return Err(SceneError::at(place, format!("`sweep.key` = {path:?} {what}"), label));

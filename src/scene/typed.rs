@@ -1,5 +1,7 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
+mod history;
+
 use super::sweep::Sweep;
 use crate::crack::{CrackBody, Motion};
 use crate::elastic::PlaneState;
@@ -7,6 +9,7 @@ use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 
 pub use super::check::Units;
+pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]

@@ -38,6 +38,14 @@ impl Dimension {
     pub const ENERGY_PER_AREA: Self = Self::new([0, 1, -2, 0]);
     /// N/m, which is J/m².
     pub const LOAD_PER_WIDTH: Self = Self { is_load: true, ..Self::ENERGY_PER_AREA };
+    /// N.
+    pub const FORCE: Self = Self::new([1, 1, -2, 0]);
+    /// N/s.
+    pub const FORCE_RATE: Self = Self::new([1, 1, -3, 0]);
+    /// Pa/s.
+    pub const PRESSURE_RATE: Self = Self::new([-1, 1, -3, 0]);
+    /// Pa √m/s.
+    pub const STRESS_INTENSITY_RATE: Self = Self { halves: [-1, 2, -6, 0], is_load: false };
     /// Pa √m.
     pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], is_load: false };
     /// Pa/m.
@@ -60,6 +68,10 @@ impl Dimension {
             Self::LOAD_PER_WIDTH => "a load per width such as \"20 N/m\"",
             Self::STIFFNESS_PER_AREA => "a stiffness per area such as \"5 kPa/µm\"",
             Self::STRESS_INTENSITY => "a stress intensity such as \"20 kPa √m\"",
+            Self::STRESS_INTENSITY_RATE => "a rate such as \"5 kPa √m/s\"",
+            Self::PRESSURE_RATE => "a rate such as \"2 kPa/s\"",
+            Self::FORCE => "a force such as \"20 mN\"",
+            Self::FORCE_RATE => "a rate such as \"1 mN/s\"",
             _ => "a number with the unit named in the documentation of the key",
         }
     }
@@ -75,6 +87,10 @@ impl Dimension {
             Self::ENERGY_PER_AREA => "J/m²".into(),
             Self::LOAD_PER_WIDTH => "N/m".into(),
             Self::STRESS_INTENSITY => "Pa √m".into(),
+            Self::STRESS_INTENSITY_RATE => "Pa √m/s".into(),
+            Self::PRESSURE_RATE => "Pa/s".into(),
+            Self::FORCE => "N".into(),
+            Self::FORCE_RATE => "N/s".into(),
             Self::STIFFNESS_PER_AREA => "Pa/m".into(),
             other => written_out(other.halves),
         }

@@ -7,6 +7,7 @@ mod adhesion;
 mod crack;
 mod fields;
 mod general;
+mod history;
 mod material;
 mod sliding;
 
@@ -35,7 +36,7 @@ pub enum Kind {
         /// The unit it has in `units = "reduced"`.
         reduced: &'static str,
     },
-    /// A number of the dimension of another key (a sweep's values, the ends of a branch).
+    /// A number of the dimension of another key (a sweep's values, the ends of a branch, the rate of a segment of a history).
     NumberOfSweptKey,
     /// A list of such numbers.
     NumbersOfSweptKey,
@@ -109,7 +110,7 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, sliding::KEYS, fields::KEYS].into_iter().flatten()
+    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, history::KEYS, sliding::KEYS, fields::KEYS].into_iter().flatten()
 }
 
 /// The key at a path, `[]` for list items.

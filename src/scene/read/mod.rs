@@ -1,8 +1,10 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
 mod crack;
+pub mod history;
 mod include;
 mod material;
+mod measured_table;
 mod section;
 mod sliding;
 mod sliding_branch;
@@ -23,12 +25,13 @@ const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
-/// Replaces included files by their content; to be done once, before `--set`s, sweeps and [`read`].
+/// Replaces a material file by its content and reads the tables of a history; to be done before `--set`s, sweeps and [`read`].
 ///
 /// # Errors
 /// A file that cannot be read, or a key that is given twice.
 pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
-    include::resolve(document)
+    include::resolve(document)?;
+    measured_table::resolve(document)
 }
 
 /// States of a sweep that are tried before a scene is called wrong.
@@ -69,7 +72,10 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let material = material::read(&top)?;
     let problem = match the_problem(&top)? {
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
-        _ => Problem::Sliding(sliding::read(&top, &material)?),
+        _ => {
+            top.without(&["history"], "a crack or a sphere")?;
+            Problem::Sliding(sliding::read(&top, &material)?)
+        }
     };
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {

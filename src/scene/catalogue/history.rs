@@ -1,0 +1,83 @@
+//! Keys of a load history: a list of segments, one table each.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::typed::HistoryQuantity;
+use crate::scene::units::Dimension;
+
+const fn target(quantity: HistoryQuantity, path: &'static str, reduced: &'static str, meaning: &'static str) -> Key {
+    Key { path, kind: Kind::Number { dimension: quantity.dimension(), range: quantity.range(), reduced }, meaning }
+}
+
+const TIME: Kind = Kind::Number { dimension: Dimension::TIME, range: Range::Positive, reduced: "reference time" };
+
+pub(super) const KEYS: &[Key] = &[
+    Key {
+        path: "history",
+        kind: Kind::Tables,
+        meaning: "What is done to a crack or a sphere, one table a segment, in order, from an unloaded and rested body at time zero. A segment holds exactly one of: a quantity to go to, `hold`, `table`, `cycles`.",
+    },
+    target(
+        HistoryQuantity::StressIntensity,
+        "history[].stress_intensity",
+        "√(2E0Δγ)",
+        "Go to this K of a crack: straight, in `duration` or at `rate`; without either, at once.",
+    ),
+    target(
+        HistoryQuantity::Stress,
+        "history[].stress",
+        "not available",
+        "Go to this stress of a cracked strip, far ahead of the tip, in the same way.",
+    ),
+    target(
+        HistoryQuantity::Penetration,
+        "history[].penetration",
+        "the sphere's radius R",
+        "Go to this depth of a sphere, in the same way.",
+    ),
+    target(HistoryQuantity::Force, "history[].force", "πE0*R²", "Go to this force on a sphere, pressing positive, in the same way."),
+    target(
+        HistoryQuantity::ContactRadius,
+        "history[].contact_radius",
+        "the sphere's radius R",
+        "Go to this radius of a sphere's contact, in the same way.",
+    ),
+    target(
+        HistoryQuantity::Frame,
+        "history[].frame",
+        "the sphere's radius R",
+        "Go to this displacement of the far end of the frame that holds a sphere, in the same way.",
+    ),
+    Key { path: "history[].duration", kind: TIME, meaning: "How long the way to the value takes; excludes `rate`." },
+    Key {
+        path: "history[].rate",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "How fast the value is gone to, up or down: greater than 0, in the quantity's unit per time; excludes `duration`.",
+    },
+    Key {
+        path: "history[].hold",
+        kind: Kind::Number { dimension: Dimension::TIME, range: Range::NonNegative, reduced: "reference time" },
+        meaning: "Hold the last controlled quantity for so long.",
+    },
+    Key {
+        path: "history[].table",
+        kind: Kind::Text,
+        meaning: "Follow a CSV file, relative to the scene: a header such as `time (s), force (mN)`, then rows with times that increase, counted from the first row. Straight lines between rows; the first value is stepped to. Columns that are not controlled are measured data.",
+    },
+    Key {
+        path: "history[].quantity",
+        kind: Kind::Choice(HistoryQuantity::WORDS),
+        meaning: "What a table or cycles control; may be left out where the problem has only one such quantity.",
+    },
+    Key { path: "history[].cycles", kind: Kind::Count { least: 1, most: 10_000_000 }, meaning: "Go through so many cycles." },
+    Key { path: "history[].period", kind: TIME, meaning: "How long one cycle takes." },
+    Key { path: "history[].lower", kind: Kind::NumberOfSweptKey, meaning: "The smaller value of a cycle, in the quantity's unit." },
+    Key { path: "history[].upper", kind: Kind::NumberOfSweptKey, meaning: "The larger value of a cycle, in the quantity's unit." },
+    Key {
+        path: "history[].wave",
+        kind: Kind::Choice(&[
+            Word { word: "triangle", meaning: "from the lower value straight up in half a period, then straight down; the default" },
+            Word { word: "square", meaning: "half a period at the upper value, then half a period at the lower one" },
+        ]),
+        meaning: "The form of a cycle.",
+    },
+];

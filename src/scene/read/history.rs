@@ -1,0 +1,159 @@
+//! The [[history]] tables, one a segment.
+
+use super::measured_table::measured_table;
+use super::section::Section;
+use crate::scene::catalogue::{Key, Kind, Range};
+use crate::scene::check::{Units, check_range, number};
+use crate::scene::diagnostic::SceneError;
+use crate::scene::document::{Document, Node, Value};
+use crate::scene::typed::{CycleWave, History, HistoryQuantity, HistorySegment, Pace};
+use crate::scene::units::Dimension;
+use std::sync::Arc;
+
+/// What a segment does, apart from going to a value of a quantity.
+const FORMS: [&str; 3] = ["hold", "table", "cycles"];
+/// Keys that only some segments have, and which: `target` stands for a quantity.
+const COMPANIONS: [(&str, &[&str]); 7] = [
+    ("duration", &["target"]),
+    ("rate", &["target"]),
+    ("quantity", &["table", "cycles"]),
+    ("period", &["cycles"]),
+    ("lower", &["cycles"]),
+    ("upper", &["cycles"]),
+    ("wave", &["cycles"]),
+];
+
+/// Reads the history of a checked document, of the quantities that its problem lets one control; none if there is no `[[history]]`.
+/// `owner` is the problem in messages ("a crack").
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read(document: &Document, allowed: &[HistoryQuantity], owner: &str) -> Result<Option<History>, SceneError> {
+    let top = Section::top(&document.root, Units::of(&document.root));
+    let Some(node) = document.root.get("history") else { return Ok(None) };
+    let items = top.items("history");
+    if items.is_empty() {
+        return Err(SceneError::at(&node.place, "`history` is an empty list", "give at least one segment"));
+    }
+    let mut segments: Vec<HistorySegment> = Vec::with_capacity(items.len());
+    let mut last = None;
+    for item in &items {
+        let segment = segment(item, document, allowed, owner, last)?;
+        last = quantity_of(&segment).or(last);
+        segments.push(segment);
+    }
+    Ok(Some(History { segments }))
+}
+
+const fn quantity_of(segment: &HistorySegment) -> Option<HistoryQuantity> {
+    match segment {
+        HistorySegment::Step { quantity, .. }
+        | HistorySegment::Ramp { quantity, .. }
+        | HistorySegment::Table { quantity, .. }
+        | HistorySegment::Cycles { quantity, .. } => Some(*quantity),
+        HistorySegment::Hold { quantity, .. } => *quantity,
+    }
+}
+
+fn words(allowed: &[HistoryQuantity]) -> String {
+    allowed.iter().map(|quantity| format!("`{}`", quantity.word())).collect::<Vec<_>>().join(", ")
+}
+
+fn segment(
+    item: &Section<'_>,
+    document: &Document,
+    allowed: &[HistoryQuantity],
+    owner: &str,
+    last: Option<HistoryQuantity>,
+) -> Result<HistorySegment, SceneError> {
+    let foreign = |quantity: &HistoryQuantity| !allowed.contains(quantity) && item.node().get(quantity.word()).is_some();
+    if let Some(quantity) = HistoryQuantity::ALL.into_iter().find(foreign) {
+        let message = format!("`{}` is not controlled in {owner}", item.full(quantity.word()));
+        return Err(SceneError::at(&item.key_place(quantity.word()), message, format!("allowed: {}", words(allowed))));
+    }
+    let forms: Vec<&'static str> = allowed.iter().map(|quantity| quantity.word()).chain(FORMS).collect();
+    let form = item.exactly_one(&forms)?;
+    let kind = if FORMS.contains(&form) { form } else { "target" };
+    if let Some((key, _)) = COMPANIONS.iter().find(|(key, kinds)| item.node().get(key).is_some() && !kinds.contains(&kind)) {
+        let message = format!("`{}` does not belong to a segment with `{form}`", item.full(key));
+        let with: Vec<&str> = COMPANIONS.iter().filter(|(_, kinds)| kinds.contains(&kind)).map(|(key, _)| *key).collect();
+        let known = if with.is_empty() { "it stands alone".to_owned() } else { format!("it may have: {}", with.join(", ")) };
+        return Err(SceneError::at(&item.key_place(key), message, "leave it out").help(format!("`{form}`: {known}")));
+    }
+    Ok(match form {
+        "hold" => HistorySegment::Hold { quantity: last, duration: item.required_number("hold")? },
+        "table" => {
+            let quantity = quantity(item, allowed, owner)?;
+            HistorySegment::Table { quantity, table: Arc::new(measured_table(item, document, quantity)?) }
+        }
+        "cycles" => cycles(item, quantity(item, allowed, owner)?)?,
+        target => {
+            let Some(quantity) = HistoryQuantity::of_word(target) else { return Err(item.missing(target)) };
+            let value = item.required_number(target)?;
+            match item.at_most_one(&["duration", "rate"])? {
+                None => HistorySegment::Step { quantity, value },
+                Some("rate") => {
+                    let rate = dependent(item, "rate", quantity.rate_dimension(), Range::Positive)?;
+                    HistorySegment::Ramp { quantity, value, pace: Pace::Rate(rate) }
+                }
+                Some(_) => HistorySegment::Ramp { quantity, value, pace: Pace::Duration(item.required_number("duration")?) },
+            }
+        }
+    })
+}
+
+/// What a table or cycles control.
+fn quantity(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> Result<HistoryQuantity, SceneError> {
+    let named = match (item.text("quantity"), allowed) {
+        (Some(word), _) => HistoryQuantity::of_word(word),
+        (None, [only]) => Some(*only),
+        (None, _) => None,
+    };
+    let Some(quantity) = named else { return Err(item.missing("quantity")) };
+    if allowed.contains(&quantity) {
+        return Ok(quantity);
+    }
+    let message = format!("`{}` = {:?} is not controlled in {owner}", item.full("quantity"), quantity.word());
+    Err(item.wrong("quantity", message, format!("allowed: {}", words(allowed))))
+}
+
+fn cycles(item: &Section<'_>, quantity: HistoryQuantity) -> Result<HistorySegment, SceneError> {
+    let lower = dependent(item, "lower", quantity.dimension(), quantity.range())?;
+    let upper = dependent(item, "upper", quantity.dimension(), quantity.range())?;
+    if upper <= lower {
+        let message = format!("`{}` ({upper:e}) is not above `{}` ({lower:e})", item.full("upper"), item.full("lower"));
+        return Err(item.wrong("upper", message, "must be the larger one"));
+    }
+    let wave = match item.text("wave") {
+        Some("square") => CycleWave::Square,
+        _ => CycleWave::Triangle,
+    };
+    let count = item.required_number("cycles")? as u32;
+    Ok(HistorySegment::Cycles { quantity, count, period: item.required_number("period")?, lower, upper, wave })
+}
+
+/// A number whose dimension is that of the segment's quantity.
+fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) -> Result<f64, SceneError> {
+    let Some(node) = item.node().get(key) else {
+        return Err(item.missing(key).help(format!("`{}` is {}", item.full(key), dimension.example())));
+    };
+    let path = item.full(key);
+    let value = number(node, &path, dimension, item.units())?;
+    check_range(node, &path, value, range).map(|()| value)
+}
+
+/// The dimension and range of a swept `rate`, `lower` or `upper`, by the quantity of its segment; none for any other key.
+pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Option<(Dimension, Range)> {
+    if !matches!(key.kind, Kind::NumberOfSweptKey) || !key.path.starts_with("history[].") {
+        return None;
+    }
+    let item = root.at(path.rsplit_once('.')?.0)?;
+    let named = match item.get("quantity").map(|node| &node.value) {
+        Some(Value::Text(word)) => HistoryQuantity::of_word(word),
+        _ => HistoryQuantity::ALL.into_iter().find(|quantity| item.get(quantity.word()).is_some()),
+    };
+    // Only a cracked strip and a crack let the quantity of cycles go unnamed.
+    let strip = root.at("crack.strip").is_some();
+    let quantity = named.unwrap_or(if strip { HistoryQuantity::Stress } else { HistoryQuantity::StressIntensity });
+    Some(if key.path.ends_with("rate") { (quantity.rate_dimension(), Range::Positive) } else { (quantity.dimension(), quantity.range()) })
+}

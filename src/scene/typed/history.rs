@@ -1,0 +1,186 @@
+//! Load histories as a scene gives them: segment after segment, each of one controlled quantity.
+
+use crate::scene::catalogue::{Range, Word};
+use crate::scene::units::Dimension;
+use std::sync::Arc;
+
+/// What a history may control. Each problem allows some of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HistoryQuantity {
+    /// K (Pa √m) of a crack.
+    StressIntensity,
+    /// Stress (Pa) of a strip far ahead of the tip.
+    Stress,
+    /// Δ (m) of a rounded indenter.
+    Penetration,
+    /// F (N) on it.
+    Force,
+    /// a (m) of its contact.
+    ContactRadius,
+    /// Displacement (m) of the far end of the frame that holds it.
+    Frame,
+}
+
+impl HistoryQuantity {
+    /// Every quantity.
+    pub const ALL: [Self; 6] = [Self::StressIntensity, Self::Stress, Self::Penetration, Self::Force, Self::ContactRadius, Self::Frame];
+
+    /// The words of `history.quantity`, in the order of [`HistoryQuantity::ALL`].
+    pub const WORDS: &'static [Word] = &[
+        Word { word: "stress_intensity", meaning: "K of a crack" },
+        Word { word: "stress", meaning: "stress of a cracked strip, far ahead of the tip" },
+        Word { word: "penetration", meaning: "depth of a sphere" },
+        Word { word: "force", meaning: "force on a sphere" },
+        Word { word: "contact_radius", meaning: "radius of a sphere's contact" },
+        Word { word: "frame", meaning: "displacement of the far end of the frame that holds a sphere" },
+    ];
+
+    /// The word in scenes, and the key of a segment that goes to a value of it.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::StressIntensity => "stress_intensity",
+            Self::Stress => "stress",
+            Self::Penetration => "penetration",
+            Self::Force => "force",
+            Self::ContactRadius => "contact_radius",
+            Self::Frame => "frame",
+        }
+    }
+
+    /// The quantity of a word.
+    #[must_use]
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|quantity| quantity.word() == word)
+    }
+
+    /// What its values are measured in.
+    #[must_use]
+    pub const fn dimension(self) -> Dimension {
+        match self {
+            Self::StressIntensity => Dimension::STRESS_INTENSITY,
+            Self::Stress => Dimension::PRESSURE,
+            Self::Penetration | Self::ContactRadius | Self::Frame => Dimension::LENGTH,
+            Self::Force => Dimension::FORCE,
+        }
+    }
+
+    /// What its rates are measured in.
+    #[must_use]
+    pub const fn rate_dimension(self) -> Dimension {
+        match self {
+            Self::StressIntensity => Dimension::STRESS_INTENSITY_RATE,
+            Self::Stress => Dimension::PRESSURE_RATE,
+            Self::Penetration | Self::ContactRadius | Self::Frame => Dimension::SPEED,
+            Self::Force => Dimension::FORCE_RATE,
+        }
+    }
+
+    /// The range of its values: pressed crack faces are a contact, and no contact has a negative radius.
+    #[must_use]
+    pub const fn range(self) -> Range {
+        match self {
+            Self::StressIntensity | Self::Stress | Self::ContactRadius => Range::NonNegative,
+            Self::Penetration | Self::Force | Self::Frame => Range::Finite,
+        }
+    }
+}
+
+/// A history: what is done, in order, from an unloaded, rested body at time zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct History {
+    /// One after the other; at least one.
+    pub segments: Vec<HistorySegment>,
+}
+
+/// One part of a history; values in the unit of their quantity, times in s.
+#[derive(Debug, Clone, PartialEq)]
+pub enum HistorySegment {
+    /// To a value at once.
+    Step {
+        /// What is controlled.
+        quantity: HistoryQuantity,
+        /// Its value after the step.
+        value: f64,
+    },
+    /// Straight to a value.
+    Ramp {
+        /// What is controlled.
+        quantity: HistoryQuantity,
+        /// Its value at the end.
+        value: f64,
+        /// How fast.
+        pace: Pace,
+    },
+    /// The last controlled quantity as it is.
+    Hold {
+        /// What is controlled: that of the segment before; none where none was before.
+        quantity: Option<HistoryQuantity>,
+        /// How long (s), zero or more.
+        duration: f64,
+    },
+    /// Through the rows of a table; its first value is stepped to.
+    Table {
+        /// What is controlled.
+        quantity: HistoryQuantity,
+        /// The rows.
+        table: Arc<MeasuredTable>,
+    },
+    /// Cycles between two values; the first one of the wave is stepped to.
+    Cycles {
+        /// What is controlled.
+        quantity: HistoryQuantity,
+        /// How many.
+        count: u32,
+        /// How long one takes (s).
+        period: f64,
+        /// The smaller value.
+        lower: f64,
+        /// The larger value.
+        upper: f64,
+        /// The form.
+        wave: CycleWave,
+    },
+}
+
+/// How fast a ramp goes; both numbers are greater than zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pace {
+    /// It takes so long (s).
+    Duration(f64),
+    /// It goes this much a second, up or down.
+    Rate(f64),
+}
+
+/// The form of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CycleWave {
+    /// From the lower value straight up in half a period, straight down in the other half.
+    Triangle,
+    /// Half a period at the upper value, then half a period at the lower one.
+    Square,
+}
+
+/// A table of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredTable {
+    /// The file as named in the scene.
+    pub file: String,
+    /// Times since the first row (s): zero, then increasing. At least two.
+    pub times: Vec<f64>,
+    /// The controlled quantity at these times.
+    pub values: Vec<f64>,
+    /// All further columns: measured, not controlled.
+    pub others: Vec<MeasuredColumn>,
+}
+
+/// A column that is not controlled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredColumn {
+    /// Its name in the header.
+    pub name: String,
+    /// What it is measured in; values are in SI units.
+    pub dimension: Dimension,
+    /// A value a row; none for an empty cell.
+    pub values: Vec<Option<f64>>,
+}
