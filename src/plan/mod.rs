@@ -8,6 +8,7 @@
 mod assumptions;
 pub mod citations;
 mod curves;
+mod indentation;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -19,6 +20,7 @@ use crate::refusal::Refusal;
 use crate::scene::sweep;
 use crate::scene::typed::{Problem, Scene};
 use citations::Citation;
+use indentation::IndentationPlan;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -72,6 +74,7 @@ impl Plan {
         let problem: Arc<dyn ProblemPlan> = match &scene.problem {
             Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
             Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+            Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
         };
         Ok(Self { problem, states: sweep::states(&scene.sweeps) })
     }

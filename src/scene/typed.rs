@@ -1,6 +1,7 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
 mod history;
+mod indentation;
 
 use super::sweep::Sweep;
 use crate::crack::{CrackBody, Motion};
@@ -9,6 +10,7 @@ use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 
 pub use super::check::Units;
+pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
 
 /// A whole scene at one point of its sweep.
@@ -17,7 +19,7 @@ pub struct Scene {
     /// The line that names it, or the name of its file.
     pub title: String,
     /// What its numbers are measured in. Reduced numbers are coherent with E0* = reference time = 1 and, of a crack, Δγ = a₀ = 1; of a
-    /// sliding contact they are in the units of [`crate::sliding::steady::Indenter`].
+    /// sliding contact they are in the units of [`crate::sliding::steady::Indenter`]; of an indenter those of [`Indentation`].
     pub units: Units,
     /// Wanted relative accuracy.
     pub accuracy: f64,
@@ -47,6 +49,8 @@ pub enum Problem {
     SteadyCrack(SteadyCrack),
     /// A contact that slides steadily.
     Sliding(Sliding),
+    /// A rigid round body pressed on, or pulled off, in time.
+    Indentation(Indentation),
 }
 
 /// A steady crack.

@@ -6,7 +6,7 @@ use crate::scene::units::Dimension;
 const ZONE_LENGTH: Kind = Kind::Number {
     dimension: Dimension::LENGTH,
     range: Range::Positive,
-    reduced: "relaxed zone a₀ of a crack, 1/k or L of a sliding contact",
+    reduced: "relaxed zone a₀ of a crack, 1/k or L of a sliding contact, R of an indenter",
 };
 
 pub(super) const KEYS: &[Key] = &[
@@ -16,9 +16,14 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number {
             dimension: Dimension::ENERGY_PER_AREA,
             range: Range::Positive,
-            reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³)",
+            reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³), of an indenter γ̃ = Δγ/(πE0*R)",
         },
         meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
+    },
+    Key {
+        path: "adhesion.interaction_range",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
+        meaning: "Indentation: the equilibrium distance of the interface potential, by which Tabor's number judges the theory; it changes no result.",
     },
     Key {
         path: "adhesion.process_zone",
@@ -41,7 +46,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number {
             dimension: Dimension::PRESSURE,
             range: Range::Positive,
-            reduced: "not available for a crack (a₀ is the unit of length); E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder",
+            reduced: "not available for a crack (a₀ is the unit of length); E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder, πE0* of an indenter",
         },
         meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory of a crack takes it as its constant stress.",
     },
@@ -58,7 +63,7 @@ pub(super) const KEYS: &[Key] = &[
                 meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, which alone has it",
             },
             Word {
-                word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what a sliding contact has"
+                word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have"
             },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),

@@ -51,6 +51,7 @@ fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Re
 
 fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
     let table = top.required_table("adhesion", "a crack moves by the balance of work at its tip")?;
+    table.without(&["interaction_range"], "an indentation")?;
     let reduced = table.units() == Units::Reduced;
     let work = match (table.number("work_of_adhesion")?, reduced) {
         (Some(work), true) if (work - 1.0).abs() > 1e-12 => {

@@ -111,6 +111,7 @@ fn control(sliding: &Section<'_>, indenter: SlidingIndenter) -> Result<SlidingLo
 
 fn adhesion(top: &Section<'_>) -> Result<Option<SlidingAdhesion>, SceneError> {
     let Some(table) = top.table("adhesion") else { return Ok(None) };
+    table.without(&["interaction_range"], "an indentation")?;
     let work_of_adhesion = table.required_number("work_of_adhesion")?;
     let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
     let per_edge = ["trailing_length", "leading_length"].into_iter().find(|key| zone.node().get(key).is_some());
