@@ -32,6 +32,11 @@ impl IndentationPlan {
                 on: frame,
                 why: given(frame, "indentation.frame_stiffness is given", "no indentation.frame_stiffness: a rigid rig"),
             },
+            Effect {
+                name: "energies",
+                on: self.indentation.energies,
+                why: given(self.indentation.energies, "[indentation.energies] is given", "no [indentation.energies]"),
+            },
             Effect { name: "fields", on: fields, why: given(fields, "[indentation.fields] is given", "no [indentation.fields]") },
             Effect {
                 name: "measured force",

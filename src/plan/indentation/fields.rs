@@ -48,7 +48,7 @@ impl IndentationPlan {
         states.iter().map(|(time, pair)| self.field_row(solution, *time, pair, reach, wanted.points)).collect()
     }
 
-    /// The contact at a time, along `moves` straight pieces of the path; jumps and corners are walked as they were.
+    /// The contact at a time, in about `moves` straight pieces of the path, which is a polynomial between its points; jumps stay jumps.
     fn walked<'s>(&self, springs: &'s Springs, path: &[PathPoint], time: f64, moves: usize) -> Result<Contact<'s>, Refusal> {
         let profile = self.profile();
         let problem = self.problem()?;
@@ -60,33 +60,26 @@ impl IndentationPlan {
             Start::Relaxed => Contact::relaxed(springs, profile, first.contact_radius, first.penetration)?,
             Start::Untouched => Contact::untouched(springs, profile, first.contact_radius, first.penetration)?,
         };
-        let before = path.partition_point(|point| point.time <= time).max(1);
-        let stride = before.div_ceil(moves).max(1);
-        let (mut here, mut index) = (first, 0);
-        while index + 1 < before {
-            let sudden = |place: usize| match path.get(place..place + 2) {
-                Some([one, other]) => other.time <= one.time,
-                _ => false,
-            };
-            let furthest = (index + stride).min(before - 1);
-            // A jump stays a jump: the walk stops before and after it.
-            let next = (index + 1..furthest).find(|&place| sudden(place) || sudden(place - 1)).unwrap_or(furthest);
-            let Some(point) = path.get(next) else { break };
-            contact = contact.moved(point.contact_radius, point.penetration, point.time - here.time, sweep)?;
-            (here, index) = (point, next);
-        }
-        // Within a step the edge and the penetration move straight.
-        if let Some(after) = path.get(before)
-            && time > here.time
-        {
-            let part = (time - here.time) / (after.time - here.time);
-            let between = |from: f64, to: f64| from + (to - from) * part;
-            contact = contact.moved(
-                between(here.contact_radius, after.contact_radius),
-                between(here.penetration, after.penetration),
-                time - here.time,
-                sweep,
-            )?;
+        let steps = path.partition_point(|point| point.time <= time).max(1);
+        // Fewer moves than steps leave steps out, of one stretch; more moves cut them.
+        let (stride, cuts) = (steps.div_ceil(moves).max(1), (moves / steps).max(1));
+        let mut index = 0;
+        while let Some(here) = path.get(index).filter(|here| here.time < time || path.get(index + 1).is_some_and(|next| next.time <= time)) {
+            let joined = |place: usize| path.get(place).is_some_and(|point| point.piece == here.piece && point.time > here.time && point.time <= time);
+            let next = index + (1..=stride).take_while(|&ahead| joined(index + ahead)).last().unwrap_or(1);
+            let Some(there) = path.get(next) else { break };
+            let end = there.time.min(time);
+            if there.time <= here.time {
+                contact = contact.moved(there.contact_radius, there.penetration, 0.0, sweep)?;
+            } else {
+                for cut in 1..=cuts {
+                    let now = if cut == cuts { end } else { here.time + (end - here.time) * cut as f64 / cuts as f64 };
+                    let before = here.time + (end - here.time) * (cut - 1) as f64 / cuts as f64;
+                    let [radius, depth] = if now >= there.time { [there.contact_radius, there.penetration] } else { between(path, index, now) };
+                    contact = contact.moved(radius.max(0.0), depth, now - before, sweep)?;
+                }
+            }
+            index = next;
         }
         Ok(contact)
     }
@@ -135,6 +128,32 @@ impl IndentationPlan {
             .collect();
         Ok(FieldRow { values, points })
     }
+}
+
+/// a and Δ within the step that begins at a place of the path: the polynomial in time through the nearest points of the same stretch.
+fn between(path: &[PathPoint], index: usize, time: f64) -> [f64; 2] {
+    let Some((here, next)) = path.get(index).zip(path.get(index + 1)) else { return [0.0; 2] };
+    let straight = || {
+        let part = (time - here.time) / (next.time - here.time);
+        let on = |from: f64, to: f64| from + (to - from) * part;
+        [on(here.contact_radius, next.contact_radius), on(here.penetration, next.penetration)]
+    };
+    // The first point of the next stretch ends this one.
+    let own = |place: usize| path.get(place).filter(|point| point.piece == here.piece || (place == index + 1));
+    let mut near: Vec<&PathPoint> = (index.saturating_sub(2)..=index + 3).filter_map(own).collect();
+    near.dedup_by(|second, first| second.time <= first.time);
+    if near.len() < 3 || near.iter().any(|point| point.contact_radius <= 0.0) {
+        return straight();
+    }
+    let weight = |k: usize, one: &PathPoint| -> f64 {
+        near.iter().enumerate().filter(|(l, _)| *l != k).map(|(_, other)| (time - other.time) / (one.time - other.time)).product()
+    };
+    let sum = |of: fn(&PathPoint) -> f64| near.iter().enumerate().map(|(k, one)| weight(k, one) * of(one)).sum::<f64>();
+    let found = [sum(|point| point.contact_radius), sum(|point| point.penetration)];
+    // A polynomial that leaves the step's own range by more than its width is no guide.
+    let [low, high] = [here.contact_radius.min(next.contact_radius), here.contact_radius.max(next.contact_radius)];
+    let width = (high - low).max(1e-12 * high);
+    if found[0] >= low - width && found[0] <= high + width { found } else { straight() }
 }
 
 /// Places from the axis outwards: half of them inside and half outside of the edge, dense at it.

@@ -1,7 +1,8 @@
 //! The one place of this plan that asks [`crate::indentation`] for a march.
 
 use super::IndentationPlan;
-use crate::indentation::{Adhesion, Control, History, IndentationProblem, IndentationSolution, Profile, Resolution, Segment, Start, run};
+use super::timeline::Leg;
+use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, IndentationZone};
 use spec_math::Gamma;
@@ -12,6 +13,7 @@ impl IndentationPlan {
         match self.indentation.shape {
             IndentationShape::Sphere { radius } => Profile::Paraboloid { radius },
             IndentationShape::Cone { slope } => Profile::Cone { slope },
+            IndentationShape::FlatPunch { radius } => Profile::FlatPunch { radius },
             // z = c r^m has f = c (m + 1) s^m ∫₀¹ x^{m+1}/√(1 − x²) dx, and the integral is (√π/2) Γ(m/2 + 1)/Γ(m/2 + 3/2).
             IndentationShape::PowerLaw { radius, exponent } => Profile::PowerLaw {
                 coefficient: (exponent + 1.0) * 0.5 * PI.sqrt() * Gamma::gamma(&(0.5 * exponent + 1.0))
@@ -39,30 +41,37 @@ impl IndentationPlan {
     /// What the solver is asked.
     pub(super) fn problem(&self) -> Result<IndentationProblem, Refusal> {
         let (quantity, start) = self.timeline.start;
-        if self.timeline.legs.iter().any(|leg| leg.quantity != quantity) || quantity == HistoryQuantity::Frame {
-            return Err(Refusal::Undefined { quantity: "a history that changes what it controls", reason: "not yet".into() });
-        }
-        let segments = self.timeline.legs.iter().map(|leg| Segment { duration: leg.duration, end: leg.end }).collect();
-        let history = History { start, segments };
-        let control = match quantity {
-            HistoryQuantity::Force => Control::Force(history),
-            HistoryQuantity::ContactRadius => Control::ContactRadius(history),
-            _ => Control::Penetration(history),
-        };
-        Ok(IndentationProblem {
+        let segment = |leg: &Leg| Segment { duration: leg.duration, end: leg.end, controlled: controlled(leg.quantity) };
+        let history =
+            History { start, controlled: controlled(quantity), segments: self.timeline.legs.iter().map(segment).collect() };
+        let problem = IndentationProblem {
             profile: self.profile().checked()?,
             adhesion: self.adhesion(),
-            control,
+            history,
+            frame_stiffness: self.indentation.frame_stiffness.map(|stiffness| stiffness * self.scale.force),
             start: match self.indentation.start {
                 IndentationStart::Untouched => Start::Untouched,
                 IndentationStart::Relaxed => Start::Relaxed,
             },
             instants_per_segment: 1,
-            resolution: Resolution::default(),
-        })
+            energies: self.indentation.energies,
+            accuracy: self.accuracy,
+        };
+        problem.checked()?;
+        Ok(problem)
     }
 
     pub(super) fn solution(&self) -> Result<IndentationSolution, Refusal> {
         run(&self.material, &self.problem()?)
+    }
+}
+
+const fn controlled(quantity: HistoryQuantity) -> Controlled {
+    match quantity {
+        HistoryQuantity::Force => Controlled::Force,
+        HistoryQuantity::ContactRadius => Controlled::ContactRadius,
+        HistoryQuantity::Frame => Controlled::Frame,
+        // A scene lets an indenter control no others.
+        HistoryQuantity::Penetration | HistoryQuantity::StressIntensity | HistoryQuantity::Stress => Controlled::Penetration,
     }
 }

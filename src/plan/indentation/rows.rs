@@ -4,8 +4,9 @@ use super::IndentationPlan;
 use super::columns::{Measure, at, columns, definitions};
 use crate::elastic::JkrSphere;
 use crate::estimate::Estimate;
-use crate::indentation::{Event, EventKind, IndentationSolution, Instant};
+use crate::indentation::{Event, EventKind, IndentationSolution, Instant, PathPoint};
 use crate::outcome::{Certificate, Row, Status, Work};
+use crate::plan::curves::thinned;
 use crate::refusal::Refusal;
 use crate::scene::typed::IndentationShape;
 
@@ -22,6 +23,9 @@ const fn word(kind: EventKind) -> &'static str {
         EventKind::ZoneReached => "zone_reached",
     }
 }
+
+/// Overlap and pressed edges that rounding leaves, over the largest penetration and stress intensity.
+const ADMISSIBLE: f64 = 1e-7;
 
 /// The word of the row of the largest tension.
 pub(super) const LARGEST_TENSION: &str = "largest_tension";
@@ -63,12 +67,15 @@ impl IndentationPlan {
         for (index, instant) in solution.instants.iter().enumerate() {
             let mut values = self.of_instant(instant);
             if let (true, Some(cell)) = (index == last, values.get_mut(at::BALANCE_DEFECT)) {
-                *cell = Some(Estimate::exact(solution.balance_defect));
+                *cell = solution.balance_defect.map(Estimate::exact);
             }
             add(["instant", ""], values, instant.residual)?;
         }
         if let Some(values) = self.of_largest_tension(solution) {
             add(["event", LARGEST_TENSION], values, 0.0)?;
+        }
+        for point in self.between_instants(solution) {
+            add(["instant", ""], self.of_path_point(solution, point), point.residual)?;
         }
         let mut field_rows = Vec::new();
         if let Some(wanted) = &self.indentation.fields {
@@ -151,17 +158,46 @@ impl IndentationPlan {
 
     fn of_instant(&self, instant: &Instant) -> Values {
         let mut values = self.basic(Estimate::exact(instant.time), instant.penetration, instant.force, instant.contact_radius);
+        let energy = |which: usize| instant.energies.and_then(|energies| energies.get(which).copied());
         for (place, value) in [
             (at::STRESS_INTENSITY, self.indentation.adhesion.map(|_| instant.stress_intensity_factor)),
-            (at::STORED_ENERGY, Some(instant.stored_energy)),
-            (at::EXTERNAL_WORK, Some(instant.external_work)),
-            (at::DISSIPATED_ENERGY, Some(instant.dissipated_energy)),
-            (at::DISSIPATED_POWER, Some(instant.dissipated_power)),
+            (at::STORED_ENERGY, energy(0)),
+            (at::DISSIPATED_POWER, energy(1)),
+            (at::EXTERNAL_WORK, energy(2)),
+            (at::DISSIPATED_ENERGY, energy(3)),
             (at::RESIDUAL, Some(Estimate::exact(instant.residual))),
         ] {
             if let Some(cell) = values.get_mut(place) {
                 *cell = value;
             }
+        }
+        values
+    }
+
+    /// Points of the path inside ramps that begin where only the march knows.
+    fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
+        let inside = |&(from, to): &(f64, f64)| {
+            let points: Vec<&PathPoint> = solution.fine.path.iter().filter(|point| point.time > from && point.time < to).collect();
+            thinned(points, self.indentation.instants as usize)
+        };
+        self.timeline.open_ramps.iter().flat_map(inside).collect()
+    }
+
+    /// A point between two kept instants, known as well as the worse of them.
+    fn of_path_point(&self, solution: &IndentationSolution, point: &PathPoint) -> Values {
+        let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
+        let known = |value: f64, of: fn(&Instant) -> Estimate| {
+            let neighbours = [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
+            Estimate::new(value, neighbours.fold(0.0, |most: f64, instant| most.max(of(instant).error)))
+        };
+        let mut values = self.basic(
+            Estimate::exact(point.time),
+            known(point.penetration, |instant| instant.penetration),
+            known(point.force, |instant| instant.force),
+            known(point.contact_radius, |instant| instant.contact_radius),
+        );
+        if let (Some(cell), true) = (values.get_mut(at::STRESS_INTENSITY), self.indentation.adhesion.is_some()) {
+            *cell = Some(known(point.stress_intensity_factor, |instant| instant.stress_intensity_factor));
         }
         values
     }
@@ -230,8 +266,10 @@ impl IndentationPlan {
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
         row.values = definitions.iter().zip(values).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect();
-        let admissible = self.indentation.adhesion.is_none()
-            || solution.fine.path.iter().all(|point| point.stress_intensity_factor >= -1e-9 * scales.get(at::STRESS_INTENSITY).unwrap_or(&0.0));
+        // Rounding of the edge condition leaves 1e-9 of either scale.
+        let [intensity, depth] = [at::STRESS_INTENSITY, at::PENETRATION].map(|place| scales.get(place).copied().unwrap_or(0.0));
+        let admissible = solution.smallest_gap_factor >= -ADMISSIBLE * depth
+            && (self.indentation.adhesion.is_none() || solution.smallest_stress_intensity_factor >= -ADMISSIBLE * intensity);
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible });
         row.assumptions = self.assumptions(row);
         row.work = Work::default();

@@ -36,6 +36,8 @@ pub(super) struct Timeline {
     pub(super) start: (HistoryQuantity, f64),
     pub(super) legs: Vec<Leg>,
     pub(super) overlays: Vec<Overlay>,
+    /// Ramps that begin where only the march knows, in times: their instants are taken from its path.
+    pub(super) open_ramps: Vec<(f64, f64)>,
     /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
     pub(super) in_time: bool,
 }
@@ -53,7 +55,7 @@ impl Timeline {
     pub(super) fn new(indentation: &Indentation, scale: &Scale) -> Result<Self, Refusal> {
         let (quantity, value) = indentation.at_start;
         let start = (quantity, scale.coherent(quantity, value));
-        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), in_time: false };
+        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false };
         let mut builder =
             Builder { scale, factor: indentation.speed_factor, instants: indentation.instants, here: start, time: 0.0, timeline };
         for segment in &indentation.history.segments {
@@ -152,6 +154,9 @@ impl Builder<'_> {
     fn ramp(&mut self, quantity: HistoryQuantity, duration: f64, end: f64) {
         let (held, from) = self.here;
         if held != quantity || duration == 0.0 {
+            if duration > 0.0 {
+                self.timeline.open_ramps.push((self.time, self.time + duration));
+            }
             self.leg(quantity, duration, end);
             return;
         }

@@ -48,11 +48,12 @@ impl IndentationPlan {
         let si = (self.units == Units::Si).then_some(());
         let size = match self.indentation.shape {
             IndentationShape::Sphere { radius } => Some(radius),
-            IndentationShape::Cone { .. } | IndentationShape::PowerLaw { .. } => None,
+            IndentationShape::Cone { .. } | IndentationShape::FlatPunch { .. } | IndentationShape::PowerLaw { .. } => None,
         };
         let slope = match self.indentation.shape {
             IndentationShape::Sphere { radius: size } => radius.map(|radius| radius / size),
             IndentationShape::Cone { slope } => Some(slope),
+            IndentationShape::FlatPunch { .. } => None,
             IndentationShape::PowerLaw { radius: size, exponent } => radius.map(|radius| (radius / size).powf(exponent - 1.0)),
         };
         let given = self.indentation.adhesion;

@@ -30,6 +30,12 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "Height over radius: the tangent of the angle between its side and the surface.",
     },
     Key {
+        path: "indentation.flat_punch",
+        kind: Kind::Table,
+        meaning: "A punch with a flat face and a sharp rim; without members in a reduced scene, where its radius is the unit of length.",
+    },
+    Key { path: "indentation.flat_punch.radius", kind: SIZE, meaning: "Of the rim." },
+    Key {
         path: "indentation.power_law",
         kind: Kind::Table,
         meaning: "A body of the shape r^m/(m R^(m−1)), which is the paraboloid of a sphere at m = 2; R is left out in a reduced scene.",
@@ -80,6 +86,11 @@ pub(super) const KEYS: &[Key] = &[
         path: "indentation.instants",
         kind: Kind::Count { least: 1, most: 10_000 },
         meaning: "How many instants of each ramp and hold are rows, its end included; of tables and cycles each corner is one. Default 40.",
+    },
+    Key {
+        path: "indentation.energies",
+        kind: Kind::Table,
+        meaning: "Adds up stored, dissipated and external work, with the defect of the power balance. It has no members; without it no energy is counted.",
     },
     Key {
         path: "indentation.fields",

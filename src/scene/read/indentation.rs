@@ -55,6 +55,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         history,
         speed_factor: table.number("speed_factor")?.unwrap_or(1.0),
         instants: table.number("instants")?.unwrap_or(DEFAULT_INSTANTS) as u32,
+        energies: table.node().get("energies").is_some(),
         fields,
     })
 }
@@ -70,7 +71,7 @@ fn quantity(segment: &HistorySegment) -> Option<HistoryQuantity> {
 }
 
 fn shape(table: &Section<'_>) -> Result<IndentationShape, SceneError> {
-    let name = table.exactly_one(&["sphere", "cone", "power_law"])?;
+    let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law"])?;
     let body = table.required_table(name, "it is the indenter")?;
     let radius = || match (body.units(), body.number("radius")?) {
         (Units::Si, _) => body.required_number("radius"),
@@ -82,6 +83,7 @@ fn shape(table: &Section<'_>) -> Result<IndentationShape, SceneError> {
     };
     Ok(match name {
         "sphere" => IndentationShape::Sphere { radius: radius()? },
+        "flat_punch" => IndentationShape::FlatPunch { radius: radius()? },
         "cone" => IndentationShape::Cone { slope: body.required_number("slope")? },
         _ => IndentationShape::PowerLaw { radius: radius()?, exponent: body.required_number("exponent")? },
     })

@@ -24,6 +24,8 @@ pub struct Indentation {
     pub speed_factor: f64,
     /// Instants of a ramp or hold that are rows.
     pub instants: u32,
+    /// Whether energies are added up.
+    pub energies: bool,
     /// Fields, if asked for.
     pub fields: Option<IndentationFields>,
 }
@@ -40,6 +42,11 @@ pub enum IndentationShape {
     Cone {
         /// dz/dr.
         slope: f64,
+    },
+    /// A flat face with a sharp rim.
+    FlatPunch {
+        /// Of the rim (m); 1 in a reduced scene.
+        radius: f64,
     },
     /// r^m/(m R^(m−1)).
     PowerLaw {
