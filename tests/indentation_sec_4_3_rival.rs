@@ -16,7 +16,7 @@
 
 use std::f64::consts::PI;
 use viscotack::Material;
-use viscotack::indentation::{Adhesion, Control, History, IndentationProblem, Profile, Resolution, Start, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, march};
 use viscotack::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -39,20 +39,18 @@ fn scheme(elements_per_zone: usize, time_step: f64) -> AnnulusScheme {
 
 /// (t, Δ, F, a) of the core at equally spaced instants of each leg.
 fn core(start: Start, corners: &[(f64, f64)]) -> Vec<[f64; 4]> {
-    let mut history = History::from(corners[0].1);
+    let mut history = History::penetration(corners[0].1);
     for leg in corners.windows(2) {
         history = history.ramp(leg[1].1, leg[1].0 - leg[0].0);
     }
+    let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
     let problem = IndentationProblem {
-        profile: Profile::Paraboloid { radius: 1.0 },
-        adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
-        control: Control::Penetration(history),
         start,
         instants_per_segment: INSTANTS,
-        resolution: Resolution { steps_per_zone: 12.0, growth: 0.1 },
+        ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history)
     };
     let material = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
-    let trace = march(&material, &problem, problem.resolution).unwrap();
+    let trace = march(&material, &problem, 1e-6).unwrap();
     let instants = trace.kept.iter().map(|&kept| trace.path[kept]);
     instants.map(|point| [point.time, point.penetration, point.force, point.contact_radius]).collect()
 }

@@ -11,6 +11,10 @@ use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
 
 /// Most states that one figure tells apart.
 const MOST_STATES: usize = 7;
+/// Events after which there is no contact.
+const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
+/// Histories whose durations differ more than this are drawn over the logarithm of time.
+const DIFFERENT_ENDS: f64 = 10.0;
 /// Points of an elastic curve.
 const ELASTIC_POINTS: usize = 200;
 
@@ -75,7 +79,15 @@ impl IndentationPlan {
 
     fn curve(state: &State<'_>, horizontal: usize, vertical: usize) -> Curve {
         // The largest tension belongs to the curve; fields repeat what is between its instants.
-        let points = state.rows.iter().map(|row| (value(row, horizontal), value(row, vertical))).collect();
+        let mut points = Vec::with_capacity(state.rows.len());
+        for row in &state.rows {
+            let x = value(row, horizontal);
+            points.push((x, value(row, vertical)));
+            // Force and radius fall to zero at once.
+            if LOSSES.contains(&row.label(1)) && vertical != at::PENETRATION {
+                points.push((x, 0.0));
+            }
+        }
         Curve::new(state.label.clone(), points).with_colour(state.colour).with_line(Line::Solid)
     }
 
@@ -91,7 +103,7 @@ impl IndentationPlan {
         let lost: Vec<(f64, f64)> = states
             .iter()
             .flat_map(|state| &state.rows)
-            .filter(|row| matches!(row.label(1), "detachment" | "zone_reached"))
+            .filter(|row| LOSSES.contains(&row.label(1)))
             .map(|row| (value(row, at::PENETRATION), value(row, column)))
             .collect();
         if !lost.is_empty() {
@@ -136,7 +148,14 @@ impl IndentationPlan {
 
     /// A quantity against time.
     fn time_figure(&self, states: &[State<'_>], column: usize) -> Figure {
-        let mut figure = Figure::new(self.axis(at::TIME), self.axis(column));
+        let mut horizontal = self.axis(at::TIME);
+        let ends = states.iter().filter_map(|state| state.rows.last()?.value(at::TIME));
+        let (shortest, longest) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
+        if longest > DIFFERENT_ENDS * shortest {
+            // From a thousandth of the shortest history on: what starts at zero has no place on a logarithmic axis.
+            horizontal = Axis::logarithmic(horizontal.label).with_range(1e-3 * shortest, longest);
+        }
+        let mut figure = Figure::new(horizontal, self.axis(column));
         for state in states {
             figure = figure.with_curve(Self::curve(state, at::TIME, column));
         }
@@ -160,7 +179,8 @@ impl IndentationPlan {
 
     /// F_off/F_JKR against the innermost swept number.
     fn pull_off_figure(&self, scene: &Scene, rows: &[Row]) -> Option<(String, Figure)> {
-        let sweep = scene.sweeps.last()?;
+        // An imposed force is no pull-off force to be found.
+        let sweep = scene.sweeps.last().filter(|sweep| !sweep.key.ends_with(".force"))?;
         let outer = scene.sweeps.len() - 1;
         let found: Vec<&Row> = rows.iter().filter(|row| row.label(1) == LARGEST_TENSION && row.value(at::PULL_OFF_RATIO).is_some()).collect();
         if found.len() < 2 {

@@ -220,26 +220,20 @@ impl IndentationPlan {
     fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
         let tension = solution.largest_tension?;
         let path = &solution.fine.path;
-        let peak = path.iter().min_by(|first, second| first.force.total_cmp(&second.force))?;
-        let near: Vec<_> = path.iter().filter(|point| -point.force >= tension.value - tension.error).collect();
-        let widest = path.windows(2).filter_map(|pair| match pair {
-            [first, second] if second.time >= near.first()?.time && first.time <= near.last()?.time => Some([
-                second.time - first.time,
-                (second.penetration - first.penetration).abs(),
-                (second.contact_radius - first.contact_radius).abs(),
-            ]),
-            _ => None,
-        });
-        let step = widest.fold([0.0_f64; 3], |most, found| [most[0].max(found[0]), most[1].max(found[1]), most[2].max(found[2])]);
-        let spread = |value: fn(&crate::indentation::PathPoint) -> f64, step: f64| {
+        let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
+        // Between its neighbours, and wherever the tension is the same within its error.
+        let beside = [place.saturating_sub(1), place + 1].into_iter().filter_map(|place| path.get(place));
+        let same = path.iter().filter(|point| -point.force >= tension.value - tension.error);
+        let near: Vec<&PathPoint> = beside.chain(same).filter(|point| point.contact_radius > 0.0).collect();
+        let spread = |value: fn(&PathPoint) -> f64| {
             let here = value(peak);
-            Estimate::new(here, near.iter().fold(0.0, |most: f64, point| most.max((value(point) - here).abs())) + step)
+            Estimate::new(here, near.iter().fold(0.0, |most: f64, point| most.max((value(point) - here).abs())))
         };
         let mut values = self.basic(
-            spread(|point| point.time, step[0]),
-            spread(|point| point.penetration, step[1]),
+            spread(|point| point.time),
+            spread(|point| point.penetration),
             Estimate::new(-tension.value, tension.error),
-            spread(|point| point.contact_radius, step[2]),
+            spread(|point| point.contact_radius),
         );
         if let (Some(cell), Some(adhesion), IndentationShape::Sphere { radius }) =
             (values.get_mut(at::PULL_OFF_RATIO), self.adhesion(), self.indentation.shape)
@@ -278,13 +272,15 @@ impl IndentationPlan {
 
     /// A coherent value in the units of the scene.
     pub(super) fn in_units(&self, estimate: Estimate, measure: Measure) -> Estimate {
-        match measure {
+        let converted = match measure {
             Measure::Force | Measure::Energy | Measure::Power => {
                 let scaled = estimate.scaled(1.0 / self.scale.force);
                 Estimate::new(scaled.value, scaled.error + if scaled.error > 0.0 { CONVERSION * scaled.value.abs() } else { 0.0 })
             }
             Measure::Time | Measure::Length | Measure::Intensity | Measure::Number => estimate,
-        }
+        };
+        // An open contact has the force 0, not −0.
+        Estimate::new(converted.value + 0.0, converted.error)
     }
 
     /// The force that was measured at a time, coherent: between two rows of a table that both hold one.

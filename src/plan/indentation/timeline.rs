@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// More legs than these are no history that a march could follow.
 const MOST_LEGS: usize = 100_000;
-/// Decades over which the instants of a hold are spread, in equal ratios: what relaxes does so in all of them.
+/// Decades over which half of the instants of a hold are spread: what relaxes does so in all of them.
 const DECADES_OF_A_HOLD: f64 = 6.0;
 
 /// A straight way to a value, in coherent units.
@@ -172,12 +172,19 @@ impl Builder<'_> {
             return;
         }
         let (quantity, value) = self.here;
+        // Half of them in equal ratios, half in equal steps: what creeps may let go late.
+        let mut shares: Vec<f64> = (1..=self.instants)
+            .map(|part| {
+                let share = f64::from(part) / f64::from(self.instants);
+                if part % 2 == self.instants % 2 { share } else { 10.0_f64.powf(DECADES_OF_A_HOLD * (share - 1.0)) }
+            })
+            .collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup();
         let mut before = 0.0;
-        for part in 1..=self.instants {
-            let share = f64::from(part) / f64::from(self.instants);
-            let time = if part == self.instants { duration } else { duration * 10.0_f64.powf(DECADES_OF_A_HOLD * (share - 1.0)) };
-            self.leg(quantity, time - before, value);
-            before = time;
+        for share in shares {
+            self.leg(quantity, duration * share - before, value);
+            before = duration * share;
         }
     }
 
