@@ -13,6 +13,8 @@ use crate::refusal::Refusal;
 const MOST_ATTEMPTS: u32 = 200;
 /// Steps of the edge, over the process zone, below which an edge without a stable neighbour is taken as unstable.
 const SMALLEST_REACH: f64 = 1e-5;
+/// Accepted residual of the edge condition near a fold.
+const FOLD_TOLERANCE: f64 = 1e-13;
 /// Distance from the fold of t(a), over the process zone, at which it is taken as reached.
 const AT_FOLD: f64 = 2e-3;
 /// Part of the way to a fold that one step goes.
@@ -156,11 +158,14 @@ impl Marcher<'_> {
     }
 
     fn stepper(&mut self) -> Stepper<'_, '_> {
+        // Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
+        let near_fold = self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
+        let tolerance = if near_fold { FOLD_TOLERANCE } else { self.edge_tolerance() };
         Stepper {
             edge: &mut self.edge,
             contact: &self.contact,
             past: &self.past,
-            tolerance: Self::edge_tolerance(),
+            tolerance,
             slopes: &mut self.slopes,
         }
     }

@@ -60,8 +60,6 @@ pub(super) struct Edge {
     pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
     pub(super) depth_scale: f64,
-    /// Highest degree of the path within a step.
-    pub(super) degree: u32,
     /// The kernel and the window of the last trial edge: many trials share one.
     kernel: Option<(f64, Zone)>,
     window: Option<Window>,
@@ -70,12 +68,18 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64, degree: u32) -> Self {
-        Self { adhesion, load_scale, depth_scale, degree, kernel: None, window: None, evaluations: 0, updates: 0 }
+    pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64) -> Self {
+        Self { adhesion, load_scale, depth_scale, kernel: None, window: None, evaluations: 0, updates: 0 }
     }
 
     pub(super) fn zone(&self) -> f64 {
         self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
+    }
+
+    /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first.
+    fn load_scale(&self, contact: &Contact<'_>, radius: f64) -> f64 {
+        let depth = contact.profile().line(radius.max(contact.radius())).max(contact.penetration().abs());
+        if depth > 0.0 { contact.springs().glassy * depth } else { self.load_scale }
     }
 
     /// Forgets what belongs to the state before a step.
@@ -94,11 +98,11 @@ impl Edge {
         let distance = (radius - contact.radius()).abs();
         match drive {
             Drive::Edge => {
-                let bridge = past.bridge(self.degree, parts);
+                let bridge = past.bridge(parts);
                 (Passage::TimeOfPlace(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
             Drive::Time => {
-                let bridge = past.bridge(self.degree, |node| {
+                let bridge = past.bridge(|node| {
                     let (place, time) = parts(node);
                     (time, place)
                 });
@@ -175,7 +179,7 @@ impl Edge {
                 self.kernel = Some((motion.to, kernel));
                 signed(work, edge_load)
             }
-            None => -edge_load / self.load_scale,
+            None => -edge_load / self.load_scale(contact, motion.to),
         };
         self.window = Some(window);
         finite(g, motion.to)
@@ -225,7 +229,7 @@ impl Edge {
                 self.kernel = Some((radius, kernel));
                 signed(work, edge_load)
             }
-            None => -edge_load / self.load_scale,
+            None => -edge_load / self.load_scale(contact, radius),
         };
         Ok((next, finite(g, radius)?))
     }

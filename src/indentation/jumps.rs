@@ -1,7 +1,6 @@
 //! What an edge does at once: it settles after a step of what is imposed, jumps to another equilibrium, loses contact, or touches again.
 
 use super::edge::Imposed;
-use super::line::Sweep;
 use super::marcher::Marcher;
 use super::solution::EventKind;
 use crate::refusal::Refusal;
@@ -23,9 +22,9 @@ impl Marcher<'_> {
         };
         let pinned = a >= self.contact.profile().rim() && here <= 0.0;
         if let Some(contact) = stayed
-            && (here.abs() <= Self::edge_tolerance() || pinned)
+            && (here.abs() <= self.edge_tolerance() || pinned)
         {
-            self.contact = contact;
+            self.glide(a, contact.penetration(), 0.0);
             self.went(0.0, 0.0, self.time, if pinned { 0.0 } else { here });
             return Ok(());
         }
@@ -86,7 +85,7 @@ impl Marcher<'_> {
 
     fn jump(&mut self, place: f64, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         let (contact, residual) = self.edge.jumped(&self.contact, place, imposed)?;
-        self.contact = contact;
+        self.glide(place, contact.penetration(), 0.0);
         self.went(0.0, 0.0, self.time, residual);
         Ok(())
     }
@@ -105,7 +104,7 @@ impl Marcher<'_> {
             Imposed::Load { .. } => self.contact.penetration(),
         };
         self.record.sudden();
-        self.contact = self.contact.moved(0.0, depth, 0.0, Sweep::Linear)?;
+        self.glide(0.0, depth, 0.0);
         self.went(0.0, 0.0, self.time, 0.0);
         self.restart();
         Ok(())
@@ -146,7 +145,7 @@ impl Marcher<'_> {
             };
             let place = if chord > near.min(far) && chord < near.max(far) { chord } else { 0.5 * (near + far) };
             let (_, value) = self.edge.jumped(&self.contact, place, imposed)?;
-            if value.abs() <= Self::edge_tolerance() || (far - near).abs() <= 4.0 * f64::EPSILON * near.abs().max(far.abs()) {
+            if value.abs() <= self.edge_tolerance() || (far - near).abs() <= 4.0 * f64::EPSILON * near.abs().max(far.abs()) {
                 return Ok(place);
             }
             if (value < 0.0) == inwards {

@@ -3,11 +3,12 @@
 use super::edge::{Edge, Imposed, node_of};
 use super::history::{Controlled, Segment};
 use super::line::{Contact, Sweep};
+use super::motion::{Motion, Passage};
 use super::past::Past;
 use super::problem::{IndentationProblem, Start};
 use super::record::Record;
 use super::solution::{EventKind, Trace};
-use super::springs::Springs;
+use super::springs::{DEGREE, Springs};
 use super::start::{size_of, started};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -23,8 +24,10 @@ const SAME_PACE: f64 = 1e-3;
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
 const COARSENING_TOLERANCE: f64 = 1e-2;
-/// Accepted residual of the edge condition.
-const EDGE_TOLERANCE: f64 = 1e-10;
+/// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
+const EDGE_TOLERANCE: f64 = 1e-4;
+const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
+const LARGEST_EDGE_TOLERANCE: f64 = 1e-10;
 /// Most steps of one march.
 const MOST_STEPS: u64 = 1_000_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
@@ -107,8 +110,7 @@ impl<'a> Marcher<'a> {
         let opening = problem.adhesion.map_or(depth, |adhesion| {
             (2.0 * PI * contact.radius().max(length) * adhesion.work_of_adhesion / springs.glassy).sqrt().min(depth)
         });
-        let degree = if tolerance > 1e-3 { 3 } else { 5 };
-        let edge = Edge::new(problem.adhesion, springs.glassy * depth, depth, degree);
+        let edge = Edge::new(problem.adhesion, springs.glassy * depth, depth);
         Ok(Self {
             springs,
             problem,
@@ -313,8 +315,17 @@ impl<'a> Marcher<'a> {
             Controlled::Penetration | Controlled::Frame => value,
             Controlled::Force | Controlled::ContactRadius => self.contact.penetration(),
         };
-        self.contact = self.contact.moved(0.0, depth, dt, Sweep::Linear)?;
+        self.glide(0.0, depth, dt);
         Ok(())
+    }
+
+    /// A straight motion, its energies accounted for.
+    pub(super) fn glide(&mut self, radius: f64, penetration: f64, dt: f64) {
+        let mut powers = [0.0; DEGREE];
+        powers[0] = penetration - self.contact.penetration();
+        let motion =
+            Motion::new(self.contact.profile(), (self.contact.radius(), radius), dt, Passage::Radius, self.contact.penetration(), powers);
+        self.go(&motion, penetration);
     }
 
     /// An instantaneous change of what is imposed: the edge follows glassily, in small parts of the change.
@@ -353,8 +364,9 @@ impl<'a> Marcher<'a> {
         LARGEST_REACH * self.length
     }
 
-    pub(super) const fn edge_tolerance() -> f64 {
-        EDGE_TOLERANCE
+    /// Accepted residual: well below what the path is known to.
+    pub(super) fn edge_tolerance(&self) -> f64 {
+        (EDGE_TOLERANCE * self.tolerance).clamp(SMALLEST_EDGE_TOLERANCE, LARGEST_EDGE_TOLERANCE)
     }
 
     /// The smallest contact that is one.

@@ -54,10 +54,10 @@ impl Past {
     }
 
     /// v(x) through the past, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
-    pub(super) fn bridge(&self, most: u32, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
+    pub(super) fn bridge(&self, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
         let mut sum = Newton::new(1.0);
         let mut bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 1 };
-        for node in self.nodes.iter().skip(1).take((most as usize).saturating_sub(1).min(DEGREE - 1)) {
+        for node in self.nodes.iter().skip(1).take(DEGREE - 1) {
             let (x, v) = of(node);
             let first = bridge.degree == 1;
             let Some(size) = sum.add(x, v) else { break };
@@ -182,7 +182,7 @@ mod tests {
             past.push(node(t(y), y));
         }
         let (y0, y1) = (1.1, 1.5);
-        let bridge = past.bridge(5, |node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
+        let bridge = past.bridge(|node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");

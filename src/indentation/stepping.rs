@@ -82,7 +82,6 @@ impl Stepper<'_, '_> {
         let sign = if target < self.contact.radius() { 1.0 } else { -1.0 };
         let mut search = Search { low: None, high: None, last: None };
         let mut time = guess.min(cap);
-        let mut halvings = 0;
         for count in 0..MOST_TRIALS {
             let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
             let value = sign * trial.residual;
@@ -96,7 +95,7 @@ impl Stepper<'_, '_> {
                     self.slopes.0 = slope;
                 }
             }
-            if value.abs() <= self.tolerance || search.width() <= 4.0 * f64::EPSILON * time {
+            if value.abs() <= self.tolerance || search.width() <= 64.0 * f64::EPSILON * time {
                 // What is found must not have been there from the start.
                 let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
                 return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(trial) });
@@ -108,8 +107,7 @@ impl Stepper<'_, '_> {
             let suggestion = secant.or(newton);
             time = match (search.low, search.high) {
                 (Some(_), Some(_)) => {
-                    halvings = if count % 8 == 7 { halvings + 1 } else { halvings };
-                    if count % 8 == 7 {
+                    if count % 4 == 3 {
                         0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
                     } else {
                         search.inside(suggestion).unwrap_or(time)
@@ -165,13 +163,13 @@ impl Stepper<'_, '_> {
                 trial.residual = 0.0;
                 return Ok(TimeStep::Found(trial));
             }
-            if value.abs() <= self.tolerance || search.width() <= 8.0 * f64::EPSILON * here.max(place) {
+            if value.abs() <= self.tolerance || search.width() <= 16.0 * f64::EPSILON * here.max(place) {
                 return Ok(TimeStep::Found(trial));
             }
             let newton = if self.slopes.1 > 0.0 { Some(place - value / self.slopes.1) } else { None };
             let suggestion = secant.or(newton);
             place = if search.low.is_some() && search.high.is_some() {
-                if count % 8 == 7 {
+                if count % 4 == 3 {
                     0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
                 } else {
                     search.inside(suggestion).unwrap_or(place)
