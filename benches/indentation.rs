@@ -40,7 +40,8 @@ fn cycle(accuracy: f64) -> IndentationProblem {
 
 /// n terms, a decade apart, that stiffen tenfold together; one of them at the reference time.
 fn terms(count: i32) -> Material {
-    let term = |index: i32| RelaxationTerm { modulus: 9.0 / f64::from(count), relaxation_time: 10.0_f64.powf(0.5 * f64::from(count / 2 - index)) };
+    let term =
+        |index: i32| RelaxationTerm { modulus: 9.0 / f64::from(count), relaxation_time: 10.0_f64.powf(0.5 * f64::from(count / 2 - index)) };
     Material::from_relaxation(1.0, &(0..count).map(term).collect::<Vec<_>>()).unwrap()
 }
 
@@ -54,7 +55,12 @@ fn main() {
         let tension = solution.largest_tension.unwrap();
         println!(
             "  core at {accuracy:e}: {time:.2} ms, {} steps, {} balances, {} updates, F_off {:.8e} ± {:.1e}, reached: {}",
-            solution.work.steps, solution.work.closure_evaluations, solution.work.history_updates, tension.value, tension.error, solution.reached
+            solution.work.steps,
+            solution.work.closure_evaluations,
+            solution.work.history_updates,
+            tension.value,
+            tension.error,
+            solution.reached
         );
         exact = tension.value;
         core.push(time);
@@ -93,13 +99,21 @@ fn main() {
         let material = terms(count);
         let (time, solution) = best(3, || run(&material, &cycle(1e-4)).unwrap());
         let steps = solution.work.steps as f64;
-        println!("  {count:2} terms: {time:8.2} ms, {steps:5.0} steps, {:.1} µs a step, {:.2} µs a step and term", 1e3 * time / steps, 1e3 * time / steps / f64::from(count));
+        println!(
+            "  {count:2} terms: {time:8.2} ms, {steps:5.0} steps, {:.1} µs a step, {:.2} µs a step and term",
+            1e3 * time / steps,
+            1e3 * time / steps / f64::from(count)
+        );
     }
     println!("steps, one term: time against the length of the history (cycles in a row)");
     for cycles in [1_i32, 2, 4, 8] {
         let mut problem = cycle(1e-4);
         problem.history = (0..cycles).fold(History::penetration(0.0), |history, _| history.at_speed(TOP, SPEED).at_speed(0.015, SPEED));
         let (time, solution) = best(3, || run(&rubber, &problem).unwrap());
-        println!("  {cycles} cycles: {time:8.2} ms, {} steps, {:.1} µs a step", solution.work.steps, 1e3 * time / solution.work.steps as f64);
+        println!(
+            "  {cycles} cycles: {time:8.2} ms, {} steps, {:.1} µs a step",
+            solution.work.steps,
+            1e3 * time / solution.work.steps as f64
+        );
     }
 }

@@ -10,6 +10,7 @@
 mod bad_input;
 mod command_support;
 
+use bad_input::indentation::{INDENTATION, INDENTATION_CASES};
 use bad_input::sliding::SLIDING_CASES;
 use bad_input::{Case, NONE};
 use command_support::{Answer, Folder, GOOD, SLIDING};
@@ -211,7 +212,9 @@ fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
     assert!(CASES.len() >= 40);
     let mut report = String::new();
     let of_cracks = CASES.iter().chain(CRACK_CASES).map(|case| (GOOD, case));
-    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))) {
+    for (good, case) in
+        of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))).chain(INDENTATION_CASES.iter().map(|case| (INDENTATION, case)))
+    {
         let text = spoilt(good, case);
         let folder = Folder::with(&text);
         if let Some((name, content)) = case.file {

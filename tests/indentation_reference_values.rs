@@ -15,8 +15,8 @@ use std::collections::HashMap;
 use std::path::Path;
 use viscotack::Material;
 use viscotack::indentation::{
-    Adhesion, Contact, History, IndentationProblem, IndentationSolution, Panel, Profile, Springs, Start, Sweep, Zone,
-    elastic_contact, elliptic_k, run, zone_work,
+    Adhesion, Contact, History, IndentationProblem, IndentationSolution, Panel, Profile, Springs, Start, Sweep, Zone, elastic_contact,
+    elliptic_k, run, zone_work,
 };
 use viscotack::material::RelaxationTerm;
 
@@ -142,7 +142,8 @@ fn lee_radok_and_ting_by_their_integrals() {
     let (mut worst, mut least) = (0.0_f64, 0.0_f64);
     for row in &cases {
         let solution = solutions.entry(row.case.clone()).or_insert_with(|| {
-            let history = History::contact_radius(0.0).ramp(row.input("peak"), row.input("rise")).ramp(row.input("bottom"), row.input("fall"));
+            let history =
+                History::contact_radius(0.0).ramp(row.input("peak"), row.input("rise")).ramp(row.input("bottom"), row.input("fall"));
             solved(row, row.profile(), None, history, Start::Untouched, 1e-8)
         });
         let quarter: usize = row.cells[1].parse().unwrap();

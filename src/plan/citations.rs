@@ -96,5 +96,17 @@ pub const TING: Citation = Citation {
 };
 
 /// Every paper.
-pub const ALL: &[&Citation] =
-    &[&THESIS, &PERSSON_BRENER, &SCHAPERY_OPENING, &SCHAPERY_CLOSING, &GREENWOOD, &RIVLIN_THOMAS, &JOHNSON_WAVE, &WESTERGAARD, &SNEDDON, &JKR, &LEE_RADOK, &TING];
+pub const ALL: &[&Citation] = &[
+    &THESIS,
+    &PERSSON_BRENER,
+    &SCHAPERY_OPENING,
+    &SCHAPERY_CLOSING,
+    &GREENWOOD,
+    &RIVLIN_THOMAS,
+    &JOHNSON_WAVE,
+    &WESTERGAARD,
+    &SNEDDON,
+    &JKR,
+    &LEE_RADOK,
+    &TING,
+];

@@ -10,8 +10,8 @@ use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 
 pub use super::check::Units;
-pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
+pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,7 @@
 //! What is wrong with a scene, and what must be said about it.
 #![allow(unreachable_pub, missing_docs)]
 
+pub mod indentation;
 pub mod sliding;
 
 /// One kind of mistake.

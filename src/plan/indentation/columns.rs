@@ -54,7 +54,11 @@ const COLUMNS: [Definition; 14] = [
     column("stress_intensity", Measure::Intensity, "K_I of the edge, tension positive; accuracy relative to at least √(2E∞*Δγ)."),
     column("stored_energy", Measure::Energy, "Elastic energy of the body, of what recovers outside the contact too."),
     column("external_work", Measure::Energy, "∫F dΔ since the start."),
-    column("dissipated_energy", Measure::Energy, "What the memory has turned into heat since the start, and what jumps of the edge set free."),
+    column(
+        "dissipated_energy",
+        Measure::Energy,
+        "What the memory has turned into heat since the start, and what jumps of the edge set free.",
+    ),
     column("dissipated_power", Measure::Power, "What the memory turns into heat at this time."),
     column("residual", Measure::Number, "Relative defect of the edge condition at this time."),
     column(
@@ -68,7 +72,11 @@ const COLUMNS: [Definition; 14] = [
         "In the last instant's row: how far F dΔ + G_tip dA is from dU + P_d dt, summed over the history, over the energy turned over.",
     ),
     column("frame_displacement", Measure::Length, "Δ + F/k_f: the far end of the frame."),
-    column("measured_force", Measure::Force, "The force that the table of the history holds for this time, between its rows by straight lines."),
+    column(
+        "measured_force",
+        Measure::Force,
+        "The force that the table of the history holds for this time, between its rows by straight lines.",
+    ),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.

@@ -24,7 +24,11 @@ impl IndentationPlan {
         let overlay = has_measured_force(&self.indentation);
         let fields = self.indentation.fields.is_some();
         vec![
-            Effect { name: "adhesion", on: adhesive, why: given(adhesive, "[adhesion] is given", "no [adhesion]: the load vanishes at the edge") },
+            Effect {
+                name: "adhesion",
+                on: adhesive,
+                why: given(adhesive, "[adhesion] is given", "no [adhesion]: the load vanishes at the edge"),
+            },
             Effect { name: "memory", on: terms > 0, why: memory },
             Effect { name: "relaxed start", on: self.indentation.start == IndentationStart::Relaxed, why: start.into() },
             Effect {
@@ -41,7 +45,11 @@ impl IndentationPlan {
             Effect {
                 name: "measured force",
                 on: overlay,
-                why: given(overlay, "a table of the history has a column `force`", "no table of the history has a column `force` it does not control"),
+                why: given(
+                    overlay,
+                    "a table of the history has a column `force`",
+                    "no table of the history has a column `force` it does not control",
+                ),
             },
             Effect { name: "sweep", on: self.swept, why: given(self.swept, "[sweep] is given", "no [sweep]") },
         ]
@@ -53,7 +61,8 @@ impl IndentationPlan {
             "each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned(),
         ];
         if self.indentation.adhesion.is_some() {
-            sentences.push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
+            sentences
+                .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
             sentences.push(match self.indentation.start {
                 IndentationStart::Untouched => "first touch: the glassy contact jumps in".to_owned(),
                 IndentationStart::Relaxed => "start: the soft elastic contact at the same process zone".to_owned(),
@@ -81,7 +90,11 @@ impl IndentationPlan {
         }
         if let Some(adhesion) = self.adhesion() {
             if let IndentationShape::Sphere { radius } = self.indentation.shape {
-                groups.push(group("adhesion γ̃ = Δγ/(πE0*R)", adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius), "1"));
+                groups.push(group(
+                    "adhesion γ̃ = Δγ/(πE0*R)",
+                    adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
+                    "1",
+                ));
                 let pull_off = 1.5 * std::f64::consts::PI * radius * adhesion.work_of_adhesion;
                 groups.push(group("JKR pull-off (3/2)πRΔγ", pull_off / self.scale.force, pick("N", "πE0*R²")));
             }

@@ -64,8 +64,11 @@ impl IndentationPlan {
         // Fewer moves than steps leave steps out, of one stretch; more moves cut them.
         let (stride, cuts) = (steps.div_ceil(moves).max(1), (moves / steps).max(1));
         let mut index = 0;
-        while let Some(here) = path.get(index).filter(|here| here.time < time || path.get(index + 1).is_some_and(|next| next.time <= time)) {
-            let joined = |place: usize| path.get(place).is_some_and(|point| point.piece == here.piece && point.time > here.time && point.time <= time);
+        while let Some(here) = path.get(index).filter(|here| here.time < time || path.get(index + 1).is_some_and(|next| next.time <= time))
+        {
+            let joined = |place: usize| {
+                path.get(place).is_some_and(|point| point.piece == here.piece && point.time > here.time && point.time <= time)
+            };
             let next = index + (1..=stride).take_while(|&ahead| joined(index + ahead)).last().unwrap_or(1);
             let Some(there) = path.get(next) else { break };
             let end = there.time.min(time);
@@ -75,7 +78,8 @@ impl IndentationPlan {
                 for cut in 1..=cuts {
                     let now = if cut == cuts { end } else { here.time + (end - here.time) * cut as f64 / cuts as f64 };
                     let before = here.time + (end - here.time) * (cut - 1) as f64 / cuts as f64;
-                    let [radius, depth] = if now >= there.time { [there.contact_radius, there.penetration] } else { between(path, index, now) };
+                    let [radius, depth] =
+                        if now >= there.time { [there.contact_radius, there.penetration] } else { between(path, index, now) };
                     contact = contact.moved(radius.max(0.0), depth, now - before, sweep)?;
                 }
             }
@@ -121,7 +125,8 @@ impl IndentationPlan {
             .iter()
             .map(|&(place, [pressure, displacement], [by, off])| {
                 let error = |value: f64, difference: f64, rounding: f64| SAFETY * difference.abs() + load_error * value.abs() + rounding;
-                let pressure = if place > a { Estimate::exact(0.0) } else { Estimate::new(pressure, error(pressure, by, roundings[0])).scaled(unit) };
+                let pressure =
+                    if place > a { Estimate::exact(0.0) } else { Estimate::new(pressure, error(pressure, by, roundings[0])).scaled(unit) };
                 let displacement = Estimate::new(displacement, error(displacement, off, roundings[1]));
                 FieldPoint { place, values: vec![Estimate::exact(time), pressure, displacement] }
             })

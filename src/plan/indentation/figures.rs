@@ -37,9 +37,11 @@ impl IndentationPlan {
         ];
         let by_force = self.timeline.legs.iter().any(|leg| leg.quantity != HistoryQuantity::Penetration);
         if self.timeline.in_time || by_force {
-            for (name, column) in
-                [("force_against_time", at::FORCE), ("contact_radius_against_time", at::CONTACT_RADIUS), ("penetration_against_time", at::PENETRATION)]
-            {
+            for (name, column) in [
+                ("force_against_time", at::FORCE),
+                ("contact_radius_against_time", at::CONTACT_RADIUS),
+                ("penetration_against_time", at::PENETRATION),
+            ] {
                 figures.push((name.to_owned(), self.time_figure(&states, column)));
             }
         }
@@ -182,19 +184,26 @@ impl IndentationPlan {
         // An imposed force is no pull-off force to be found.
         let sweep = scene.sweeps.last().filter(|sweep| !sweep.key.ends_with(".force"))?;
         let outer = scene.sweeps.len() - 1;
-        let found: Vec<&Row> = rows.iter().filter(|row| row.label(1) == LARGEST_TENSION && row.value(at::PULL_OFF_RATIO).is_some()).collect();
+        let found: Vec<&Row> =
+            rows.iter().filter(|row| row.label(1) == LARGEST_TENSION && row.value(at::PULL_OFF_RATIO).is_some()).collect();
         if found.len() < 2 {
             return None;
         }
-        let horizontal = if sweep.key == "indentation.speed_factor" { axis_of(sweep, "speed factor".to_owned()) } else { swept_axis(sweep) };
+        let horizontal =
+            if sweep.key == "indentation.speed_factor" { axis_of(sweep, "speed factor".to_owned()) } else { swept_axis(sweep) };
         let mut sets: Vec<&[f64]> = found.iter().map(|row| row.swept.get(..outer).unwrap_or(&[])).collect();
         sets.dedup();
         let sets = thinned(sets, MOST_STATES);
         let mut figure = Figure::new(horizontal, Axis::linear(r"pull-off force $F_{off}/F_{JKR}$"));
         for (colour, set) in sets.iter().enumerate() {
-            let points =
-                found.iter().filter(|row| row.swept.get(..outer).unwrap_or(&[]) == *set).map(|row| (innermost(row), value(row, at::PULL_OFF_RATIO))).collect();
-            figure = figure.with_curve(Curve::new(swept_label(scene, set), points).with_colour(colour).with_line(Line::Solid).with_marker(Marker::Circle));
+            let points = found
+                .iter()
+                .filter(|row| row.swept.get(..outer).unwrap_or(&[]) == *set)
+                .map(|row| (innermost(row), value(row, at::PULL_OFF_RATIO)))
+                .collect();
+            figure = figure.with_curve(
+                Curve::new(swept_label(scene, set), points).with_colour(colour).with_line(Line::Solid).with_marker(Marker::Circle),
+            );
         }
         Some(("pull_off_against_sweep".to_owned(), figure))
     }
@@ -225,7 +234,8 @@ impl IndentationPlan {
         let quantile = |part: f64| pressures.get((part * (pressures.len().saturating_sub(1)) as f64) as usize).copied().unwrap_or(0.0);
         let (low, high) = (quantile(0.08), quantile(1.0));
         let span = (high - low).max(f64::MIN_POSITIVE);
-        let pressure = Axis::linear(self.label("pressure", "$p$", " (Pa)", r"$p/\pi E_0^*$")).with_range(low - 0.15 * span, high + 0.1 * span);
+        let pressure =
+            Axis::linear(self.label("pressure", "$p$", " (Pa)", r"$p/\pi E_0^*$")).with_range(low - 0.15 * span, high + 0.1 * span);
         let surface = Axis::linear(self.label("surface displacement", "$w$", " (m)", "$w/R$"));
         vec![
             ("pressure_against_radius".to_owned(), draw(pressure, field::PRESSURE)),

@@ -121,7 +121,10 @@ impl IndentationPlan {
             at_least(at::STRESS_INTENSITY, (2.0 * self.material.glassy_modulus() * adhesion.work_of_adhesion).sqrt());
         }
         // Energies turn into each other: all are judged by the largest.
-        let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY].iter().filter_map(|&place| scales.get(place)).fold(0.0, |most: f64, scale| most.max(*scale));
+        let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY]
+            .iter()
+            .filter_map(|&place| scales.get(place))
+            .fold(0.0, |most: f64, scale| most.max(*scale));
         for place in [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY] {
             if let Some(scale) = scales.get_mut(place) {
                 *scale = energy;

@@ -63,7 +63,8 @@ pub(super) const KEYS: &[Key] = &[
                 meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, which alone has it",
             },
             Word {
-                word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have"
+                word: "constant",
+                meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have",
             },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),

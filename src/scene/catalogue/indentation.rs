@@ -70,11 +70,7 @@ pub(super) const KEYS: &[Key] = &[
     start_value(HistoryQuantity::ContactRadius, "indentation.contact_radius", "R", "a at time zero, instead of the penetration."),
     Key {
         path: "indentation.frame_stiffness",
-        kind: Kind::Number {
-            dimension: Dimension::STIFFNESS,
-            range: Range::Positive,
-            reduced: "πE0*R (force over length)",
-        },
+        kind: Kind::Number { dimension: Dimension::STIFFNESS, range: Range::Positive, reduced: "πE0*R (force over length)" },
         meaning: "k_f of the rig that holds the indenter: its far end moves by Δ + F/k_f, which a segment of the history may control as `frame`.",
     },
     Key {

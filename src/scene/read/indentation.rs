@@ -40,7 +40,9 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     rates_know_their_start(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
-    if let (None, Some(index)) = (frame_stiffness, history.segments.iter().position(|segment| quantity(segment) == Some(HistoryQuantity::Frame))) {
+    if let (None, Some(index)) =
+        (frame_stiffness, history.segments.iter().position(|segment| quantity(segment) == Some(HistoryQuantity::Frame)))
+    {
         let message = "the history controls `frame`, the far end of a frame, but `indentation.frame_stiffness` is missing";
         let place = top.items("history").get(index).map_or_else(|| table.header(), Section::header);
         return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or control `penetration`"));
@@ -90,12 +92,7 @@ fn shape(table: &Section<'_>) -> Result<IndentationShape, SceneError> {
 }
 
 /// What is given at time zero; of an untouched surface first touch, if nothing is.
-fn at_start(
-    table: &Section<'_>,
-    start: IndentationStart,
-    adhesive: bool,
-    history: &History,
-) -> Result<(HistoryQuantity, f64), SceneError> {
+fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, history: &History) -> Result<(HistoryQuantity, f64), SceneError> {
     const KEYS: [&str; 3] = ["penetration", "force", "contact_radius"];
     let key = match start {
         IndentationStart::Relaxed => Some(table.exactly_one(&KEYS)?),
@@ -105,7 +102,8 @@ fn at_start(
         // First touch is the zero of whatever is controlled first.
         let first = history.segments.first().and_then(quantity).unwrap_or(HistoryQuantity::Penetration);
         if first == HistoryQuantity::ContactRadius && adhesive {
-            let message = "an adhesive contact jumps in to a radius of its own: a history that controls `contact_radius` needs the first one";
+            let message =
+                "an adhesive contact jumps in to a radius of its own: a history that controls `contact_radius` needs the first one";
             return Err(table.wrong("start", message, "in this table").help("give indentation.contact_radius"));
         }
         return Ok((first, 0.0));
@@ -174,7 +172,11 @@ fn fields(table: &Section<'_>, history: &History) -> Result<Option<IndentationFi
         let time = number(item, &path, Dimension::TIME, fields.units())?;
         let rising = times.last().is_none_or(|before| time > *before);
         if time < 0.0 || !rising {
-            return Err(SceneError::at(&item.place, format!("`{path}`: {time:e} is not later than the time before it"), "times rise from 0"));
+            return Err(SceneError::at(
+                &item.place,
+                format!("`{path}`: {time:e} is not later than the time before it"),
+                "times rise from 0",
+            ));
         }
         if let Some(end) = known_end
             && time > end * (1.0 + 1e-12)
