@@ -116,7 +116,7 @@ fn elastic_contacts_at_a_finite_zone() {
     let mut worst: f64 = 0.0;
     for (a, force) in radii.iter().zip(&forces) {
         let (modulus, work, zone) = (a.input("modulus"), a.input("work"), a.input("zone"));
-        let state = elastic_contact(a.profile(), modulus, work, zone, a.input("penetration")).unwrap();
+        let state = elastic_contact(&a.profile(), modulus, work, zone, a.input("penetration")).unwrap();
         // The force passes through zero: its scale is E*a times the penetration of the profile.
         let scale = modulus * a.cell(2) * a.profile().line(a.cell(2));
         let errors = [(state.contact_radius / a.cell(2) - 1.0).abs(), (state.force - force.cell(2)).abs() / scale];
@@ -191,7 +191,7 @@ fn flat_punch_relaxes() {
 fn adhesive_histories_by_passing_times() {
     let found = rows("indentation_march.csv");
     let mut solutions: HashMap<String, IndentationSolution> = HashMap::new();
-    let mut worst: f64 = 0.0;
+    let (mut worst, mut beyond): (f64, Vec<String>) = (0.0, Vec::new());
     let ends: HashMap<String, f64> = found.iter().map(|row| (row.case.clone(), row.cell(0))).collect();
     for row in &found {
         let solution = solutions.entry(row.case.clone()).or_insert_with(|| {
@@ -217,10 +217,12 @@ fn adhesive_histories_by_passing_times() {
             errors[1] / row.cell(3),
             instant.contact_radius.error / row.cell(3)
         );
-        assert!(errors[0] <= instant.force.error + own * scale, "{} {quarter}", row.case);
-        assert!(errors[1] <= instant.contact_radius.error + own * row.cell(3), "{} {quarter}", row.case);
+        if errors[0] > instant.force.error + own * scale || errors[1] > instant.contact_radius.error + own * row.cell(3) {
+            beyond.push(format!("{} {quarter}", row.case));
+        }
         worst = worst.max(errors[0] / scale).max(errors[1] / row.cell(3));
     }
     println!("{} instants, worst {worst:.1e}", found.len());
-    assert!(found.len() >= 24 && worst < 3e-6);
+    assert!(found.len() >= 24 && worst < 1e-6);
+    assert!(beyond.is_empty(), "outside their own error bars: {beyond:?}");
 }

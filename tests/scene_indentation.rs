@@ -82,7 +82,7 @@ fn retraction_in_reduced_units_is_the_march() {
     assert!(outcome.rows.windows(2).all(|pair| value(&outcome, &pair[0], "time") <= value(&outcome, &pair[1], "time")));
 }
 
-/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, 1e-9 of each value (the same march of scaled numbers).
+/// R = 2.5 mm, E0* = 0.8 MPa, ρ = 0.3 s: the same history in SI, within the error bars of both.
 #[test]
 fn si_and_reduced_scenes_are_one() {
     let history = "[[history]]\npenetration = 0.02\nduration = 5\n[[history]]\nhold = 3\n[[history]]\nforce = -0.0005\nduration = 2\n";
@@ -104,19 +104,28 @@ fn si_and_reduced_scenes_are_one() {
         -0.0005 * PI * modulus * radius * radius,
         2.0 * time,
     ));
-    assert_eq!(reduced.rows.len(), si.rows.len());
-    for (one, other) in reduced.rows.iter().zip(&si.rows) {
+    // Instants that the history names; those inside the last ramp are steps of each march's own.
+    let named = |outcome: &Outcome, unit: f64| -> Vec<Row> {
+        let own = |row: &&Row| {
+            row.label(0) == "instant" && value(outcome, row, "time") > 8.0 * unit + 1e-9 && value(outcome, row, "time") < 9.99 * unit
+        };
+        outcome.rows.iter().filter(|row| !own(row)).cloned().collect()
+    };
+    let (first, second) = (named(&reduced, 1.0), named(&si, time));
+    assert!(first.len() >= 10 && first.len() == second.len());
+    for (one, other) in first.iter().zip(&second) {
         assert_eq!(one.labels, other.labels);
-        for (name, unit) in [
-            ("time", time),
-            ("penetration", radius),
-            ("force", PI * modulus * radius * radius),
-            ("contact_radius", radius),
-            ("frame_displacement", radius),
-        ] {
-            let (first, second) = (value(&reduced, one, name) * unit, value(&si, other, name));
-            let scale = reduced.rows.iter().map(|row| value(&reduced, row, name).abs() * unit).fold(0.0, f64::max);
-            assert!((first - second).abs() < 2e-7 * scale, "{:?} {name}: {first:e} {second:e}", one.labels);
+        for (name, unit) in
+            [("penetration", radius), ("force", PI * modulus * radius * radius), ("contact_radius", radius), ("frame_displacement", radius)]
+        {
+            let place = column(&reduced, name);
+            let [left, right] = [one.values[place].unwrap().scaled(unit), other.values[place].unwrap()];
+            // Steps are chosen by rounded numbers, so that the two marches are not the same to the last bit: each is within its own bar.
+            assert!(
+                (left.value - right.value).abs() <= left.error + right.error + 1e-9 * left.value.abs(),
+                "{:?} {name}: {left:?} {right:?}",
+                one.labels
+            );
         }
         let frame = value(&reduced, one, "penetration") + value(&reduced, one, "force") / 0.4;
         assert!((value(&reduced, one, "frame_displacement") - frame).abs() < 1e-12);
@@ -144,6 +153,9 @@ fn fields_carry_the_force_and_lie_on_the_indenter() {
                 0.5 * (first.1 + second.1) * (first.0 - second.0)
             })
             .sum();
+        // From the last place to the edge p u hardly changes.
+        let edge = inside.last().map_or(0.0, |point| point.values[1].value * chord(point.place).powi(2));
+        let force = force + edge;
         let expected = value(&outcome, row, "force");
         println!("t {}: F {expected:e}, from the pressure {:e}", value(&outcome, row, "time"), 2.0 * PI * force);
         assert!((2.0 * PI * force - expected).abs() < 2e-3 * expected.abs().max(1e-3));
