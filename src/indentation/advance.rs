@@ -1,6 +1,6 @@
 //! Steps under a penetration, a force or a frame, and under a prescribed edge: sizes by the error of the path, accepted or tried again.
 
-use super::edge::{Imposed, Trial};
+use super::edge::{Drive, Imposed, Trial};
 use super::elastic_zone::tension_root;
 use super::marcher::Marcher;
 use super::motion::{Motion, Passage};
@@ -25,6 +25,11 @@ const EXTRAPOLATION: usize = 5;
 const FASTEST: f64 = 2.0;
 /// The same when it fails.
 const SLOWEST: f64 = 0.2;
+
+/// Motion over the process zone that is none.
+const AT_REST: f64 = 1e-9;
+/// Halvings of the time at which a rim gives way.
+const RIM_HALVINGS: u32 = 50;
 
 /// What drives the next attempt.
 enum Choice {
@@ -61,8 +66,16 @@ impl Marcher<'_> {
                 Choice::Time { guess } => {
                     let outcome = self.stepper().time_driven(cap, guess, 1.5 * reach, imposed)?;
                     match outcome {
-                        TimeStep::Found(trial) => Some((trial, false)),
+                        TimeStep::Found(trial) => {
+                            if trial.motion.to < a && self.leave_rim(cap, left, target, imposed)? {
+                                return Ok(());
+                            }
+                            Some((trial, false))
+                        }
                         TimeStep::Far(inwards) => {
+                            if inwards && self.leave_rim(cap, left, target, imposed)? {
+                                return Ok(());
+                            }
                             was_far = true;
                             forced = Some(Choice::Edge { inwards, guess: 0.5 * cap });
                             None
@@ -129,6 +142,28 @@ impl Marcher<'_> {
         Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
     }
 
+    /// The rim holds the edge for a while yet: goes to the instant at which it gives way, and starts anew from there.
+    fn leave_rim(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
+        let rim = self.contact.profile().rim();
+        if self.contact.radius() < rim {
+            return Ok(false);
+        }
+        let (mut low, mut high) = (0.0, cap);
+        for _ in 0..RIM_HALVINGS {
+            let middle = 0.5 * (low + high);
+            let trial = self.edge.trial(&self.contact, &self.past, (rim, middle), Drive::Time, imposed)?;
+            if trial.residual <= 0.0 { low = middle } else { high = middle }
+        }
+        if low <= 1e-9 * cap {
+            return Ok(false);
+        }
+        let trial = self.edge.trial(&self.contact, &self.past, (rim, low), Drive::Time, imposed)?;
+        self.go(&trial.motion, trial.penetration);
+        self.went(low, left, target, 0.0);
+        self.restart();
+        Ok(true)
+    }
+
     fn accept(
         &mut self,
         trial: &Trial,
@@ -165,7 +200,7 @@ impl Marcher<'_> {
 
     fn stepper(&mut self) -> Stepper<'_, '_> {
         // Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
-        let near_fold = self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
+        let near_fold = self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
         let tolerance = if near_fold { FOLD_TOLERANCE } else { self.edge_tolerance() };
         Stepper { edge: &mut self.edge, contact: &self.contact, past: &self.past, tolerance, slopes: &mut self.slopes }
     }
@@ -196,7 +231,9 @@ impl Marcher<'_> {
         let here = self.contact.radius();
         let Some(now) = self.past.nodes().first() else { return here };
         let guess = self.past.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - now.time - dt, node.radius));
-        guess.unwrap_or(here).clamp(here - reach, here + reach)
+        let guess = guess.unwrap_or(here).clamp(here - reach, here + reach);
+        // An edge at rest stays: extrapolated rounding is no motion.
+        if (guess - here).abs() < AT_REST * self.length { here } else { guess }
     }
 
     /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.

@@ -134,7 +134,9 @@ impl Edge {
                     Some(&now) if dt > 0.0 => past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
                     _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
                 };
-                let unit = self.depth_scale;
+                // F is affine in Δ; a unit of its own size keeps the digits of a contact that grows from a point.
+                let own = contact.profile().line(radius).max(here.abs());
+                let unit = if own > 0.0 { own } else { self.depth_scale };
                 let first = self.load(contact, &motion_of(depths(0.0).0)) + stiffness * here;
                 let second = self.load(contact, &motion_of(depths(unit).0)) + stiffness * (here + unit);
                 let rise = unit * (value(dt) - first) / (second - first);

@@ -54,14 +54,14 @@ impl Marcher<'_> {
         };
         match found {
             Some(place) => {
-                self.record.happened_at_fold(kind, self.time, &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, (self.now(), self.time), &self.contact, self.past.nodes(), fold);
                 self.record.sudden();
                 self.jump(place, imposed)?;
                 self.restart();
                 Ok(())
             }
             None => {
-                self.record.happened_at_fold(kind, self.time, &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, (self.now(), self.time), &self.contact, self.past.nodes(), fold);
                 self.opened(imposed)
             }
         }
@@ -69,7 +69,7 @@ impl Marcher<'_> {
 
     /// An adhesive indenter touches a surface that it left before: the edge jumps out to the first stable place.
     pub(super) fn touch_again(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
-        self.record.happened(EventKind::JumpIn, self.time, &self.contact);
+        self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
         let rim = self.contact.profile().rim();
         let found = if rim.is_finite() { Some(rim) } else { self.elsewhere(self.smallest(), false, imposed)? };
         match found {
@@ -92,7 +92,7 @@ impl Marcher<'_> {
 
     /// The contact opens.
     pub(super) fn detach(&mut self, kind: EventKind, imposed: &Imposed<'_>) -> Result<(), Refusal> {
-        self.record.happened(kind, self.time, &self.contact);
+        self.record.happened(kind, self.now(), &self.contact);
         self.opened(imposed)
     }
 

@@ -17,8 +17,8 @@ use std::f64::consts::PI;
 
 /// Ratio of neighbouring panels of a graded stretch: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
 const GRADING: f64 = 2.0;
-/// Panels narrower than this part of the contact are not made: places are only known to 1e-16 of it.
-pub(super) const NARROWEST: f64 = 1e-12;
+/// Panels narrower than this part of the contact are not made: places are only known to 1e-16 of it, nodes then to 1e-5 of a panel.
+pub(super) const NARROWEST: f64 = 1e-11;
 
 /// How the edge passes a stretch within a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -32,6 +32,8 @@ const LARGEST_EDGE_TOLERANCE: f64 = 1e-10;
 const MOST_STEPS: u64 = 1_000_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
+/// Overlap at which a contact without adhesion begins, over its depth.
+const FIRST_OVERLAP: f64 = 1e-9;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
@@ -53,6 +55,8 @@ pub(super) struct Marcher<'a> {
     pub(super) contact: Contact<'a>,
     pub(super) edge: Edge,
     pub(super) past: Past,
+    /// Start of the stretch under way, and the time since: steps stay sharp after any dwell.
+    pub(super) origin: f64,
     pub(super) time: f64,
     /// Next steps of the edge and of time.
     pub(super) reach: f64,
@@ -72,16 +76,15 @@ pub(super) struct Marcher<'a> {
     pub(super) record: Record<'a>,
 }
 
-/// The stretch of history under way.
+/// The stretch of history under way; times count from its start.
 pub(super) struct Stretch {
-    pub(super) start: f64,
     pub(super) from: f64,
     pub(super) segment: Segment,
 }
 
 impl Stretch {
     pub(super) fn value(&self, time: f64) -> f64 {
-        let part = (time - self.start) / self.segment.duration;
+        let part = time / self.segment.duration;
         if part >= 1.0 || self.segment.duration == 0.0 { self.segment.end } else { self.from + (self.segment.end - self.from) * part }
     }
 }
@@ -119,6 +122,7 @@ impl<'a> Marcher<'a> {
             contact,
             edge,
             past: Past::default(),
+            origin: 0.0,
             time: 0.0,
             reach: 0.0,
             dt: 0.0,
@@ -144,21 +148,26 @@ impl<'a> Marcher<'a> {
             _ => 0.0,
         };
         if self.problem.start == Start::Untouched && self.problem.adhesion.is_some() {
-            self.record.happened(EventKind::JumpIn, self.time, &self.contact);
+            self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
         }
-        self.record.point(self.time, &self.contact, residual);
+        self.record.point(self.now(), &self.contact, residual);
         self.record.keep();
         let history = &self.problem.history;
         let mut last = (history.controlled, history.start);
         for segment in &history.segments {
             let from = if segment.controlled == last.0 { last.1 } else { self.present(segment.controlled) };
-            self.segment(&Stretch { start: self.time, from, segment: *segment })?;
+            self.segment(&Stretch { from, segment: *segment })?;
             last = (segment.controlled, segment.end);
         }
         let mut trace = self.record.finished();
         trace.work.closure_evaluations = self.edge.evaluations;
         trace.work.history_updates = self.edge.updates + self.contact.updates();
         Ok(trace)
+    }
+
+    /// Time since the start of the history (s).
+    pub(super) fn now(&self) -> f64 {
+        self.origin + self.time
     }
 
     /// The present value of a quantity.
@@ -207,7 +216,6 @@ impl<'a> Marcher<'a> {
             self.record.keep();
             return Ok(());
         }
-        let end = stretch.start + segment.duration;
         let rate = (segment.end - stretch.from) / segment.duration;
         let same =
             self.pace.is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
@@ -217,14 +225,13 @@ impl<'a> Marcher<'a> {
         }
         let instants = self.problem.instants_per_segment.max(1);
         for instant in 1..=instants {
-            let target =
-                if instant == instants { end } else { stretch.start + segment.duration * (f64::from(instant) / f64::from(instants)) };
+            let target = segment.duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
             while self.time < target {
                 self.record.trace.work.steps += 1;
                 if self.record.trace.work.steps > MOST_STEPS {
                     return Err(Refusal::NotConverged {
                         what: "the march",
-                        detail: format!("{MOST_STEPS} steps reached t = {:e}", self.time),
+                        detail: format!("{MOST_STEPS} steps reached t = {:e}", self.now()),
                     });
                 }
                 self.step(stretch, target)?;
@@ -235,6 +242,10 @@ impl<'a> Marcher<'a> {
             self.record.keep();
         }
         self.pace = Some((segment.controlled, rate));
+        self.origin += segment.duration;
+        self.time = 0.0;
+        self.corner -= segment.duration;
+        self.past.earlier(segment.duration);
         Ok(())
     }
 
@@ -255,9 +266,10 @@ impl<'a> Marcher<'a> {
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
         let controlled = stretch.segment.controlled;
-        if self.contact.radius() == 0.0 && self.is_open(controlled, value(0.0)) {
+        let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
+        if apart > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.
-            let cap = self.until_touch(controlled, cap, &value);
+            let cap = apart;
             self.open(controlled, cap, value(cap))?;
             self.dt = 2.0 * cap;
             self.went(cap, left, target, 0.0);
@@ -272,7 +284,7 @@ impl<'a> Marcher<'a> {
     /// Time has gone by: records the state that is there now.
     pub(super) fn went(&mut self, dt: f64, left: f64, target: f64, residual: f64) {
         self.time = if dt >= left { target } else { self.time + dt };
-        self.record.point(self.time, &self.contact, residual);
+        self.record.point(self.now(), &self.contact, residual);
         let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
         self.past.push(node);
         self.edge.forget();
@@ -283,11 +295,16 @@ impl<'a> Marcher<'a> {
         self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0))
     }
 
+    /// Overlap at which a contact without adhesion begins: what is left of one that shrank to a point is none.
+    fn overlap(&self) -> f64 {
+        if self.problem.adhesion.is_some() { 0.0 } else { FIRST_OVERLAP * self.edge.depth_scale }
+    }
+
     /// Whether an open contact stays open under the imposed value.
     fn is_open(&self, controlled: Controlled, value: f64) -> bool {
         match controlled {
             // Without a force the frame's end is where the indenter is.
-            Controlled::Penetration | Controlled::Frame => value < self.surface(),
+            Controlled::Penetration | Controlled::Frame => value < self.surface() + self.overlap(),
             // An indenter pushed by a force stays where it lost contact, until it is pushed again.
             Controlled::Force | Controlled::ContactRadius => value <= 0.0,
         }
@@ -295,18 +312,23 @@ impl<'a> Marcher<'a> {
 
     /// The time for which the indenter stays off a surface that creeps back: at most `cap`.
     fn until_touch(&self, controlled: Controlled, cap: f64, value: &dyn Fn(f64) -> f64) -> f64 {
-        let (Controlled::Penetration | Controlled::Frame) = controlled else { return cap };
-        let overlap = |dt: f64| match self.contact.moved(0.0, value(dt), dt, Sweep::Linear) {
-            Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)),
-            Err(_) => -1.0,
+        if !self.is_open(controlled, value(0.0)) {
+            return 0.0;
+        }
+        let overlap = |dt: f64| match controlled {
+            Controlled::Force | Controlled::ContactRadius => value(dt),
+            Controlled::Penetration | Controlled::Frame => match self.contact.moved(0.0, value(dt), dt, Sweep::Linear) {
+                Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)) - self.overlap(),
+                Err(_) => -1.0,
+            },
         };
-        if overlap(cap) < 0.0 {
+        if overlap(cap) <= 0.0 {
             return cap;
         }
         let (mut low, mut high) = (0.0, cap);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            if overlap(middle) < 0.0 { low = middle } else { high = middle }
+            if overlap(middle) <= 0.0 { low = middle } else { high = middle }
         }
         high
     }

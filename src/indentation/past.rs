@@ -48,6 +48,13 @@ impl Past {
         self.nodes.push(node);
     }
 
+    /// The clock starts again: every point was earlier by so much.
+    pub(super) fn earlier(&mut self, duration: f64) {
+        for node in &mut self.nodes {
+            node.time -= duration;
+        }
+    }
+
     pub(super) fn push(&mut self, node: Node) {
         self.nodes.insert(0, node);
         self.nodes.truncate(KEPT);

@@ -88,8 +88,11 @@ impl<'a> Record<'a> {
             energies,
         });
         if a > 0.0 {
-            let least = &mut self.trace.smallest_stress_intensity_factor;
-            *least = least.min(intensity);
+            if a < contact.profile().rim() {
+                // A rim may be pressed.
+                let least = &mut self.trace.smallest_stress_intensity_factor;
+                *least = least.min(intensity);
+            }
             let gaps = contact.gap_factor(0.0);
             let smallest = gaps.iter().flat_map(|panel| panel.values).fold(f64::INFINITY, f64::min);
             let least = &mut self.trace.smallest_gap_factor;
@@ -134,7 +137,14 @@ impl<'a> Record<'a> {
     }
 
     /// An event at a fold of t(a) a little ahead of the last point: values continued to it.
-    pub(super) fn happened_at_fold(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>, nodes: &[Node], ahead: Option<f64>) {
+    pub(super) fn happened_at_fold(
+        &mut self,
+        kind: EventKind,
+        (time, clock): (f64, f64),
+        contact: &Contact<'_>,
+        nodes: &[Node],
+        ahead: Option<f64>,
+    ) {
         self.happened(kind, time, contact);
         let (Some(distance), Some([now, one, two])) = (ahead, nodes.get(..3)) else { return };
         let place = now.radius + distance * (now.radius - one.radius).signum();
@@ -150,7 +160,7 @@ impl<'a> Record<'a> {
                 .sum::<f64>()
         };
         if let Some(event) = self.trace.events.last_mut() {
-            event.time = at(|node| node.time);
+            event.time += at(|node| node.time) - clock;
             event.penetration = at(|node| node.penetration);
             event.force = at(|node| node.force);
             event.contact_radius = place;

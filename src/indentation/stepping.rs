@@ -10,6 +10,9 @@ use crate::refusal::Refusal;
 
 /// Trials of one root; with a good guess four suffice, and each doubling of an unknown time is one.
 const MOST_TRIALS: u32 = 300;
+/// Trials after which rounding is taken as reached, and the residual accepted then.
+const PATIENCE: u32 = 60;
+const LAST_RESORT: f64 = 1e-10;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
@@ -99,7 +102,8 @@ impl Stepper<'_, '_> {
                     self.slopes.0 = slope;
                 }
             }
-            if value.abs() <= self.tolerance || search.width() <= 64.0 * f64::EPSILON * time {
+            let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
+            if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
                 // What is found must not have been there from the start.
                 let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
                 return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(trial) });
@@ -167,7 +171,8 @@ impl Stepper<'_, '_> {
                 trial.residual = 0.0;
                 return Ok(TimeStep::Found(trial));
             }
-            if value.abs() <= self.tolerance || search.width() <= 16.0 * f64::EPSILON * here.max(place) {
+            let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
+            if value.abs() <= accepted || search.width() <= 16.0 * f64::EPSILON * here.max(place) {
                 return Ok(TimeStep::Found(trial));
             }
             let newton = if self.slopes.1 > 0.0 { Some(place - value / self.slopes.1) } else { None };
