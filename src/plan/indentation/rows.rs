@@ -110,12 +110,15 @@ impl IndentationPlan {
                 *scale = scale.max(value.map_or(0.0, |value| value.value.abs()));
             }
         }
+        // As the accuracy of the march is over the largest force.
+        let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.largest_tension.map_or(0.0, |tension| tension.value));
         let mut at_least = |place: usize, least: f64| {
             if let Some(scale) = scales.get_mut(place) {
                 *scale = scale.max(least);
             }
         };
-        at_least(at::FORCE, solution.largest_tension.map_or(0.0, |tension| tension.value));
+        at_least(at::FORCE, force);
+        at_least(at::PULL_OFF_RATIO, self.jkr_pull_off().map_or(0.0, |unit| force / unit));
         at_least(at::TIME, self.timeline.duration());
         if let Some(adhesion) = self.adhesion() {
             at_least(at::STRESS_INTENSITY, (2.0 * self.material.glassy_modulus() * adhesion.work_of_adhesion).sqrt());
@@ -131,6 +134,16 @@ impl IndentationPlan {
             }
         }
         scales
+    }
+
+    /// (3/2)πRΔγ, coherent: JKR's pull-off force does not feel the modulus.
+    fn jkr_pull_off(&self) -> Option<f64> {
+        match (self.adhesion(), self.indentation.shape) {
+            (Some(adhesion), IndentationShape::Sphere { radius }) => {
+                JkrSphere::new(radius, self.relaxed, adhesion.work_of_adhesion).ok().map(|sphere| sphere.pull_off_force().abs())
+            }
+            _ => None,
+        }
     }
 
     /// The far end of the frame, if there is one.
@@ -238,12 +251,8 @@ impl IndentationPlan {
             Estimate::new(-tension.value, tension.error),
             spread(|point| point.contact_radius),
         );
-        if let (Some(cell), Some(adhesion), IndentationShape::Sphere { radius }) =
-            (values.get_mut(at::PULL_OFF_RATIO), self.adhesion(), self.indentation.shape)
-        {
-            // JKR's pull-off force does not feel the modulus.
-            let scale = JkrSphere::new(radius, self.relaxed, adhesion.work_of_adhesion).ok()?.pull_off_force().abs();
-            *cell = Some(tension.scaled(1.0 / scale));
+        if let (Some(cell), Some(unit)) = (values.get_mut(at::PULL_OFF_RATIO), self.jkr_pull_off()) {
+            *cell = Some(tension.scaled(1.0 / unit));
         }
         Some(values)
     }
