@@ -11,6 +11,7 @@ mod bad_input;
 mod command_support;
 
 use bad_input::delayed::DELAYED_CASES;
+use bad_input::indentation::{INDENTATION, INDENTATION_CASES};
 use bad_input::sliding::SLIDING_CASES;
 use bad_input::{Case, NONE};
 use command_support::{Answer, DELAYED, Folder, GOOD, SLIDING};
@@ -213,7 +214,8 @@ fn every_kind_of_wrong_scene_is_one_error_with_its_place() {
     let mut report = String::new();
     let of_cracks = CASES.iter().chain(CRACK_CASES).map(|case| (GOOD, case));
     let of_histories = DELAYED_CASES.iter().map(|case| (DELAYED, case));
-    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))).chain(of_histories) {
+    let of_spheres = INDENTATION_CASES.iter().map(|case| (INDENTATION, case));
+    for (good, case) in of_cracks.chain(SLIDING_CASES.iter().map(|case| (SLIDING, case))).chain(of_histories).chain(of_spheres) {
         let text = spoilt(good, case);
         let folder = Folder::with(&text);
         if let Some((name, content)) = case.file {

@@ -23,7 +23,7 @@ use viscotack::Material;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution as CrackResolution, trajectory};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-use viscotack::indentation::{Adhesion, Control, History, IndentationProblem, Profile, Resolution, Start, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
@@ -126,15 +126,10 @@ fn the_edge_of_a_sphere_is_a_crack() {
                     let work = 1e-4 * PI;
                     // Ten zones and ten retardation times later it is where it is compared.
                     let (start, end) = (radius - sign * (10.0 * zone + 10.0 * speed), radius);
-                    let problem = IndentationProblem {
-                        profile: Profile::Paraboloid { radius: 1.0 },
-                        adhesion: Some(Adhesion { work_of_adhesion: work, process_zone: zone }),
-                        control: Control::ContactRadius(History::from(start).at_speed(end, speed)),
-                        start: Start::Relaxed,
-                        instants_per_segment: 2,
-                        resolution: Resolution { steps_per_zone: 12.0, growth: 0.3 },
-                    };
-                    let trace = march(&material, &problem, problem.resolution).unwrap();
+                    let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
+                    let history = History::contact_radius(start).at_speed(end, speed);
+                    let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history).relaxed();
+                    let trace = march(&material, &problem, 1e-5).unwrap();
                     let last = trace.path.last().unwrap();
                     // The very tip of a closing crack is stressed E∞/E0 times more than the far field says (5.35).
                     let far = if motion == Motion::Closing { material.glassy_modulus() } else { 1.0 };

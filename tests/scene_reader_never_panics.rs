@@ -189,6 +189,9 @@ fn assert_finite(scene: &Scene) {
 /// Sliding states solved so far in this process: a state is dear, so that only the first ones are solved.
 static SLIDING_SOLVED: AtomicUsize = AtomicUsize::new(0);
 const MOST_SLIDING: usize = 600;
+/// The same of indentations.
+const MOST_INDENTATIONS: usize = 40;
+static INDENTATIONS_SOLVED: AtomicUsize = AtomicUsize::new(0);
 
 /// Takes a document through everything but the printing; gives whether it was accepted.
 fn taken_through(mut document: Document) -> bool {
@@ -218,6 +221,12 @@ fn taken_through(mut document: Document) -> bool {
         Problem::DelayedFracture(crack) => crack.output.points <= 1000 && plan.predicted_work().closure_evaluations <= 30_000,
         Problem::Sliding(sliding) => {
             sliding.field_points.is_none_or(|points| points <= 400) && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
+        }
+        // A history is dear: a few are marched, of those that are short.
+        Problem::Indentation(indentation) => {
+            indentation.fields.as_ref().is_none_or(|fields| fields.points <= 400)
+                && plan.predicted_work().closure_evaluations < 5000
+                && INDENTATIONS_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_INDENTATIONS
         }
     };
     if few_fields {

@@ -60,7 +60,7 @@ impl Status {
 pub struct Work {
     /// Evaluations of the energy balance at an edge.
     pub closure_evaluations: u64,
-    /// Kernel evaluations inside them: relaxation or creep terms times means.
+    /// Kernel evaluations inside them: relaxation or creep terms times means; of an indenter, points of the line whose memory was carried on.
     pub kernel_evaluations: u64,
     /// Small linear systems: contacts with given edges.
     pub linear_solves: u64,

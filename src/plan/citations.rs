@@ -14,7 +14,7 @@ pub struct Citation {
 /// The thesis that the theory is taken from.
 pub const THESIS: Citation = Citation {
     key: "Mandriota",
-    role: "the energy balance at a moving edge, sliding contacts, and steady and delayed cracks (chapters 1, 3, 4, 5)",
+    role: "the energy balance at a moving edge, sliding contacts, indentation in time, and steady and delayed cracks (chapters 1, 3, 4, 5)",
     bibtex: "@phdthesis{Mandriota,\n  author = {Mandriota, C.},\n  title  = {Adhesion and friction in steady and unsteady viscoelastic contacts},\n  school = {Politecnico di Bari}\n}",
 };
 
@@ -67,6 +67,46 @@ pub const WESTERGAARD: Citation = Citation {
     bibtex: "@article{Westergaard1939,\n  author  = {Westergaard, H. M.},\n  title   = {Bearing pressures and cracks},\n  journal = {Journal of Applied Mechanics},\n  volume  = {6},\n  pages   = {A49--A53},\n  year    = {1939}\n}",
 };
 
+/// The transform of a round contact to a line.
+pub const SNEDDON: Citation = Citation {
+    key: "Sneddon1965",
+    role: "the round contact as a line",
+    bibtex: "@article{Sneddon1965,\n  author  = {Sneddon, I. N.},\n  title   = {The relation between load and penetration in the axisymmetric {B}oussinesq problem for a punch of arbitrary profile},\n  journal = {International Journal of Engineering Science},\n  volume  = {3},\n  pages   = {47--57},\n  year    = {1965},\n  doi     = {10.1016/0020-7225(65)90019-4}\n}",
+};
+
+/// The adhesive elastic sphere.
+pub const JKR: Citation = Citation {
+    key: "JohnsonKendallRoberts1971",
+    role: "the adhesive elastic sphere: the relaxed start, the glassy first touch, the unit of pull-off forces",
+    bibtex: "@article{JohnsonKendallRoberts1971,\n  author  = {Johnson, K. L. and Kendall, K. and Roberts, A. D.},\n  title   = {Surface energy and the contact of elastic solids},\n  journal = {Proceedings of the Royal Society of London A},\n  volume  = {324},\n  pages   = {301--313},\n  year    = {1971},\n  doi     = {10.1098/rspa.1971.0141}\n}",
+};
+
+/// The advancing contact without adhesion.
+pub const LEE_RADOK: Citation = Citation {
+    key: "LeeRadok1960",
+    role: "the viscoelastic contact without adhesion, advancing",
+    bibtex: "@article{LeeRadok1960,\n  author  = {Lee, E. H. and Radok, J. R. M.},\n  title   = {The contact problem for viscoelastic bodies},\n  journal = {Journal of Applied Mechanics},\n  volume  = {27},\n  pages   = {438--444},\n  year    = {1960},\n  doi     = {10.1115/1.3644020}\n}",
+};
+
+/// The receding contact without adhesion.
+pub const TING: Citation = Citation {
+    key: "Ting1966",
+    role: "the viscoelastic contact without adhesion, receding",
+    bibtex: "@article{Ting1966,\n  author  = {Ting, T. C. T.},\n  title   = {The contact stresses between a rigid indenter and a viscoelastic half-space},\n  journal = {Journal of Applied Mechanics},\n  volume  = {33},\n  pages   = {845--854},\n  year    = {1966},\n  doi     = {10.1115/1.3625192}\n}",
+};
+
 /// Every paper.
-pub const ALL: &[&Citation] =
-    &[&THESIS, &PERSSON_BRENER, &SCHAPERY_OPENING, &SCHAPERY_CLOSING, &GREENWOOD, &RIVLIN_THOMAS, &JOHNSON_WAVE, &WESTERGAARD];
+pub const ALL: &[&Citation] = &[
+    &THESIS,
+    &PERSSON_BRENER,
+    &SCHAPERY_OPENING,
+    &SCHAPERY_CLOSING,
+    &GREENWOOD,
+    &RIVLIN_THOMAS,
+    &JOHNSON_WAVE,
+    &WESTERGAARD,
+    &SNEDDON,
+    &JKR,
+    &LEE_RADOK,
+    &TING,
+];

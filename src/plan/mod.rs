@@ -9,6 +9,7 @@ mod assumptions;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
+mod indentation;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -21,6 +22,7 @@ use crate::scene::sweep;
 use crate::scene::typed::{Problem, Scene};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
+use indentation::IndentationPlan;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -75,6 +77,7 @@ impl Plan {
             Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
             Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
             Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+            Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
         };
         Ok(Self { problem, states: sweep::states(&scene.sweeps) })
     }

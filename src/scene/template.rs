@@ -33,6 +33,11 @@ pub const TEMPLATES: &[Template] = &[
         meaning: "a wave that slides with adhesion: friction and contact against speed",
         text: include_str!("../../scenes/templates/sliding.toml"),
     },
+    Template {
+        name: "indentation",
+        meaning: "a sphere pressed in and pulled off: force, contact and pull-off in time",
+        text: include_str!("../../scenes/templates/indentation.toml"),
+    },
 ];
 
 /// The template of a name.

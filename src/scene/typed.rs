@@ -2,6 +2,7 @@
 
 mod delayed;
 mod history;
+mod indentation;
 
 use super::sweep::Sweep;
 use crate::closure::work_by_speed::WorkBySpeed;
@@ -13,6 +14,7 @@ use crate::material::Material;
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
+pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +22,7 @@ pub struct Scene {
     /// The line that names it, or the name of its file.
     pub title: String,
     /// What its numbers are measured in. Reduced numbers are coherent with E0* = reference time = 1 and, of a crack, Δγ = a₀ = 1; of a
-    /// sliding contact they are in the units of [`crate::sliding::steady::Indenter`].
+    /// sliding contact they are in the units of [`crate::sliding::steady::Indenter`]; of an indenter those of [`Indentation`].
     pub units: Units,
     /// Wanted relative accuracy.
     pub accuracy: f64,
@@ -52,6 +54,8 @@ pub enum Problem {
     DelayedFracture(DelayedFracture),
     /// A contact that slides steadily.
     Sliding(Sliding),
+    /// A rigid round body pressed on, or pulled off, in time.
+    Indentation(Indentation),
 }
 
 /// A steady crack.

@@ -10,14 +10,25 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
     halves: [i8; 4],
-    /// A load per width has the dimension of an energy per area, and another name.
-    is_load: bool,
+    /// What one dimension is called in three places.
+    sense: Sense,
+}
+
+/// What a number is of, where one dimension has several names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sense {
+    /// The first name: of N/m, an energy per area.
+    Plain,
+    /// A load per width.
+    Load,
+    /// A stiffness.
+    Stiffness,
 }
 
 impl Dimension {
     /// A dimension from its whole exponents of metre, kilogram, second and kelvin.
     const fn new([metre, kilogram, second, kelvin]: [i8; 4]) -> Self {
-        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin], is_load: false }
+        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin], sense: Sense::Plain }
     }
 
     /// A pure number.
@@ -37,7 +48,9 @@ impl Dimension {
     /// J/m².
     pub const ENERGY_PER_AREA: Self = Self::new([0, 1, -2, 0]);
     /// N/m, which is J/m².
-    pub const LOAD_PER_WIDTH: Self = Self { is_load: true, ..Self::ENERGY_PER_AREA };
+    pub const LOAD_PER_WIDTH: Self = Self { sense: Sense::Load, ..Self::ENERGY_PER_AREA };
+    /// N/m of a spring.
+    pub const STIFFNESS: Self = Self { sense: Sense::Stiffness, ..Self::ENERGY_PER_AREA };
     /// N.
     pub const FORCE: Self = Self::new([1, 1, -2, 0]);
     /// N/s.
@@ -45,13 +58,13 @@ impl Dimension {
     /// Pa/s.
     pub const PRESSURE_RATE: Self = Self::new([-1, 1, -3, 0]);
     /// Pa √m/s.
-    pub const STRESS_INTENSITY_RATE: Self = Self { halves: [-1, 2, -6, 0], is_load: false };
+    pub const STRESS_INTENSITY_RATE: Self = Self { halves: [-1, 2, -6, 0], sense: Sense::Plain };
     /// Pa √m.
-    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], is_load: false };
+    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], sense: Sense::Plain };
     /// Pa/m.
     pub const STIFFNESS_PER_AREA: Self = Self::new([-2, 1, -2, 0]);
     /// √m.
-    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0], is_load: false };
+    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0], sense: Sense::Plain };
 
     /// What a value of this dimension looks like, for messages and documentation.
     #[must_use]
@@ -66,6 +79,7 @@ impl Dimension {
             Self::VISCOSITY => "a viscosity such as \"2 kPa s\"",
             Self::ENERGY_PER_AREA => "an energy per area such as \"50 mJ/m²\"",
             Self::LOAD_PER_WIDTH => "a load per width such as \"20 N/m\"",
+            Self::STIFFNESS => "a stiffness such as \"20 N/m\"",
             Self::STIFFNESS_PER_AREA => "a stiffness per area such as \"5 kPa/µm\"",
             Self::STRESS_INTENSITY => "a stress intensity such as \"20 kPa √m\"",
             Self::STRESS_INTENSITY_RATE => "a rate such as \"5 kPa √m/s\"",
@@ -85,7 +99,7 @@ impl Dimension {
             Self::COMPLIANCE => "1/Pa".into(),
             Self::VISCOSITY => "Pa s".into(),
             Self::ENERGY_PER_AREA => "J/m²".into(),
-            Self::LOAD_PER_WIDTH => "N/m".into(),
+            Self::LOAD_PER_WIDTH | Self::STIFFNESS => "N/m".into(),
             Self::STRESS_INTENSITY => "Pa √m".into(),
             Self::STRESS_INTENSITY_RATE => "Pa √m/s".into(),
             Self::PRESSURE_RATE => "Pa/s".into(),
@@ -108,7 +122,7 @@ impl Dimension {
         for (exponent, step) in product.iter_mut().zip(exponents) {
             *exponent = exponent.checked_add(step.checked_mul(halves)?)?;
         }
-        Some(Self { halves: product, is_load: self.is_load })
+        Some(Self { halves: product, sense: self.sense })
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(unreachable_pub, missing_docs)]
 
 pub mod delayed;
+pub mod indentation;
 pub mod sliding;
 
 /// One kind of mistake.

@@ -4,10 +4,10 @@
 //! sides of one matrix serve either control. Positions are distances to the two edges of a reference contact, the old one for a moved contact;
 //! they are negative in its process zone.
 
-use super::dense::solved;
 use super::influence::influence_row;
 use super::mesh::{Element, separation};
 use crate::refusal::{Refusal, require_finite};
+use crate::rivals::dense::solved;
 use crate::sliding::HalfPlaneGreen;
 use crate::sliding::contact::{ArcPoint, Prescribed, WaveContact};
 use faer::{Mat, MatRef};

@@ -30,7 +30,6 @@
 
 pub mod closures;
 pub mod contact;
-mod dense;
 pub mod equilibrium;
 pub mod influence;
 pub mod mesh;

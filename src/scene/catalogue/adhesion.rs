@@ -6,13 +6,13 @@ use crate::scene::units::Dimension;
 const WORK: Kind = Kind::Number {
     dimension: Dimension::ENERGY_PER_AREA,
     range: Range::Positive,
-    reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³)",
+    reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³), of an indenter γ̃ = Δγ/(πE0*R)",
 };
 
 const ZONE_LENGTH: Kind = Kind::Number {
     dimension: Dimension::LENGTH,
     range: Range::Positive,
-    reduced: "relaxed zone a₀ of a crack, 1/k or L of a sliding contact",
+    reduced: "relaxed zone a₀ of a crack, 1/k or L of a sliding contact, R of an indenter",
 };
 
 pub(super) const KEYS: &[Key] = &[
@@ -66,6 +66,11 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "The same table in a CSV file beside the scene: a first line of column names, then a line an entry, cells as in a scene.",
     },
     Key {
+        path: "adhesion.interaction_range",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
+        meaning: "Indentation: the equilibrium distance of the interface potential, by which Tabor's number judges the theory; it changes no result.",
+    },
+    Key {
         path: "adhesion.process_zone",
         kind: Kind::Table,
         meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress.",
@@ -86,7 +91,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number {
             dimension: Dimension::PRESSURE,
             range: Range::Positive,
-            reduced: "not available for a crack (a₀ is the unit of length); E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder",
+            reduced: "not available for a crack (a₀ is the unit of length); E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder, πE0* of an indenter",
         },
         meaning: "σ_c, from which δ follows by `law`; the cohesive-zone theory of a crack takes it as its constant stress.",
     },
@@ -103,7 +108,8 @@ pub(super) const KEYS: &[Key] = &[
                 meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, which alone has it",
             },
             Word {
-                word: "constant", meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what a sliding contact has"
+                word: "constant",
+                meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have",
             },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),

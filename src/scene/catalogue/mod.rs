@@ -8,6 +8,7 @@ mod crack;
 mod fields;
 mod general;
 mod history;
+mod indentation;
 mod material;
 mod sliding;
 
@@ -110,7 +111,9 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, history::KEYS, sliding::KEYS, fields::KEYS].into_iter().flatten()
+    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, indentation::KEYS, history::KEYS, sliding::KEYS, fields::KEYS]
+        .into_iter()
+        .flatten()
 }
 
 /// The key at a path, `[]` for list items.

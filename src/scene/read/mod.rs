@@ -4,6 +4,7 @@ mod crack;
 mod crack_history;
 pub mod history;
 mod include;
+mod indentation;
 mod material;
 mod measured_table;
 mod section;
@@ -21,7 +22,7 @@ use super::typed::{Problem, Scene};
 use section::Section;
 
 /// Tables that name a problem; a scene holds exactly one of them.
-const PROBLEMS: [&str; 2] = ["crack", "sliding"];
+const PROBLEMS: [&str; 3] = ["crack", "sliding", "indentation"];
 
 /// α where a scene names none: with it the theory of cracks and Persson and Brener's have the same limits.
 const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
@@ -77,6 +78,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let problem = match the_problem(&top)? {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
+        "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),
         _ => {
             top.without(&["history"], "a crack or a sphere")?;
             Problem::Sliding(sliding::read(&top, &material)?)
@@ -86,7 +88,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
-        Problem::DelayedFracture(_) => 1e-3,
+        Problem::DelayedFracture(_) | Problem::Indentation(_) => 1e-3,
     };
     Ok(Scene {
         // One line, whatever the text or the file's name holds.

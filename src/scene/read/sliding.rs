@@ -122,6 +122,7 @@ fn control(sliding: &Section<'_>, indenter: SlidingIndenter) -> Result<SlidingLo
 
 fn process_zone(top: &Section<'_>) -> Result<SlidingZone, SceneError> {
     let table = top.required_table("adhesion", "it holds the process zone")?;
+    table.without(&["interaction_range"], "an indentation")?;
     let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
     let per_edge = ["trailing_length", "leading_length"].into_iter().find(|key| zone.node().get(key).is_some());
     let way = match per_edge {

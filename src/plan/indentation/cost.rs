@@ -1,0 +1,39 @@
+//! What an indentation is expected to cost: the one place to tune when the solver changes.
+
+use super::IndentationPlan;
+use crate::outcome::Work;
+
+/// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
+const HISTORY: f64 = 400.0;
+const INSTANT: f64 = 7.0;
+/// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
+const DECADE: f64 = 0.35;
+/// Power of the accuracy that balances grow with.
+const ORDER: f64 = 0.25;
+/// Balances without adhesion, relative: steps are a part of the contact, not of a process zone.
+const ADHESIVELESS: f64 = 1.5;
+/// Points of the line updated for a balance, and relative growth with the square of the decades: the finer the layers behind the edge.
+const UPDATES: f64 = 110.0;
+const LAYERS: f64 = 0.12;
+
+impl IndentationPlan {
+    /// Expected work of one state.
+    pub(super) fn work_of_a_state(&self) -> Work {
+        let times = self.material.relaxation_terms().iter().map(|term| term.relaxation_time);
+        let (shortest, longest) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
+        let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };
+        let adhesion = if self.indentation.adhesion.is_some() { 1.0 } else { ADHESIVELESS };
+        let balances = (HISTORY + INSTANT * self.timeline.legs.len() as f64)
+            * (1.0 + DECADE * decades)
+            * (1e-3 / self.accuracy).powf(ORDER)
+            * adhesion;
+        let updates = balances * UPDATES * (1.0 + LAYERS * decades * decades);
+        let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
+        Work {
+            closure_evaluations: balances.ceil() as u64,
+            kernel_evaluations: updates.ceil() as u64,
+            field_evaluations: fields,
+            ..Work::default()
+        }
+    }
+}

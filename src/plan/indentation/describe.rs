@@ -1,0 +1,120 @@
+//! What an indentation scene simulates and leaves out, by which method, and its characteristic numbers.
+
+use super::IndentationPlan;
+use super::columns::has_measured_force;
+use crate::outcome::{Effect, Group};
+use crate::plan::citations::{Citation, JKR, LEE_RADOK, SNEDDON, THESIS, TING};
+use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, Units};
+
+impl IndentationPlan {
+    pub(super) fn effect_list(&self) -> Vec<Effect> {
+        let terms = self.material.creep_terms().len();
+        let memory = match terms {
+            0 => "the material has no creep or relaxation terms".to_owned(),
+            1 => "1 term".to_owned(),
+            _ => format!("{terms} terms"),
+        };
+        let start = match self.indentation.start {
+            IndentationStart::Relaxed => "indentation.start = \"relaxed\": the body has settled in the contact before time zero",
+            IndentationStart::Untouched => "indentation.start = \"untouched\": the body is rested before time zero",
+        };
+        let given = |on: bool, yes: &str, no: &str| if on { yes.to_owned() } else { no.to_owned() };
+        let adhesive = self.indentation.adhesion.is_some();
+        let frame = self.indentation.frame_stiffness.is_some();
+        let overlay = has_measured_force(&self.indentation);
+        let fields = self.indentation.fields.is_some();
+        vec![
+            Effect {
+                name: "adhesion",
+                on: adhesive,
+                why: given(adhesive, "[adhesion] is given", "no [adhesion]: the load vanishes at the edge"),
+            },
+            Effect { name: "memory", on: terms > 0, why: memory },
+            Effect { name: "relaxed start", on: self.indentation.start == IndentationStart::Relaxed, why: start.into() },
+            Effect {
+                name: "frame",
+                on: frame,
+                why: given(frame, "indentation.frame_stiffness is given", "no indentation.frame_stiffness: a rigid rig"),
+            },
+            Effect {
+                name: "energies",
+                on: self.indentation.energies,
+                why: given(self.indentation.energies, "[indentation.energies] is given", "no [indentation.energies]"),
+            },
+            Effect { name: "fields", on: fields, why: given(fields, "[indentation.fields] is given", "no [indentation.fields]") },
+            Effect {
+                name: "measured force",
+                on: overlay,
+                why: given(
+                    overlay,
+                    "a table of the history has a column `force`",
+                    "no table of the history has a column `force` it does not control",
+                ),
+            },
+            Effect { name: "sweep", on: self.swept, why: given(self.swept, "[sweep] is given", "no [sweep]") },
+        ]
+    }
+
+    pub(super) fn sentences(&self) -> Vec<String> {
+        let mut sentences = vec![
+            "the contact is carried to a line on which every place is a spring chain of its own: no mesh of the body, no matrix (Sneddon's transform)".to_owned(),
+            "each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned(),
+        ];
+        if self.indentation.adhesion.is_some() {
+            sentences
+                .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
+            sentences.push(match self.indentation.start {
+                IndentationStart::Untouched => "first touch: the glassy contact jumps in".to_owned(),
+                IndentationStart::Relaxed => "start: the soft elastic contact at the same process zone".to_owned(),
+            });
+            sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
+        } else {
+            sentences.push("without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's receding".to_owned());
+        }
+        sentences.push("errors by marching again with other steps".to_owned());
+        sentences
+    }
+
+    pub(super) fn characteristic_numbers(&self) -> Vec<Group> {
+        let si = self.units == Units::Si;
+        let pick = |of_si: &'static str, reduced: &'static str| if si { of_si } else { reduced };
+        let group = |name: &str, value: f64, unit: &str| Group { name: name.into(), value, unit: unit.into() };
+        let glassy = self.material.glassy_modulus();
+        let mut groups = vec![
+            group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")),
+            group("glassy modulus E∞*", glassy, pick("Pa", "E0*")),
+            group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
+        ];
+        if let Some(longest) = self.material.longest_relaxation_time() {
+            groups.push(group("longest relaxation time", longest, pick("s", "reference time")));
+        }
+        if let Some(adhesion) = self.adhesion() {
+            if let IndentationShape::Sphere { radius } = self.indentation.shape {
+                groups.push(group(
+                    "adhesion γ̃ = Δγ/(πE0*R)",
+                    adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
+                    "1",
+                ));
+                let pull_off = 1.5 * std::f64::consts::PI * radius * adhesion.work_of_adhesion;
+                groups.push(group("JKR pull-off (3/2)πRΔγ", pull_off / self.scale.force, pick("N", "πE0*R²")));
+            }
+            groups.push(group("process zone δ", adhesion.process_zone, pick("m", "R")));
+        }
+        groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
+        let way = self.timeline.way(HistoryQuantity::Penetration);
+        if way > 0.0 {
+            groups.push(group("way of the penetration", way, pick("m", "R")));
+        }
+        groups
+    }
+
+    pub(super) fn papers(&self) -> Vec<&'static Citation> {
+        let mut papers = vec![&THESIS, &SNEDDON];
+        if self.indentation.adhesion.is_some() {
+            papers.push(&JKR);
+        } else {
+            papers.extend([&LEE_RADOK, &TING]);
+        }
+        papers
+    }
+}

@@ -1,0 +1,76 @@
+//! The one place of this plan that asks [`crate::indentation`] for a march.
+
+use super::IndentationPlan;
+use super::timeline::Leg;
+use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run};
+use crate::refusal::Refusal;
+use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, IndentationZone};
+use spec_math::Gamma;
+use std::f64::consts::PI;
+
+impl IndentationPlan {
+    pub(super) fn profile(&self) -> Profile {
+        match self.indentation.shape {
+            IndentationShape::Sphere { radius } => Profile::Paraboloid { radius },
+            IndentationShape::Cone { slope } => Profile::Cone { slope },
+            IndentationShape::FlatPunch { radius } => Profile::FlatPunch { radius },
+            // z = c r^m has f = c (m + 1) s^m ∫₀¹ x^{m+1}/√(1 − x²) dx, and the integral is (√π/2) Γ(m/2 + 1)/Γ(m/2 + 3/2).
+            IndentationShape::PowerLaw { radius, exponent } => Profile::PowerLaw {
+                coefficient: (exponent + 1.0) * 0.5 * PI.sqrt() * Gamma::gamma(&(0.5 * exponent + 1.0))
+                    / Gamma::gamma(&(0.5 * exponent + 1.5))
+                    / (exponent * radius.powf(exponent - 1.0)),
+                exponent,
+            },
+        }
+    }
+
+    /// Δγ and δ, coherent.
+    pub(super) fn adhesion(&self) -> Option<Adhesion> {
+        let given = self.indentation.adhesion?;
+        let work_of_adhesion = given.work_of_adhesion * self.scale.force;
+        let process_zone = match given.process_zone {
+            IndentationZone::Length(length) => length,
+            IndentationZone::Cohesive { cohesive_stress, factor } => {
+                let stress = cohesive_stress * self.scale.force;
+                factor * self.relaxed * work_of_adhesion / (PI * stress * stress)
+            }
+        };
+        Some(Adhesion { work_of_adhesion, process_zone })
+    }
+
+    /// What the solver is asked.
+    pub(super) fn problem(&self) -> Result<IndentationProblem, Refusal> {
+        let (quantity, start) = self.timeline.start;
+        let segment = |leg: &Leg| Segment { duration: leg.duration, end: leg.end, controlled: controlled(leg.quantity) };
+        let history = History { start, controlled: controlled(quantity), segments: self.timeline.legs.iter().map(segment).collect() };
+        let problem = IndentationProblem {
+            profile: self.profile().checked()?,
+            adhesion: self.adhesion(),
+            history,
+            frame_stiffness: self.indentation.frame_stiffness.map(|stiffness| stiffness * self.scale.force),
+            start: match self.indentation.start {
+                IndentationStart::Untouched => Start::Untouched,
+                IndentationStart::Relaxed => Start::Relaxed,
+            },
+            instants_per_segment: 1,
+            energies: self.indentation.energies,
+            accuracy: self.accuracy,
+        };
+        problem.checked()?;
+        Ok(problem)
+    }
+
+    pub(super) fn solution(&self) -> Result<IndentationSolution, Refusal> {
+        run(&self.material, &self.problem()?)
+    }
+}
+
+const fn controlled(quantity: HistoryQuantity) -> Controlled {
+    match quantity {
+        HistoryQuantity::Force => Controlled::Force,
+        HistoryQuantity::ContactRadius => Controlled::ContactRadius,
+        HistoryQuantity::Frame => Controlled::Frame,
+        // A scene lets an indenter control no others.
+        HistoryQuantity::Penetration | HistoryQuantity::StressIntensity | HistoryQuantity::Stress => Controlled::Penetration,
+    }
+}

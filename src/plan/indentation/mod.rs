@@ -1,0 +1,128 @@
+//! The plan of an indenter in time: which shape and material, which history, which instants and fields.
+
+mod columns;
+mod cost;
+mod describe;
+mod fields;
+mod figures;
+mod march;
+mod rows;
+mod scale;
+mod timeline;
+mod validity;
+
+use crate::elastic::PlaneState;
+use crate::material::Material;
+use crate::outcome::plot::Figure;
+use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::plan::ProblemPlan;
+use crate::plan::citations::Citation;
+use crate::refusal::Refusal;
+use crate::scene::typed::{Indentation, Scene, Units};
+use scale::Scale;
+use timeline::Timeline;
+
+/// An indenter in time, ready to be solved.
+#[derive(Debug, Clone)]
+pub(super) struct IndentationPlan {
+    indentation: Indentation,
+    /// In moduli E* = E/(1 − ν²).
+    material: Material,
+    /// E0*.
+    relaxed: f64,
+    poisson_ratio: Option<f64>,
+    scale: Scale,
+    units: Units,
+    accuracy: f64,
+    /// Whether a sweep follows.
+    swept: bool,
+    timeline: Timeline,
+}
+
+impl IndentationPlan {
+    pub(super) fn new(scene: &Scene, indentation: &Indentation) -> Result<Self, Refusal> {
+        let stiffening = match (scene.units, scene.material.poisson_ratio) {
+            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
+            // A reduced scene holds plane moduli.
+            _ => 1.0,
+        };
+        let material = scene.material.series.stiffened(stiffening)?;
+        let relaxed = material.solid_modulus("an indentation")?;
+        let scale = Scale::new(scene.units);
+        let timeline = Timeline::new(indentation, &scale)?;
+        let plan = Self {
+            indentation: indentation.clone(),
+            material,
+            relaxed,
+            poisson_ratio: scene.material.poisson_ratio,
+            scale,
+            units: scene.units,
+            accuracy: scene.accuracy,
+            swept: !scene.sweeps.is_empty(),
+            timeline,
+        };
+        plan.problem()?;
+        if plan.characteristic_numbers().iter().all(|group| group.value.is_finite()) {
+            Ok(plan)
+        } else {
+            Err(Refusal::Undefined {
+                quantity: "the scale of the indentation",
+                reason: "the lengths, moduli, times and the work of adhesion are so far apart that numbers overflow".into(),
+            })
+        }
+    }
+}
+
+impl ProblemPlan for IndentationPlan {
+    fn name(&self) -> &'static str {
+        "indentation"
+    }
+
+    fn labels(&self) -> &'static [&'static str] {
+        &["row", "event"]
+    }
+
+    fn effects(&self) -> Vec<Effect> {
+        self.effect_list()
+    }
+
+    fn method(&self) -> Vec<String> {
+        self.sentences()
+    }
+
+    fn groups(&self) -> Vec<Group> {
+        self.characteristic_numbers()
+    }
+
+    fn predicted_work(&self, states: u64) -> Work {
+        self.work_of_a_state() * states
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        columns::columns(&self.indentation, self.units)
+    }
+
+    fn headline(&self) -> &'static [&'static str] {
+        &["time", "penetration", "force", "contact_radius", "pull_off_ratio"]
+    }
+
+    fn field_columns(&self) -> Vec<Column> {
+        columns::field_columns(self.units)
+    }
+
+    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+        self.rows(state, swept)
+    }
+
+    fn validity(&self, rows: &[Row]) -> Vec<Validity> {
+        self.verdicts(rows)
+    }
+
+    fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
+        self.drawings(scene, rows)
+    }
+
+    fn citations(&self) -> Vec<&'static Citation> {
+        self.papers()
+    }
+}

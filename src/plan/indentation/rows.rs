@@ -1,0 +1,317 @@
+//! One state of an indentation as rows: the kept instants, the events, the largest tension, and the instants of fields, in the order of time.
+
+use super::IndentationPlan;
+use super::columns::{Measure, at, columns, definitions};
+use crate::elastic::JkrSphere;
+use crate::estimate::Estimate;
+use crate::indentation::{Event, EventKind, IndentationSolution, Instant, PathPoint};
+use crate::outcome::{Certificate, Row, Status, Work};
+use crate::plan::curves::thinned;
+use crate::refusal::Refusal;
+use crate::scene::typed::IndentationShape;
+
+/// Rounding of the way from a scene to coherent units and back, relative.
+const CONVERSION: f64 = 4.0 * f64::EPSILON;
+
+/// The word of an event in tables.
+const fn word(kind: EventKind) -> &'static str {
+    match kind {
+        EventKind::JumpIn => "jump_in",
+        EventKind::JumpOut => "jump_out",
+        EventKind::PartialDetachment => "partial_detachment",
+        EventKind::Detachment => "detachment",
+        EventKind::ZoneReached => "zone_reached",
+    }
+}
+
+/// Overlap and pressed edges that rounding leaves, over the largest penetration and stress intensity.
+const ADMISSIBLE: f64 = 1e-7;
+
+/// The word of the row of the largest tension.
+pub(super) const LARGEST_TENSION: &str = "largest_tension";
+
+/// Values of a row in the order of the columns, coherent.
+pub(super) type Values = Vec<Option<Estimate>>;
+
+impl IndentationPlan {
+    pub(super) fn rows(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+        let solved = self.solution().and_then(|solution| {
+            let rows = self.rows_of(&solution, state, swept)?;
+            Ok(rows)
+        });
+        solved.unwrap_or_else(|refusal| {
+            let mut row = self.row(state, swept, ["instant", ""]);
+            row.refuse(&refusal);
+            vec![row]
+        })
+    }
+
+    fn row(&self, state: usize, swept: &[f64], labels: [&str; 2]) -> Row {
+        Row::new(state, swept, labels.map(str::to_owned).to_vec(), definitions(&self.indentation).len())
+    }
+
+    fn rows_of(&self, solution: &IndentationSolution, state: usize, swept: &[f64]) -> Result<Vec<Row>, Refusal> {
+        let mut timed: Vec<(f64, Row)> = Vec::new();
+        let scales = self.reference_scales(solution);
+        let mut add = |labels: [&str; 2], values: Values, residual: f64| -> Result<(), Refusal> {
+            let mut row = self.row(state, swept, labels);
+            let time = values.get(at::TIME).copied().flatten().map_or(0.0, |time| time.value);
+            self.fill(&mut row, values, &scales, residual, solution)?;
+            timed.push((time, row));
+            Ok(())
+        };
+        for event in &solution.events {
+            add(["event", word(event.kind)], self.of_event(event, &scales), 0.0)?;
+        }
+        let last = solution.instants.len().saturating_sub(1);
+        for (index, instant) in solution.instants.iter().enumerate() {
+            let mut values = self.of_instant(instant);
+            if let (true, Some(cell)) = (index == last, values.get_mut(at::BALANCE_DEFECT)) {
+                *cell = solution.balance_defect.map(Estimate::exact);
+            }
+            add(["instant", ""], values, instant.residual)?;
+        }
+        if let Some(values) = self.of_largest_tension(solution) {
+            add(["event", LARGEST_TENSION], values, 0.0)?;
+        }
+        for point in self.between_instants(solution) {
+            add(["instant", ""], self.of_path_point(solution, point), point.residual)?;
+        }
+        let mut field_rows = Vec::new();
+        if let Some(wanted) = &self.indentation.fields {
+            for found in self.fields_of(solution, wanted)? {
+                let mut row = self.row(state, swept, ["fields", ""]);
+                let time = found.values.get(at::TIME).copied().flatten().map_or(0.0, |time| time.value);
+                self.fill(&mut row, found.values, &scales, 0.0, solution)?;
+                row.fields = found.points;
+                row.work.field_evaluations = row.fields.len() as u64;
+                field_rows.push((time, row));
+            }
+        }
+        timed.extend(field_rows);
+        timed.sort_by(|first, second| first.0.total_cmp(&second.0));
+        let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
+        if let Some(first) = rows.first_mut() {
+            first.work.closure_evaluations = solution.work.closure_evaluations;
+            first.work.kernel_evaluations = solution.work.history_updates;
+        }
+        let table = columns(&self.indentation, self.units);
+        for row in &mut rows {
+            row.representable(&table)?;
+        }
+        Ok(rows)
+    }
+
+    /// The largest magnitude of each quantity in the history: what errors are relative to where it passes through zero.
+    fn reference_scales(&self, solution: &IndentationSolution) -> Vec<f64> {
+        let mut scales = vec![0.0_f64; definitions(&self.indentation).len()];
+        for instant in &solution.instants {
+            for (scale, value) in scales.iter_mut().zip(self.of_instant(instant)) {
+                *scale = scale.max(value.map_or(0.0, |value| value.value.abs()));
+            }
+        }
+        // As the accuracy of the march is over the largest force.
+        let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.largest_tension.map_or(0.0, |tension| tension.value));
+        let mut at_least = |place: usize, least: f64| {
+            if let Some(scale) = scales.get_mut(place) {
+                *scale = scale.max(least);
+            }
+        };
+        at_least(at::FORCE, force);
+        at_least(at::PULL_OFF_RATIO, self.jkr_pull_off().map_or(0.0, |unit| force / unit));
+        at_least(at::TIME, self.timeline.duration());
+        if let Some(adhesion) = self.adhesion() {
+            at_least(at::STRESS_INTENSITY, (2.0 * self.material.glassy_modulus() * adhesion.work_of_adhesion).sqrt());
+        }
+        // Energies turn into each other: all are judged by the largest.
+        let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY]
+            .iter()
+            .filter_map(|&place| scales.get(place))
+            .fold(0.0, |most: f64, scale| most.max(*scale));
+        for place in [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY] {
+            if let Some(scale) = scales.get_mut(place) {
+                *scale = energy;
+            }
+        }
+        scales
+    }
+
+    /// (3/2)πRΔγ, coherent: JKR's pull-off force does not feel the modulus.
+    fn jkr_pull_off(&self) -> Option<f64> {
+        match (self.adhesion(), self.indentation.shape) {
+            (Some(adhesion), IndentationShape::Sphere { radius }) => {
+                JkrSphere::new(radius, self.relaxed, adhesion.work_of_adhesion).ok().map(|sphere| sphere.pull_off_force().abs())
+            }
+            _ => None,
+        }
+    }
+
+    /// The far end of the frame, if there is one.
+    fn far_end(&self, penetration: Estimate, force: Estimate) -> Option<Estimate> {
+        let stiffness = self.indentation.frame_stiffness? * self.scale.force;
+        Some(Estimate::new(penetration.value + force.value / stiffness, penetration.error + force.error / stiffness))
+    }
+
+    /// The values that every row has, and the places of the others empty.
+    pub(super) fn basic(&self, time: Estimate, penetration: Estimate, force: Estimate, contact_radius: Estimate) -> Values {
+        let mut values: Values = vec![None; definitions(&self.indentation).len()];
+        let far_end = self.far_end(penetration, force);
+        let measured = self.measured_force(time.value).map(Estimate::exact);
+        for (place, value) in [
+            (at::TIME, Some(time)),
+            (at::PENETRATION, Some(penetration)),
+            (at::FORCE, Some(force)),
+            (at::CONTACT_RADIUS, Some(contact_radius)),
+            (at::FRAME, far_end),
+            (at::MEASURED_FORCE, measured),
+        ] {
+            if let Some(cell) = values.get_mut(place) {
+                *cell = value;
+            }
+        }
+        values
+    }
+
+    fn of_instant(&self, instant: &Instant) -> Values {
+        let mut values = self.basic(Estimate::exact(instant.time), instant.penetration, instant.force, instant.contact_radius);
+        let energy = |which: usize| instant.energies.and_then(|energies| energies.get(which).copied());
+        for (place, value) in [
+            (at::STRESS_INTENSITY, self.indentation.adhesion.map(|_| instant.stress_intensity_factor)),
+            (at::STORED_ENERGY, energy(0)),
+            (at::DISSIPATED_POWER, energy(1)),
+            (at::EXTERNAL_WORK, energy(2)),
+            (at::DISSIPATED_ENERGY, energy(3)),
+            (at::RESIDUAL, Some(Estimate::exact(instant.residual))),
+        ] {
+            if let Some(cell) = values.get_mut(place) {
+                *cell = value;
+            }
+        }
+        values
+    }
+
+    /// Points of the path inside ramps that begin where only the march knows.
+    fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
+        let inside = |&(from, to): &(f64, f64)| {
+            let points: Vec<&PathPoint> = solution.fine.path.iter().filter(|point| point.time > from && point.time < to).collect();
+            thinned(points, self.indentation.instants as usize)
+        };
+        self.timeline.open_ramps.iter().flat_map(inside).collect()
+    }
+
+    /// A point between two kept instants, known as well as the worse of them.
+    fn of_path_point(&self, solution: &IndentationSolution, point: &PathPoint) -> Values {
+        let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
+        let known = |value: f64, of: fn(&Instant) -> Estimate| {
+            let neighbours = [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
+            Estimate::new(value, neighbours.fold(0.0, |most: f64, instant| most.max(of(instant).error)))
+        };
+        let mut values = self.basic(
+            Estimate::exact(point.time),
+            known(point.penetration, |instant| instant.penetration),
+            known(point.force, |instant| instant.force),
+            known(point.contact_radius, |instant| instant.contact_radius),
+        );
+        if let (Some(cell), true) = (values.get_mut(at::STRESS_INTENSITY), self.indentation.adhesion.is_some()) {
+            *cell = Some(known(point.stress_intensity_factor, |instant| instant.stress_intensity_factor));
+        }
+        values
+    }
+
+    fn of_event(&self, event: &Event<Estimate>, scales: &[f64]) -> Values {
+        // An event that one march has and the other has not: its place is not known better than the whole.
+        let known = |estimate: Estimate, place: usize| {
+            let scale = scales.get(place).copied().unwrap_or(0.0).max(estimate.value.abs());
+            Estimate::new(estimate.value, estimate.error.min(scale))
+        };
+        self.basic(
+            known(event.time, at::TIME),
+            known(event.penetration, at::PENETRATION),
+            known(event.force, at::FORCE),
+            known(event.contact_radius, at::CONTACT_RADIUS),
+        )
+    }
+
+    /// The row of the largest tension; when and where it acts is known as well as tensions can be told apart there.
+    fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
+        let tension = solution.largest_tension?;
+        let path = &solution.fine.path;
+        let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
+        // Between its neighbours, and wherever the tension is the same within its error.
+        let beside = [place.saturating_sub(1), place + 1].into_iter().filter_map(|place| path.get(place));
+        let same = path.iter().filter(|point| -point.force >= tension.value - tension.error);
+        let near: Vec<&PathPoint> = beside.chain(same).filter(|point| point.contact_radius > 0.0).collect();
+        let spread = |value: fn(&PathPoint) -> f64| {
+            let here = value(peak);
+            Estimate::new(here, near.iter().fold(0.0, |most: f64, point| most.max((value(point) - here).abs())))
+        };
+        let mut values = self.basic(
+            spread(|point| point.time),
+            spread(|point| point.penetration),
+            Estimate::new(-tension.value, tension.error),
+            spread(|point| point.contact_radius),
+        );
+        if let (Some(cell), Some(unit)) = (values.get_mut(at::PULL_OFF_RATIO), self.jkr_pull_off()) {
+            *cell = Some(tension.scaled(1.0 / unit));
+        }
+        Some(values)
+    }
+
+    /// Puts coherent values into a row in the units of the scene, with its certificate; flags a row whose bounds are too wide.
+    fn fill(&self, row: &mut Row, values: Values, scales: &[f64], residual: f64, solution: &IndentationSolution) -> Result<(), Refusal> {
+        let definitions = definitions(&self.indentation);
+        // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
+        let judged = |place: usize| row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO);
+        let shortfall = definitions.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
+            let estimate = (*value)?;
+            let size = estimate.value.abs().max(*scale);
+            (judged(place) && estimate.error > self.accuracy * size).then(|| (definition.name, estimate.error / size))
+        });
+        if let Some((name, error)) = shortfall {
+            row.status = Status::Inaccurate;
+            row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
+        }
+        row.values = definitions.iter().zip(values).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect();
+        // Rounding of the edge condition leaves 1e-9 of either scale.
+        let [intensity, depth] = [at::STRESS_INTENSITY, at::PENETRATION].map(|place| scales.get(place).copied().unwrap_or(0.0));
+        let admissible = solution.smallest_gap_factor >= -ADMISSIBLE * depth
+            && (self.indentation.adhesion.is_none() || solution.smallest_stress_intensity_factor >= -ADMISSIBLE * intensity);
+        row.certificate = Some(Certificate { residual, condition: 1.0, admissible });
+        row.assumptions = self.assumptions(row);
+        row.work = Work::default();
+        Ok(())
+    }
+
+    /// A coherent value in the units of the scene.
+    pub(super) fn in_units(&self, estimate: Estimate, measure: Measure) -> Estimate {
+        let converted = match measure {
+            Measure::Force | Measure::Energy | Measure::Power => {
+                let scaled = estimate.scaled(1.0 / self.scale.force);
+                Estimate::new(scaled.value, scaled.error + if scaled.error > 0.0 { CONVERSION * scaled.value.abs() } else { 0.0 })
+            }
+            Measure::Time | Measure::Length | Measure::Intensity | Measure::Number => estimate,
+        };
+        // An open contact has the force 0, not −0.
+        Estimate::new(converted.value + 0.0, converted.error)
+    }
+
+    /// The force that was measured at a time, coherent: between two rows of a table that both hold one.
+    pub(super) fn measured_force(&self, time: f64) -> Option<f64> {
+        self.timeline.overlays.iter().rev().find_map(|overlay| {
+            let column = overlay.table.others.iter().find(|column| column.name == "force")?;
+            let sought = (time - overlay.start) * overlay.speed_factor;
+            let next = overlay.table.times.partition_point(|row| *row < sought);
+            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.times.len() - 1));
+            let row = |index: usize| Some((*overlay.table.times.get(index)?, (*column.values.get(index)?)?));
+            let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
+            // A rounding beyond its ends is still within the table.
+            let width = second_time - first_time;
+            let reach = 1e-9 * overlay.table.times.last().copied().unwrap_or(0.0);
+            if sought < first_time - reach || sought > second_time + reach {
+                return None;
+            }
+            let part = if width > 0.0 { ((sought - first_time) / width).clamp(0.0, 1.0) } else { 0.0 };
+            Some((first + (second - first) * part) * self.scale.force)
+        })
+    }
+}

@@ -1,0 +1,204 @@
+//! A history as straight legs, each of which ends at an instant that becomes a row.
+
+use super::scale::Scale;
+use crate::refusal::Refusal;
+use crate::scene::typed::{CycleWave, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, Pace};
+use std::sync::Arc;
+
+/// More legs than these are no history that a march could follow.
+const MOST_LEGS: usize = 100_000;
+/// Decades over which half of the instants of a hold are spread: what relaxes does so in all of them.
+const DECADES_OF_A_HOLD: f64 = 6.0;
+
+/// A straight way to a value, in coherent units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Leg {
+    pub(super) quantity: HistoryQuantity,
+    /// Zero is a step.
+    pub(super) duration: f64,
+    pub(super) end: f64,
+}
+
+/// Measured columns beside what a table controls.
+#[derive(Debug, Clone)]
+pub(super) struct Overlay {
+    /// When its first row is.
+    pub(super) start: f64,
+    /// Times of the table over the time of the march.
+    pub(super) speed_factor: f64,
+    pub(super) table: Arc<MeasuredTable>,
+}
+
+/// All legs of a history.
+#[derive(Debug, Clone)]
+pub(super) struct Timeline {
+    /// What is given at time zero, coherent.
+    pub(super) start: (HistoryQuantity, f64),
+    pub(super) legs: Vec<Leg>,
+    pub(super) overlays: Vec<Overlay>,
+    /// Ramps that begin where only the march knows, in times: their instants are taken from its path.
+    pub(super) open_ramps: Vec<(f64, f64)>,
+    /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
+    pub(super) in_time: bool,
+}
+
+struct Builder<'s> {
+    scale: &'s Scale,
+    factor: f64,
+    instants: u32,
+    here: (HistoryQuantity, f64),
+    time: f64,
+    timeline: Timeline,
+}
+
+impl Timeline {
+    pub(super) fn new(indentation: &Indentation, scale: &Scale) -> Result<Self, Refusal> {
+        let (quantity, value) = indentation.at_start;
+        let start = (quantity, scale.coherent(quantity, value));
+        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false };
+        let mut builder =
+            Builder { scale, factor: indentation.speed_factor, instants: indentation.instants, here: start, time: 0.0, timeline };
+        for segment in &indentation.history.segments {
+            builder.segment(segment)?;
+            if builder.timeline.legs.len() > MOST_LEGS {
+                return Err(Refusal::out_of_range("history", builder.timeline.legs.len() as f64, "at most 100 000 straight pieces"));
+            }
+        }
+        Ok(builder.timeline)
+    }
+
+    /// How long it takes (s).
+    pub(super) fn duration(&self) -> f64 {
+        self.legs.iter().map(|leg| leg.duration).sum()
+    }
+
+    /// Σ of the ways that a quantity goes.
+    pub(super) fn way(&self, quantity: HistoryQuantity) -> f64 {
+        let mut here = (self.start.0 == quantity).then_some(self.start.1);
+        let mut way = 0.0;
+        for leg in self.legs.iter().filter(|leg| leg.quantity == quantity) {
+            way += here.map_or(0.0, |from| (leg.end - from).abs());
+            here = Some(leg.end);
+        }
+        way
+    }
+}
+
+impl Builder<'_> {
+    fn segment(&mut self, segment: &HistorySegment) -> Result<(), Refusal> {
+        match segment {
+            HistorySegment::Step { quantity, value } => self.leg(*quantity, 0.0, self.scale.coherent(*quantity, *value)),
+            HistorySegment::Ramp { quantity, value, pace } => {
+                let end = self.scale.coherent(*quantity, *value);
+                let duration = match pace {
+                    Pace::Duration(time) => *time,
+                    Pace::Rate(_) if self.here.0 != *quantity => {
+                        return Err(Refusal::Undefined {
+                            quantity: "a rate right after a change of what is controlled",
+                            reason: "the value it starts from is only known when the history is solved; give a duration".into(),
+                        });
+                    }
+                    Pace::Rate(rate) => (end - self.here.1).abs() / self.scale.coherent(*quantity, *rate),
+                };
+                self.ramp(*quantity, duration / self.factor, end);
+            }
+            HistorySegment::Hold { duration, .. } => {
+                self.timeline.in_time = true;
+                self.hold(duration / self.factor);
+            }
+            HistorySegment::Table { quantity, table } => {
+                self.timeline.in_time = true;
+                self.table(*quantity, table);
+            }
+            HistorySegment::Cycles { quantity, count, period, lower, upper, wave } => {
+                self.timeline.in_time = true;
+                let [lower, upper] = [*lower, *upper].map(|value| self.scale.coherent(*quantity, value));
+                let half = 0.5 * period / self.factor;
+                if *count as usize > MOST_LEGS / 4 {
+                    return Err(Refusal::out_of_range("cycles", f64::from(*count), "at most 25 000"));
+                }
+                for _ in 0..*count {
+                    match wave {
+                        CycleWave::Triangle => {
+                            self.step(*quantity, lower);
+                            self.leg(*quantity, half, upper);
+                            self.leg(*quantity, half, lower);
+                        }
+                        CycleWave::Square => {
+                            for value in [upper, lower] {
+                                self.step(*quantity, value);
+                                self.leg(*quantity, half, value);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn leg(&mut self, quantity: HistoryQuantity, duration: f64, end: f64) {
+        self.timeline.legs.push(Leg { quantity, duration, end });
+        self.here = (quantity, end);
+        self.time += duration;
+    }
+
+    /// A step that is left out where the value is met already.
+    fn step(&mut self, quantity: HistoryQuantity, value: f64) {
+        if self.here.0 != quantity || self.here.1.to_bits() != value.to_bits() {
+            self.leg(quantity, 0.0, value);
+        }
+    }
+
+    /// Equal parts where the start is known; in one go after a change of what is controlled.
+    fn ramp(&mut self, quantity: HistoryQuantity, duration: f64, end: f64) {
+        let (held, from) = self.here;
+        if held != quantity || duration == 0.0 {
+            if duration > 0.0 {
+                self.timeline.open_ramps.push((self.time, self.time + duration));
+            }
+            self.leg(quantity, duration, end);
+            return;
+        }
+        for part in 1..=self.instants {
+            let share = f64::from(part) / f64::from(self.instants);
+            let value = if part == self.instants { end } else { from + (end - from) * share };
+            self.leg(quantity, duration / f64::from(self.instants), value);
+        }
+    }
+
+    fn hold(&mut self, duration: f64) {
+        if duration == 0.0 {
+            return;
+        }
+        let (quantity, value) = self.here;
+        // Half of them in equal ratios, half in equal steps: what creeps may let go late.
+        let mut shares: Vec<f64> = (1..=self.instants)
+            .map(|part| {
+                let share = f64::from(part) / f64::from(self.instants);
+                if part % 2 == self.instants % 2 { share } else { 10.0_f64.powf(DECADES_OF_A_HOLD * (share - 1.0)) }
+            })
+            .collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup();
+        let mut before = 0.0;
+        for share in shares {
+            self.leg(quantity, duration * share - before, value);
+            before = duration * share;
+        }
+    }
+
+    fn table(&mut self, quantity: HistoryQuantity, table: &Arc<MeasuredTable>) {
+        self.timeline.overlays.push(Overlay { start: self.time, speed_factor: self.factor, table: Arc::clone(table) });
+        let mut before = 0.0;
+        for (index, (time, value)) in table.times.iter().zip(&table.values).enumerate() {
+            let value = self.scale.coherent(quantity, *value);
+            if index == 0 {
+                self.step(quantity, value);
+            } else {
+                self.leg(quantity, (time - before) / self.factor, value);
+            }
+            before = *time;
+        }
+    }
+}

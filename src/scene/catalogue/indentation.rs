@@ -1,0 +1,111 @@
+//! Keys of an indenter pressed on, or pulled off, a body in time.
+
+use super::{Key, Kind, Range, Word};
+use crate::scene::typed::HistoryQuantity;
+use crate::scene::units::Dimension;
+
+/// A length that only scenes in SI units hold.
+const SIZE: Kind = Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "not available (it is the unit)" };
+
+const fn start_value(quantity: HistoryQuantity, path: &'static str, reduced: &'static str, meaning: &'static str) -> Key {
+    Key { path, kind: Kind::Number { dimension: quantity.dimension(), range: quantity.range(), reduced }, meaning }
+}
+
+pub(super) const KEYS: &[Key] = &[
+    Key {
+        path: "indentation",
+        kind: Kind::Table,
+        meaning: "A rigid round body that is pressed on, or pulled off, the viscoelastic one in time, as [[history]] says. Reduced: lengths in R, times in the reference time, moduli in E0*, forces in πE0*R², pressures in πE0*.",
+    },
+    Key {
+        path: "indentation.sphere",
+        kind: Kind::Table,
+        meaning: "A sphere, as the paraboloid r²/2R; without members in a reduced scene, where R is the unit of length.",
+    },
+    Key { path: "indentation.sphere.radius", kind: SIZE, meaning: "R of the sphere." },
+    Key { path: "indentation.cone", kind: Kind::Table, meaning: "A cone; in a reduced scene R is any length." },
+    Key {
+        path: "indentation.cone.slope",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
+        meaning: "Height over radius: the tangent of the angle between its side and the surface.",
+    },
+    Key {
+        path: "indentation.flat_punch",
+        kind: Kind::Table,
+        meaning: "A punch with a flat face and a sharp rim; without members in a reduced scene, where its radius is the unit of length.",
+    },
+    Key { path: "indentation.flat_punch.radius", kind: SIZE, meaning: "Of the rim." },
+    Key {
+        path: "indentation.power_law",
+        kind: Kind::Table,
+        meaning: "A body of the shape r^m/(m R^(m−1)), which is the paraboloid of a sphere at m = 2; R is left out in a reduced scene.",
+    },
+    Key { path: "indentation.power_law.radius", kind: SIZE, meaning: "R of the shape: where its slope is one." },
+    Key {
+        path: "indentation.power_law.exponent",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.5, 20.0), reduced: "1" },
+        meaning: "m of the shape.",
+    },
+    Key {
+        path: "indentation.start",
+        kind: Kind::Choice(&[
+            Word {
+                word: "untouched",
+                meaning: "an unloaded, rested surface is touched at time zero: with adhesion the contact jumps in at once, glassily; the default",
+            },
+            Word {
+                word: "relaxed",
+                meaning: "the contact has been held at the given penetration, force or radius until the body has relaxed",
+            },
+        ]),
+        meaning: "How the history begins.",
+    },
+    start_value(
+        HistoryQuantity::Penetration,
+        "indentation.penetration",
+        "R",
+        "Δ at time zero: of a relaxed start, or to which an untouched surface is pressed at once (default 0, first touch).",
+    ),
+    start_value(HistoryQuantity::Force, "indentation.force", "πE0*R²", "F at time zero, pressing positive, instead of the penetration."),
+    start_value(HistoryQuantity::ContactRadius, "indentation.contact_radius", "R", "a at time zero, instead of the penetration."),
+    Key {
+        path: "indentation.frame_stiffness",
+        kind: Kind::Number { dimension: Dimension::STIFFNESS, range: Range::Positive, reduced: "πE0*R (force over length)" },
+        meaning: "k_f of the rig that holds the indenter: its far end moves by Δ + F/k_f, which a segment of the history may control as `frame`.",
+    },
+    Key {
+        path: "indentation.speed_factor",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
+        meaning: "How many times faster the whole history runs than it says, holds and tables included: for sweeps over speed. Default 1.",
+    },
+    Key {
+        path: "indentation.instants",
+        kind: Kind::Count { least: 1, most: 10_000 },
+        meaning: "How many instants of each ramp and hold are rows, its end included; of tables and cycles each corner is one. Default 40.",
+    },
+    Key {
+        path: "indentation.energies",
+        kind: Kind::Table,
+        meaning: "Adds up stored, dissipated and external work, with the defect of the power balance. It has no members; without it no energy is counted.",
+    },
+    Key {
+        path: "indentation.fields",
+        kind: Kind::Table,
+        meaning: "Pressure and surface displacement at chosen times. Without it no field is evaluated.",
+    },
+    Key {
+        path: "indentation.fields.times",
+        kind: Kind::NumbersOfSweptKey,
+        meaning: "The times, from the start of the history; each becomes a row, and holds the fields of that instant.",
+    },
+    Key {
+        path: "indentation.fields.to",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
+        meaning: "The largest distance from the axis. Default: twice the largest contact radius at these times.",
+    },
+    Key {
+        path: "indentation.fields.points",
+        kind: Kind::Count { least: 2, most: 100_000 },
+        meaning: "How many places from the axis outwards, dense at the edge of the contact. Default 200.",
+    },
+];

@@ -1,0 +1,207 @@
+//! The [indentation], [adhesion] and [[history]] tables of an indenter.
+
+use super::section::Section;
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
+use crate::scene::check::{Units, number};
+use crate::scene::diagnostic::SceneError;
+use crate::scene::document::{Document, Value};
+use crate::scene::typed::{
+    History, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart,
+    IndentationZone, Pace, SceneMaterial,
+};
+use crate::scene::units::Dimension;
+
+/// What a history of an indenter may control.
+const CONTROLLED: &[HistoryQuantity] =
+    &[HistoryQuantity::Penetration, HistoryQuantity::Force, HistoryQuantity::ContactRadius, HistoryQuantity::Frame];
+/// Rows of a ramp where a scene names no number.
+const DEFAULT_INSTANTS: f64 = 40.0;
+
+pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMaterial) -> Result<Indentation, SceneError> {
+    let table = top.required_table("indentation", "it is the problem")?;
+    if table.units() == Units::Si && material.poisson_ratio.is_none() {
+        let help = "the half-space is deformed with E* = E/(1 − ν²): an indenter needs material.poisson_ratio";
+        return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
+    }
+    if top.node().get("fields").is_some() {
+        let message = "`fields` belongs to cracks and sliding contacts";
+        return Err(top.wrong("fields", message, "write [indentation.fields] with its times"));
+    }
+    let shape = shape(&table)?;
+    let adhesion = adhesion(top)?;
+    let Some(history) = history::read(document, CONTROLLED, "an indentation")? else {
+        return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
+            .help("add [[history]] tables, such as: [[history]] penetration = \"2 µm\", rate = \"1 µm/s\""));
+    };
+    let start = match table.text("start") {
+        Some("relaxed") => IndentationStart::Relaxed,
+        _ => IndentationStart::Untouched,
+    };
+    let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
+    rates_know_their_start(top, &history, at_start.0)?;
+    let frame_stiffness = table.number("frame_stiffness")?;
+    if let (None, Some(index)) =
+        (frame_stiffness, history.segments.iter().position(|segment| quantity(segment) == Some(HistoryQuantity::Frame)))
+    {
+        let message = "the history controls `frame`, the far end of a frame, but `indentation.frame_stiffness` is missing";
+        let place = top.items("history").get(index).map_or_else(|| table.header(), Section::header);
+        return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or control `penetration`"));
+    }
+    let fields = fields(&table, &history)?;
+    Ok(Indentation {
+        shape,
+        start,
+        at_start,
+        adhesion,
+        frame_stiffness,
+        history,
+        speed_factor: table.number("speed_factor")?.unwrap_or(1.0),
+        instants: table.number("instants")?.unwrap_or(DEFAULT_INSTANTS) as u32,
+        energies: table.node().get("energies").is_some(),
+        fields,
+    })
+}
+
+fn quantity(segment: &HistorySegment) -> Option<HistoryQuantity> {
+    match segment {
+        HistorySegment::Step { quantity, .. }
+        | HistorySegment::Ramp { quantity, .. }
+        | HistorySegment::Table { quantity, .. }
+        | HistorySegment::Cycles { quantity, .. } => Some(*quantity),
+        HistorySegment::Hold { quantity, .. } => *quantity,
+    }
+}
+
+fn shape(table: &Section<'_>) -> Result<IndentationShape, SceneError> {
+    let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law"])?;
+    let body = table.required_table(name, "it is the indenter")?;
+    let radius = || match (body.units(), body.number("radius")?) {
+        (Units::Si, _) => body.required_number("radius"),
+        (Units::Reduced, None) => Ok(1.0),
+        (Units::Reduced, Some(_)) => {
+            let message = format!("`{}`: in reduced units the size of the indenter is the unit", body.full("radius"));
+            Err(body.wrong("radius", message, "leave it out, as in sphere = {}"))
+        }
+    };
+    Ok(match name {
+        "sphere" => IndentationShape::Sphere { radius: radius()? },
+        "flat_punch" => IndentationShape::FlatPunch { radius: radius()? },
+        "cone" => IndentationShape::Cone { slope: body.required_number("slope")? },
+        _ => IndentationShape::PowerLaw { radius: radius()?, exponent: body.required_number("exponent")? },
+    })
+}
+
+/// What is given at time zero; of an untouched surface first touch, if nothing is.
+fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, history: &History) -> Result<(HistoryQuantity, f64), SceneError> {
+    const KEYS: [&str; 3] = ["penetration", "force", "contact_radius"];
+    let key = match start {
+        IndentationStart::Relaxed => Some(table.exactly_one(&KEYS)?),
+        IndentationStart::Untouched => table.at_most_one(&KEYS)?,
+    };
+    let Some(key) = key else {
+        // First touch is the zero of whatever is controlled first.
+        let first = history.segments.first().and_then(quantity).unwrap_or(HistoryQuantity::Penetration);
+        if first == HistoryQuantity::ContactRadius && adhesive {
+            let message =
+                "an adhesive contact jumps in to a radius of its own: a history that controls `contact_radius` needs the first one";
+            return Err(table.wrong("start", message, "in this table").help("give indentation.contact_radius"));
+        }
+        return Ok((first, 0.0));
+    };
+    let quantity = HistoryQuantity::of_word(key).unwrap_or(HistoryQuantity::Penetration);
+    Ok((quantity, table.required_number(key)?))
+}
+
+/// A rate makes a duration only where the value it starts from is known.
+fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
+    let mut controlled = first;
+    for (segment, item) in history.segments.iter().zip(top.items("history")) {
+        if let HistorySegment::Ramp { quantity, pace: Pace::Rate(_), .. } = segment
+            && *quantity != controlled
+        {
+            let message = format!(
+                "`{}`: before this segment `{}` is controlled, and where `{}` then stands is only known when the history is solved",
+                item.full("rate"),
+                controlled.word(),
+                quantity.word()
+            );
+            return Err(SceneError::at(&item.key_place("rate"), message, "give `duration` instead"));
+        }
+        controlled = quantity(segment).unwrap_or(controlled);
+    }
+    Ok(())
+}
+
+fn adhesion(top: &Section<'_>) -> Result<Option<IndentationAdhesion>, SceneError> {
+    let Some(table) = top.table("adhesion") else { return Ok(None) };
+    let work_of_adhesion = table.required_number("work_of_adhesion")?;
+    let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
+    zone.without(&["trailing_length", "leading_length"], "a sliding contact")?;
+    let process_zone = match zone.exactly_one(&["length", "cohesive_stress"])? {
+        "length" => {
+            without_cohesive_stress(&zone)?;
+            IndentationZone::Length(zone.required_number("length")?)
+        }
+        _ => {
+            if let Some(law) = zone.text("law")
+                && law != "constant"
+            {
+                let message = format!("`{}` = {law:?} is a law of cracks: the process zone of an indenter is constant", zone.full("law"));
+                return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
+            }
+            IndentationZone::Cohesive {
+                cohesive_stress: zone.required_number("cohesive_stress")?,
+                factor: zone.number("factor")?.unwrap_or(DEFAULT_FACTOR),
+            }
+        }
+    };
+    Ok(Some(IndentationAdhesion { work_of_adhesion, process_zone, interaction_range: table.number("interaction_range")? }))
+}
+
+fn fields(table: &Section<'_>, history: &History) -> Result<Option<IndentationFields>, SceneError> {
+    let Some(fields) = table.table("fields") else { return Ok(None) };
+    let Some(node) = fields.node().get("times") else { return Err(fields.missing("times")) };
+    let Value::List(items) = &node.value else { return Err(fields.missing("times")) };
+    if items.is_empty() {
+        return Err(SceneError::at(&node.place, "`indentation.fields.times` is an empty list", "name at least one time"));
+    }
+    let known_end = duration(history);
+    let mut times: Vec<f64> = Vec::with_capacity(items.len());
+    for item in items {
+        let path = fields.full("times");
+        let time = number(item, &path, Dimension::TIME, fields.units())?;
+        let rising = times.last().is_none_or(|before| time > *before);
+        if time < 0.0 || !rising {
+            return Err(SceneError::at(
+                &item.place,
+                format!("`{path}`: {time:e} is not later than the time before it"),
+                "times rise from 0",
+            ));
+        }
+        if let Some(end) = known_end
+            && time > end * (1.0 + 1e-12)
+        {
+            let message = format!("`{path}`: {time:e} is after the end of the history ({end:e})");
+            return Err(SceneError::at(&item.place, message, "must lie within the history"));
+        }
+        times.push(time);
+    }
+    let points = fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32;
+    Ok(Some(IndentationFields { times, to: fields.number("to")?, points }))
+}
+
+/// How long the history takes at speed factor one; none if a rate begins at a value that is only known when it is solved.
+fn duration(history: &History) -> Option<f64> {
+    history.segments.iter().try_fold(0.0, |total, segment| {
+        Some(
+            total
+                + match segment {
+                    HistorySegment::Step { .. } => 0.0,
+                    HistorySegment::Ramp { pace: Pace::Duration(time), .. } | HistorySegment::Hold { duration: time, .. } => *time,
+                    HistorySegment::Ramp { pace: Pace::Rate(_), .. } => return None,
+                    HistorySegment::Table { table, .. } => table.times.last().copied().unwrap_or(0.0),
+                    HistorySegment::Cycles { count, period, .. } => f64::from(*count) * period,
+                },
+        )
+    })
+}

@@ -1,0 +1,66 @@
+//! Mistakes about an indenter and its history.
+
+use super::{Case, NONE};
+
+const PRESSED: &str = "penetration = \"4 µm\"\nrate = \"2 µm/s\"";
+const SPHERE: &str = "sphere = { radius = \"1 mm\" }";
+const ZONE: &str = "process_zone = { length = \"1 µm\" }";
+
+/// An indentation that is right.
+pub const INDENTATION: &str = r#"title = "An indentation for tests"
+
+[material]
+relaxed_modulus = "1 MPa"
+poisson_ratio = 0.49
+relaxation = [{ modulus = "9 MPa", relaxation_time = "1 s" }]
+
+[adhesion]
+work_of_adhesion = "50 mJ/m²"
+process_zone = { length = "1 µm" }
+
+[indentation]
+sphere = { radius = "1 mm" }
+start = "untouched"
+instants = 5
+
+[[history]]
+penetration = "4 µm"
+rate = "2 µm/s"
+
+[[history]]
+hold = "2 s"
+"#;
+
+#[rustfmt::skip]
+pub const INDENTATION_CASES: &[Case] = &[
+    // Keys that do not exist.
+    Case { kind: "misspelt key of an indentation", edits: &[("instants", "instant")], place: "instant =", says: &["`indentation.instant`", "did you mean `instants`?", "[indentation] knows: sphere, cone"], ..NONE },
+    Case { kind: "misspelt shape", edits: &[(SPHERE, "spere = { radius = 1 }")], place: "spere", says: &["`indentation.spere`", "did you mean `sphere`?"], ..NONE },
+    Case { kind: "misspelt start", edits: &[("\"untouched\"", "\"untuched\"")], place: "untuched", says: &["`indentation.start` = \"untuched\"", "did you mean \"untouched\"?", "allowed: \"untouched\", \"relaxed\""], ..NONE },
+    // Numbers and units.
+    Case { kind: "sphere of no size", edits: &[("\"1 mm\"", "0")], place: "sphere", says: &["`indentation.sphere.radius` = 0", "greater than 0"], ..NONE },
+    Case { kind: "stiffness with a unit of pressure", edits: &[("instants = 5", "frame_stiffness = \"5 Pa\"")], place: "frame_stiffness", says: &["`indentation.frame_stiffness` = \"5 Pa\"", "measured in N/m", "a stiffness such as"], ..NONE },
+    Case { kind: "no instants", edits: &[("instants = 5", "instants = 0")], place: "instants", says: &["`indentation.instants` = 0", "1 to 10000"], ..NONE },
+    Case { kind: "depth with a unit of force", edits: &[(PRESSED, "penetration = \"4 N\"")], place: "4 N", says: &["`history.0.penetration` = \"4 N\"", "measured in m"], ..NONE },
+    Case { kind: "exponent too small", edits: &[(SPHERE, "power_law = { radius = 1, exponent = 0.2 }")], place: "power_law", says: &["`indentation.power_law.exponent` = 0.2", "greater than 0.5"], ..NONE },
+    // What is missing.
+    Case { kind: "no shape", edits: &[(SPHERE, "")], place: "[indentation]", says: &["`indentation.sphere`", "`indentation.flat_punch`", "exactly one"], ..NONE },
+    Case { kind: "no history", edits: &[("[[history]]\npenetration = \"4 µm\"\nrate = \"2 µm/s\"\n\n[[history]]\nhold = \"2 s\"\n", "")], place: "instants", says: &["the history is missing", "add [[history]] tables"], ..NONE },
+    Case { kind: "no Poisson ratio of a half-space", edits: &[("poisson_ratio = 0.49\n", "")], place: "[material]", says: &["`material.poisson_ratio` is missing", "half-space"], ..NONE },
+    Case { kind: "a relaxed start without its value", edits: &[("\"untouched\"", "\"relaxed\"")], place: "[indentation]", says: &["`indentation.penetration`", "`indentation.contact_radius`", "exactly one"], ..NONE },
+    Case { kind: "a frame without its stiffness", edits: &[(PRESSED, "frame = \"4 µm\"\nduration = 1")], place: "[[history]]", says: &["controls `frame`", "indentation.frame_stiffness"], ..NONE },
+    Case { kind: "fields without times", edits: &[("", "[indentation.fields]\npoints = 9\n")], place: "[indentation.fields]", says: &["`indentation.fields.times` is missing"], ..NONE },
+    Case { kind: "no process zone of an indenter", edits: &[(ZONE, "")], place: "[adhesion]", says: &["`adhesion.process_zone` is missing"], ..NONE },
+    Case { kind: "an adhesive contact that grows from no radius", edits: &[(PRESSED, "contact_radius = \"50 µm\"\nduration = 1")], place: "start", says: &["jumps in to a radius of its own", "indentation.contact_radius"], ..NONE },
+    // What contradicts.
+    Case { kind: "two shapes", edits: &[(SPHERE, "sphere = { radius = 1 }\ncone = { slope = 1 }")], place: "cone", says: &["`indentation.sphere` and `indentation.cone` exclude each other"], ..NONE },
+    Case { kind: "two starts", edits: &[("\"untouched\"", "\"relaxed\"\npenetration = 1e-6\nforce = 0")], place: "force", says: &["exclude each other"], ..NONE },
+    Case { kind: "a rate from where nobody knows", edits: &[("hold = \"2 s\"", "force = \"1 mN\"\nrate = \"1 mN/s\"")], place: "1 mN/s", says: &["`history.1.rate`", "`penetration` is controlled", "give `duration` instead"], ..NONE },
+    Case { kind: "a quantity of cracks", edits: &[(PRESSED, "stress_intensity = 1\nduration = 1")], place: "stress_intensity", says: &["not controlled in an indentation", "`penetration`, `force`, `contact_radius`, `frame`"], ..NONE },
+    Case { kind: "times of fields that fall", edits: &[("", "[indentation.fields]\ntimes = [2, 1]\n")], place: "times", says: &["`indentation.fields.times`", "not later"], ..NONE },
+    Case { kind: "fields of cracks", edits: &[("", "[fields]\npoints = 9\n")], place: "[fields]", says: &["belongs to cracks and sliding contacts", "[indentation.fields]"], ..NONE },
+    Case { kind: "a law of cracks for an indenter", edits: &[(ZONE, "process_zone = { cohesive_stress = 1e5, law = \"growing\" }")], place: "process_zone", says: &["`adhesion.process_zone.law` = \"growing\"", "must be \"constant\""], ..NONE },
+    Case { kind: "an edge of sliding contacts", edits: &[(ZONE, "process_zone = { trailing_length = 1e-6, leading_length = 1e-6 }")], place: "process_zone", says: &["`adhesion.process_zone.trailing_length` belongs to a sliding contact"], ..NONE },
+    Case { kind: "a radius in a reduced scene", edits: &[("title =", "units = \"reduced\"\ntitle ="), ("\"1 MPa\"", "1"), ("\"9 MPa\"", "9"), ("\"1 s\"", "1"), ("\"50 mJ/m²\"", "1e-4"), ("\"1 µm\"", "0.01"), ("\"1 mm\"", "1"), (PRESSED, "penetration = 0.01\nrate = 1"), ("\"2 s\"", "1")], place: "sphere", says: &["`indentation.sphere.radius`", "is the unit", "sphere = {}"], ..NONE },
+    Case { kind: "a sweep over a hold that is none", edits: &[("", "[sweep]\nkey = \"history.7.hold\"\nvalues = [1]\n")], place: "key = ", says: &["`sweep.key` = \"history.7.hold\""], ..NONE },
+];
