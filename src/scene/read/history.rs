@@ -1,4 +1,4 @@
-//! The [[history]] tables, one a segment.
+//! The `[[history]]` tables, one a segment.
 
 use super::measured_table::measured_table;
 use super::section::Section;
