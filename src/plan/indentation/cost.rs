@@ -16,6 +16,9 @@ const ADHESIVELESS: f64 = 1.5;
 const UPDATES: f64 = 110.0;
 const LAYERS: f64 = 0.12;
 
+/// No prediction is larger.
+const MOST: f64 = 1e11;
+
 impl IndentationPlan {
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
@@ -27,7 +30,9 @@ impl IndentationPlan {
             * (1.0 + DECADE * decades)
             * (1e-3 / self.accuracy).powf(ORDER)
             * adhesion;
-        let updates = balances * UPDATES * (1.0 + LAYERS * decades * decades);
+        // More than any march may do; a product with the states of a sweep must stay a number.
+        let balances = balances.min(MOST);
+        let updates = (balances * UPDATES * (1.0 + LAYERS * decades * decades)).min(MOST);
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
         Work {
             closure_evaluations: balances.ceil() as u64,

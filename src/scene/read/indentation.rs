@@ -1,4 +1,4 @@
-//! The [indentation], [adhesion] and [[history]] tables of an indenter.
+//! The `[indentation]`, `[adhesion]` and `[[history]]` tables of an indenter.
 
 use super::section::Section;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
