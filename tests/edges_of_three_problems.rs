@@ -79,9 +79,10 @@ fn sliding(material: &Material, zone: f64, speed: f64) -> [viscotack::Estimate; 
     let problem = SlidingProblem {
         rate: speed,
         indenter: Indenter::Parabola,
-        adhesion: Some(WaveAdhesion { reduced_work: 0.02, trailing_zone: zone, leading_zone: zone }),
+        adhesion: Some(WaveAdhesion::even(0.02, zone)),
         control: SlidingControl::HalfWidth(1.0),
         accuracy: 1e-9,
+        work_by_speed: None,
     };
     match steady_sliding(material, &problem).unwrap() {
         SlidingOutcome::Partial(contact) => {

@@ -104,7 +104,8 @@ fn tends_to_jkr_with_the_first_power_of_the_zone() {
     let defects: Vec<f64> = [2e-3, 1e-3, 5e-4]
         .iter()
         .map(|ratio| {
-            elastic_contact(&sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius - 1.0
+            elastic_contact(&sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius
+                - 1.0
         })
         .collect();
     println!("{defects:?}");

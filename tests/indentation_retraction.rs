@@ -17,8 +17,7 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{
-    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius,
-    march, run,
+    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, march, run,
 };
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -64,7 +63,7 @@ fn pull_off_converges_at_every_speed() {
         let (first, second) = ((forces[1] - forces[0]).abs(), (forces[2] - forces[1]).abs());
         println!("V {speed:e}: F_off/F_JKR {forces:?}, changes {first:e} {second:e}");
         // The tolerance times ten bounds what the next tightening changes.
-            assert!(first < 1e-3 && second < 1e-4, "{first:e} {second:e}");
+        assert!(first < 1e-3 && second < 1e-4, "{first:e} {second:e}");
         assert!(forces[2] > last && forces[2] < BETA);
         last = forces[2];
     }

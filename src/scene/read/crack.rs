@@ -53,7 +53,11 @@ pub(super) fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMate
     }
 }
 
-pub(super) fn adhesion(top: &Section<'_>, steady: Option<(&Section<'_>, Motion)>, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
+pub(super) fn adhesion(
+    top: &Section<'_>,
+    steady: Option<(&Section<'_>, Motion)>,
+    body: CrackBody,
+) -> Result<(f64, ProcessZoneLaw), SceneError> {
     let table = top.required_table("adhesion", "a crack moves by the balance of work at its tip")?;
     table.without(&["interaction_range"], "an indentation")?;
     let reduced = table.units() == Units::Reduced;
