@@ -5,9 +5,10 @@
 //! Parameters: random solids of 1 to 4 terms, β 1.5 to 300, speeds over eight decades about the relaxation times, process zones 1e-3 to 6e-2 of R, histories of
 //! approach, dwell, retraction, from an untouched or a relaxed start, under penetration, force or frame; Pa, m, s and random units.
 //!
-//! Oracle: the same history marched 1000 times tighter. The march has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
+//! Oracle: the same history marched 1000 times tighter or more. The march has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
 //!
-//! Tolerance: the bar itself, plus the bar of the oracle; medians and shares as stated with the assertions.
+//! Tolerance: the accuracy asked for, always; the bar itself, in 98 of 100 (bars are judged by two marches, which may agree by chance); the
+//! median bar at most 30 times the error.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 mod support;
@@ -15,7 +16,7 @@ mod support;
 use std::f64::consts::PI;
 use support::random::Uniform;
 use viscotack::Material;
-use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile, run};
+use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, march, run};
 use viscotack::material::RelaxationTerm;
 
 fn problem(random: &mut Uniform, accuracy: f64) -> (Material, IndentationProblem) {
@@ -62,8 +63,7 @@ fn bars_cover_and_are_not_wide() {
     for case in 0..60 {
         let accuracy = [1e-3, 1e-4, 1e-5][case % 3];
         let (material, asked) = problem(&mut random, accuracy);
-        let exact = IndentationProblem { accuracy: 1e-3 * accuracy, ..asked.clone() };
-        let (found, exact) = match (run(&material, &asked), run(&material, &exact)) {
+        let (found, exact) = match (run(&material, &asked), march(&material, &asked, 3e-3 * accuracy)) {
             (Ok(found), Ok(exact)) => (found, exact),
             (found, exact) => {
                 println!("case {case}: {:?} {:?}", found.err(), exact.err());
@@ -72,15 +72,18 @@ fn bars_cover_and_are_not_wide() {
             }
         };
         reached += i32::from(found.reached);
-        for (one, other) in found.instants.iter().zip(&exact.instants).skip(1) {
-            for (name, one, other) in [
-                ("penetration", one.penetration, other.penetration),
-                ("force", one.force, other.force),
-                ("radius", one.contact_radius, other.contact_radius),
-                ("intensity", one.stress_intensity_factor, other.stress_intensity_factor),
+        for (one, place) in found.instants.iter().zip(&exact.kept).skip(1) {
+            let other = exact.path[*place];
+            let scale = |of: fn(&PathPoint) -> f64| exact.path.iter().fold(0.0f64, |most, point| most.max(of(point).abs()));
+            for (name, one, other, scale) in [
+                ("penetration", one.penetration, other.penetration, scale(|point| point.penetration)),
+                ("force", one.force, other.force, scale(|point| point.force)),
+                ("radius", one.contact_radius, other.contact_radius, scale(|point| point.contact_radius)),
+                ("intensity", one.stress_intensity_factor, other.stress_intensity_factor, scale(|point| point.stress_intensity_factor)),
             ] {
-                let error = (one.value - other.value).abs();
-                if error <= one.error + other.error {
+                let error = (one.value - other).abs();
+                assert!(error <= accuracy * scale, "case {case}: {name} misses the accuracy");
+                if error <= one.error {
                     inside += 1;
                 } else {
                     outside += 1;
@@ -102,7 +105,7 @@ fn bars_cover_and_are_not_wide() {
         ratios.len()
     );
     assert_eq!(refused, 0);
-    assert!(outside * 100 <= inside);
+    assert!(outside * 50 <= inside);
     assert!(at(0.5) < 30.0);
     assert!(reached >= 58);
 }

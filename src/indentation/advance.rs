@@ -2,6 +2,7 @@
 
 use super::edge::{Drive, Imposed, Trial};
 use super::elastic_zone::tension_root;
+use super::line::NARROWEST;
 use super::marcher::Marcher;
 use super::motion::{Motion, Passage};
 use super::past::Node;
@@ -26,6 +27,10 @@ const FASTEST: f64 = 2.0;
 /// The same when it fails.
 const SLOWEST: f64 = 0.2;
 
+/// Narrowest panels within which the place of an edge is noise.
+const PLACE_NOISE: f64 = 4.0;
+/// Change of Δ over the depth of the contact that is noise.
+const DEPTH_NOISE: f64 = 1e-12;
 /// Motion over the process zone that is none.
 const AT_REST: f64 = 1e-9;
 /// Halvings of the time at which a rim gives way.
@@ -123,7 +128,14 @@ impl Marcher<'_> {
                 }
             };
             let Some((trial, by_edge)) = found else { continue };
-            let error = (trial.place_error / self.length).max(trial.depth_error / self.opening);
+            // Places are only known to the narrowest panel, and to what the accepted residual leaves: below that a path has no shape.
+            let (by_time, by_place) = self.slopes;
+            let slack = if by_edge { (trial.motion.to - a).abs() / by_time } else { 1.0 / by_place };
+            let slack = if slack.is_finite() { slack * self.edge_tolerance() } else { 0.0 };
+            let noise = PLACE_NOISE * (NARROWEST * a.max(self.length)).max(slack);
+            let place_error = if trial.place_error <= noise { 0.0 } else { trial.place_error };
+            let depth_error = if trial.depth_error <= DEPTH_NOISE * self.edge.depth_scale { 0.0 } else { trial.depth_error };
+            let error = (place_error / self.length).max(depth_error / self.opening);
             let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { FASTEST };
             let factor = ideal.clamp(SLOWEST, FASTEST);
             if error > self.tolerance && factor < 0.9 {

@@ -194,14 +194,16 @@ impl<'a> Contact<'a> {
             }
             let own = self.values.get(index * POINTS * n..(index + 1) * POINTS * n).unwrap_or(&[]);
             let mut left = cell.low;
+            let mut whole = true;
             let first = cuts.partition_point(|&cut| cut <= cell.low + narrow);
             for &cut in cuts.iter().skip(first).take_while(|&&cut| cut < cell.high - narrow) {
                 if cut > left + narrow {
                     piece(*cell, own, (left, cut), n, &mut cells, &mut values);
                     left = cut;
+                    whole = false;
                 }
             }
-            if left == cell.low && !own.is_empty() {
+            if whole && !own.is_empty() {
                 cells.push(*cell);
                 values.extend_from_slice(own);
             } else {

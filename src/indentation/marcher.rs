@@ -28,14 +28,16 @@ const COARSENING_TOLERANCE: f64 = 1e-2;
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
 const LARGEST_EDGE_TOLERANCE: f64 = 1e-10;
-/// Most steps of one march.
-const MOST_STEPS: u64 = 1_000_000;
+/// Most steps of one stretch of a history.
+const MOST_STEPS: u64 = 30_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Part of the largest force that is none.
 const NO_FORCE: f64 = 1e-12;
 /// Overlap at which a contact without adhesion begins, over its depth.
 const FIRST_OVERLAP: f64 = 1e-9;
+/// Tolerance at which steps are as large as they may be.
+const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
@@ -193,7 +195,7 @@ impl<'a> Marcher<'a> {
         self.past.restart(node);
         self.record.new_piece();
         self.corner = self.time;
-        let root = self.tolerance.sqrt().min(0.1);
+        let root = self.tolerance.sqrt();
         self.reach = FIRST_REACH * root * self.length;
         self.dt = self.first * root;
         self.landmarks.clear();
@@ -229,14 +231,15 @@ impl<'a> Marcher<'a> {
             self.restart();
         }
         let instants = self.problem.instants_per_segment.max(1);
+        let budget = self.record.trace.work.steps + MOST_STEPS;
         for instant in 1..=instants {
             let target = segment.duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
             while self.time < target {
                 self.record.trace.work.steps += 1;
-                if self.record.trace.work.steps > MOST_STEPS {
+                if self.record.trace.work.steps > budget {
                     return Err(Refusal::NotConverged {
                         what: "the march",
-                        detail: format!("{MOST_STEPS} steps reached t = {:e}", self.now()),
+                        detail: format!("{MOST_STEPS} steps of one stretch reached t = {:e}", self.now()),
                     });
                 }
                 self.step(stretch, target)?;
@@ -257,7 +260,7 @@ impl<'a> Marcher<'a> {
     /// One step towards a target time.
     fn step(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
-        let grown = (self.first * self.tolerance.sqrt().min(0.1)).max(self.time - self.corner);
+        let grown = (self.first * self.tolerance.sqrt()).max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown);
         let cap = if cap >= 0.999 * left { left } else { cap };
         let now = self.time;
@@ -275,7 +278,7 @@ impl<'a> Marcher<'a> {
         if controlled == Controlled::Force && self.problem.adhesion.is_none() && self.contact.radius() > 0.0 {
             // Without adhesion the contact ends where the force does, with a root of the time left: towards it by tenths.
             let (now, then) = (value(0.0), value(cap));
-            if now <= NO_FORCE * self.force_scale {
+            if now <= self.touching_force() && then <= now {
                 return self.detach(EventKind::Detachment, &imposed);
             }
             if then < 0.1 * now {
@@ -316,13 +319,18 @@ impl<'a> Marcher<'a> {
         if self.problem.adhesion.is_some() { 0.0 } else { FIRST_OVERLAP * self.edge.depth_scale }
     }
 
+    /// Force from which a contact without adhesion counts.
+    fn touching_force(&self) -> f64 {
+        if self.problem.adhesion.is_some() { 0.0 } else { NO_FORCE * self.force_scale }
+    }
+
     /// Whether an open contact stays open under the imposed value.
     fn is_open(&self, controlled: Controlled, value: f64) -> bool {
         match controlled {
             // Without a force the frame's end is where the indenter is.
             Controlled::Penetration | Controlled::Frame => value < self.surface() + self.overlap(),
             // An indenter pushed by a force stays where it lost contact, until it is pushed again.
-            Controlled::Force | Controlled::ContactRadius => value <= 0.0,
+            Controlled::Force | Controlled::ContactRadius => value <= self.touching_force(),
         }
     }
 
@@ -332,7 +340,7 @@ impl<'a> Marcher<'a> {
             return 0.0;
         }
         let overlap = |dt: f64| match controlled {
-            Controlled::Force | Controlled::ContactRadius => value(dt),
+            Controlled::Force | Controlled::ContactRadius => value(dt) - self.touching_force(),
             Controlled::Penetration | Controlled::Frame => match self.contact.moved(0.0, value(dt), dt, Sweep::Linear) {
                 Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)) - self.overlap(),
                 Err(_) => -1.0,
@@ -399,8 +407,13 @@ impl<'a> Marcher<'a> {
         Ok(())
     }
 
-    pub(super) const fn largest_reach(&self) -> f64 {
-        LARGEST_REACH * self.length
+    /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
+    pub(super) fn largest_reach(&self) -> f64 {
+        LARGEST_REACH * self.stride() * self.length
+    }
+
+    fn stride(&self) -> f64 {
+        (self.tolerance / LOOSEST).powf(1.0 / 6.0).min(1.0)
     }
 
     /// Accepted residual: well below what the path is known to.

@@ -130,7 +130,7 @@ impl Motion {
     /// dA/du, A = πa², at a part of the time.
     pub(super) fn area_rate(&self, profile: &Profile, part: f64) -> f64 {
         let (from, to) = (self.from, self.to);
-        if from == to {
+        if self.way == 0.0 {
             return 0.0;
         }
         let place = |x: f64| profile.inverse_coordinate(self.start + self.way * x, from, to);

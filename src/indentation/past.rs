@@ -135,7 +135,8 @@ impl Newton {
     fn add(&mut self, x: f64, v: f64) -> Option<f64> {
         let k = self.count;
         let last = self.places[..k].iter().fold(0.0, |least: f64, place| least.min(*place));
-        if !(x < last) || !v.is_finite() || k + 1 >= DEGREE {
+        let further = x < last && v.is_finite();
+        if !further || k + 1 >= DEGREE {
             return None;
         }
         self.places[k] = x;

@@ -7,10 +7,12 @@ use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Bound over the change between two marches, of which the finer is ten times tighter; what the finer one lacks is less, the rest is prudence.
-const SAFETY: f64 = 1.0;
-/// A change that passes through zero is no accuracy: a part of the largest so far stays in the bound.
-const MEMORY: f64 = 0.2;
+/// Bound over the change between two marches, of which the finer is ten times tighter: changes may agree by chance, or fall slowly past a corner.
+const SAFETY: f64 = 3.0;
+/// A change that passes through zero is no accuracy: this part of the largest so far, of any quantity over its scale, stays in the bound.
+const MEMORY: f64 = 0.5;
+/// Part of the accuracy that every bar keeps: far inside it, two marches may agree by chance.
+const FLOOR: f64 = 3e-4;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
 /// Tolerance of the first march, over the accuracy.
@@ -20,7 +22,7 @@ const TIGHTER: f64 = 0.1;
 /// Marches at most.
 const MOST_MARCHES: u32 = 6;
 /// No march is tighter than this: rounding of the edge condition takes over.
-const TIGHTEST: f64 = 1e-10;
+const TIGHTEST: f64 = 1e-9;
 
 /// Solves a history to its accuracy: `material` in moduli E* = E/(1 − ν²).
 ///
@@ -58,7 +60,8 @@ impl IndentationWork {
 
 fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: IndentationWork) -> IndentationSolution {
     let mut instants = Vec::with_capacity(fine.kept.len());
-    let mut largest = [0.0_f64; 8];
+    // The largest change so far: of the state over its scales, and of each energy.
+    let (mut worst, mut largest) = (0.0_f64, [0.0_f64; 8]);
     let scale = |of: fn(&PathPoint) -> f64| fine.path.iter().fold(0.0, |most: f64, point| most.max(of(point).abs()));
     let scales = [
         scale(|point| point.penetration),
@@ -73,11 +76,18 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
         let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64| {
             let value = of(point);
             let change = other.map_or(f64::INFINITY, |other| (value - of(other)).abs());
-            let so_far = largest.get_mut(quantity).map_or(change, |most| {
-                *most = most.max(change);
-                *most
-            });
-            let error = (SAFETY * change).max(MEMORY * so_far) + ROUNDING * value.abs();
+            let memory = match scales.get(quantity) {
+                Some(scale) => {
+                    worst = worst.max(if *scale > 0.0 { change / scale } else { 0.0 });
+                    MEMORY * worst * scale
+                }
+                None => largest.get_mut(quantity).map_or(change, |most| {
+                    *most = most.max(change);
+                    MEMORY * *most
+                }),
+            };
+            let floor = FLOOR * problem.accuracy * scales.get(quantity).unwrap_or(&0.0);
+            let error = (SAFETY * change).max(memory).max(floor) + ROUNDING * value.abs();
             if let Some(scale) = scales.get(quantity) {
                 reached &= error <= problem.accuracy * scale;
             }

@@ -141,7 +141,7 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
                     *value *= width * loads[g];
                 }
             }
-            for g in 0..POINTS {
+            for (g, load) in loads.iter().enumerate() {
                 let eta = top - width * rule.nodes[g];
                 let place = a + length * eta;
                 zone.chebyshev(eta, &mut outer);
@@ -156,7 +156,7 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
                     let row: f64 = row[..n - p].iter().zip(&outer[..n - p]).map(|(slope, outer)| slope * outer).sum();
                     remembered += row * running;
                 }
-                let local = -FRAC_PI_2 * loads[g] / (place * (place - length)).sqrt();
+                let local = -FRAC_PI_2 * load / (place * (place - length)).sqrt();
                 work += width * rule.weights[g] * free.map_or(0.0, |panel| panel.at(place)) * (local + remembered);
             }
             for (weight, weighted) in rule.weights.iter().zip(&weighted) {
