@@ -14,7 +14,8 @@ mod support;
 use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use viscotack::indentation::{
-    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, elastic_contact_of_radius, run,
+    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, elastic_contact_of_radius,
+    run,
 };
 use viscotack::material::RelaxationTerm;
 use viscotack::{Material, refusal::Refusal};
@@ -161,7 +162,8 @@ fn frames_between_both_controls() {
 fn flat_punches() {
     let radius = 0.1;
     let punch = Profile::FlatPunch { radius };
-    let problem = IndentationProblem { profile: punch, ..asked(History::penetration(0.0).at_speed(0.005, 0.01).hold(200.0).at_speed(-0.05, 1e5)) };
+    let problem =
+        IndentationProblem { profile: punch, ..asked(History::penetration(0.0).at_speed(0.005, 0.01).hold(200.0).at_speed(-0.05, 1e5)) };
     let found = solved("punch", &rubber(), &problem);
     let held = found.instants[2];
     assert!((held.force.value / (2.0 * radius * 0.005) - 1.0).abs() < 1e-6);
@@ -199,7 +201,8 @@ fn without_adhesion() {
 
 #[test]
 fn controls_that_change_on_the_way() {
-    let history = History::penetration(0.0).at_speed(0.02, 0.01).then(Controlled::Force, -0.004, 5.0).then(Controlled::Force, -0.004, 100.0);
+    let history =
+        History::penetration(0.0).at_speed(0.02, 0.01).then(Controlled::Force, -0.004, 5.0).then(Controlled::Force, -0.004, 100.0);
     let found = solved("mixed", &rubber(), &asked(history));
     let last = found.instants.last().unwrap();
     assert!((last.force.value + 0.004).abs() < 1e-9 || last.contact_radius.value.abs() < 1e-12);

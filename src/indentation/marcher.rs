@@ -210,7 +210,8 @@ impl<'a> Marcher<'a> {
         let (corner, dt) = (self.corner, self.dt);
         self.restart();
         self.corner = corner;
-        self.dt = dt.min(self.tolerance.sqrt() * dt);
+        // The edge keeps its pace; a short step of its own, not of time, begins the new stretch of the path.
+        self.dt = dt;
         self.landmarks.clear();
     }
 
