@@ -11,7 +11,7 @@
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
-use super::contact::{ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork};
+use super::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork};
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
@@ -153,22 +153,26 @@ impl EdgeBalance {
     /// # Errors
     /// As [`EdgeBalance::evaluate`].
     pub fn evaluate_at(&self, contact: WaveContact, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
-        let solve = |contact, prescribed| ContactState::at_resolution(&self.memory, self.indenter, contact, prescribed, self.resolution);
-        let state = solve(contact, prescribed)?;
+        self.evaluate_edges(ContactEdges::new(self.indenter, contact), prescribed)
+    }
+
+    /// The conditions at given edges, of which half the gap is known to its own digits.
+    ///
+    /// # Errors
+    /// As [`EdgeBalance::evaluate`].
+    pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
+        let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
+        let state = solve(edges, prescribed)?;
         let Some((adhesion, trailing, leading)) = &self.adhesion else {
-            let half = self.indenter.half_angle_scale(contact.half_width);
+            let half = self.indenter.half_angle_scale(edges.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
             let rounding = ROUNDING * (1.0 + state.condition().ln());
             let residual = [behind / scale, ahead / scale];
             return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
         };
-        let moved = |out: f64, shift: f64| {
-            let edges = WaveContact { half_width: contact.half_width + 0.5 * out, eccentricity: contact.eccentricity + shift };
-            solve(edges, state.held())
-        };
-        let trailing_moved = moved(trailing.length(), -0.5 * trailing.length())?;
-        let leading_moved = moved(leading.length(), 0.5 * leading.length())?;
+        let trailing_moved = solve(edges.moved_out(-trailing.length()), state.held())?;
+        let leading_moved = solve(edges.moved_out(leading.length()), state.held())?;
         let target = 2.0 * PI * adhesion.reduced_work;
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
         let defect = |work: f64, amplitude: f64| {
@@ -269,7 +273,7 @@ impl EdgeBalance {
         // Signs need no digits.
         let rough = state.evaluated_at(Resolution::Coarse);
         let half_gap = match self.indenter {
-            Indenter::Wave => PI - half_width,
+            Indenter::Wave => state.edges().half_gap,
             Indenter::Parabola => 10.0 * half_width,
         };
         let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);

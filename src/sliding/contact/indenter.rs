@@ -27,14 +27,6 @@ pub enum Indenter {
 }
 
 impl Indenter {
-    /// sin(x/2).
-    pub(super) fn half_sine(self, x: f64) -> f64 {
-        match self {
-            Self::Wave => (0.5 * x).sin(),
-            Self::Parabola => 0.5 * x,
-        }
-    }
-
     /// sin(x/2) and cos(x/2).
     pub(super) fn half_sine_cosine(self, x: f64) -> (f64, f64) {
         match self {
