@@ -59,10 +59,10 @@ fn end_of(end: &BranchEnd) -> &'static str {
     match end {
         BranchEnd::HalfWidth(_) => "width",
         BranchEnd::Parameter(_) => "parameter",
-        BranchEnd::Lost { .. } => "unphysical",
+        BranchEnd::Impossible { .. } => "unphysical",
+        BranchEnd::Lost { .. } => "lost",
         BranchEnd::TooLong => "too long",
         BranchEnd::Closed => "closed",
-        BranchEnd::NearFull(_) => "near full",
     }
 }
 

@@ -30,10 +30,18 @@ pub struct FoldPoint<S> {
     pub value_rounding: f64,
     /// The largest residual of the three equations.
     pub residual: f64,
-    /// Evaluations of the curve's equations.
-    pub evaluations: u64,
     /// ∂(equations)/∂scaled unknown, for a fold nearby.
     pub jacobian: Option<Matrix3<f64>>,
+    scales: [f64; 3],
+}
+
+/// How far a fold is off in finer equations.
+#[derive(Debug, Clone, Copy)]
+pub struct FoldShift {
+    /// Change of the unknowns.
+    pub unknowns: [f64; 3],
+    /// Change of the value.
+    pub value: f64,
 }
 
 /// Gradients of both residuals and of the watched quantity at a point in given scales, by central differences; twelve evaluations.
@@ -86,6 +94,26 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
     })
 }
 
+/// The part of the way between two points of a curve at which the interpolated curve has a value of one unknown; that of the chord if the value is not between.
+#[must_use]
+pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
+    let off = |part: f64| interpolated(from, to, part).get(index).map_or(f64::NAN, |unknown| unknown - value);
+    let (begin, end) = (off(0.0), off(1.0));
+    if !(begin * end < 0.0) {
+        return (begin / (begin - end)).clamp(0.0, 1.0);
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if off(middle) * begin > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
 /// The fold of a quantity near a start, with a `step` of the gradients' differences in scaled unknowns.
 ///
 /// Truncation of the differences, step⁴, is no part of the bars: a second call with another step shows it.
@@ -109,7 +137,7 @@ pub fn located<E: CurveEquations>(
         let [first, second] = found.residual;
         Ok(((found, gradient), [first, second, slope]))
     };
-    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, difference: OUTER_STEP, rounding: TOLERANCE.1 };
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences: [OUTER_STEP; 3], rounding: TOLERANCE.1 };
     let solved = system.solve(start, jacobian, TOLERANCE.0)?;
     let (found, gradient) = solved.solution;
     let here = Vector3::new(found.residual[0], found.residual[1], 0.0);
@@ -136,8 +164,33 @@ pub fn located<E: CurveEquations>(
         unknown_rounding,
         value_rounding: across + along + 8.0 * f64::EPSILON * value.abs(),
         residual: solved.residual,
-        evaluations: 13 * u64::from(solved.evaluations),
         jacobian: Some(matrix),
+        scales,
         found,
     })
+}
+
+/// What a fold is off in finer equations, by one Newton step in them with differences of another `step`; thirteen evaluations.
+///
+/// # Errors
+/// Those of the equations; [`Refusal::NotConverged`] where two folds merge.
+pub fn shifted<E: CurveEquations>(
+    finer: &E,
+    fold: &FoldPoint<E::State>,
+    quantity: Quantity,
+    step: f64,
+) -> Result<FoldShift, Refusal> {
+    let found = finer.evaluate(fold.unknowns)?;
+    let rows = gradients(finer, fold.unknowns, fold.scales, step)?;
+    let tangent = tangent_of(&rows)?;
+    let gradient = gradient(quantity, &rows, fold.scales);
+    let residual = Vector3::new(found.residual[0], found.residual[1], gradient.dot(&tangent) / gradient.norm());
+    let moved = fold
+        .jacobian
+        .and_then(|matrix| matrix.lu().solve(&residual))
+        .ok_or_else(|| Refusal::NotConverged { what: "a fold of a curve", detail: "two folds merge: the Jacobian is singular".into() })?;
+    let unknowns = std::array::from_fn(|index| -moved[index] * fold.scales[index]);
+    // Along the tangent the value is stationary.
+    let value = quantity.of(fold.unknowns, found.watched) - fold.value - gradient.dot(&moved);
+    Ok(FoldShift { unknowns, value })
 }

@@ -15,6 +15,7 @@ use super::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescr
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
+use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -97,6 +98,7 @@ pub struct EdgeBalance {
     adhesion: Option<(WaveAdhesion, ProcessZone, ProcessZone)>,
     control: SlidingControl,
     resolution: Resolution,
+    evaluations: Cell<u64>,
 }
 
 impl EdgeBalance {
@@ -113,7 +115,7 @@ impl EdgeBalance {
             let (trailing, leading) = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
             (adhesion, trailing, leading)
         });
-        Self { memory, indenter, adhesion, control, resolution }
+        Self { memory, indenter, adhesion, control, resolution, evaluations: Cell::new(0) }
     }
 
     /// The adhesion.
@@ -126,6 +128,11 @@ impl EdgeBalance {
     #[must_use]
     pub const fn contacts_per_evaluation(&self) -> u64 {
         if self.adhesion.is_some() { 3 } else { 1 }
+    }
+
+    /// Evaluations since this was last asked, those that led to nothing as well.
+    pub fn take_evaluations(&self) -> u64 {
+        self.evaluations.take()
     }
 
     /// The edges and the prescription that a pair of unknowns stands for.
@@ -161,6 +168,7 @@ impl EdgeBalance {
     /// # Errors
     /// As [`EdgeBalance::evaluate`].
     pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
+        self.evaluations.set(self.evaluations.get() + 1);
         let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
         let state = solve(edges, prescribed)?;
         let Some((adhesion, trailing, leading)) = &self.adhesion else {

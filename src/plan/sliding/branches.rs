@@ -267,12 +267,15 @@ impl SlidingPlan {
     /// Where a branch stops before the end that was asked for.
     fn ending(&self, verb: &str, end: &BranchEnd) -> Option<String> {
         match end {
+            BranchEnd::Impossible { half_width, witness, .. } => {
+                let half_width = half_width * self.scale.length;
+                Some(format!("the branch {verb} at a half-width of {half_width:.4e}: {}", witness.name()))
+            }
             BranchEnd::Lost { half_width, reason, .. } => {
                 let half_width = half_width * self.scale.length;
                 Some(format!("the branch {verb} at a half-width of {half_width:.4e}: {}", self.sentence(reason)))
             }
             BranchEnd::TooLong => Some(format!("the branch {verb} here: it is too long")),
-            BranchEnd::NearFull(_) => Some(format!("the branch {verb} here: full contact is too near for its digits")),
             BranchEnd::HalfWidth(_) | BranchEnd::Parameter(_) | BranchEnd::Closed => None,
         }
     }

@@ -6,7 +6,8 @@
 
 use super::conditions::{BranchProblem, BranchStart};
 use super::fold::{Fold, FoldQuantity, Turn};
-use super::trace::{Branch, BranchEnd, trace};
+use super::end::BranchEnd;
+use super::trace::{Branch, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 

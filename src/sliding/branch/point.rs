@@ -4,14 +4,15 @@ use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
 use super::fold::contact_at;
 use super::stability::SecondVariations;
-use super::trace::{BranchWork, Coarse, parameter_of};
+use super::start::place_of;
+use super::trace::{BranchWork, Coarse, near as near_start, parameter_of};
 use crate::continuation::arclength::{CurveEquations, Quantity, landed};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
-use crate::sliding::steady::{PartialValues, Start, steady_sliding_near};
+use crate::sliding::steady::{PartialValues, Start};
 use std::sync::Arc;
 
 /// Part of the tangent along the parameter below which a turn is so near that the parameter is found and the half-width given.
@@ -48,24 +49,24 @@ pub(super) fn accurate_point(
         None => {
             let wider = (1.0 - part) * from.tangent[0] + part * to.tangent[0];
             let (control, start) = if wider.abs() > NEAR_TURN {
-                (SlidingControl::HalfWidth(near[0]), Start::at(near[2], near[1]))
+                (SlidingControl::HalfWidth(fine.edges(near).half_width), Start::at(near[2], near[1]))
             } else {
-                (SlidingControl::MeanPressure(near[2]), Start::at(near[0], near[1]))
+                (SlidingControl::MeanPressure(near[2]), Start::at(fine.edges(near).half_width, near[1]))
             };
-            let found = steady_sliding_near(material, &problem.steady(0.0, control), &start)?;
-            work.closure_evaluations += found.work.closure_evaluations;
+            let found = near_start(material, &problem.steady(0.0, control), &start, work)?;
             (found.values.mean_pressure, found.values)
         }
         Some(control) if along.abs() > NEAR_TURN => {
-            let found = steady_sliding_near(material, &problem.steady(near[2], control), &Start::at(near[0], near[1]))?;
-            work.closure_evaluations += found.work.closure_evaluations;
+            let first = if matches!(control, SlidingControl::HalfWidth(_)) { near[0] } else { fine.edges(near).half_width };
+            let found = near_start(material, &problem.steady(near[2], control), &Start::at(first, near[1]), work)?;
             (Estimate::exact(parameter_of(problem, near[2])), found.values)
         }
         Some(_) => {
             let finest = BranchEquations::new(material, problem, Resolution::Finest)?;
-            let (rough, _, first) = landed(fine, (from, to), Quantity::Unknown(0), near[0], 1e-12)?;
-            let (best, found, second) = landed(&finest, (from, to), Quantity::Unknown(0), near[0], 1e-12)?;
-            work.closure_evaluations += first + second;
+            let (rough, _) = landed(fine, (from, to), Quantity::Unknown(0), near[0], 1e-12)?;
+            let best = landed(&finest, (from, to), Quantity::Unknown(0), near[0], 1e-12);
+            work.closure_evaluations += finest.evaluations();
+            let (best, found) = best?;
             let error = (best[2] - rough[2]).abs() + found.rounding[0] + found.rounding[1] + 1e-12;
             let values = contact_at(material, problem, best, (found.state.state.mean_pressure(), false), [0.0, 0.0, error], work)?;
             (Estimate::relative(parameter_of(problem, best[2]), error), values)
@@ -73,7 +74,7 @@ pub(super) fn accurate_point(
     };
     let scales = fine.scales(near);
     let half_width_held = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
-    let first = if half_width_held { values.mean_pressure.value } else { values.half_width.value };
+    let first = if half_width_held { values.mean_pressure.value } else { place_of(problem, values.half_width.value) };
     let far = ((first - near[0]) / scales[0]).abs().max(((values.eccentricity.value - near[1]) / scales[1]).abs());
     if far > FARTHEST {
         return Err(Refusal::NotConverged {

@@ -57,18 +57,21 @@ pub(super) fn solved(
         let Some(finer) = resolution.finer() else {
             return Err(Refusal::NotConverged { what: "the accuracy of a sliding contact", detail: "no finer level is left".into() });
         };
-        let count = |evaluations: u64, work: &mut SlidingWork| {
+        let count = |balance: &EdgeBalance, work: &mut SlidingWork| {
+            let evaluations = balance.take_evaluations();
             work.closure_evaluations += evaluations;
             work.contacts += balance.contacts_per_evaluation() * evaluations;
         };
-        let (found, admissibility) =
-            balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST))?;
-        count(u64::from(found.evaluations), work);
+        let found =
+            balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST));
+        count(&balance, work);
+        let (found, admissibility) = found?;
         let (here, release_rounding) = outputs(&balance, &found.solution)?;
         let Sensitivity { jacobian, outputs: slopes } = sensitivity(&balance, found.unknowns, &found.solution, &here)?;
         let fine_balance = balance_at(finer);
         let fine = fine_balance.evaluate(found.unknowns)?;
-        count(3, work);
+        count(&balance, work);
+        count(&fine_balance, work);
         // Each set of release rates (here, at both differences, at the finer level) takes the reversed contact as well.
         work.contacts += if problem.adhesion.is_some() { 4 } else { 0 };
         let (fine_outputs, _) = outputs(&fine_balance, &fine)?;
@@ -127,12 +130,13 @@ fn sensitivity(balance: &EdgeBalance, unknowns: [f64; 2], states: &EdgeStates, h
     for index in 0..2 {
         let mut moved = unknowns;
         moved[index] += small[index];
+        let step = moved[index] - unknowns[index];
         let there = balance.evaluate(moved)?;
         for (row, entry) in jacobian.iter_mut().enumerate() {
-            entry[index] = (there.residual()[row] - states.residual()[row]) / small[index];
+            entry[index] = (there.residual()[row] - states.residual()[row]) / step;
         }
         for (slope, (after, before)) in slopes.iter_mut().zip(outputs(balance, &there)?.0.iter().zip(here)) {
-            slope[index] = (after - before) / small[index];
+            slope[index] = (after - before) / step;
         }
     }
     Ok(Sensitivity { jacobian, outputs: slopes })

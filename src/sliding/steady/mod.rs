@@ -13,4 +13,5 @@ pub use path::Start;
 pub(super) use path::{From, start_at_rate};
 pub use problem::SlidingProblem;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
+pub(super) use solve::near_counted;
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};

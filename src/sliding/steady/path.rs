@@ -169,7 +169,7 @@ fn follow(
     let mut at = |parameter: f64, start: &Start| -> Result<(Start, EdgeBalance), Refusal> {
         let balance = balance_at(parameter)?;
         let found = balance.solve(start.unknowns, start.jacobian, TOLERANCE);
-        let evaluations = u64::from(found.as_ref().map_or(0, |found| found.evaluations));
+        let evaluations = balance.take_evaluations();
         work.closure_evaluations += evaluations;
         work.contacts += balance.contacts_per_evaluation() * evaluations;
         let found = found?;

@@ -94,9 +94,19 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
 pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start: &Start) -> Result<PartialContact, Refusal> {
+    near_counted(material, problem, start, &mut SlidingWork::default())
+}
+
+/// The same, adding to `work` whether there is a contact or not.
+pub(in crate::sliding) fn near_counted(
+    material: &Material,
+    problem: &SlidingProblem,
+    start: &Start,
+    work: &mut SlidingWork,
+) -> Result<PartialContact, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
-    solved(&memory, problem, start, &mut SlidingWork::default())
+    solved(&memory, problem, start, work)
 }
 
 /// Whether the limit that an elastic contact has passed is snap-in or full contact.
