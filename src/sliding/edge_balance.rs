@@ -64,6 +64,8 @@ const GAP_POINTS: u32 = 16;
 const LONGEST_STEP: f64 = 0.33;
 /// Steps of difference quotients in units of the same room.
 const DIFFERENCE: f64 = 1e-6;
+/// Longest step of difference quotients in the eccentricity of a narrow gap.
+const MOST_OF_ROOM: f64 = 1e-3;
 /// Rounding of a condition over the size of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A gap this far below zero, over the largest, is rounding.
@@ -218,13 +220,17 @@ impl EdgeBalance {
     pub fn room(&self, [first, _]: [f64; 2]) -> [f64; 2] {
         match self.control {
             SlidingControl::HalfWidth(half_width) => {
-                let arc = half_width.min(self.indenter.widest() - half_width);
-                [self.indenter.half_angle_scale(half_width) + first.abs(), arc]
+                [self.indenter.half_angle_scale(half_width) + first.abs(), self.room_of_eccentricity(half_width)]
             }
-            _ => {
-                let arc = first.min(self.indenter.widest() - first);
-                [arc, arc]
-            }
+            _ => [first.min(self.indenter.widest() - first), self.room_of_eccentricity(first)],
+        }
+    }
+
+    /// Near full contact a gap may be anywhere on the wave.
+    fn room_of_eccentricity(&self, half_width: f64) -> f64 {
+        match self.indenter {
+            Indenter::Wave => half_width.min(1.0),
+            Indenter::Parabola => half_width,
         }
     }
 
@@ -239,7 +245,13 @@ impl EdgeBalance {
     /// The difference steps of the unknowns.
     #[must_use]
     pub fn differences(&self, unknowns: [f64; 2]) -> [f64; 2] {
-        self.room(unknowns).map(|room| DIFFERENCE * room)
+        let [first, eccentricity] = self.room(unknowns).map(|room| DIFFERENCE * room);
+        let half_width = if let SlidingControl::HalfWidth(half_width) = self.control { half_width } else { unknowns[0] };
+        let (Indenter::Wave, Some((adhesion, ..))) = (self.indenter, &self.adhesion) else { return [first, eccentricity] };
+        // Across a narrow gap the pressure of the wave hardly changes: what an eccentricity does is this many times smaller than one.
+        let gap = PI - half_width;
+        let tilts = (adhesion.reduced_work / (0.5 * gap).tan()).sqrt() / gap;
+        [first, eccentricity.max((f64::EPSILON * tilts).sqrt().min(MOST_OF_ROOM))]
     }
 
     fn with_equations<R>(
