@@ -6,7 +6,7 @@ use super::equations::BranchEquations;
 use super::fold::{Fold, FoldQuantity, located_fold};
 use super::point::{BranchPoint, accurate_point, variations_at};
 use super::start::start;
-use crate::continuation::arclength::{Curve, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
+use crate::continuation::arclength::{Curve, CurveEquations, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
 use crate::continuation::fold::{interpolated, part_at};
 use crate::estimate::Estimate;
 use crate::material::Material;
@@ -24,6 +24,8 @@ const DIP: f64 = 2.0;
 /// Parts of a step where it may have.
 const REFINED: f64 = 8.0;
 
+/// Arclengths beyond the last point at which it is looked for what forbids the next.
+const PREDICTED: [f64; 3] = [1e-5, 1e-4, 1e-3];
 /// Turns that are refused before no more are looked for.
 const MOST_UNLOCATED: usize = 12;
 
@@ -129,7 +131,14 @@ pub(super) fn coarse(
             CurveEnd::Closed => BranchEnd::Closed,
             CurveEnd::Left => border(last).unwrap_or(BranchEnd::TooLong),
             CurveEnd::MostPoints => BranchEnd::TooLong,
-            CurveEnd::Lost(reason) => BranchEnd::Lost { half_width, parameter, reason },
+            // An amplitude that changes its sign makes the residual jump: no root follows, but the contact predicted tells.
+            CurveEnd::Lost(reason) => match PREDICTED.into_iter().find_map(|step| {
+                let next = equations.evaluate(std::array::from_fn(|index| last.unknowns[index] + step * last.tangent[index] * last.scales[index]));
+                impossible(equations.prepared(), &last.state, &next.ok()?.state)
+            }) {
+                Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
+                None => BranchEnd::Lost { half_width, parameter, reason },
+            },
             CurveEnd::Inadmissible(next) => match impossible(equations.prepared(), &last.state, &next) {
                 Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
                 None => {
