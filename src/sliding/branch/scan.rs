@@ -21,7 +21,7 @@ use std::sync::Arc;
 const RESOLUTION: Resolution = Resolution::Coarse;
 /// Residual of a contact between two half-widths of a scan.
 const TOLERANCE: f64 = 1e-4;
-/// Largest change of eccentricity between neighbours that are one contact, over that which the row steps.
+/// Largest change of eccentricity between neighbours along the row that are one contact.
 const NEIGHBOURS: f64 = 0.6;
 /// A contact nearer than this to a curve, in scaled unknowns, lies on it.
 const ON_CURVE: f64 = 0.05;
@@ -89,43 +89,71 @@ pub(super) fn contacts_of(
         Some(SlidingControl::MeanPressure(pressure)) => (|contact| contact.mean_pressure, pressure),
         Some(SlidingControl::Penetration(penetration)) => (|contact| contact.penetration, penetration),
     };
-    let rows: Vec<Vec<ContactAt>> = row(problem, half_widths).into_iter().map(at).collect();
-    let balance = EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
-    let mut found: Vec<ContactAt> = Vec::new();
-    for pair in rows.windows(2) {
-        let [narrow, wide] = pair else { continue };
+    let widths = row(problem, half_widths);
+    let rows: Vec<Vec<ContactAt>> = widths.iter().map(|&width| at(width)).collect();
+    let off = |contact: &ContactAt| held(contact) - value;
+    let mut pairs: Vec<(ContactAt, ContactAt)> = Vec::new();
+    let mut cross = |from: &ContactAt, to: &ContactAt| {
+        let crosses = off(from) * off(to) <= 0.0;
+        if crosses {
+            pairs.push((*from, *to));
+        }
+        crosses
+    };
+    for (index, narrow) in rows.iter().enumerate() {
         for from in narrow {
-            let Some(to) = wide.iter().min_by(|first, second| {
-                let far = |contact: &ContactAt| (contact.eccentricity - from.eccentricity).abs();
-                far(first).total_cmp(&far(second))
-            }) else {
+            let (Some(to), before) = (
+                rows.get(index + 1).and_then(|row| neighbour(row, from)),
+                index.checked_sub(1).and_then(|index| rows.get(index)).and_then(|row| neighbour(row, from)),
+            ) else {
                 continue;
             };
-            let (begin, end) = (held(from) - value, held(to) - value);
-            if begin * end > 0.0 || (to.eccentricity - from.eccentricity).abs() > NEIGHBOURS {
+            if cross(from, to) {
                 continue;
             }
-            let part = begin / (begin - end);
-            let between = |first: f64, second: f64| first + part * (second - first);
-            let start = [between(from.half_width, to.half_width), between(from.eccentricity, to.eccentricity)];
-            if let Ok((solution, _)) = balance.solve_admissible(start, None, TOLERANCE) {
-                let state = &solution.solution.state;
-                let contact = ContactAt {
-                    half_width: solution.unknowns[0],
-                    eccentricity: solution.unknowns[1],
-                    mean_pressure: state.mean_pressure(),
-                    penetration: state.penetration(),
-                };
-                let same = |other: &ContactAt| {
-                    (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs() < 1e-3 * contact.half_width
-                };
-                if !found.iter().any(same) {
-                    found.push(contact);
+            // Both between neighbours: where what is held comes near its value and goes back.
+            let Some(before) = before else { continue };
+            let [begin, middle, end] = [before, from, to].map(off);
+            if begin * middle > 0.0 && middle.abs() <= begin.abs().min(end.abs()) {
+                let places = [before, from, to].map(|contact| place_of(problem, contact.half_width));
+                let vertex = places[1] + 0.5 * (places[2] - places[1]) * (begin - end) / (begin - 2.0 * middle + end);
+                let turn = at(ContactEdges::at_place(problem.indenter, vertex, 0.0).half_width);
+                if let Some(turn) = neighbour(&turn, from)
+                    && cross(before, turn)
+                {
+                    cross(turn, to);
                 }
             }
         }
     }
+    let balance = EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
+    let mut found: Vec<ContactAt> = Vec::new();
+    for (from, to) in &pairs {
+        let part = if off(from) == off(to) { 0.5 } else { off(from) / (off(from) - off(to)) };
+        let between = |first: f64, second: f64| first + part * (second - first);
+        let start = [between(from.half_width, to.half_width), between(from.eccentricity, to.eccentricity)];
+        let Ok((solution, _)) = balance.solve_admissible(start, None, TOLERANCE) else { continue };
+        let state = &solution.solution.state;
+        let contact = ContactAt {
+            half_width: solution.unknowns[0],
+            eccentricity: solution.unknowns[1],
+            mean_pressure: state.mean_pressure(),
+            penetration: state.penetration(),
+        };
+        let same = |other: &ContactAt| {
+            (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs() < 1e-3 * contact.half_width
+        };
+        if !found.iter().any(same) {
+            found.push(contact);
+        }
+    }
     Ok(found)
+}
+
+/// The contact of a half-width that continues one of the next.
+fn neighbour<'a>(row: &'a [ContactAt], contact: &ContactAt) -> Option<&'a ContactAt> {
+    let far = |other: &ContactAt| (other.eccentricity - contact.eccentricity).abs();
+    row.iter().min_by(|first, second| far(first).total_cmp(&far(second))).filter(|other| far(other) < NEIGHBOURS)
 }
 
 /// Every branch of a problem: that of its start (of speeds: from the slow and the fast side), and those of the contacts that a scan finds on none.
