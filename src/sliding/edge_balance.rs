@@ -97,7 +97,7 @@ impl TwoResiduals for EdgeStates {
 pub struct EdgeBalance {
     memory: Arc<ContactMemory>,
     indenter: Indenter,
-    adhesion: Option<(WaveAdhesion, ProcessZone, ProcessZone)>,
+    adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
     control: SlidingControl,
     resolution: Resolution,
     evaluations: Cell<u64>,
@@ -114,10 +114,16 @@ impl EdgeBalance {
         resolution: Resolution,
     ) -> Self {
         let adhesion = adhesion.map(|adhesion| {
-            let (trailing, leading) = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
-            (adhesion, trailing, leading)
+            let zones = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
+            (adhesion, Arc::new(zones))
         });
         Self { memory, indenter, adhesion, control, resolution, evaluations: Cell::new(0) }
+    }
+
+    /// The same conditions under another control; what is prepared is shared.
+    #[must_use]
+    pub fn under(&self, control: SlidingControl) -> Self {
+        Self { control, evaluations: Cell::new(0), ..self.clone() }
     }
 
     /// The adhesion.
@@ -173,7 +179,7 @@ impl EdgeBalance {
         self.evaluations.set(self.evaluations.get() + 1);
         let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
         let state = solve(edges, prescribed)?;
-        let Some((adhesion, trailing, leading)) = &self.adhesion else {
+        let Some((adhesion, zones)) = &self.adhesion else {
             let half = self.indenter.half_angle_scale(edges.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
@@ -181,6 +187,7 @@ impl EdgeBalance {
             let residual = [behind / scale, ahead / scale];
             return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
         };
+        let (trailing, leading) = &**zones;
         let trailing_moved = solve(edges.moved_out(-trailing.length()), state.held())?;
         let leading_moved = solve(edges.moved_out(leading.length()), state.held())?;
         let target = 2.0 * PI * adhesion.reduced_work;
@@ -206,9 +213,10 @@ impl EdgeBalance {
     /// # Errors
     /// Those of the reversed contact.
     pub fn releases(&self, states: &EdgeStates) -> Result<Option<(Estimate, Estimate)>, Refusal> {
-        let (Some((adhesion, trailing, leading)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
+        let (Some((adhesion, zones)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
             return Ok(None);
         };
+        let (trailing, leading) = &**zones;
         let reversed = states.state.reversed()?;
         let target = 2.0 * PI * adhesion.reduced_work;
         let over_target = |work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);

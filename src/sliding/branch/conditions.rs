@@ -1,9 +1,10 @@
 //! What is asked of a branch, in reduced units.
 
+use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
-use crate::sliding::steady::SlidingProblem;
+use crate::sliding::steady::{Prepared, SlidingProblem};
 
 /// Half the narrowest gap of a branch, over the longer process zone.
 const GAP_IN_ZONES: f64 = 2.0;
@@ -102,6 +103,12 @@ impl BranchProblem {
     pub(super) fn steady(&self, third: f64, control: SlidingControl) -> SlidingProblem {
         let (rate, adhesion) = self.at(third);
         SlidingProblem { rate, indenter: self.indenter, adhesion: Some(adhesion), control, accuracy: self.accuracy }
+    }
+
+    /// The edge conditions at a point of the branch, for its accurate contacts.
+    pub(super) fn prepared(&self, material: &Material, third: f64) -> Result<Prepared, Refusal> {
+        let (rate, adhesion) = self.at(third);
+        Prepared::new(material, rate, self.indenter, Some(adhesion))
     }
 
     /// Rate and adhesion at a value of the third unknown.

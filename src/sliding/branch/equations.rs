@@ -15,9 +15,11 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Prescribed, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
+/// Values of the third unknown whose conditions are kept: here, and moved.
+const RECENT: usize = 2;
 /// Size of a residual's rounding, for the choice of difference steps.
 const ROUNDING: f64 = 1e-15;
 
@@ -30,6 +32,8 @@ pub(super) struct BranchEquations<'a> {
     prepared: EdgeBalance,
     memory: Arc<ContactMemory>,
     evaluations: Cell<u64>,
+    /// Those of the last values of the third unknown, along speeds and zones.
+    recent: RefCell<Vec<(f64, EdgeBalance)>>,
 }
 
 impl<'a> BranchEquations<'a> {
@@ -40,7 +44,7 @@ impl<'a> BranchEquations<'a> {
     pub(super) fn new(material: &'a Material, problem: &'a BranchProblem, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
-        Ok(Self { material, problem, resolution, prepared, memory: Arc::new(ContactMemory::new(material, rate)?), evaluations: Cell::new(0) })
+        Ok(Self { material, problem, resolution, prepared, memory: Arc::new(ContactMemory::new(material, rate)?), evaluations: Cell::new(0), recent: RefCell::new(Vec::new()) })
     }
 
     fn balance(
@@ -62,6 +66,20 @@ impl<'a> BranchEquations<'a> {
     /// How often the conditions were evaluated, whether that led to anything or not.
     pub(super) fn evaluations(&self) -> u64 {
         self.evaluations.get()
+    }
+
+    /// Uses the conditions at a value of the third unknown, which differences in the others share.
+    fn with_balance<R>(&self, third: f64, run: impl FnOnce(&EdgeBalance) -> Result<R, Refusal>) -> Result<R, Refusal> {
+        let mut recent = self.recent.borrow_mut();
+        if let Some((_, balance)) = recent.iter().find(|(value, _)| value.to_bits() == third.to_bits()) {
+            return run(balance);
+        }
+        let (rate, zones) = if matches!(self.problem.path, BranchPath::Zones(_)) { (self.problem.rate, third) } else { (third.exp(), 0.0) };
+        let balance = Self::balance(self.material, self.problem, self.resolution, rate, zones)?;
+        let found = run(&balance);
+        recent.truncate(RECENT - 1);
+        recent.insert(0, (third, balance));
+        found
     }
 
     /// The conditions at the rate and adhesion of the problem.
@@ -129,12 +147,9 @@ impl CurveEquations for BranchEquations<'_> {
         let here = |balance: &EdgeBalance| balance.evaluate_edges(edges, prescribed);
         let (states, factor) = match self.problem.path {
             BranchPath::Loads => (here(&self.prepared)?, 1.0),
-            BranchPath::Speeds(_) => (here(&Self::balance(self.material, self.problem, self.resolution, third.exp(), 0.0)?)?, 1.0),
+            BranchPath::Speeds(_) | BranchPath::Zones(_) => (self.with_balance(third, here)?, 1.0),
             // residual + 1 is the root of a work over that of adhesion.
             BranchPath::Adhesions(_) => (here(&self.prepared)?, (self.problem.adhesion.reduced_work / third.exp()).sqrt()),
-            BranchPath::Zones(_) => {
-                (here(&Self::balance(self.material, self.problem, self.resolution, self.problem.rate, third)?)?, 1.0)
-            }
         };
         let [trailing, leading] = states.residual().map(|residual| (residual + 1.0) * factor - 1.0);
         let rounding = states.rounding.map(|rounding| rounding * factor * factor);

@@ -182,7 +182,8 @@ pub(super) fn located_fold(
     let pressure = point.found.state.state.mean_pressure();
     let by_pressure = tangent[0].abs() < NEAR_TURN;
     let contact = contact_at(material, problem, point.unknowns, (pressure, by_pressure), errors, work)?;
-    let variations = variations_at(material, problem, point.unknowns[2], &contact, Resolution::Finest, work)?;
+    let third = if problem.path == BranchPath::Loads { 0.0 } else { point.unknowns[2] };
+    let variations = variations_at(&problem.prepared(material, third)?, problem, &contact, Resolution::Fine, work)?;
     let frame = match (quantity, problem.held()) {
         (FoldQuantity::Penetration, _) | (_, Some(SlidingControl::Penetration(_))) => f64::INFINITY,
         _ => 0.0,
@@ -223,7 +224,7 @@ pub(super) fn contact_at(
         _ => (half_width, width_error, SlidingControl::HalfWidth, pressure),
     };
     let mut at = |given: f64, third: f64| -> Result<PartialValues, Refusal> {
-        Ok(near(material, &problem.steady(third, control(given)), &Start::at(guess, eccentricity), work)?.values)
+        Ok(near(&problem.prepared(material, third)?, &problem.steady(third, control(given)), &Start::at(guess, eccentricity), work)?.values)
     };
     let here = at(given, third)?;
     // Differences far above the bars of both, far below curvature, and away from the narrower of contact and gap.

@@ -4,7 +4,7 @@ use super::conditions::{BranchPath, BranchProblem};
 use super::end::{BranchEnd, border, impossible};
 use super::equations::BranchEquations;
 use super::fold::{Fold, FoldQuantity, located_fold};
-use super::point::{BranchPoint, accurate_point, variations_at};
+use super::point::{BranchPoint, VARIATIONS, accurate_point, variations_at};
 use super::start::start;
 use crate::continuation::arclength::{Curve, CurveEquations, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
 use crate::continuation::fold::{interpolated, part_at};
@@ -13,7 +13,7 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
-use crate::sliding::steady::{PartialContact, SlidingProblem, SlidingWork, Start, near_counted};
+use crate::sliding::steady::{PartialContact, Prepared, SlidingProblem, SlidingWork, Start, near_counted};
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
 const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7 };
@@ -180,13 +180,13 @@ pub(super) fn changes<'a>(curve: &'a [Coarse], value: impl Fn(&Coarse) -> f64 + 
 
 /// The contact of a problem near a start, with its work counted whether there is one or not.
 pub(super) fn near(
-    material: &Material,
+    prepared: &Prepared,
     problem: &SlidingProblem,
     start: &Start,
     work: &mut BranchWork,
 ) -> Result<PartialContact, Refusal> {
     let mut counters = SlidingWork::default();
-    let found = near_counted(material, problem, start, &mut counters);
+    let found = near_counted(prepared, problem, start, &mut counters);
     work.closure_evaluations += counters.closure_evaluations;
     found
 }
@@ -226,15 +226,16 @@ fn zero_load(
         return Ok(Vec::new());
     }
     let equations = BranchEquations::new(material, problem, RESOLUTION)?;
+    let prepared = problem.prepared(material, 0.0)?;
     let mut found = Vec::new();
     for (from, to) in changes(curve, |point| point.unknowns[2]) {
         let mut at = || -> Result<BranchPoint, Refusal> {
             let (unknowns, _) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
             let steady = problem.steady(0.0, SlidingControl::MeanPressure(0.0));
             let start = Start::at(equations.edges(unknowns).half_width, unknowns[1]);
-            let contact = near(material, &steady, &start, work)?;
+            let contact = near(&prepared, &steady, &start, work)?;
             let arclength = from.arclength + part_at(from, to, 0, unknowns[0]) * (to.arclength - from.arclength);
-            let variations = variations_at(material, problem, 0.0, &contact.values, Resolution::Fine, work)?;
+            let variations = variations_at(&prepared, problem, &contact.values, VARIATIONS, work)?;
             Ok(BranchPoint { arclength, parameter: Estimate::exact(0.0), values: contact.values, variations })
         };
         match at() {
@@ -297,6 +298,9 @@ fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &m
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return Ok((Vec::new(), Vec::new())) };
     let (mut points, mut left_out) = (Vec::new(), Vec::new());
     let fine = BranchEquations::new(material, problem, Resolution::Fine)?;
+    // Along loads every contact has one speed and adhesion.
+    let prepared = (problem.path == BranchPath::Loads).then(|| problem.prepared(material, 0.0)).transpose()?;
+    let mut jacobian = None;
     let mut segment = 0;
     for index in 0..problem.points {
         // The first and the last point of the curve may be outside the region: not quite to the ends.
@@ -308,7 +312,7 @@ fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &m
         let (Some(from), Some(to)) = (curve.get(segment), curve.get(segment + 1)) else { continue };
         let part = ((arclength - from.arclength) / (to.arclength - from.arclength)).clamp(0.0, 1.0);
         let near = interpolated(from, to, part);
-        match accurate_point(material, problem, &fine, (from, to), part, near, work) {
+        match accurate_point((material, problem, prepared.as_ref()), &fine, (from, to), (part, near), &mut jacobian, work) {
             Ok(point) => points.push(BranchPoint { arclength, ..point }),
             Err(refusal) => left_out.push((arclength, refusal)),
         }

@@ -9,15 +9,15 @@
 //! Where it is above the request, the next level follows.
 
 use super::path::Start;
+use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
 use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_two_by_two};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactMemory, Resolution};
+use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, WaveAdhesion};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Share of an error that the finer level may still have.
 const MARGIN: f64 = 0.3;
@@ -38,12 +38,12 @@ type Outputs = [f64; OUTPUTS];
 /// # Errors
 /// [`Refusal::NotConverged`] if no admissible root is near.
 pub(super) fn solved(
-    memory: &Arc<ContactMemory>,
+    prepared: &Prepared,
     problem: &SlidingProblem,
     start: &Start,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
-    let balance_at = |resolution| EdgeBalance::new(Arc::clone(memory), problem.indenter, problem.adhesion, problem.control, resolution);
+    let balance_at = |resolution| prepared.balance(problem.control, resolution);
     let mut resolution = if problem.accuracy > 1e-4 {
         Resolution::Coarse
     } else if problem.accuracy > 1e-9 {

@@ -3,6 +3,7 @@
 mod accuracy;
 mod elastic_start;
 mod path;
+mod prepared;
 mod problem;
 mod solution;
 mod solve;
@@ -13,5 +14,6 @@ pub use path::Start;
 pub(super) use path::{From, start_at_rate};
 pub use problem::SlidingProblem;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
+pub(super) use prepared::Prepared;
 pub(super) use solve::near_counted;
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};

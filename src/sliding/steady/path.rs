@@ -38,7 +38,7 @@ const TOLERANCE: f64 = 1e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
     pub(in crate::sliding) unknowns: [f64; 2],
-    pub(super) jacobian: Option<Jacobian>,
+    pub(in crate::sliding) jacobian: Option<Jacobian>,
 }
 
 impl Start {
