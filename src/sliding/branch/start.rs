@@ -1,15 +1,20 @@
 //! Where a branch begins.
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
+use super::every::ContactAt;
+use super::scan::contacts_of;
+use super::stability::{SecondVariations, Stability};
 use super::trace::BranchWork;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactEdges, WaveContact};
+use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, start_at_rate, steady_sliding};
 
-/// The half-widths at which the loads of one speed are begun, in this order.
-const HALF_WIDTHS: [f64; 10] = [1.2, 0.6, 1.8, 0.3, 2.4, 0.15, 0.08, 0.04, 0.02, 0.01];
+/// The half-width at which the loads of one speed are begun, if it is asked for.
+const MIDDLE: f64 = 1.2;
+/// Half-widths of a scan for a contact where the slow and the fast one lead to none.
+const SCANNED: usize = 48;
 /// Accuracy of the contact at which a branch begins.
 const START_ACCURACY: f64 = 1e-4;
 
@@ -48,25 +53,12 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
             _ => [place_of(problem, half_width), eccentricity, parameter.ln()],
         }),
         (BranchPath::Loads, _) => {
-            // Which half-widths are reached from the slow or the fast contact at that half-width depends on where the branch turns back.
             let [narrowest, widest] = problem.half_widths;
-            let mut widths: Vec<f64> = HALF_WIDTHS.into_iter().filter(|&width| width > narrowest && width < widest).collect();
-            if widths.is_empty() {
-                widths.push(0.5 * (narrowest + widest));
+            let half_width = if narrowest < MIDDLE && widest > MIDDLE { MIDDLE } else { 0.5 * (narrowest + widest) };
+            match steady(problem.rate, SlidingControl::HalfWidth(half_width)) {
+                Ok((values, _)) => Ok(placed(SlidingControl::MeanPressure(0.0), &values, values.mean_pressure.value)),
+                Err(refusal) => by_scan(material, problem, refusal, work),
             }
-            let mut first = None;
-            let controls = widths.into_iter().map(SlidingControl::HalfWidth).chain([SlidingControl::MeanPressure(0.0)]);
-            for control in controls {
-                match steady(problem.rate, control) {
-                    Ok((values, half_width)) if half_width > narrowest && half_width < widest => {
-                        return Ok([place_of(problem, half_width), values.eccentricity.value, values.mean_pressure.value]);
-                    }
-                    Ok(_) => {}
-                    Err(refusal) => first = first.or(Some(refusal)),
-                }
-            }
-            Err(first
-                .unwrap_or(Refusal::NotConverged { what: "the start of a branch", detail: "no contact within the half-widths".into() }))
         }
         (BranchPath::Speeds(control), from) => {
             let (from, rate) = match from {
@@ -82,13 +74,46 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
             let first = if matches!(control, SlidingControl::HalfWidth(_)) { first } else { place_of(problem, first) };
             Ok([first, eccentricity, rate.ln()])
         }
-        (BranchPath::Adhesions(control), _) => {
-            let (values, _) = steady(problem.rate, control)?;
-            Ok(placed(control, &values, problem.adhesion.reduced_work.ln()))
+        (BranchPath::Adhesions(control) | BranchPath::Zones(control), _) => {
+            let third = if matches!(problem.path, BranchPath::Zones(_)) { 0.0 } else { problem.adhesion.reduced_work.ln() };
+            match steady(problem.rate, control) {
+                Ok((values, _)) => Ok(placed(control, &values, third)),
+                Err(refusal) => by_scan(material, problem, refusal, work),
+            }
         }
-        (BranchPath::Zones(control), _) => {
-            let (values, _) = steady(problem.rate, control)?;
-            Ok(placed(control, &values, 0.0))
+    }
+}
+
+/// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest eccentricity.
+fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+    if matches!(refusal, Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) {
+        return Err(refusal);
+    }
+    let third = if matches!(problem.path, BranchPath::Adhesions(_)) { problem.adhesion.reduced_work.ln() } else { 0.0 };
+    let found = contacts_of(material, problem, problem.held(), third, SCANNED)?;
+    let prepared = problem.prepared(material, third)?;
+    let frame = if matches!(problem.held(), Some(SlidingControl::Penetration(_))) { f64::INFINITY } else { 0.0 };
+    let mut stable = |contact: &ContactAt| {
+        let balance = prepared.balance(SlidingControl::MeanPressure(contact.mean_pressure), Resolution::Coarse);
+        let edges = WaveContact { half_width: contact.half_width, eccentricity: contact.eccentricity };
+        let variations = SecondVariations::new(&balance, edges, contact.mean_pressure, problem.indenter);
+        work.closure_evaluations += balance.take_evaluations();
+        variations.is_ok_and(|variations| variations.in_frame(frame) == Stability::Stable)
+    };
+    let smallest = |first: &ContactAt, second: &ContactAt| first.eccentricity.abs().total_cmp(&second.eccentricity.abs());
+    let best = found.iter().filter(|contact| stable(contact)).copied().min_by(smallest).or_else(|| found.iter().copied().min_by(smallest));
+    match (best, problem.path) {
+        (Some(contact), BranchPath::Loads) => Ok([place_of(problem, contact.half_width), contact.eccentricity, contact.mean_pressure]),
+        (Some(contact), _) => {
+            let half_width_held = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
+            let first = if half_width_held { contact.mean_pressure } else { place_of(problem, contact.half_width) };
+            Ok([first, contact.eccentricity, third])
         }
+        (None, BranchPath::Loads) => Err(Refusal::NoSuchState {
+            reason: format!("no steady partial contact exists at this speed: none at any of {SCANNED} half-widths, whatever the load"),
+            limit_name: "half-widths looked at",
+            limit: SCANNED as f64,
+        }),
+        (None, _) => Err(refusal),
     }
 }
