@@ -34,6 +34,11 @@ pub trait CurveEquations {
         [DIFFERENCE; 3]
     }
 
+    /// By how much each unknown must change to change the equations by about one; where that is less than their scales, differences are taken over it.
+    fn natural(&self, unknowns: [f64; 3]) -> [f64; 3] {
+        self.scales(unknowns)
+    }
+
     /// Whether a solution can exist.
     ///
     /// # Errors

@@ -12,8 +12,8 @@ use nalgebra::{Matrix3, Vector3};
 pub const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
-/// Residual asked for; one that does not fall any more below the second is rounding.
-const TOLERANCE: (f64, f64) = (1e-13, 1e-7);
+/// Residual asked for; one that does not fall any more below the second is rounding, and widens the bars.
+const TOLERANCE: (f64, f64) = (1e-13, 1e-5);
 
 /// A turning point.
 #[derive(Debug, Clone)]
@@ -33,6 +33,7 @@ pub struct FoldPoint<S> {
     /// ∂(equations)/∂scaled unknown, for a fold nearby.
     pub jacobian: Option<Matrix3<f64>>,
     scales: [f64; 3],
+    natural: [f64; 3],
 }
 
 /// How far a fold is off in finer equations.
@@ -69,6 +70,21 @@ fn gradient(quantity: Quantity, rows: &[[f64; 3]; 3], scales: [f64; 3]) -> Vecto
         Quantity::Watched => Vector3::from(rows[2]),
         Quantity::Unknown(index) => Vector3::from_fn(|row, _| if row == index { scales[index] } else { 0.0 }),
     }
+}
+
+/// The gradient of a quantity in natural units of the unknowns, and its part along the curve over its size: zero at a fold.
+fn turning<E: CurveEquations>(
+    equations: &E,
+    unknowns: [f64; 3],
+    quantity: Quantity,
+    natural: [f64; 3],
+    step: f64,
+) -> Result<(Vector3<f64>, f64), Refusal> {
+    let rows = gradients(equations, unknowns, natural, step)?;
+    let tangent = tangent_of(&rows)?;
+    let gradient = gradient(quantity, &rows, natural);
+    let slope = gradient.dot(&tangent) / gradient.norm();
+    Ok((gradient, slope))
 }
 
 /// Where a chord between two points of a curve on both sides of a fold has the slope zero.
@@ -128,18 +144,19 @@ pub fn located<E: CurveEquations>(
     jacobian: Option<Matrix3<f64>>,
     step: f64,
 ) -> Result<FoldPoint<E::State>, Refusal> {
+    let natural = equations.natural(start);
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
-        let rows = gradients(equations, unknowns, scales, step)?;
-        let tangent = tangent_of(&rows)?;
-        let gradient = gradient(quantity, &rows, scales);
-        let slope = gradient.dot(&tangent) / gradient.norm();
+        let (gradient, slope) = turning(equations, unknowns, quantity, natural, step)?;
         let [first, second] = found.residual;
         Ok(((found, gradient), [first, second, slope]))
     };
-    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences: [OUTER_STEP; 3], rounding: TOLERANCE.1 };
+    let differences = std::array::from_fn(|index| OUTER_STEP * natural[index] / scales[index]);
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences, rounding: TOLERANCE.1 };
     let solved = system.solve(start, jacobian, TOLERANCE.0)?;
     let (found, gradient) = solved.solution;
+    // In scaled unknowns.
+    let gradient = Vector3::from_fn(|index, _| gradient[index] * scales[index] / natural[index]);
     let here = Vector3::new(found.residual[0], found.residual[1], 0.0);
     let matrix = match solved.jacobian {
         Some(matrix) => matrix,
@@ -166,6 +183,7 @@ pub fn located<E: CurveEquations>(
         residual: solved.residual,
         jacobian: Some(matrix),
         scales,
+        natural,
         found,
     })
 }
@@ -181,10 +199,9 @@ pub fn shifted<E: CurveEquations>(
     step: f64,
 ) -> Result<FoldShift, Refusal> {
     let found = finer.evaluate(fold.unknowns)?;
-    let rows = gradients(finer, fold.unknowns, fold.scales, step)?;
-    let tangent = tangent_of(&rows)?;
-    let gradient = gradient(quantity, &rows, fold.scales);
-    let residual = Vector3::new(found.residual[0], found.residual[1], gradient.dot(&tangent) / gradient.norm());
+    let (gradient, slope) = turning(finer, fold.unknowns, quantity, fold.natural, step)?;
+    let gradient = Vector3::from_fn(|index, _| gradient[index] * fold.scales[index] / fold.natural[index]);
+    let residual = Vector3::new(found.residual[0], found.residual[1], slope);
     let moved = fold
         .jacobian
         .and_then(|matrix| matrix.lu().solve(&residual))

@@ -92,9 +92,8 @@ impl<'a> BranchEquations<'a> {
         edges_at(self.problem, first, eccentricity)
     }
 
-    /// Pressure and e-scale of a contact: what presses, what pulls and what is there, as stiff as the solid is over the contact; and the eccentricity that
-    /// changes the balance of the edges by as much as that.
-    fn sizes(&self, unknowns: [f64; 3]) -> (f64, f64) {
+    /// The sizes of a contact.
+    fn sizes(&self, unknowns: [f64; 3]) -> Sizes {
         let edges = self.edges(unknowns);
         let pressure = match self.problem.held() {
             None => unknowns[2],
@@ -115,10 +114,26 @@ impl<'a> BranchEquations<'a> {
         };
         let stiffness = 1.0 / real.hypot(imaginary);
         let size = self.problem.indenter.half_angle_scale(edges.half_width).abs() * stiffness;
-        let scale = size + pressure.abs() + (self.problem.adhesion.reduced_work * stiffness * slope).sqrt();
+        let pull = (self.problem.adhesion.reduced_work * stiffness * slope).sqrt();
+        let scale = size + pressure.abs() + pull;
         // Of a contact without adhesion p̄ = a²/4, and e is a part of a.
-        (scale, 4.0 * scale / (stiffness * edges.width_by_place()))
+        let tilt = 4.0 / (stiffness * edges.width_by_place());
+        Sizes { pressure: scale, press: size, pull, eccentricity: tilt * scale, tilt }
     }
+}
+
+/// The sizes of a contact.
+struct Sizes {
+    /// What presses, what pulls and what is there, as stiff as the solid is over the contact.
+    pressure: f64,
+    /// What presses.
+    press: f64,
+    /// What pulls.
+    pull: f64,
+    /// The eccentricity that changes the balance of the edges by as much as the pressure.
+    eccentricity: f64,
+    /// Eccentricity over pressure.
+    tilt: f64,
 }
 
 /// The edges that a first unknown and an eccentricity stand for.
@@ -153,7 +168,7 @@ impl CurveEquations for BranchEquations<'_> {
         };
         let [trailing, leading] = states.residual().map(|residual| (residual + 1.0) * factor - 1.0);
         let rounding = states.rounding.map(|rounding| rounding * factor * factor);
-        let tilt = 1.0 / self.sizes(unknowns).1.max(1.0);
+        let tilt = 1.0 / self.sizes(unknowns).eccentricity.max(1.0);
         let watched = match self.problem.indenter {
             Indenter::Wave if states.state.penetration() > 0.5 => -states.state.mean_separation().max(f64::MIN_POSITIVE).ln(),
             Indenter::Wave => -(-states.state.penetration()).ln_1p(),
@@ -168,7 +183,7 @@ impl CurveEquations for BranchEquations<'_> {
     }
 
     fn scales(&self, unknowns: [f64; 3]) -> [f64; 3] {
-        let (pressure, eccentricity) = self.sizes(unknowns);
+        let Sizes { pressure, eccentricity, .. } = self.sizes(unknowns);
         let eccentricity = if self.problem.indenter == Indenter::Wave { eccentricity.min(1.0) } else { eccentricity };
         match self.problem.held() {
             None => [1.0, eccentricity, pressure],
@@ -179,7 +194,18 @@ impl CurveEquations for BranchEquations<'_> {
 
     fn differences(&self, unknowns: [f64; 3]) -> [f64; 3] {
         // Between rounding over the step and curvature times it.
-        [(ROUNDING * self.sizes(unknowns).1).sqrt().clamp(1e-6, 1e-3); 3]
+        [(ROUNDING * self.sizes(unknowns).eccentricity).sqrt().clamp(1e-6, 1e-3); 3]
+    }
+
+    fn natural(&self, unknowns: [f64; 3]) -> [f64; 3] {
+        let scales = self.scales(unknowns);
+        let Sizes { press, pull, tilt, .. } = self.sizes(unknowns);
+        let eccentricity = scales[1].min(tilt * pull);
+        match self.problem.held() {
+            None => [scales[0].min(pull / press), eccentricity, scales[2].min(pull)],
+            Some(SlidingControl::HalfWidth(_)) => [scales[0].min(pull), eccentricity, scales[2]],
+            Some(_) => [scales[0].min(pull / press), eccentricity, scales[2]],
+        }
     }
 
     fn admissible(&self, state: &EdgeStates) -> Result<bool, Refusal> {

@@ -152,7 +152,15 @@ fn solved(
             Ok((point, shift, tangent))
         });
         work.closure_evaluations += here.evaluations() + there.evaluations();
-        let (point, shift, tangent) = both?;
+        let (point, shift, tangent) = match both {
+            Ok(found) => found,
+            // Rough fields may turn a little elsewhere, or twice.
+            Err(_) if finer.finer().is_some() => {
+                (jacobian, level) = (None, finer);
+                continue;
+            }
+            Err(refusal) => return Err(refusal),
+        };
         let value = quantity.told(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
         if value.error <= problem.accuracy * value.value.abs().max(1.0) || finer.finer().is_none() {
             let errors = std::array::from_fn(|index| (1.0 + MARGIN) * shift.unknowns[index].abs() + point.unknown_rounding[index]);

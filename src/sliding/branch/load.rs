@@ -54,7 +54,7 @@ pub fn load_slopes(
     let unknowns = [edges.place(), contact.values.eccentricity.value, contact.values.mean_pressure.value];
     let slopes = |resolution: Resolution, step: f64| -> Result<([f64; 2], f64), Refusal> {
         let equations = BranchEquations::new(material, problem, resolution)?;
-        let scales = equations.scales(unknowns);
+        let scales = equations.natural(unknowns);
         let rows = gradients(&equations, unknowns, scales, step)?;
         let tangent = tangent_of(&rows)?;
         let width = tangent[0] * scales[0] * edges.width_by_place();
