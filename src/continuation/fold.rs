@@ -12,8 +12,8 @@ use nalgebra::{Matrix3, Vector3};
 pub const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
-/// Residual asked for; one that does not fall any more below the second is rounding, and widens the bars.
-const TOLERANCE: (f64, f64) = (1e-13, 1e-5);
+/// Residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
+const TOLERANCE: (f64, f64, f64) = (1e-13, 1e-5, 1e-3);
 
 /// A turning point.
 #[derive(Debug, Clone)]
@@ -145,6 +145,8 @@ pub fn located<E: CurveEquations>(
     step: f64,
 ) -> Result<FoldPoint<E::State>, Refusal> {
     let natural = equations.natural(start);
+    let of_start = equations.evaluate(start)?.rounding;
+    let rounding = ((of_start[0] + of_start[1]) / step).clamp(TOLERANCE.1, TOLERANCE.2);
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
         let (gradient, slope) = turning(equations, unknowns, quantity, natural, step)?;
@@ -152,7 +154,7 @@ pub fn located<E: CurveEquations>(
         Ok(((found, gradient), [first, second, slope]))
     };
     let differences = std::array::from_fn(|index| OUTER_STEP * natural[index] / scales[index]);
-    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences, rounding: TOLERANCE.1 };
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences, rounding };
     let solved = system.solve(start, jacobian, TOLERANCE.0)?;
     let (found, gradient) = solved.solution;
     // In scaled unknowns.

@@ -22,6 +22,8 @@ const COMPARED: usize = 720;
 const HALVINGS: usize = 48;
 /// Largest residual of a root.
 const ROOT: f64 = 1e-4;
+/// Eccentricities nearer than this are those of one contact (across a narrow gap rounding moves them).
+const SAME: f64 = 1e-5;
 /// Eccentricities of a parabola go from −tan to +tan of this, in units of where the load of the other edge balances.
 const WIDEST_ANGLE: f64 = 1.5;
 
@@ -87,7 +89,13 @@ impl EveryContact {
             }
         }
         found.sort_by(|first, second| first.eccentricity.total_cmp(&second.eccentricity));
-        found.dedup_by(|first, second| (first.eccentricity - second.eccentricity).abs() < 1e-9 * (1.0 + second.eccentricity.abs()));
+        found.dedup_by(|first, second| (first.eccentricity - second.eccentricity).abs() < SAME * (1.0 + second.eccentricity.abs()));
+        // π is −π.
+        if let ([first, .., last], Indenter::Wave) = (&found[..], self.indenter)
+            && 2.0 * PI - (last.eccentricity - first.eccentricity) < SAME
+        {
+            found.pop();
+        }
         Ok(found)
     }
 
