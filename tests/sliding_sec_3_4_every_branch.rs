@@ -15,8 +15,8 @@
 //! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the speeds); the
 //! formulas above; Johnson's wave as δ → 0; the cylinder.
 //!
-//! Tolerance: near full contact 1e-6 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated; folds of the
-//! isola where p_out passes the load to 1e-6. Bars of folds hold in at least 95 of 100, and their median is at most a hundred times the error or below 1e-12.
+//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated; folds of the
+//! isola where p_out passes the load to 1e-6. Bars of folds hold in at least 98 of 100, and their median is at most a hundred times the error.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 mod support;
@@ -198,7 +198,7 @@ fn a_gap_of_a_millionth_has_the_load_of_johnsons_wave() {
         let limit = at_zero(&pairs);
         let exact = (0.5 * gap).cos().powi(2) - 2.0 * (work / (0.5 * gap).tan()).sqrt();
         println!("Γ = {work}, π − a = {gap:.3e}: p̄ = {limit:.9} extrapolated, {exact:.9} in closed form ({:+.1e})", limit / exact - 1.0);
-        assert!((limit / exact - 1.0).abs() < 1e-6, "{limit} {exact}");
+        assert!((limit / exact - 1.0).abs() < 1e-8, "{limit} {exact}");
         // The branch of loads reaches it.
         let problem = BranchProblem { half_widths: [1.0, half_width], ..BranchProblem::loads(0.0, adhesion(work, 0.1 * gap), 1e-8) };
         let branch = trace(&material, &problem).unwrap();
