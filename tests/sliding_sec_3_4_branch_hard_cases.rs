@@ -180,7 +180,8 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
     }
     let branch = found?;
     let mut told = format!("{} contacts;", row.len());
-    let (pressure, depth): (fn(&ContactAt) -> f64, fn(&ContactAt) -> f64) = (|contact| contact.mean_pressure, |contact| contact.penetration);
+    let (pressure, depth): (fn(&ContactAt) -> f64, fn(&ContactAt) -> f64) =
+        (|contact| contact.mean_pressure, |contact| contact.penetration);
     for (quantity, value) in [(FoldQuantity::MeanPressure, pressure), (FoldQuantity::Penetration, depth)] {
         for (sign, narrow, wide) in turns(&row, value) {
             let fold = branch.folds_of(quantity).find(|fold| {
@@ -188,7 +189,12 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
                 width > narrow && width < wide && (fold.turn == viscotack::sliding::branch::Turn::Maximum) == (sign > 0)
             });
             told += &format!(" {quantity:?} {} at {narrow:.3} to {wide:.3}", if sign > 0 { "largest" } else { "smallest" });
-            ensure(fold.is_some(), || format!("{quantity:?} turns at {narrow}..{wide} in the scan; folds {:?}", branch.folds.iter().map(|fold| (fold.quantity, fold.contact.half_width.value)).collect::<Vec<_>>()))?;
+            ensure(fold.is_some(), || {
+                format!(
+                    "{quantity:?} turns at {narrow}..{wide} in the scan; folds {:?}",
+                    branch.folds.iter().map(|fold| (fold.quantity, fold.contact.half_width.value)).collect::<Vec<_>>()
+                )
+            })?;
         }
         // And no other one inside the row, away from its ends.
         let inside = |width: f64| row.len() > 4 && width > row[2].half_width && width < row[row.len() - 3].half_width;
@@ -305,7 +311,8 @@ fn along_adhesion(pressure: f64, expected: usize) -> Outcome {
     for fold in &branch.folds {
         let loads = BranchProblem::loads(1.0, adhesion(fold.parameter().value, 0.01), 1e-8);
         let turned = traced(&material, &loads)?;
-        let near = turned.folds_of(FoldQuantity::MeanPressure).map(|turn| (turn.value.value - pressure).abs()).fold(f64::INFINITY, f64::min);
+        let near =
+            turned.folds_of(FoldQuantity::MeanPressure).map(|turn| (turn.value.value - pressure).abs()).fold(f64::INFINITY, f64::min);
         ensure(near < 1e-6, || format!("nearest turn of the load {near} away at Γ = {}", fold.parameter().value))?;
     }
     Ok(format!("{expected} folds, each a turn of the load"))
@@ -332,7 +339,9 @@ fn cylinder(rate: f64, modulus: f64) -> Outcome {
 /// A wrong number is refused by its name.
 fn refused(problem: &BranchProblem, quantity: &str) -> Outcome {
     match trace(&one_time(10.0), problem) {
-        Err(Refusal::OutOfRange { quantity: found, .. } | Refusal::Undefined { quantity: found, .. }) if found == quantity => Ok(found.into()),
+        Err(Refusal::OutOfRange { quantity: found, .. } | Refusal::Undefined { quantity: found, .. }) if found == quantity => {
+            Ok(found.into())
+        }
         other => Err(format!("{:?}", other.map(|branch| branch.ends))),
     }
 }
@@ -346,14 +355,18 @@ struct Case {
 fn cases() -> Vec<Case> {
     let mut cases: Vec<Case> = Vec::new();
     let mut add = |name: String, reason: &'static str, run: Box<dyn Fn() -> Outcome + Send + Sync>| cases.push(Case { name, reason, run });
-    for (work, zone) in [(1e-6, 1e-4), (1e-3, 1e-3), (0.01, 1e-7), (0.1, 1e-2), (0.1, 1e-6), (0.28, 1e-3), (0.29, 1e-3), (1.0, 1e-3), (1.0, 0.1)] {
+    for (work, zone) in
+        [(1e-6, 1e-4), (1e-3, 1e-3), (0.01, 1e-7), (0.1, 1e-2), (0.1, 1e-6), (0.28, 1e-3), (0.29, 1e-3), (1.0, 1e-3), (1.0, 0.1)]
+    {
         add(
             format!("elastic, Γ = {work:e}, δ = {zone:e}"),
             "Johnson: pull-off and snap-in below α = 1.0652, none above; contact without load below α = 0.5699",
             Box::new(move || as_johnson(1.0, 0.0, 1.0, work, zone)),
         );
     }
-    for (beta, rate, work, zone) in [(10.0, 1e-6, 1e-6, 1e-3), (10.0, 1e-6, 1e-3, 1e-3), (10.0, 1e-5, 0.1, 0.01), (1000.0, 1e-6, 1e-3, 1e-3), (1000.0, 1e-6, 0.1, 0.01)] {
+    for (beta, rate, work, zone) in
+        [(10.0, 1e-6, 1e-6, 1e-3), (10.0, 1e-6, 1e-3, 1e-3), (10.0, 1e-5, 0.1, 0.01), (1000.0, 1e-6, 1e-3, 1e-3), (1000.0, 1e-6, 0.1, 0.01)]
+    {
         // The zones of the weakest adhesion are as wide as its contacts.
         let zone = if work < 1e-5 { 1e-4 } else { zone };
         let rate = rate * zone;
@@ -363,7 +376,14 @@ fn cases() -> Vec<Case> {
             Box::new(move || as_johnson(beta, rate, 1.0, work, zone)),
         );
     }
-    for (beta, rate, work, zone) in [(10.0, 1e6, 1e-3, 1e-3), (10.0, 1e6, 0.1, 0.01), (10.0, 1e6, 3.0, 0.01), (1000.0, 1e7, 0.1, 0.01), (1000.0, 1e7, 1.0, 1e-3), (10.0, 1e6, 1.0, 0.1)] {
+    for (beta, rate, work, zone) in [
+        (10.0, 1e6, 1e-3, 1e-3),
+        (10.0, 1e6, 0.1, 0.01),
+        (10.0, 1e6, 3.0, 0.01),
+        (1000.0, 1e7, 0.1, 0.01),
+        (1000.0, 1e7, 1.0, 1e-3),
+        (10.0, 1e6, 1.0, 0.1),
+    ] {
         add(
             format!("fast, β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
             "no layer relaxes on the way over the contact: Johnson's wave at modulus β, adhesion Γ/β",
@@ -395,7 +415,14 @@ fn cases() -> Vec<Case> {
             as_scanned(&many_times(), &problem, 0.3)
         }),
     );
-    for (beta, rate, work, zone) in [(10.0, 0.1, 0.1, 0.01), (10.0, 0.1, 1.0, 1e-3), (1000.0, 0.01, 1.0, 1e-3), (1000.0, 1.0, 1e-3, 1e-3), (1000.0, 1.0, 0.1, 0.01), (1000.0, 1.0, 1.0, 1e-3)] {
+    for (beta, rate, work, zone) in [
+        (10.0, 0.1, 0.1, 0.01),
+        (10.0, 0.1, 1.0, 1e-3),
+        (1000.0, 0.01, 1.0, 1e-3),
+        (1000.0, 1.0, 1e-3, 1e-3),
+        (1000.0, 1.0, 0.1, 0.01),
+        (1000.0, 1.0, 1.0, 1e-3),
+    ] {
         add(
             format!("no contact, β = {beta}, ζ = {rate:e}, Γ = {work:e}, δ = {zone:e}"),
             "losses raise the adhesion of the trailing edge above what any partial contact bears: none at 97 half-widths, whatever the load",
@@ -444,7 +471,14 @@ fn cases() -> Vec<Case> {
             Box::new(move || to_gap(beta, rate, work, gap)),
         );
     }
-    for (beta, rate, work, width) in [(1.0, 0.0, 0.003, 1e-4), (1.0, 0.0, 0.003, 1e-6), (10.0, 1.0, 0.003, 1e-4), (10.0, 1.0, 0.003, 1e-6), (200.0, 100.0, 0.003, 1e-6), (1000.0, 1e3, 1e-3, 1e-6)] {
+    for (beta, rate, work, width) in [
+        (1.0, 0.0, 0.003, 1e-4),
+        (1.0, 0.0, 0.003, 1e-6),
+        (10.0, 1.0, 0.003, 1e-4),
+        (10.0, 1.0, 0.003, 1e-6),
+        (200.0, 100.0, 0.003, 1e-6),
+        (1000.0, 1e3, 1e-3, 1e-6),
+    ] {
         add(
             format!("vanishing β = {beta}, ζ = {rate:e}, Γ = {work:e}, a = {width:e}"),
             "a contact far narrower than its layers is a glassy line contact under the pull of its two edges",

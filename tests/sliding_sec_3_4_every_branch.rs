@@ -91,9 +91,13 @@ fn random_starts_find_no_contact_that_is_not_known() {
             let [pressure, eccentricity] = found.unknowns;
             let same = |contact: &ContactAt| {
                 let ahead = contact.eccentricity - eccentricity;
-                (ahead - 2.0 * PI * (ahead / (2.0 * PI)).round()).abs() < 1e-4 && (contact.mean_pressure - pressure).abs() < 1e-4 * (1.0 + pressure.abs())
+                (ahead - 2.0 * PI * (ahead / (2.0 * PI)).round()).abs() < 1e-4
+                    && (contact.mean_pressure - pressure).abs() < 1e-4 * (1.0 + pressure.abs())
             };
-            assert!(known.iter().any(same), "β = {beta}, ζ = {rate}, Γ = {work}, δ = {zone}, a = {half_width}: p̄ = {pressure}, e = {eccentricity}, known {known:?}");
+            assert!(
+                known.iter().any(same),
+                "β = {beta}, ζ = {rate}, Γ = {work}, δ = {zone}, a = {half_width}: p̄ = {pressure}, e = {eccentricity}, known {known:?}"
+            );
             roots += 1;
         }
     }
@@ -112,13 +116,18 @@ fn a_contact_under_a_trough_is_a_contact_for_collocation_too() {
         let off: Vec<f64> = [100, 200]
             .into_iter()
             .map(|elements| {
-                let scheme = SlidingCollocation::new(memory.kernel(), Layout::WindowAligned { window_elements: elements / 3 }, elements, 2.0).unwrap();
+                let scheme =
+                    SlidingCollocation::new(memory.kernel(), Layout::WindowAligned { window_elements: elements / 3 }, elements, 2.0)
+                        .unwrap();
                 let found =
                     scheme.equilibrium(&problem.adhesion, Prescribed::MeanPressure(contact.mean_pressure), start, 1e-8).unwrap().edges;
                 (found.half_width - 2.0).abs().max((found.eccentricity - contact.eccentricity).abs())
             })
             .collect();
-        println!("e = {:.6}, p̄ = {:.6}: collocation is off by {:.1e} and {:.1e}", contact.eccentricity, contact.mean_pressure, off[0], off[1]);
+        println!(
+            "e = {:.6}, p̄ = {:.6}: collocation is off by {:.1e} and {:.1e}",
+            contact.eccentricity, contact.mean_pressure, off[0], off[1]
+        );
         assert!(off[1] < 1e-3 && off[1] < 0.5 * off[0], "{off:?}");
     }
 }
@@ -138,7 +147,8 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
     let problem = BranchProblem::speeds(SlidingControl::MeanPressure(load), [1e-4, 1e4], BranchStart::Slow, adhesion, 1e-9);
     let found = every_branch(&material, &problem, Scan { half_widths: 48, parameters: 48 }).unwrap();
     assert!(found.left_over.is_empty(), "{:?}", found.left_over);
-    let closed: Vec<_> = found.branches.iter().filter(|branch| branch.begins == BranchEnd::Closed && branch.ends == BranchEnd::Closed).collect();
+    let closed: Vec<_> =
+        found.branches.iter().filter(|branch| branch.begins == BranchEnd::Closed && branch.ends == BranchEnd::Closed).collect();
     assert_eq!(closed.len(), 1, "{} branches", found.branches.len());
     let folds: Vec<f64> = closed[0].folds_of(FoldQuantity::LogRate).map(|fold| fold.value.value).collect();
     assert_eq!(folds.len(), 2, "{folds:?}");
@@ -258,7 +268,8 @@ fn no_sliding_gap_is_narrower_than_its_relaxation_allows() {
             .into_iter()
             .map(|part| {
                 let zone = part * narrowest;
-                let problem = BranchProblem { half_widths: [1.0, PI - 2.0 * zone], ..BranchProblem::loads(rate, adhesion(work, zone), 1e-8) };
+                let problem =
+                    BranchProblem { half_widths: [1.0, PI - 2.0 * zone], ..BranchProblem::loads(rate, adhesion(work, zone), 1e-8) };
                 let branch = trace(&material, &problem).unwrap();
                 let fold = branch.folds_of(FoldQuantity::HalfWidth).next().unwrap();
                 (part, (PI - fold.value.value) / narrowest)
@@ -302,7 +313,9 @@ fn a_vanishing_contact_is_that_of_a_cylinder() {
 #[test]
 fn a_branch_that_cannot_go_on_says_what_forbids_it() {
     let mut seen = 0;
-    for (beta, rate, work, zone) in [(10.0, 0.03, 0.003, 0.01), (10.0, 1.0, 0.003, 0.01), (1000.0, 0.01, 1e-3, 1e-3), (100.0, 0.1, 1e-3, 0.01)] {
+    for (beta, rate, work, zone) in
+        [(10.0, 0.03, 0.003, 0.01), (10.0, 1.0, 0.003, 0.01), (1000.0, 0.01, 1e-3, 1e-3), (100.0, 0.1, 1e-3, 0.01)]
+    {
         let material = one_time(beta);
         let branch = trace(&material, &BranchProblem::loads(rate, adhesion(work, zone), 1e-8)).unwrap();
         for (end, last) in [(&branch.begins, branch.outline()[0]), (&branch.ends, *branch.outline().last().unwrap())] {
@@ -317,7 +330,10 @@ fn a_branch_that_cannot_go_on_says_what_forbids_it() {
                     assert!((found.unknowns[0] - half_width).abs() < 1e-3 && checked.smallest_gap < 1e-3, "{checked:?}");
                     seen += 1;
                 }
-                BranchEnd::Impossible { witness: Impossible::TrailingPressed([before, after]) | Impossible::LeadingPressed([before, after]), .. } => {
+                BranchEnd::Impossible {
+                    witness: Impossible::TrailingPressed([before, after]) | Impossible::LeadingPressed([before, after]),
+                    ..
+                } => {
                     assert!(*before < 0.0 && *after >= 0.0, "{end:?}");
                     seen += 1;
                 }
@@ -340,7 +356,8 @@ fn bars_of_folds_hold_and_are_not_far_too_wide() {
         let (work, zone) = (uniform.log_between(3e-4, 0.02), uniform.log_between(3e-3, 0.03));
         let asked = 10f64.powf(uniform.between(-8.0, -3.0));
         let material = one_time(beta);
-        let problem = |accuracy: f64| BranchProblem { half_widths: [0.02, 2.9], ..BranchProblem::loads(rate, adhesion(work, zone), accuracy) };
+        let problem =
+            |accuracy: f64| BranchProblem { half_widths: [0.02, 2.9], ..BranchProblem::loads(rate, adhesion(work, zone), accuracy) };
         let (Ok(rough), Ok(fine)) = (trace(&material, &problem(asked)), trace(&material, &problem(1e-12))) else { continue };
         for fold in &rough.folds {
             let Some(best) = fine.folds.iter().find(|other| {
@@ -357,7 +374,11 @@ fn bars_of_folds_hold_and_are_not_far_too_wide() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    println!("{held} of {count} bars hold; over the error: median {median:.1}, a tenth below {:.1}, a tenth above {:.1}", ratios[count / 10], ratios[count - count / 10 - 1]);
+    println!(
+        "{held} of {count} bars hold; over the error: median {median:.1}, a tenth below {:.1}, a tenth above {:.1}",
+        ratios[count / 10],
+        ratios[count - count / 10 - 1]
+    );
     assert!(held * 100 >= 98 * count && median < 100.0 && median > 1.0);
 }
 
@@ -368,7 +389,8 @@ fn one_and_two_threads_give_the_same_branches() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let found = pool.install(|| every_branch(&material, &problem, Scan { half_widths: 24, parameters: 16 }).unwrap());
-        let all: Vec<Vec<[u64; 4]>> = found.branches.iter().map(|branch| branch.outline().iter().map(|point| point.map(f64::to_bits)).collect()).collect();
+        let all: Vec<Vec<[u64; 4]>> =
+            found.branches.iter().map(|branch| branch.outline().iter().map(|point| point.map(f64::to_bits)).collect()).collect();
         (found.contacts, all)
     };
     assert_eq!(run(1), run(2));

@@ -412,7 +412,13 @@ pub fn landed<E: CurveEquations>(
         let off = (quantity.of(unknowns, found.watched) - value) / span;
         Ok((found, [first, second, off]))
     };
-    let system = ThreeEquations { what: "a point of a curve", evaluate: &evaluate, scales, differences: equations.differences(start), rounding: 100.0 * tolerance };
+    let system = ThreeEquations {
+        what: "a point of a curve",
+        evaluate: &evaluate,
+        scales,
+        differences: equations.differences(start),
+        rounding: 100.0 * tolerance,
+    };
     let found = system.solve(start, None, tolerance)?;
     let far = (0..3).map(|index| ((found.unknowns[index] - start[index]) / scales[index]).abs()).fold(0.0, f64::max);
     if far > 2.0 * (to.arclength - from.arclength).abs() {

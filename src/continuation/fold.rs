@@ -194,12 +194,7 @@ pub fn located<E: CurveEquations>(
 ///
 /// # Errors
 /// Those of the equations; [`Refusal::NotConverged`] where two folds merge.
-pub fn shifted<E: CurveEquations>(
-    finer: &E,
-    fold: &FoldPoint<E::State>,
-    quantity: Quantity,
-    step: f64,
-) -> Result<FoldShift, Refusal> {
+pub fn shifted<E: CurveEquations>(finer: &E, fold: &FoldPoint<E::State>, quantity: Quantity, step: f64) -> Result<FoldShift, Refusal> {
     let found = finer.evaluate(fold.unknowns)?;
     let (gradient, slope) = turning(finer, fold.unknowns, quantity, fold.natural, step)?;
     let gradient = Vector3::from_fn(|index, _| gradient[index] * fold.scales[index] / fold.natural[index]);

@@ -151,7 +151,8 @@ mod tests {
     fn three_surfaces_meet_where_they_do() {
         // x = 1, y = 2, z = 3e-3.
         let evaluate = |[x, y, z]: [f64; 3]| Ok(((), [x * y - 2.0, y + x - 3.0, z * 1e3 * x - 3.0]));
-        let equations = ThreeEquations { what: "test", evaluate: &evaluate, scales: [1.0, 1.0, 1e-3], differences: [1e-7; 3], rounding: 1e-12 };
+        let equations =
+            ThreeEquations { what: "test", evaluate: &evaluate, scales: [1.0, 1.0, 1e-3], differences: [1e-7; 3], rounding: 1e-12 };
         let found = equations.solve([0.8, 2.1, 1e-3], None, 1e-14).unwrap();
         for (unknown, exact) in found.unknowns.iter().zip([1.0, 2.0, 3e-3]) {
             assert!((unknown / exact - 1.0).abs() < 1e-12, "{:?}", found.unknowns);

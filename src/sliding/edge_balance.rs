@@ -11,7 +11,9 @@
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
-use super::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork};
+use super::contact::{
+    ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork,
+};
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;

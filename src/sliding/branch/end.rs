@@ -64,10 +64,12 @@ impl Impossible {
 pub(super) fn impossible(balance: &EdgeBalance, last: &EdgeStates, next: &EdgeStates) -> Option<Impossible> {
     let largest = |states: &EdgeStates| {
         let moved = states.moved.iter().flat_map(|(trailing, leading)| [trailing, leading]);
-        moved.chain([&states.state]).map(|contact| contact.edge_amplitudes()).fold(
-            (f64::NEG_INFINITY, f64::NEG_INFINITY),
-            |(trailing, leading), amplitudes| (trailing.max(amplitudes.0), leading.max(amplitudes.1)),
-        )
+        moved
+            .chain([&states.state])
+            .map(|contact| contact.edge_amplitudes())
+            .fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |(trailing, leading), amplitudes| {
+                (trailing.max(amplitudes.0), leading.max(amplitudes.1))
+            })
     };
     let (before, after) = (largest(last), largest(next));
     if before.0 < 0.0 && after.0 >= 0.0 {

@@ -44,7 +44,15 @@ impl<'a> BranchEquations<'a> {
     pub(super) fn new(material: &'a Material, problem: &'a BranchProblem, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
-        Ok(Self { material, problem, resolution, prepared, memory: Arc::new(ContactMemory::new(material, rate)?), evaluations: Cell::new(0), recent: RefCell::new(Vec::new()) })
+        Ok(Self {
+            material,
+            problem,
+            resolution,
+            prepared,
+            memory: Arc::new(ContactMemory::new(material, rate)?),
+            evaluations: Cell::new(0),
+            recent: RefCell::new(Vec::new()),
+        })
     }
 
     fn balance(

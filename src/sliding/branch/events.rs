@@ -4,8 +4,8 @@
 //! under strong pulls, with turns of load and penetration that no stable contact is next to; those are not meant.
 
 use super::conditions::BranchProblem;
-use super::fold::{Fold, FoldQuantity, Turn};
 use super::end::BranchEnd;
+use super::fold::{Fold, FoldQuantity, Turn};
 use super::trace::Branch;
 
 impl Branch {

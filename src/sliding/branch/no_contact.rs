@@ -5,9 +5,9 @@
 //! the folds none of them is left. A closed curve that reaches neither end would be another matter: a scan of every contact at rates between the folds looks for it.
 
 use super::conditions::{BranchProblem, BranchStart};
-use super::fold::{Fold, FoldQuantity, Turn};
 use super::end::BranchEnd;
 use super::every::ContactAt;
+use super::fold::{Fold, FoldQuantity, Turn};
 use super::scan::contacts_of;
 use super::trace::{Branch, trace};
 use crate::material::Material;
@@ -86,5 +86,10 @@ fn between(slow: &Branch, fast: &Branch, problem: &BranchProblem) -> Option<NoCo
     // The fast branch is followed toward growing rates first: it comes back from its backward end.
     let back = |end: &BranchEnd, rate: f64| *end == BranchEnd::Parameter(rate) || matches!(end, BranchEnd::HalfWidth(_));
     let closed = back(&slow.ends, problem.parameters[0]) && back(&fast.begins, problem.parameters[1]);
-    (lower.value.value < upper.value.value).then(|| NoContactBetween { lower: lower.clone(), upper: upper.clone(), closed, scanned: (RATES, HALF_WIDTHS) })
+    (lower.value.value < upper.value.value).then(|| NoContactBetween {
+        lower: lower.clone(),
+        upper: upper.clone(),
+        closed,
+        scanned: (RATES, HALF_WIDTHS),
+    })
 }

@@ -126,7 +126,8 @@ pub(super) fn contacts_of(
             }
         }
     }
-    let balance = EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
+    let balance =
+        EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
     let mut found: Vec<ContactAt> = Vec::new();
     for (from, to) in &pairs {
         let part = if off(from) == off(to) { 0.5 } else { off(from) / (off(from) - off(to)) };
@@ -162,18 +163,18 @@ fn neighbour<'a>(row: &'a [ContactAt], contact: &ContactAt) -> Option<&'a Contac
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem.
 pub fn every_branch(material: &Material, problem: &BranchProblem, scan: Scan) -> Result<EveryBranch, Refusal> {
     problem.checked()?;
-    let starts = if matches!(problem.path, BranchPath::Speeds(_)) { &[BranchStart::Slow, BranchStart::Fast][..] } else { &[BranchStart::Slow] };
+    let starts =
+        if matches!(problem.path, BranchPath::Speeds(_)) { &[BranchStart::Slow, BranchStart::Fast][..] } else { &[BranchStart::Slow] };
     let thirds: Vec<f64> = if problem.path == BranchPath::Loads {
         vec![0.0]
     } else {
         let [smallest, largest] = problem.parameters.map(f64::ln);
         (0..scan.parameters).map(|index| smallest + (largest - smallest) * (index as f64 + 0.5) / scan.parameters as f64).collect()
     };
-    let seen: Result<Vec<(f64, Vec<ContactAt>)>, Refusal> = thirds
-        .into_par_iter()
-        .map(|third| Ok((third, contacts_of(material, problem, problem.held(), third, scan.half_widths)?)))
-        .collect();
-    let mut open: Vec<(f64, ContactAt)> = seen?.into_iter().flat_map(|(third, contacts)| contacts.into_iter().map(move |one| (third, one))).collect();
+    let seen: Result<Vec<(f64, Vec<ContactAt>)>, Refusal> =
+        thirds.into_par_iter().map(|third| Ok((third, contacts_of(material, problem, problem.held(), third, scan.half_widths)?))).collect();
+    let mut open: Vec<(f64, ContactAt)> =
+        seen?.into_iter().flat_map(|(third, contacts)| contacts.into_iter().map(move |one| (third, one))).collect();
     let contacts = open.len();
     let mut branches: Vec<Branch> = Vec::new();
     let mut left_over = Vec::new();

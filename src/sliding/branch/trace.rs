@@ -6,7 +6,7 @@ use super::equations::BranchEquations;
 use super::fold::{Fold, FoldQuantity, located_fold};
 use super::point::{BranchPoint, VARIATIONS, accurate_point, variations_at};
 use super::start::start;
-use crate::continuation::arclength::{Curve, CurveEquations, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
+use crate::continuation::arclength::{Curve, CurveEnd, CurveEquations, CurvePoint, Quantity, Steps, follow, landed};
 use crate::continuation::fold::{interpolated, part_at};
 use crate::estimate::Estimate;
 use crate::material::Material;
@@ -133,7 +133,8 @@ pub(super) fn coarse(
             CurveEnd::MostPoints => BranchEnd::TooLong,
             // An amplitude that changes its sign makes the residual jump: no root follows, but the contact predicted tells.
             CurveEnd::Lost(reason) => match PREDICTED.into_iter().find_map(|step| {
-                let next = equations.evaluate(std::array::from_fn(|index| last.unknowns[index] + step * last.tangent[index] * last.scales[index]));
+                let next =
+                    equations.evaluate(std::array::from_fn(|index| last.unknowns[index] + step * last.tangent[index] * last.scales[index]));
                 impossible(equations.prepared(), &last.state, &next.ok()?.state)
             }) {
                 Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
@@ -142,7 +143,8 @@ pub(super) fn coarse(
             CurveEnd::Inadmissible(next) => match impossible(equations.prepared(), &last.state, &next) {
                 Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
                 None => {
-                    let reason = Refusal::NotConverged { what: "a point of a branch", detail: "only another, unphysical root is near".into() };
+                    let reason =
+                        Refusal::NotConverged { what: "a point of a branch", detail: "only another, unphysical root is near".into() };
                     BranchEnd::Lost { half_width, parameter, reason }
                 }
             },
@@ -179,12 +181,7 @@ pub(super) fn changes<'a>(curve: &'a [Coarse], value: impl Fn(&Coarse) -> f64 + 
 }
 
 /// The contact of a problem near a start, with its work counted whether there is one or not.
-pub(super) fn near(
-    prepared: &Prepared,
-    problem: &SlidingProblem,
-    start: &Start,
-    work: &mut BranchWork,
-) -> Result<PartialContact, Refusal> {
+pub(super) fn near(prepared: &Prepared, problem: &SlidingProblem, start: &Start, work: &mut BranchWork) -> Result<PartialContact, Refusal> {
     let mut counters = SlidingWork::default();
     let found = near_counted(prepared, problem, start, &mut counters);
     work.closure_evaluations += counters.closure_evaluations;

@@ -31,7 +31,8 @@ impl Arcs {
     pub(super) fn new(edges: ContactEdges, indenter: Indenter) -> Self {
         let ContactEdges { half_width, half_gap, .. } = edges;
         if half_gap < half_width {
-            let ((half_sine, half_cosine), (sine, cosine)) = (indenter.half_sine_cosine(half_gap), indenter.half_sine_cosine(2.0 * half_gap));
+            let ((half_sine, half_cosine), (sine, cosine)) =
+                (indenter.half_sine_cosine(half_gap), indenter.half_sine_cosine(2.0 * half_gap));
             Self { indenter, half: (half_cosine, half_sine), whole: (sine, -cosine) }
         } else {
             Self { indenter, half: indenter.half_sine_cosine(half_width), whole: indenter.half_sine_cosine(2.0 * half_width) }

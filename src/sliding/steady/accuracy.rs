@@ -62,8 +62,7 @@ pub(super) fn solved(
             work.closure_evaluations += evaluations;
             work.contacts += balance.contacts_per_evaluation() * evaluations;
         };
-        let found =
-            balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST));
+        let found = balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST));
         count(&balance, work);
         let (found, admissibility) = found?;
         let (here, release_rounding) = outputs(&balance, &found.solution)?;

@@ -1,7 +1,7 @@
 //! The edge conditions of one speed and adhesion at every level of resolution, prepared once for many contacts.
 
-use crate::refusal::Refusal;
 use crate::material::Material;
+use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::cell::RefCell;

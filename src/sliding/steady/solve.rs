@@ -4,8 +4,8 @@
 //! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form.
 
 use super::accuracy::solved;
-use super::prepared::Prepared;
 use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
+use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
