@@ -180,8 +180,8 @@ fn as_scanned(material: &Material, problem: &BranchProblem, middle: f64) -> Outc
     }
     let branch = found?;
     let mut told = format!("{} contacts;", row.len());
-    let (pressure, depth): (fn(&ContactAt) -> f64, fn(&ContactAt) -> f64) =
-        (|contact| contact.mean_pressure, |contact| contact.penetration);
+    let pressure: fn(&ContactAt) -> f64 = |contact| contact.mean_pressure;
+    let depth: fn(&ContactAt) -> f64 = |contact| contact.penetration;
     for (quantity, value) in [(FoldQuantity::MeanPressure, pressure), (FoldQuantity::Penetration, depth)] {
         for (sign, narrow, wide) in turns(&row, value) {
             let fold = branch.folds_of(quantity).find(|fold| {

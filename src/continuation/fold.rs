@@ -3,7 +3,7 @@
 //! The gradients are central differences of fourth order, so that the third equation is known to some ten digits where the equations themselves are
 //! known to rounding. The value of the quantity is stationary at a fold: an error of the location enters it squared.
 
-use super::arclength::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
+use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
@@ -115,7 +115,7 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
 pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
     let off = |part: f64| interpolated(from, to, part).get(index).map_or(f64::NAN, |unknown| unknown - value);
     let (begin, end) = (off(0.0), off(1.0));
-    if !(begin * end < 0.0) {
+    if begin * end >= 0.0 || begin.is_nan() || end.is_nan() {
         return (begin / (begin - end)).clamp(0.0, 1.0);
     }
     let (mut low, mut high) = (0.0, 1.0);

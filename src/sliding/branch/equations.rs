@@ -9,7 +9,7 @@
 //! the contact; near full contact that is little, and q is its size: where it is 1e-6, only the difference of the two conditions knows of e.
 
 use super::conditions::{BranchPath, BranchProblem};
-use crate::continuation::arclength::{CurveEquations, Evaluated};
+use crate::continuation::curve::{CurveEquations, Evaluated};
 use crate::continuation::two_unknowns::TwoResiduals;
 use crate::material::Material;
 use crate::refusal::Refusal;

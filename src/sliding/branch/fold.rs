@@ -8,7 +8,7 @@ use super::equations::{BranchEquations, edges_at};
 use super::point::variations_at;
 use super::trace::{BranchWork, Coarse, near};
 use super::values::widened;
-use crate::continuation::arclength::{Quantity, linearized};
+use crate::continuation::curve::{Quantity, linearized};
 use crate::continuation::fold::{CENTRAL_STEP, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
 use crate::material::Material;
@@ -48,7 +48,7 @@ impl FoldQuantity {
     pub(super) fn of(problem: &BranchProblem) -> &'static [Self] {
         match (problem.path, problem.indenter) {
             (BranchPath::Loads, Indenter::Wave) => &[Self::MeanPressure, Self::Penetration, Self::HalfWidth],
-            // The penetration of a parabola counts from a datum of no meaning.
+            // The penetration of a parabola counts from a datum; another datum adds a multiple of the load, so a turn of it means nothing by itself.
             (BranchPath::Loads, Indenter::Parabola) => &[Self::MeanPressure, Self::HalfWidth],
             (BranchPath::Speeds(_), _) => &[Self::LogRate],
             (BranchPath::Adhesions(_), _) => &[Self::LogWork],

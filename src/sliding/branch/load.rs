@@ -2,7 +2,7 @@
 
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
-use crate::continuation::arclength::{CurveEquations, tangent_of};
+use crate::continuation::curve::{CurveEquations, tangent_of};
 use crate::continuation::fold::{CENTRAL_STEP, gradients};
 use crate::estimate::Estimate;
 use crate::material::Material;

@@ -130,7 +130,8 @@ pub(super) fn contacts_of(
         EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
     let mut found: Vec<ContactAt> = Vec::new();
     for (from, to) in &pairs {
-        let part = if off(from) == off(to) { 0.5 } else { off(from) / (off(from) - off(to)) };
+        let (begin, end) = (off(from), off(to));
+        let part = if begin.abs() > 0.0 { begin / (begin - end) } else { 0.0 };
         let between = |first: f64, second: f64| first + part * (second - first);
         let start = [between(from.half_width, to.half_width), between(from.eccentricity, to.eccentricity)];
         let Ok((solution, _)) = balance.solve_admissible(start, None, TOLERANCE) else { continue };

@@ -58,15 +58,6 @@ impl Indenter {
         sine * sine * cosine
     }
 
-    /// Width of the gap from the trailing edge back to the next leading edge.
-    #[must_use]
-    pub fn gap_width(self, half_width: f64) -> f64 {
-        match self {
-            Self::Wave => 2.0 * (PI - half_width),
-            Self::Parabola => f64::INFINITY,
-        }
-    }
-
     /// The largest half-width, which is that of full contact.
     #[must_use]
     pub const fn widest(self) -> f64 {

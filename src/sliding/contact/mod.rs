@@ -40,6 +40,7 @@ mod arcs;
 mod edges;
 mod fields;
 mod indenter;
+mod integrals;
 mod memory;
 mod moments;
 mod panel;
