@@ -145,7 +145,7 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
     println!("p_out = {slow:.6} slow, {middle:.6} at ζ = 3, {fast:.6} fast; load {load}");
     assert!(middle < load && load < fast && fast < slow);
     let problem = BranchProblem::speeds(SlidingControl::MeanPressure(load), [1e-4, 1e4], BranchStart::Slow, adhesion, 1e-9);
-    let found = every_branch(&material, &problem, Scan { half_widths: 48, parameters: 48 }).unwrap();
+    let found = every_branch(&material, &problem, Scan { half_widths: 36, parameters: 32 }).unwrap();
     assert!(found.left_over.is_empty(), "{:?}", found.left_over);
     let closed: Vec<_> =
         found.branches.iter().filter(|branch| branch.begins == BranchEnd::Closed && branch.ends == BranchEnd::Closed).collect();
@@ -159,7 +159,7 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
     }
     // A load that the middle does not hold has none.
     let beyond = BranchProblem::speeds(SlidingControl::MeanPressure(1.02 * middle), [1e-4, 1e4], BranchStart::Slow, adhesion, 1e-6);
-    let found = every_branch(&material, &beyond, Scan { half_widths: 48, parameters: 32 }).unwrap();
+    let found = every_branch(&material, &beyond, Scan { half_widths: 36, parameters: 12 }).unwrap();
     let narrow = found.branches.iter().filter(|branch| branch.outline().iter().any(|point| point[0] < 1.0)).count();
     assert_eq!(narrow, 0, "{} branches", found.branches.len());
 }
@@ -172,7 +172,7 @@ fn between_two_folds_a_scan_finds_no_contact_and_elsewhere_no_other_branch() {
         let folds = speed_folds(&material, &problem).unwrap();
         assert!(folds.others.is_empty());
         let gap = folds.no_contact.unwrap();
-        let found = every_branch(&material, &problem, Scan { half_widths: 40, parameters: 40 }).unwrap();
+        let found = every_branch(&material, &problem, Scan { half_widths: 32, parameters: 20 }).unwrap();
         println!(
             "β = {beta}, p̄ = {pressure}, Γ = {work}: none between {:.4e} and {:.4e}; {} contacts of the scan on {} branches",
             gap.lower.parameter().value,
@@ -180,7 +180,7 @@ fn between_two_folds_a_scan_finds_no_contact_and_elsewhere_no_other_branch() {
             found.contacts,
             found.branches.len()
         );
-        assert!(found.left_over.is_empty() && found.branches.len() == 2 && found.contacts > 20, "{:?}", found.left_over);
+        assert!(found.left_over.is_empty() && found.branches.len() == 2 && found.contacts > 10, "{:?}", found.left_over);
         assert!(gap.closed && gap.scanned.0 >= 4);
     }
 }
@@ -342,7 +342,20 @@ fn a_branch_that_cannot_go_on_says_what_forbids_it() {
             }
         }
     }
-    println!("{seen} ends with a witness");
+    // At a held penetration or half-width and large β the fast contact loses the pull of an edge on the way to slower speeds.
+    let mut pressed = 0;
+    for control in [SlidingControl::Penetration(0.3), SlidingControl::HalfWidth(1.0)] {
+        let problem = BranchProblem::speeds(control, [1e-6, 1e6], BranchStart::Fast, adhesion(0.003, 0.01), 1e-8);
+        let branch = trace(&one_time(1000.0), &problem).unwrap();
+        match &branch.begins {
+            BranchEnd::Impossible { parameter, witness: Impossible::LeadingPressed([before, after]), .. } => {
+                assert!(*before < 0.0 && *after >= 0.0 && *parameter > 1.0, "{:?}", branch.begins);
+                pressed += 1;
+            }
+            end => panic!("{end:?}"),
+        }
+    }
+    println!("{seen} ends where faces meet, {pressed} where an edge is pressed");
     assert!(seen >= 4);
 }
 
@@ -351,7 +364,7 @@ fn bars_of_folds_hold_and_are_not_far_too_wide() {
     let mut uniform = Uniform::new();
     let (mut held, mut count) = (0, 0);
     let mut ratios = Vec::new();
-    while count < 100 {
+    while count < 60 {
         let (beta, rate) = (uniform.log_between(2.0, 300.0), uniform.log_between(0.01, 100.0));
         let (work, zone) = (uniform.log_between(3e-4, 0.02), uniform.log_between(3e-3, 0.03));
         let asked = 10f64.powf(uniform.between(-8.0, -3.0));
