@@ -241,7 +241,12 @@ pub(super) fn contact_at(
         _ => given.abs().max(1e-3),
     };
     let step = 1e-4 * room;
-    let mut values = widened(&here, &at(given + step, third)?, error / step);
+    // Where contacts end just beyond, the other side tells the same.
+    let beside = match at(given + step, third) {
+        Ok(beside) => beside,
+        Err(_) => at(given - step, third)?,
+    };
+    let mut values = widened(&here, &beside, error / step);
     if problem.path != BranchPath::Loads {
         values = widened(&values, &at(given, third + 1e-4)?, errors[2] / 1e-4);
     }
