@@ -15,7 +15,7 @@ use viscotack::sliding::branch::{BranchProblem, BranchStart, Scan, every_branch,
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{SlidingControl, WaveAdhesion};
 
-const ADHESION: WaveAdhesion = WaveAdhesion { reduced_work: 0.003, trailing_zone: 0.01, leading_zone: 0.01 };
+const ADHESION: WaveAdhesion = WaveAdhesion::even(0.003, 0.01);
 const RATE: f64 = 0.03;
 const REPEATS: usize = 5;
 
@@ -69,13 +69,8 @@ fn main() {
         );
     }
 
-    let speeds = BranchProblem::speeds(
-        SlidingControl::MeanPressure(-0.0365),
-        [1e-4, 1e4],
-        BranchStart::Slow,
-        WaveAdhesion { reduced_work: 0.002, trailing_zone: 0.03, leading_zone: 0.03 },
-        1e-8,
-    );
+    let speeds =
+        BranchProblem::speeds(SlidingControl::MeanPressure(-0.0365), [1e-4, 1e4], BranchStart::Slow, WaveAdhesion::even(0.002, 0.03), 1e-8);
     let (seconds, found) = timed(1, || every_branch(&material, &speeds, Scan { half_widths: 60, parameters: 60 }).unwrap());
     println!(
         "every branch of a held load over eight decades of speed, 3600 half-widths and speeds: {seconds:.2} s, {} branches",

@@ -18,7 +18,7 @@ use viscotack::sliding::steady::{
 };
 use viscotack::{Material, Refusal};
 
-const ADHESION: WaveAdhesion = WaveAdhesion { reduced_work: 0.002, trailing_zone: 1e-3, leading_zone: 1e-3 };
+const ADHESION: WaveAdhesion = WaveAdhesion::even(0.002, 1e-3);
 const BETAS: [f64; 2] = [5.0, 25.0];
 const RATIOS: [f64; 5] = [0.003, 0.01, 0.03, 0.1, 0.3];
 const PRESSURES: [f64; 2] = [0.0, 0.05];
@@ -32,7 +32,7 @@ type Numbers = [f64; 8];
 struct State {
     material: Material,
     memory: ContactMemory,
-    problem: SlidingProblem,
+    problem: SlidingProblem<'static>,
     prescribed: Prescribed,
     start: WaveContact,
     reference: Numbers,
@@ -45,6 +45,7 @@ fn state(beta: f64, ratio: f64, pressure: f64) -> Option<State> {
         rate: 1.0,
         indenter: Indenter::Wave,
         adhesion: Some(ADHESION),
+        work_by_speed: None,
         control: SlidingControl::MeanPressure(pressure),
         accuracy: 1e-10,
     };
@@ -152,6 +153,7 @@ fn many_terms() {
                 rate,
                 indenter: Indenter::Wave,
                 adhesion: Some(ADHESION),
+                work_by_speed: None,
                 control: SlidingControl::MeanPressure(0.1),
                 accuracy: TOLERANCE,
             };
@@ -186,6 +188,7 @@ fn sweeps() {
                         rate: 10f64.powf(-4.0 + 8.0 * f64::from(index) / f64::from(points - 1)),
                         indenter: Indenter::Wave,
                         adhesion: Some(ADHESION),
+                        work_by_speed: None,
                         control: SlidingControl::MeanPressure(0.05),
                         accuracy: TOLERANCE,
                     };

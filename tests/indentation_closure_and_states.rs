@@ -41,7 +41,7 @@ fn elliptic_integral_of_the_parameter() {
 
 #[test]
 fn point_b_of_the_thesis() {
-    let b = elastic_contact(SPHERE, 1.0, WORK, ZONE, 0.032).unwrap();
+    let b = elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.032).unwrap();
     println!("point B: a = {} F~ = {}", b.contact_radius, b.force / PI);
     assert!((b.contact_radius - 0.24515).abs() < 5e-6);
     assert!((b.force / PI - 1.868e-3).abs() < 5e-7);
@@ -104,7 +104,8 @@ fn tends_to_jkr_with_the_first_power_of_the_zone() {
     let defects: Vec<f64> = [2e-3, 1e-3, 5e-4]
         .iter()
         .map(|ratio| {
-            elastic_contact(sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius - 1.0
+            elastic_contact(&sphere, modulus, work, ratio * exact.contact_radius, depth).unwrap().contact_radius / exact.contact_radius
+                - 1.0
         })
         .collect();
     println!("{defects:?}");
@@ -113,7 +114,7 @@ fn tends_to_jkr_with_the_first_power_of_the_zone() {
         assert!((pair[0] / pair[1] - 2.0).abs() < 0.02);
     }
     // The two controls name the same states.
-    let found = elastic_contact(sphere, modulus, work, 1e-5, depth).unwrap();
-    let back = elastic_contact_of_radius(sphere, modulus, work, 1e-5, found.contact_radius).unwrap();
+    let found = elastic_contact(&sphere, modulus, work, 1e-5, depth).unwrap();
+    let back = elastic_contact_of_radius(&sphere, modulus, work, 1e-5, found.contact_radius).unwrap();
     assert!((back.penetration / depth - 1.0).abs() < 1e-12 && (back.force / found.force - 1.0).abs() < 1e-11);
 }

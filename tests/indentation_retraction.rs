@@ -17,8 +17,7 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{
-    Adhesion, Control, EventKind, History, IndentationProblem, Profile, Resolution, Start, elastic_contact, elastic_contact_of_radius,
-    march, run,
+    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, march, run,
 };
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -31,14 +30,12 @@ fn rubber() -> Material {
     Material::standard_solid(1.0, BETA, BETA).unwrap()
 }
 
-fn retraction(speed: f64, end: f64, fineness: f64) -> IndentationProblem {
+fn retraction(speed: f64, end: f64) -> IndentationProblem {
+    let adhesion = Adhesion { work_of_adhesion: WORK, process_zone: ZONE };
     IndentationProblem {
-        profile: SPHERE,
-        adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE }),
-        control: Control::Penetration(History::from(0.032).at_speed(end, speed)),
-        start: Start::Relaxed,
         instants_per_segment: 4,
-        resolution: Resolution { steps_per_zone: fineness, growth: 2.5 / fineness },
+        energies: true,
+        ..IndentationProblem::new(SPHERE, Some(adhesion), History::penetration(0.032).at_speed(end, speed)).relaxed()
     }
 }
 
@@ -48,14 +45,14 @@ fn pull_off_converges_at_every_speed() {
     let jkr = 1.5 * PI * WORK;
     let mut last = 0.0;
     for (speed, end) in [(1e-4, -0.03), (1e-3, -0.03), (1e-2, 0.012), (1e-1, 0.022), (1e1, 0.023)] {
-        let forces: Vec<f64> = [5.0, 10.0, 20.0]
+        let forces: Vec<f64> = [1e-3, 1e-4, 1e-5]
             .iter()
-            .map(|&fineness| {
-                let problem = retraction(speed, end, fineness);
-                let trace = march(&rubber(), &problem, problem.resolution).unwrap();
-                let balance = trace.balance_defect();
+            .map(|&tolerance| {
+                let problem = retraction(speed, end);
+                let trace = march(&rubber(), &problem, tolerance).unwrap();
+                let balance = trace.balance_defect().unwrap();
                 println!(
-                    "V {speed:e}: {fineness} steps per zone: {} steps, {} closures, {} panels, balance {balance:e}, {:?}",
+                    "V {speed:e}: {tolerance:e}: {} steps, {} closures, {} panels, balance {balance:e}, {:?}",
                     trace.work.steps, trace.work.closure_evaluations, trace.work.most_panels, trace.events
                 );
                 assert!(balance < 1e-4, "{balance}");
@@ -65,7 +62,8 @@ fn pull_off_converges_at_every_speed() {
             .collect();
         let (first, second) = ((forces[1] - forces[0]).abs(), (forces[2] - forces[1]).abs());
         println!("V {speed:e}: F_off/F_JKR {forces:?}, changes {first:e} {second:e}");
-        assert!(second < 0.7 * first && second < 1e-3);
+        // The tolerance times ten bounds what the next tightening changes.
+        assert!(first < 1e-3 && second < 1e-4, "{first:e} {second:e}");
         assert!(forces[2] > last && forces[2] < BETA);
         last = forces[2];
     }
@@ -74,19 +72,19 @@ fn pull_off_converges_at_every_speed() {
 /// Slow enough, the contact is the elastic one of modulus E0 at the same process zone, all along.
 #[test]
 fn slow_retraction_is_soft_and_fast_elastic_twins_agree() {
-    let problem = retraction(1e-8, 0.0, 6.0);
-    let trace = march(&rubber(), &problem, problem.resolution).unwrap();
+    let problem = retraction(1e-8, 0.0);
+    let trace = march(&rubber(), &problem, 1e-3).unwrap();
     for &kept in &trace.kept {
         let point = trace.path[kept];
-        let elastic = elastic_contact(SPHERE, 1.0, WORK, ZONE, point.penetration).unwrap();
+        let elastic = elastic_contact(&SPHERE, 1.0, WORK, ZONE, point.penetration).unwrap();
         println!("slow: {:e} {:e}", point.contact_radius / elastic.contact_radius - 1.0, point.force / elastic.force - 1.0);
         assert!((point.contact_radius / elastic.contact_radius - 1.0).abs() < 1e-4);
     }
     // An elastic material on the same march makes no error in time at all.
     let elastic = Material::from_relaxation(1.0, &[]).unwrap();
-    let trace = march(&elastic, &problem, problem.resolution).unwrap();
+    let trace = march(&elastic, &problem, 1e-3).unwrap();
     for point in &trace.path {
-        let exact = elastic_contact_of_radius(SPHERE, 1.0, WORK, ZONE, point.contact_radius).unwrap();
+        let exact = elastic_contact_of_radius(&SPHERE, 1.0, WORK, ZONE, point.contact_radius).unwrap();
         assert!((point.penetration - exact.penetration).abs() < 1e-10 * 0.032);
         assert!((point.force - exact.force).abs() < 1e-10 * 1.5 * PI * WORK, "{:e}", point.force - exact.force);
     }
@@ -100,10 +98,10 @@ fn fast_retraction_is_the_closed_form() {
     for zone in [8e-3, 4e-3, 2e-3] {
         let problem = IndentationProblem {
             adhesion: Some(Adhesion { work_of_adhesion: WORK, process_zone: zone }),
-            control: Control::Penetration(History::from(depth).at_speed(0.048, 1e5)),
-            ..retraction(1.0, 0.0, 6.0)
+            history: History::penetration(depth).at_speed(0.048, 1e5),
+            ..retraction(1.0, 0.0)
         };
-        let trace = march(&rubber(), &problem, problem.resolution).unwrap();
+        let trace = march(&rubber(), &problem, 1e-3).unwrap();
         let start = trace.path[0];
         let place = trace.path.iter().find(|point| point.contact_radius < start.contact_radius - 0.02).unwrap();
         let a = place.contact_radius;
@@ -129,18 +127,19 @@ fn units_and_error_bars() {
     let (modulus, radius, time) = (0.83e6, 2.7e-3, 0.4);
     let material = Material::standard_solid(modulus, BETA * modulus, BETA * time).unwrap();
     let speed = 3e-3 * radius / time;
-    let problem = |length: f64, stress: f64, second: f64| IndentationProblem {
-        profile: Profile::Paraboloid { radius: radius * length },
-        adhesion: Some(Adhesion { work_of_adhesion: WORK * modulus * radius * stress * length, process_zone: ZONE * radius * length }),
-        control: Control::Penetration(History::from(0.032 * radius * length).at_speed(0.01 * radius * length, speed * length / second)),
-        start: Start::Relaxed,
-        instants_per_segment: 5,
-        resolution: Resolution { steps_per_zone: 8.0, growth: 0.3 },
+    let problem = |length: f64, stress: f64, second: f64| {
+        let adhesion = Adhesion { work_of_adhesion: WORK * modulus * radius * stress * length, process_zone: ZONE * radius * length };
+        let history = History::penetration(0.032 * radius * length).at_speed(0.01 * radius * length, speed * length / second);
+        IndentationProblem {
+            instants_per_segment: 5,
+            energies: true,
+            ..IndentationProblem::new(Profile::Paraboloid { radius: radius * length }, Some(adhesion), history).relaxed()
+        }
     };
     let si = run(&material, &problem(1.0, 1.0, 1.0)).unwrap();
     let other = Material::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
     let mm = run(&other, &problem(1e3, 1e-6, 1e3)).unwrap();
-    let judge = march(&material, &problem(1.0, 1.0, 1.0), Resolution { steps_per_zone: 48.0, growth: 0.05 }).unwrap();
+    let judge = march(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
     for (index, (first, second)) in si.instants.iter().zip(&mm.instants).enumerate() {
         // The root of each step is found to 1e-10.
         assert!((first.contact_radius.value * 1e3 / second.contact_radius.value - 1.0).abs() < 1e-7);
@@ -154,12 +153,12 @@ fn units_and_error_bars() {
             (first.force.value - truth.force).abs(),
             first.contact_radius.error,
             (first.contact_radius.value - truth.contact_radius).abs(),
-            first.stored_energy.error,
-            (first.stored_energy.value - truth.stored_energy).abs()
+            first.energies.unwrap()[0].error,
+            (first.energies.unwrap()[0].value - truth.energies.unwrap().stored).abs()
         );
         assert!((first.force.value - truth.force).abs() <= first.force.error);
         assert!((first.contact_radius.value - truth.contact_radius).abs() <= first.contact_radius.error);
-        assert!((first.stored_energy.value - truth.stored_energy).abs() <= first.stored_energy.error);
+        assert!((first.energies.unwrap()[0].value - truth.energies.unwrap().stored).abs() <= first.energies.unwrap()[0].error);
     }
     assert!((si.largest_tension.unwrap().value / mm.largest_tension.unwrap().value - 1.0).abs() < 1e-7);
     assert!(si.events.iter().any(|event| event.kind == EventKind::Detachment) || si.events.is_empty());

@@ -27,7 +27,7 @@ use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed,
 use viscotack::sliding::steady::WaveAdhesion;
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 /// The contact with one edge moved out at the same penetration.
@@ -171,7 +171,7 @@ fn cases() -> Vec<Case> {
 fn erratum_3_9_the_nonconservative_work_has_the_odd_part_of_the_kernel() {
     for case in CASES.iter() {
         let zone = case.adhesion.trailing_zone;
-        let unit = 2.0 * PI * case.adhesion.reduced_work * zone;
+        let unit = 2.0 * PI * case.adhesion.trailing_work * zone;
         let state = &case.found.state;
         let inner = Spectrum::new(state);
         let compliance = |m: f64| symbol(&case.material, case.rate, m);
@@ -229,7 +229,7 @@ fn erratum_3_7_energies_need_the_pressure() {
         for (edge, release) in [(Edge::Trailing, case.found.trailing_release), (Edge::Leading, case.found.leading_release)] {
             let outer = moved(&case.memory, state, edge, zone);
             let work = edge_work(state, &outer, edge, zone);
-            let target = 2.0 * PI * case.adhesion.reduced_work;
+            let target = 2.0 * PI * case.adhesion.trailing_work;
             assert!((work / target - 1.0).abs() < 1e-9, "tension on gap pays Δγ, {}", work / target);
             let stored = (outer.interface_work() - state.interface_work()) / (zone * target);
             assert!((stored - release).abs() < 1e-9);

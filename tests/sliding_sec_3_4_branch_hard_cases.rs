@@ -25,7 +25,7 @@ use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, WaveAd
 use viscotack::{Estimate, Material, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 fn one_time(beta: f64) -> Material {
@@ -85,7 +85,7 @@ fn traced(material: &Material, problem: &BranchProblem) -> Result<Branch, String
     trace(material, problem).map(sound).map_err(|refusal| format!("{refusal:?}"))
 }
 
-fn held_loads(rate: f64, work: f64, zone: f64) -> BranchProblem {
+fn held_loads(rate: f64, work: f64, zone: f64) -> BranchProblem<'static> {
     BranchProblem { points: 4, half_widths: [zone, PI - 2.0 * zone], ..BranchProblem::loads(rate, adhesion(work, zone), 1e-7) }
 }
 

@@ -35,7 +35,7 @@ use viscotack::sliding::steady::{Indenter, SlidingControl, WaveAdhesion};
 use viscotack::{Material, Refusal};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 fn one_time(beta: f64) -> Material {

@@ -34,7 +34,7 @@ use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingProblem, Start, WaveAdhesion, steady_sliding_near};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 fn one_time(beta: f64) -> Material {
@@ -42,7 +42,7 @@ fn one_time(beta: f64) -> Material {
 }
 
 /// Loads of any half-width.
-fn loads(rate: f64, adhesion: WaveAdhesion) -> BranchProblem {
+fn loads(rate: f64, adhesion: WaveAdhesion) -> BranchProblem<'static> {
     BranchProblem { half_widths: [1e-9, PI - 1e-9], ..BranchProblem::loads(rate, adhesion, 1e-8) }
 }
 
@@ -52,6 +52,7 @@ fn accurate(material: &Material, problem: &BranchProblem, contact: &ContactAt) -
         rate: problem.rate,
         indenter: problem.indenter,
         adhesion: Some(problem.adhesion),
+        work_by_speed: None,
         control: SlidingControl::HalfWidth(contact.half_width),
         accuracy: 1e-9,
     };

@@ -27,7 +27,7 @@ use viscotack::sliding::steady::WaveAdhesion;
 const REDUCED_WORK: f64 = 0.005;
 
 fn adhesion(zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work: REDUCED_WORK, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(REDUCED_WORK, zone)
 }
 
 /// Half-width of Johnson's wave at a reduced mean pressure, for modulus `modulus`·E0.

@@ -20,7 +20,7 @@ use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 use viscotack::{Estimate, Material, Refusal};
 
-fn draw(random: &mut Uniform) -> (Material, SlidingProblem, String) {
+fn draw(random: &mut Uniform) -> (Material, SlidingProblem<'static>, String) {
     let count = [1, 2, 6, 12][random.between(0.0, 4.0) as usize];
     let beta = if random.between(0.0, 1.0) < 0.05 { 1.0 } else { random.log_between(1.1, 1000.0) };
     let relaxed = 1.3e6;
@@ -35,7 +35,8 @@ fn draw(random: &mut Uniform) -> (Material, SlidingProblem, String) {
     let indenter = if random.between(0.0, 1.0) < 0.75 { Indenter::Wave } else { Indenter::Parabola };
     let work = if random.between(0.0, 1.0) < 0.2 { 0.0 } else { random.log_between(1e-4, 0.05) };
     let adhesion = (work > 0.0).then(|| WaveAdhesion {
-        reduced_work: work,
+        trailing_work: work,
+        leading_work: work,
         trailing_zone: random.log_between(1e-4, 0.03),
         leading_zone: random.log_between(1e-4, 0.03),
     });
@@ -47,7 +48,7 @@ fn draw(random: &mut Uniform) -> (Material, SlidingProblem, String) {
     };
     let rate = random.log_between(1e-6, 1e4) / 0.37;
     let text = format!("n = {count} β = {beta:.1} ζ = {:.1e} Γ = {work:.4} {indenter:?} {control:?} {adhesion:?}", rate * 0.37);
-    (material, SlidingProblem { rate, indenter, adhesion, control, accuracy: 1e-10 }, text)
+    (material, SlidingProblem { rate, indenter, adhesion, work_by_speed: None, control, accuracy: 1e-10 }, text)
 }
 
 fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {

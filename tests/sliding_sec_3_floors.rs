@@ -30,7 +30,8 @@ fn solved(material: &Material, rate: f64, zone: Option<f64>) -> Option<PartialCo
     let problem = SlidingProblem {
         rate,
         indenter: Indenter::Wave,
-        adhesion: zone.map(|zone| WaveAdhesion { reduced_work: 0.002, trailing_zone: zone, leading_zone: zone }),
+        adhesion: zone.map(|zone| WaveAdhesion::even(0.002, zone)),
+        work_by_speed: None,
         control: SlidingControl::Penetration(0.3),
         accuracy: 1e-10,
     };

@@ -75,7 +75,7 @@ fn two_unit_systems_give_one_reduced_contact() {
         None,
     )
     .unwrap();
-    let adhesion = WaveAdhesion { reduced_work: 0.002, trailing_zone: 1e-3, leading_zone: 2e-3 };
+    let adhesion = WaveAdhesion { trailing_zone: 1e-3, ..WaveAdhesion::even(0.002, 2e-3) };
     let prescribed = Prescribed::MeanPressure(0.05);
     let edges = |material: &Material, rate: f64| {
         let adhesive = contact_at_rate(material, rate, Some(adhesion), prescribed, 1e-12).unwrap();

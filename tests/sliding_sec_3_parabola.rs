@@ -125,6 +125,7 @@ fn an_elastic_cylinder_is_hertzs_and_barquinss() {
         rate: 0.3,
         indenter: Indenter::Parabola,
         adhesion,
+        work_by_speed: None,
         control: SlidingControl::MeanPressure(pressure),
         accuracy: 1e-10,
     };
@@ -143,7 +144,7 @@ fn an_elastic_cylinder_is_hertzs_and_barquinss() {
         let slope: Vec<f64> = [1e-3, 1e-4, 1e-5]
             .iter()
             .map(|&zone| {
-                let adhesion = Some(WaveAdhesion { reduced_work: work, trailing_zone: zone, leading_zone: zone });
+                let adhesion = Some(WaveAdhesion::even(work, zone));
                 let found = partial(&elastic, &problem(pressure, adhesion));
                 let adhesive = found.values.adhesion.unwrap();
                 assert!((adhesive.trailing_release.value - 1.0).abs() <= adhesive.trailing_release.error, "an elastic edge has G = Δγ");
@@ -159,11 +160,12 @@ fn an_elastic_cylinder_is_hertzs_and_barquinss() {
 fn release_rates_are_differences_of_energies_and_units_do_not_matter() {
     let solid = material(40.0, &[0.5, 0.02]);
     for (rate, pressure) in [(0.02, 0.1), (0.7, -0.01), (9.0, 0.2)] {
-        let adhesion = WaveAdhesion { reduced_work: 0.01, trailing_zone: 3e-3, leading_zone: 5e-3 };
+        let adhesion = WaveAdhesion { trailing_zone: 3e-3, ..WaveAdhesion::even(0.01, 5e-3) };
         let problem = SlidingProblem {
             rate,
             indenter: Indenter::Parabola,
             adhesion: Some(adhesion),
+            work_by_speed: None,
             control: SlidingControl::MeanPressure(pressure),
             accuracy: 1e-10,
         };
@@ -176,18 +178,14 @@ fn release_rates_are_differences_of_energies_and_units_do_not_matter() {
         let moved = WaveContact { half_width: contact.half_width + 0.5 * zone, eccentricity: contact.eccentricity - 0.5 * zone };
         let moved = state(&solid, rate, Indenter::Parabola, moved, pressure);
         let base = state(&solid, rate, Indenter::Parabola, contact, pressure);
-        let release = (potential(&moved) - potential(&base)) / (2.0 * PI * adhesion.reduced_work * zone);
+        let release = (potential(&moved) - potential(&base)) / (2.0 * PI * adhesion.trailing_work * zone);
         println!("rate {rate}: G₁/Δγ {} against {release}", adhesive.trailing_release.value);
         assert!((release - adhesive.trailing_release.value).abs() < 1e-8 * release.abs().max(1.0));
         // Lengths in units 7 times longer.
         let unit = 7.0;
         let scaled = SlidingProblem {
             rate: rate / unit,
-            adhesion: Some(WaveAdhesion {
-                reduced_work: adhesion.reduced_work / unit.powi(3),
-                trailing_zone: adhesion.trailing_zone / unit,
-                leading_zone: adhesion.leading_zone / unit,
-            }),
+            adhesion: Some(adhesion.with_trailing_work(adhesion.trailing_work / unit.powi(3)).with_zones_times(1.0 / unit)),
             control: SlidingControl::MeanPressure(pressure / (unit * unit)),
             ..problem
         };

@@ -134,13 +134,13 @@ fn contacts_with_adhesion() {
     for row in rows.iter().filter(|row| row.text("quantity") == "reduced_work") {
         let (case, half_width, zone) = (row.text("case"), row.number("a"), row.number("zone"));
         let memory = ContactMemory::new(&material(row), RATE).unwrap();
-        let adhesion = WaveAdhesion { reduced_work: row.number("value"), trailing_zone: zone, leading_zone: zone };
+        let adhesion = WaveAdhesion::even(row.number("value"), zone);
         let start = WaveContact { half_width: 1.03 * half_width, eccentricity: quantity(case, "eccentricity") - 0.02 };
         let found = contact_near(&memory, Some(adhesion), Prescribed::MeanPressure(row.number("mean_pressure")), start, 1e-12).unwrap();
         let contact = found.state.contact();
         println!(
             "{case}: Γ = {:.6}, a off by {:.1e}, e by {:.1e}, G₁ {:.6}, G₂ {:.6}, residual {:.0e}",
-            adhesion.reduced_work,
+            adhesion.trailing_work,
             contact.half_width - half_width,
             contact.eccentricity - quantity(case, "eccentricity"),
             found.trailing_release,

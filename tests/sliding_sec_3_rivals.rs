@@ -69,7 +69,7 @@ fn material(state: &State) -> Material {
 }
 
 fn adhesion(state: &State) -> WaveAdhesion {
-    WaveAdhesion { reduced_work: state.reduced_work, trailing_zone: state.zone, leading_zone: state.zone }
+    WaveAdhesion::even(state.reduced_work, state.zone)
 }
 
 fn our_edges(state: &State) -> (WaveContact, f64) {

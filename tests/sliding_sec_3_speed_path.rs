@@ -23,7 +23,7 @@ use viscotack::sliding::steady::WaveAdhesion;
 use viscotack::sliding::steady::full_contact_friction;
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
-    WaveAdhesion { reduced_work, trailing_zone: zone, leading_zone: zone }
+    WaveAdhesion::even(reduced_work, zone)
 }
 
 fn johnson(modulus: f64, reduced_work: f64, mean_pressure: f64) -> f64 {

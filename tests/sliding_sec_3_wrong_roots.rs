@@ -34,7 +34,7 @@ const STARTS: u32 = 1000;
 fn random_starts_never_return_an_unphysical_root() {
     let (time, ratio) = (0.2, 0.3);
     let material = Material::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
-    let adhesion = WaveAdhesion { reduced_work: 0.002, trailing_zone: 1e-3, leading_zone: 1e-3 };
+    let adhesion = WaveAdhesion::even(0.002, 1e-3);
     let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(0.1), 1e-12).unwrap();
     let prescribed = Prescribed::Penetration(on_path.state.penetration());
     let memory = ContactMemory::new(&material, ratio / time).unwrap();
@@ -88,7 +88,7 @@ fn closures(
     };
     let (trailing, leading) = (adhesion.trailing_zone, adhesion.leading_zone);
     let (first, second) = (moved(trailing, -0.5 * trailing)?, moved(leading, 0.5 * leading)?);
-    let target = 2.0 * PI * adhesion.reduced_work;
+    let target = 2.0 * PI * adhesion.trailing_work;
     let values = [
         edge_work(&state, &first, Edge::Trailing, trailing) / target - 1.0,
         edge_work(&state, &second, Edge::Leading, leading) / target - 1.0,
@@ -178,7 +178,7 @@ fn of_all_roots_of_the_two_closures_one_can_exist() {
     for (beta, ratio, work, pressure) in [(20.0, 0.3, 0.002, 0.1), (10.0, 3.0, 0.003, 0.2)] {
         let time = 0.2;
         let material = Material::standard_solid(0.7e6, 0.7e6 * beta, time).unwrap();
-        let adhesion = WaveAdhesion { reduced_work: work, trailing_zone: 1e-3, leading_zone: 1e-3 };
+        let adhesion = WaveAdhesion::even(work, 1e-3);
         let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(pressure), 1e-12).unwrap();
         let prescribed = Prescribed::Penetration(on_path.state.penetration());
         let memory = ContactMemory::new(&material, ratio / time).unwrap();

@@ -17,6 +17,8 @@
 //! Steady and unsteady contacts and cracks differ only in the two fields. Each problem of this crate evaluates its balance by a fast
 //! reduced form; this module evaluates it from any two fields by quadrature, and the reduced forms are property-tested against it.
 
+pub mod work_by_speed;
+
 use crate::refusal::{Refusal, require_positive};
 use crate::special::log_quadrature::integrate_between_edges;
 

@@ -1,215 +1,256 @@
-//! One step: the edge moves by a given distance, the time follows from the edge condition.
+//! The edge condition of a trial step.
 //!
-//! The residual g(a, dt) of the edge condition falls when the edge advances too far ahead of its time and is positive where it should recede:
+//! The residual g(a, dt) falls below zero when the edge advances too little for its time and is positive where it should recede:
 //! g = C/Δγ − 1, with the sign of a pressed edge turned, or −Q(a) without adhesion. At dt = 0 the solid answers glassily, and a stable
-//! edge has g(a − h) < 0 < g(a + h). The step takes the FIRST instant at which g changes sign at the edge one step ahead (C is a product: later
-//! sign changes may be compressed edges), or, if the end of the allowed time comes first, the edge that is right at that end.
-//! If g(a − h) ≥ 0 at once, however small h, there is no stable edge nearby: an event.
+//! edge has g(a − h) < 0 < g(a + h).
 
 use super::line::{Contact, Sweep};
+use super::motion::{Motion, Passage};
 use super::panel::value_at;
+use super::past::{Node, Past};
 use super::problem::Adhesion;
-use super::zone::Zone;
+use super::profile::Profile;
+use super::springs::DEGREE;
+use super::window::Window;
+use super::zone::{Zone, zone_work};
 use crate::refusal::Refusal;
 
+/// A window graded for one time serves times up to this factor from it.
+const SAME_GRADING: f64 = 4.0;
+
 /// What is imposed at a time after the present instant.
+#[derive(Clone, Copy)]
 pub(super) enum Imposed<'h> {
     /// Δ.
     Penetration(&'h dyn Fn(f64) -> f64),
-    /// F.
-    Force(&'h dyn Fn(f64) -> f64),
+    /// F + k·(Δ + F/k)… of a force (k = 0) or a frame: F + kΔ = k·(place of the frame), or F = force.
+    Load {
+        /// F, or k times the place of the frame.
+        value: &'h dyn Fn(f64) -> f64,
+        /// k_f, 0 for a force.
+        stiffness: f64,
+    },
 }
 
-/// Where a step ended.
-pub(super) enum Step<'a> {
-    /// A new state, dt later.
-    Moved(Contact<'a>, f64, f64),
-    /// No stable edge: it runs inwards (true) or outwards.
-    Unstable(bool),
+/// What drives a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Drive {
+    /// The edge goes a given way: t(y) is the polynomial.
+    Edge,
+    /// A given time goes by: y(t) is.
+    Time,
 }
 
-/// The edge condition and its counters.
+/// A step tried.
+#[derive(Debug, Clone)]
+pub(super) struct Trial {
+    pub(super) motion: Motion,
+    pub(super) penetration: f64,
+    pub(super) residual: f64,
+    /// Error of one degree less: of the place of the edge within the step, and of Δ (m).
+    pub(super) place_error: f64,
+    pub(super) depth_error: f64,
+    pub(super) degree: u32,
+}
+
+/// The edge condition, what it remembers, and its counters.
 pub(super) struct Edge {
     pub(super) adhesion: Option<Adhesion>,
-    /// The kernel of the last trial edge: many trials share one.
-    pub(super) kernel: Option<(f64, Zone)>,
     /// Scale of Q without adhesion.
     pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
     pub(super) depth_scale: f64,
-    /// Accepted |g|.
-    pub(super) tolerance: f64,
+    /// The kernel and the window of the last trial edge: many trials share one.
+    kernel: Option<(f64, Zone)>,
+    window: Option<Window>,
     pub(super) evaluations: u64,
     pub(super) updates: u64,
 }
 
-/// Doublings of the trial time before the scan gives up; 2^200 spans any history.
-const MOST_DOUBLINGS: u32 = 200;
-/// Iterations of a bracketed root; regula falsi with Illinois weights needs about 8.
-const MOST_ITERATIONS: u32 = 100;
-
 impl Edge {
-    pub(super) fn sweep(&self) -> Sweep {
-        if self.adhesion.is_some() { Sweep::Linear } else { Sweep::Profile }
+    pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64) -> Self {
+        Self { adhesion, load_scale, depth_scale, kernel: None, window: None, evaluations: 0, updates: 0 }
     }
 
-    /// The penetration at which the imposed force acts on an edge at `a` after dt: F is affine in Δ.
-    pub(super) fn penetration(&mut self, from: &Contact<'_>, a: f64, dt: f64, imposed: &Imposed<'_>) -> Result<f64, Refusal> {
-        match imposed {
-            Imposed::Penetration(history) => Ok(history(dt)),
-            Imposed::Force(history) => {
-                let (here, scale, sweep) = (from.penetration(), self.depth_scale, self.sweep());
-                let mut force = |depth: f64| {
-                    let moved = from.moved(a, depth, dt, sweep)?;
-                    self.updates += moved.updates() - from.updates();
-                    Ok::<f64, Refusal>(moved.force())
-                };
-                let (first, second) = (force(here)?, force(here + scale)?);
-                Ok(here + scale * (history(dt) - first) / (second - first))
+    pub(super) fn zone(&self) -> f64 {
+        self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
+    }
+
+    /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first.
+    fn load_scale(&self, contact: &Contact<'_>, radius: f64) -> f64 {
+        let depth = contact.profile().line(radius.max(contact.radius())).max(contact.penetration().abs());
+        if depth > 0.0 { contact.springs().glassy * depth } else { self.load_scale }
+    }
+
+    /// Forgets what belongs to the state before a step.
+    pub(super) fn forget(&mut self) {
+        self.window = None;
+    }
+
+    /// How the edge goes from here to a place in a time.
+    fn passage(&self, contact: &Contact<'_>, past: &Past, radius: f64, dt: f64, drive: Drive) -> (Passage, f64, u32) {
+        let Some(&now) = past.nodes().first() else { return (Passage::Radius, 0.0, 1) };
+        let way = contact.profile().coordinate(radius) - now.place;
+        if dt == 0.0 || way == 0.0 {
+            return (Passage::Radius, 0.0, 1);
+        }
+        let parts = |node: &Node| ((node.place - now.place) / way, (node.time - now.time) / dt);
+        let distance = (radius - contact.radius()).abs();
+        match drive {
+            Drive::Edge => {
+                let bridge = past.bridge(parts);
+                (Passage::TimeOfPlace(bridge.coefficients), bridge.error * distance, bridge.degree)
+            }
+            Drive::Time => {
+                let bridge = past.bridge(|node| {
+                    let (place, time) = parts(node);
+                    (time, place)
+                });
+                (Passage::PlaceOfTime(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
         }
     }
 
-    /// g of a trial edge.
-    pub(super) fn residual(&mut self, from: &Contact<'_>, a: f64, dt: f64, imposed: &Imposed<'_>) -> Result<f64, Refusal> {
-        let penetration = self.penetration(from, a, dt, imposed)?;
-        self.residual_at(from, a, penetration, dt)
+    /// A step to an edge in a time, the penetration as imposed.
+    pub(super) fn trial(
+        &mut self,
+        contact: &Contact<'_>,
+        past: &Past,
+        (radius, dt): (f64, f64),
+        drive: Drive,
+        imposed: &Imposed<'_>,
+    ) -> Result<Trial, Refusal> {
+        let (passage, place_error, degree) = self.passage(contact, past, radius, dt, drive);
+        let here = contact.penetration();
+        let motion_of = |powers: [f64; DEGREE]| Motion::new(contact.profile(), (contact.radius(), radius), dt, passage, here, powers);
+        let (motion, depth_error) = match imposed {
+            Imposed::Penetration(history) => {
+                let mut powers = [0.0; DEGREE];
+                powers[0] = history(dt) - here;
+                (motion_of(powers), 0.0)
+            }
+            Imposed::Load { value, stiffness } => {
+                let depths = |rise: f64| match past.nodes().first() {
+                    Some(&now) if dt > 0.0 => past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
+                    _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
+                };
+                // F is affine in Δ; a unit of its own size keeps the digits of a contact that grows from a point.
+                let own = contact.profile().line(radius).max(here.abs());
+                let unit = if own > 0.0 { own } else { self.depth_scale };
+                let first = self.load(contact, &motion_of(depths(0.0).0)) + stiffness * here;
+                let second = self.load(contact, &motion_of(depths(unit).0)) + stiffness * (here + unit);
+                let rise = unit * (value(dt) - first) / (second - first);
+                let (powers, error) = depths(rise);
+                (motion_of(powers), error)
+            }
+        };
+        let residual = self.residual(contact, &motion, matches!(imposed, Imposed::Load { .. }))?;
+        Ok(Trial { penetration: motion.end_penetration(), motion, residual, place_error, depth_error, degree })
     }
 
-    pub(super) fn residual_at(&mut self, from: &Contact<'_>, a: f64, penetration: f64, dt: f64) -> Result<f64, Refusal> {
+    fn prepare(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Window {
+        match self.window.take() {
+            Some(window)
+                if window.radius.to_bits() == motion.to.to_bits()
+                    && (motion.time == 0.0 || (window.time <= SAME_GRADING * motion.time && motion.time <= SAME_GRADING * window.time)) =>
+            {
+                window
+            }
+            _ => Window::new(contact, motion.to, motion.time, self.zone(), whole),
+        }
+    }
+
+    fn load(&mut self, contact: &Contact<'_>, motion: &Motion) -> f64 {
+        let mut window = self.prepare(contact, motion, true);
+        self.updates += window.after(contact, motion, motion.to);
+        let force = window.force(contact, motion);
+        self.window = Some(window);
+        force
+    }
+
+    /// g of a motion.
+    pub(super) fn residual(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Result<f64, Refusal> {
         self.evaluations += 1;
-        let zone = self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
-        let trial = from.moved_within(a, penetration, dt, self.sweep(), (a - zone, a + zone));
-        self.updates += trial.updates() - from.updates();
+        let mut window = self.prepare(contact, motion, whole);
+        self.updates += window.after(contact, motion, motion.to + self.zone());
+        let edge_load = value_at(&window.loads, motion.to);
         let g = match self.adhesion {
             Some(adhesion) => {
-                let loads = trial.line_load();
-                let kernel = match self.kernel.take() {
-                    Some((place, kernel)) if place.to_bits() == a.to_bits() => kernel,
-                    _ => Zone::new(a, zone)?,
-                };
-                let work = trial.zone_work_with(&kernel, zone) / adhesion.work_of_adhesion;
-                self.kernel = Some((a, kernel));
-                if value_at(&loads, a) > 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
+                let kernel = self.kernel_at(motion.to)?;
+                let work = zone_work(&kernel, &window.loads, &window.gaps) / adhesion.work_of_adhesion;
+                self.kernel = Some((motion.to, kernel));
+                signed(work, edge_load)
             }
-            None => -trial.edge_load() / self.load_scale,
+            None => -edge_load / self.load_scale(contact, motion.to),
         };
-        if g.is_finite() {
-            Ok(g)
-        } else {
-            Err(Refusal::NotConverged { what: "the edge condition", detail: format!("it is not a number at a = {a:e}") })
+        self.window = Some(window);
+        finite(g, motion.to)
+    }
+
+    fn kernel_at(&mut self, radius: f64) -> Result<Zone, Refusal> {
+        match self.kernel.take() {
+            Some((place, kernel)) if place.to_bits() == radius.to_bits() => Ok(kernel),
+            _ => Zone::new(radius, self.zone()),
         }
     }
 
-    /// A step of at most `reach` of the edge and `cap` of time, guessed to take about `guess`.
-    pub(super) fn step<'a>(
-        &mut self,
-        from: &Contact<'a>,
-        reach: f64,
-        cap: f64,
-        guess: f64,
-        imposed: &Imposed<'_>,
-    ) -> Result<Step<'a>, Refusal> {
-        let a = from.radius();
-        let guess = guess.min(cap);
-        let first_inwards = self.residual(from, a, guess, imposed)? > 0.0;
-        for inwards in [first_inwards, !first_inwards] {
-            let target = if inwards { a - reach } else { a + reach };
-            let sign = if inwards { 1.0 } else { -1.0 };
-            let at_once = sign * self.residual(from, target, 0.0, imposed)?;
-            if at_once >= 0.0 {
-                return Ok(Step::Unstable(inwards));
-            }
-            let (mut low, mut low_value) = (0.0, at_once);
-            // The way not expected is looked at once, at the end of the allowed time.
-            let mut trial = if inwards == first_inwards { 0.7 * guess } else { cap };
-            for _ in 0..MOST_DOUBLINGS {
-                let trial_time = trial.min(cap);
-                let value = sign * self.residual(from, target, trial_time, imposed)?;
-                if value >= 0.0 {
-                    let time = self
-                        .root((low, low_value), (trial_time, value), |edge, time| Ok(sign * edge.residual(from, target, time, imposed)?))?;
-                    return self.finished(from, target, time, imposed);
-                }
-                if trial_time >= cap {
-                    break;
-                }
-                (low, low_value) = (trial_time, value);
-                trial *= 1.7;
-            }
-        }
-        // Neither neighbour has become right within the cap: the edge is between them at its end.
-        let (low, high) = (a - reach, a + reach);
-        let (low_value, high_value) = (self.residual(from, low, cap, imposed)?, self.residual(from, high, cap, imposed)?);
-        if low_value >= 0.0 || high_value <= 0.0 {
-            return Ok(Step::Unstable(low_value >= 0.0));
-        }
-        let edge = self.root((low, low_value), (high, high_value), |edge, place| edge.residual(from, place, cap, imposed))?;
-        self.finished(from, edge, cap, imposed)
+    /// C of a motion (J/m²).
+    pub(super) fn work(&mut self, contact: &Contact<'_>, motion: &Motion) -> Result<f64, Refusal> {
+        self.evaluations += 1;
+        let mut window = self.prepare(contact, motion, false);
+        self.updates += window.after(contact, motion, motion.to + self.zone());
+        let kernel = self.kernel_at(motion.to)?;
+        let work = zone_work(&kernel, &window.loads, &window.gaps);
+        self.kernel = Some((motion.to, kernel));
+        self.window = Some(window);
+        finite(work, motion.to)
     }
 
-    fn finished<'a>(&mut self, from: &Contact<'a>, a: f64, dt: f64, imposed: &Imposed<'_>) -> Result<Step<'a>, Refusal> {
-        let penetration = self.penetration(from, a, dt, imposed)?;
-        let residual = self.residual_at(from, a, penetration, dt)?;
-        let moved = from.moved(a, penetration, dt, self.sweep())?;
-        self.updates += moved.updates() - from.updates();
-        Ok(Step::Moved(moved, dt, residual))
+    /// The contact with its edge at another place at once, and g there: a place may be far away.
+    pub(super) fn jumped<'a>(&mut self, contact: &Contact<'a>, radius: f64, imposed: &Imposed<'_>) -> Result<(Contact<'a>, f64), Refusal> {
+        let here = contact.penetration();
+        let mut next = match imposed {
+            Imposed::Penetration(history) => contact.moved(radius, history(0.0), 0.0, Sweep::Linear)?,
+            Imposed::Load { value, stiffness } => {
+                // At once the state does not change with Δ: F is affine in it, with the glassy slope.
+                let first = contact.moved(radius, here, 0.0, Sweep::Linear)?;
+                let slope = 2.0 * contact.springs().glassy * radius + stiffness;
+                let rise = (value(0.0) - first.force() - stiffness * here) / slope;
+                contact.moved(radius, here + rise, 0.0, Sweep::Linear)?
+            }
+        };
+        self.updates += next.updates - contact.updates;
+        next.updates = contact.updates;
+        self.evaluations += 1;
+        let loads = next.line_load();
+        let edge_load = value_at(&loads, radius);
+        let g = match self.adhesion {
+            Some(adhesion) => {
+                let kernel = self.kernel_at(radius)?;
+                let work = zone_work(&kernel, &loads, &next.gap_factor(radius + adhesion.process_zone)) / adhesion.work_of_adhesion;
+                self.kernel = Some((radius, kernel));
+                signed(work, edge_load)
+            }
+            None => -edge_load / self.load_scale(contact, radius),
+        };
+        Ok((next, finite(g, radius)?))
     }
+}
 
-    /// The zero of a function with values below and above it: regula falsi with Illinois weights, halved when slow.
-    pub(super) fn root(
-        &mut self,
-        below: (f64, f64),
-        above: (f64, f64),
-        mut function: impl FnMut(&mut Self, f64) -> Result<f64, Refusal>,
-    ) -> Result<f64, Refusal> {
-        let ((mut low, mut low_value), (mut high, mut high_value)) = (below, above);
-        for iteration in 0..MOST_ITERATIONS {
-            let chord = (low * high_value - high * low_value) / (high_value - low_value);
-            let inside = chord > low.min(high) && chord < low.max(high);
-            let point = if inside && iteration % 6 != 5 { chord } else { 0.5 * (low + high) };
-            let value = function(self, point)?;
-            if value.abs() <= self.tolerance || (high - low).abs() <= 4.0 * f64::EPSILON * high.abs().max(low.abs()) {
-                return Ok(point);
-            }
-            if value < 0.0 {
-                (low, low_value) = (point, value);
-                high_value *= 0.5;
-            } else {
-                (high, high_value) = (point, value);
-                low_value *= 0.5;
-            }
-        }
-        Err(Refusal::NotConverged { what: "the edge condition", detail: format!("the bracket {low:e} to {high:e} stopped shrinking") })
-    }
+/// A point of the march.
+pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, time: f64, force: f64) -> Node {
+    Node { time, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
+}
 
-    /// A stable edge somewhere else, at once: the next one inwards or outwards, or none before `end`.
-    pub(super) fn elsewhere(
-        &mut self,
-        from: &Contact<'_>,
-        start: f64,
-        inwards: bool,
-        reach: f64,
-        end: f64,
-        imposed: &Imposed<'_>,
-    ) -> Result<Option<f64>, Refusal> {
-        let mut place = start;
-        let mut last = (place, if inwards { 1.0 } else { -1.0 });
-        loop {
-            place = if inwards { place - reach } else { place + reach };
-            if (inwards && place <= end) || (!inwards && place >= end) {
-                return Ok(None);
-            }
-            let value = self.residual(from, place, 0.0, imposed)?;
-            if (inwards && value < 0.0) || (!inwards && value > 0.0) {
-                if inwards == (last.1 < 0.0) {
-                    return Ok(Some(place));
-                }
-                let here = (place, value);
-                let (below, above) = if inwards { (here, last) } else { (last, here) };
-                return self.root(below, above, |edge, a| edge.residual(from, a, 0.0, imposed)).map(Some);
-            }
-            last = (place, value);
-        }
+/// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium.
+fn signed(work: f64, edge_load: f64) -> f64 {
+    if edge_load > 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
+}
+
+fn finite(value: f64, radius: f64) -> Result<f64, Refusal> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Refusal::NotConverged { what: "the edge condition", detail: format!("it is not a number at a = {radius:e}") })
     }
 }

@@ -26,7 +26,7 @@ pub struct ElasticContact {
     pub residual: f64,
 }
 
-fn work(profile: Profile, modulus: f64, zone: f64, a: f64, penetration: f64) -> Result<f64, Refusal> {
+fn work(profile: &Profile, modulus: f64, zone: f64, a: f64, penetration: f64) -> Result<f64, Refusal> {
     let kernel = Zone::new(a, zone)?;
     let inside: Vec<Panel> =
         profile.breaks(a).windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| modulus * (penetration - profile.line(s)))).collect();
@@ -36,7 +36,7 @@ fn work(profile: Profile, modulus: f64, zone: f64, a: f64, penetration: f64) -> 
     Ok(if penetration > profile.line(a) { -value } else { value })
 }
 
-fn state(profile: Profile, modulus: f64, a: f64, penetration: f64, residual: f64) -> ElasticContact {
+fn state(profile: &Profile, modulus: f64, a: f64, penetration: f64, residual: f64) -> ElasticContact {
     let panels = profile.breaks(a);
     let force = panels.windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| penetration - profile.line(s)).integral()).sum::<f64>();
     let edge = modulus * (profile.line(a) - penetration);
@@ -55,21 +55,21 @@ fn state(profile: Profile, modulus: f64, a: f64, penetration: f64, residual: f64
 /// [`Refusal::NoSuchState`] when no contact larger than the process zone is in equilibrium there; [`Refusal::Undefined`] for a flat punch, whose
 /// radius is given; [`Refusal::OutOfRange`].
 pub fn elastic_contact(
-    profile: Profile,
+    profile: &Profile,
     modulus: f64,
     work_of_adhesion: f64,
     process_zone: f64,
     penetration: f64,
 ) -> Result<ElasticContact, Refusal> {
-    let profile = profile.checked()?;
+    profile.clone().checked()?;
     require_positive("contact_modulus", modulus)?;
     require_positive("work_of_adhesion", work_of_adhesion)?;
     require_positive("process_zone", process_zone)?;
     require_finite("penetration", penetration)?;
-    if profile == Profile::FlatPunch {
+    if profile.rim().is_finite() {
         return Err(Refusal::Undefined {
             quantity: "the contact radius of a flat punch",
-            reason: "the punch gives it; prescribe it".into(),
+            reason: "its rim gives it".into(),
         });
     }
     let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
@@ -114,13 +114,13 @@ pub fn elastic_contact(
 /// # Errors
 /// [`Refusal::OutOfRange`] for a radius not larger than the process zone; [`Refusal::NoSuchState`] when the quadratic has no root.
 pub fn elastic_contact_of_radius(
-    profile: Profile,
+    profile: &Profile,
     modulus: f64,
     work_of_adhesion: f64,
     process_zone: f64,
     contact_radius: f64,
 ) -> Result<ElasticContact, Refusal> {
-    let profile = profile.checked()?;
+    profile.clone().checked()?;
     require_positive("contact_modulus", modulus)?;
     require_positive("work_of_adhesion", work_of_adhesion)?;
     require_positive("process_zone", process_zone)?;

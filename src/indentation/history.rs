@@ -1,14 +1,29 @@
-//! What is imposed in time: a number that goes from value to value, linearly, or at once.
+//! What is imposed in time: a quantity that goes from value to value, linearly, or at once; each stretch names its quantity.
 
 use crate::refusal::{Refusal, require_finite, require_non_negative};
+
+/// What a stretch of a history controls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Controlled {
+    /// Δ (m).
+    Penetration,
+    /// F (N), compression positive.
+    Force,
+    /// a (m): Δ follows from the edge condition.
+    ContactRadius,
+    /// The far end of the frame, Δ + F/k_f (m): a real rig is neither stiff nor soft.
+    Frame,
+}
 
 /// A stretch of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// How long (s); zero is a step.
     pub duration: f64,
-    /// The value at its end, reached linearly; a hold repeats the value before.
+    /// The value at its end, reached linearly from the present one.
     pub end: f64,
+    /// Of what.
+    pub controlled: Controlled,
 }
 
 /// A piecewise linear history.
@@ -16,39 +31,72 @@ pub struct Segment {
 pub struct History {
     /// The value at time zero.
     pub start: f64,
+    /// Of what.
+    pub controlled: Controlled,
     /// The stretches in order.
     pub segments: Vec<Segment>,
 }
 
 impl History {
-    /// From a start value.
+    /// From a start value of a quantity.
     #[must_use]
-    pub const fn from(start: f64) -> Self {
-        Self { start, segments: Vec::new() }
+    pub const fn from(controlled: Controlled, start: f64) -> Self {
+        Self { start, controlled, segments: Vec::new() }
     }
 
-    /// Followed by a ramp to `end` in `duration`.
+    /// From a penetration (m).
     #[must_use]
-    pub fn ramp(mut self, end: f64, duration: f64) -> Self {
-        self.segments.push(Segment { duration, end });
+    pub const fn penetration(start: f64) -> Self {
+        Self::from(Controlled::Penetration, start)
+    }
+
+    /// From a force (N).
+    #[must_use]
+    pub const fn force(start: f64) -> Self {
+        Self::from(Controlled::Force, start)
+    }
+
+    /// From a contact radius (m).
+    #[must_use]
+    pub const fn contact_radius(start: f64) -> Self {
+        Self::from(Controlled::ContactRadius, start)
+    }
+
+    /// From a place of the far end of the frame (m).
+    #[must_use]
+    pub const fn frame(start: f64) -> Self {
+        Self::from(Controlled::Frame, start)
+    }
+
+    /// Followed by a ramp of a quantity, from its value by then, to `end` in `duration`.
+    #[must_use]
+    pub fn then(mut self, controlled: Controlled, end: f64, duration: f64) -> Self {
+        self.segments.push(Segment { duration, end, controlled });
         self
     }
 
-    /// Followed by a ramp to `end` at a speed given as a positive number.
+    /// Followed by a ramp of the same quantity to `end` in `duration`.
+    #[must_use]
+    pub fn ramp(self, end: f64, duration: f64) -> Self {
+        let controlled = self.controlled();
+        self.then(controlled, end, duration)
+    }
+
+    /// Followed by a ramp of the same quantity to `end` at a speed given as a positive number.
     #[must_use]
     pub fn at_speed(self, end: f64, speed: f64) -> Self {
         let duration = ((end - self.end()) / speed).abs();
         self.ramp(end, duration)
     }
 
-    /// Followed by a hold.
+    /// Followed by a hold of the same quantity.
     #[must_use]
     pub fn hold(self, duration: f64) -> Self {
         let end = self.end();
         self.ramp(end, duration)
     }
 
-    /// Followed by a step.
+    /// Followed by a step of the same quantity.
     #[must_use]
     pub fn step(self, end: f64) -> Self {
         self.ramp(end, 0.0)
@@ -58,6 +106,18 @@ impl History {
     #[must_use]
     pub fn end(&self) -> f64 {
         self.segments.last().map_or(self.start, |segment| segment.end)
+    }
+
+    /// What is controlled at the end.
+    #[must_use]
+    pub fn controlled(&self) -> Controlled {
+        self.segments.last().map_or(self.controlled, |segment| segment.controlled)
+    }
+
+    /// Whether any stretch controls a quantity.
+    #[must_use]
+    pub fn controls(&self, controlled: Controlled) -> bool {
+        self.controlled == controlled || self.segments.iter().any(|segment| segment.controlled == controlled)
     }
 
     /// Checks every number.

@@ -25,38 +25,49 @@
 //! no matrix and no integral equation. Any coherent units.
 //!
 //! # How
-//! [`Contact`] carries e_j on panels of Gauss nodes; an update is exact for an edge and a penetration that move linearly in time, for any number
-//! of terms ([`Springs`]). [`zone_work`] is the closure. [`run`] marches under a [`Control`]: at each step it moves the edge
-//! by a prescribed distance and finds the time at which the closure holds there first.
+//! [`Contact`] carries the state on panels of Gauss nodes; an update is exact for any polynomial motion of edge and penetration, and any number
+//! of terms ([`Springs`]). [`zone_work`] is the closure. [`march`] goes step by step: the edge goes a given way and the time follows from the
+//! closure, or a time goes by and the place of the edge follows, along the polynomial through the last points (up to the sixth order), with
+//! steps chosen by the error of the path. [`run`] tightens the march until the errors of what it reports meet the accuracy.
 //!
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
+mod advance;
+mod coarsening;
 mod edge;
 mod elastic_zone;
 mod elliptic;
+mod energies;
 mod fields;
 mod history;
+mod jumps;
 mod line;
 mod marcher;
+mod motion;
 mod panel;
+mod passing;
+mod past;
 mod problem;
 mod profile;
+mod record;
 mod run;
 mod solution;
 mod springs;
 mod start;
+mod stepping;
+mod window;
 mod zone;
 
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
-pub use history::{History, Segment};
+pub use history::{Controlled, History, Segment};
 pub use line::{Contact, Sweep};
 pub use marcher::march;
 pub use panel::{POINTS, Panel};
-pub use problem::{Adhesion, Control, IndentationProblem, Resolution, Start};
+pub use problem::{Adhesion, IndentationProblem, Start};
 pub use profile::Profile;
 pub use run::run;
-pub use solution::{Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+pub use solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 pub use springs::Springs;
 pub use zone::{Zone, zone_work};

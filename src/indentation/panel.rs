@@ -65,7 +65,8 @@ impl Panel {
     /// The interpolant at s.
     #[must_use]
     pub fn at(&self, s: f64) -> f64 {
-        let factors = RULE.interpolation((s - self.lower) / (self.upper - self.lower));
+        // The polynomial goes on a little beyond its panel, where rounding may put an edge; further out it means nothing.
+        let factors = RULE.interpolation(((s - self.lower) / (self.upper - self.lower)).clamp(-1.0, 2.0));
         factors.iter().zip(&self.values).map(|(factor, value)| factor * value).sum()
     }
 

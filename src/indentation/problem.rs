@@ -1,7 +1,8 @@
 //! What is asked of a contact in time.
 
-use super::history::History;
+use super::history::{Controlled, History};
 use super::profile::Profile;
+use crate::refusal::{Refusal, require_positive};
 
 /// Adhesion at the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,17 +11,6 @@ pub struct Adhesion {
     pub work_of_adhesion: f64,
     /// δ (m).
     pub process_zone: f64,
-}
-
-/// What is imposed.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Control {
-    /// Δ(t) (m).
-    Penetration(History),
-    /// F(t) (N), compression positive.
-    Force(History),
-    /// a(t) (m): the penetration follows from the edge condition.
-    ContactRadius(History),
 }
 
 /// Where the history starts.
@@ -32,29 +22,6 @@ pub enum Start {
     Relaxed,
 }
 
-/// How finely a march goes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Resolution {
-    /// Steps of the edge per process zone (without adhesion: per quarter tenth of the contact's size, that is of a/25).
-    pub steps_per_zone: f64,
-    /// Largest time step over the time since the last corner of the history, or the last event.
-    pub growth: f64,
-}
-
-impl Default for Resolution {
-    fn default() -> Self {
-        Self { steps_per_zone: 25.0, growth: 0.2 }
-    }
-}
-
-impl Resolution {
-    /// Twice as fine.
-    #[must_use]
-    pub fn halved(self) -> Self {
-        Self { steps_per_zone: 2.0 * self.steps_per_zone, growth: 0.5 * self.growth }
-    }
-}
-
 /// A history of contact: what is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationProblem {
@@ -63,21 +30,63 @@ pub struct IndentationProblem {
     /// Adhesion; none for the contact without (Lee–Radok advancing, Ting receding).
     pub adhesion: Option<Adhesion>,
     /// What is imposed in time.
-    pub control: Control,
+    pub history: History,
+    /// k_f (N/m) of the frame that holds the indenter; needed where the history controls [`Controlled::Frame`].
+    pub frame_stiffness: Option<f64>,
     /// Where it starts.
     pub start: Start,
     /// Instants to keep in each segment, equally spaced, its end included.
     pub instants_per_segment: u32,
-    /// Of the coarser of the two marches.
-    pub resolution: Resolution,
+    /// Whether energies are added up.
+    pub energies: bool,
+    /// Wanted accuracy: errors of Δ, F, a and K at kept instants, over the largest value of each in the history.
+    pub accuracy: f64,
 }
 
-impl Control {
-    /// The imposed history, whatever it is of.
+impl IndentationProblem {
+    /// A sphere-like problem under a history, untouched at the start, to 1e-4.
     #[must_use]
-    pub const fn history(&self) -> &History {
-        match self {
-            Self::Penetration(history) | Self::Force(history) | Self::ContactRadius(history) => history,
+    pub const fn new(profile: Profile, adhesion: Option<Adhesion>, history: History) -> Self {
+        Self {
+            profile,
+            adhesion,
+            history,
+            frame_stiffness: None,
+            start: Start::Untouched,
+            instants_per_segment: 1,
+            energies: false,
+            accuracy: 1e-4,
         }
+    }
+
+    /// The same from a relaxed start.
+    #[must_use]
+    pub fn relaxed(mut self) -> Self {
+        self.start = Start::Relaxed;
+        self
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`]; [`Refusal::Undefined`] for a frame without its stiffness.
+    pub fn checked(&self) -> Result<(), Refusal> {
+        self.profile.clone().checked()?;
+        self.history.checked()?;
+        require_positive("accuracy", self.accuracy)?;
+        if let Some(adhesion) = self.adhesion {
+            require_positive("work_of_adhesion", adhesion.work_of_adhesion)?;
+            require_positive("process_zone", adhesion.process_zone)?;
+        }
+        match self.frame_stiffness {
+            Some(stiffness) => {
+                require_positive("frame_stiffness", stiffness)?;
+            }
+            None if self.history.controls(Controlled::Frame) => {
+                return Err(Refusal::Undefined { quantity: "the place of the frame", reason: "it has no stiffness".into() });
+            }
+            None => {}
+        }
+        Ok(())
     }
 }

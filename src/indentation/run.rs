@@ -1,57 +1,114 @@
-//! A history of contact from a problem to numbers with errors: two marches, the finer one judged by the coarser.
+//! A history of contact from a problem to numbers with errors: marches, each tighter than the one before, until the errors meet the accuracy.
 
 use super::marcher::march;
 use super::problem::IndentationProblem;
-use super::solution::{Event, IndentationSolution, IndentationWork, Instant, PathPoint};
+use super::solution::{Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Bound over the change between the two marches: 1 for errors of first order, 1/3 for second; the rest is prudence.
-const SAFETY: f64 = 1.5;
-/// A change that passes through zero is no accuracy: half of the largest so far stays in the bound.
-const MEMORY: f64 = 0.5;
+/// Bound over the change between two marches, of which the finer is ten times tighter; what the finer one lacks is less, the rest is prudence.
+const SAFETY: f64 = 1.0;
+/// A change that passes through zero is no accuracy: a part of the largest so far stays in the bound.
+const MEMORY: f64 = 0.2;
 /// What the tolerance of the edge condition leaves.
-const ROUNDING: f64 = 1e-11;
+const ROUNDING: f64 = 1e-10;
+/// Tolerance of the first march, over the accuracy.
+const FIRST: f64 = 30.0;
+/// Each march is tighter than the one before by this.
+const TIGHTER: f64 = 0.1;
+/// Marches at most.
+const MOST_MARCHES: u32 = 6;
+/// No march is tighter than this: rounding of the edge condition takes over.
+const TIGHTEST: f64 = 1e-10;
 
-/// Solves a history on two resolutions: `material` in moduli E* = E/(1 − ν²).
+/// Solves a history to its accuracy: `material` in moduli E* = E/(1 − ν²).
 ///
 /// # Errors
 /// Every refusal of [`march`].
 pub fn run(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
-    let coarse = march(material, problem, problem.resolution)?;
-    let fine = march(material, problem, problem.resolution.halved())?;
+    problem.checked()?;
+    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, 0.03);
+    let mut coarse = march(material, problem, tolerance)?;
+    let mut work = coarse.work;
+    let mut solution = None;
+    for _ in 0..MOST_MARCHES {
+        tolerance = (TIGHTER * tolerance).max(TIGHTEST);
+        let fine = march(material, problem, tolerance)?;
+        work.add(&fine.work);
+        let judged = judged(problem, &coarse, fine.clone(), work);
+        let reached = judged.reached;
+        solution = Some(judged);
+        if reached || tolerance <= TIGHTEST {
+            break;
+        }
+        coarse = fine;
+    }
+    solution.ok_or_else(|| Refusal::NotConverged { what: "the march", detail: "no march was made".into() })
+}
+
+impl IndentationWork {
+    fn add(&mut self, other: &Self) {
+        self.steps += other.steps;
+        self.closure_evaluations += other.closure_evaluations;
+        self.history_updates += other.history_updates;
+        self.most_panels = self.most_panels.max(other.most_panels);
+    }
+}
+
+fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: IndentationWork) -> IndentationSolution {
     let mut instants = Vec::with_capacity(fine.kept.len());
     let mut largest = [0.0_f64; 8];
+    let scale = |of: fn(&PathPoint) -> f64| fine.path.iter().fold(0.0, |most: f64, point| most.max(of(point).abs()));
+    let scales =
+        [scale(|point| point.penetration), scale(|point| point.force), scale(|point| point.contact_radius), scale(|point| {
+            point.stress_intensity_factor
+        })];
+    let mut reached = true;
     for (index, place) in fine.kept.iter().enumerate() {
         let Some(point) = fine.path.get(*place) else { continue };
         let other = coarse.kept.get(index).and_then(|place| coarse.path.get(*place));
-        let mut estimate = |quantity: usize, of: fn(&PathPoint) -> f64| {
+        let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64| {
             let value = of(point);
             let change = other.map_or(f64::INFINITY, |other| (value - of(other)).abs());
             let so_far = largest.get_mut(quantity).map_or(change, |most| {
                 *most = most.max(change);
                 *most
             });
-            Estimate::new(value, (SAFETY * change).max(MEMORY * so_far) + ROUNDING * value.abs())
+            let error = (SAFETY * change).max(MEMORY * so_far) + ROUNDING * value.abs();
+            if let Some(scale) = scales.get(quantity) {
+                reached &= error <= problem.accuracy * scale;
+            }
+            Estimate::new(value, error)
+        };
+        let energy = |which: usize| {
+            move |point: &PathPoint| {
+                point.energies.map_or(0.0, |energies| match which {
+                    0 => energies.stored,
+                    1 => energies.dissipated_power,
+                    2 => energies.external_work,
+                    _ => energies.dissipated,
+                })
+            }
         };
         instants.push(Instant {
             time: point.time,
-            penetration: estimate(0, |point| point.penetration),
-            force: estimate(1, |point| point.force),
-            contact_radius: estimate(2, |point| point.contact_radius),
-            stress_intensity_factor: estimate(3, |point| point.stress_intensity_factor),
-            stored_energy: estimate(4, |point| point.stored_energy),
-            dissipated_power: estimate(5, |point| point.dissipated_power),
-            external_work: estimate(6, |point| point.external_work),
-            dissipated_energy: estimate(7, |point| point.dissipated_energy),
+            penetration: estimate(0, &|point| point.penetration),
+            force: estimate(1, &|point| point.force),
+            contact_radius: estimate(2, &|point| point.contact_radius),
+            stress_intensity_factor: estimate(3, &|point| point.stress_intensity_factor),
+            energies: point
+                .energies
+                .is_some()
+                .then(|| [estimate(4, &energy(0)), estimate(5, &energy(1)), estimate(6, &energy(2)), estimate(7, &energy(3))]),
             residual: point.residual,
         });
     }
     let events = fine.events.iter().enumerate().map(|(index, event)| {
         let other = coarse.events.get(index).filter(|other| other.kind == event.kind);
         let estimate = |of: fn(&Event<f64>) -> f64| {
-            Estimate::new(of(event), other.map_or(f64::INFINITY, |other| SAFETY * (of(event) - of(other)).abs()))
+            let error = other.map_or(f64::INFINITY, |other| SAFETY * (of(event) - of(other)).abs());
+            Estimate::new(of(event), error + ROUNDING * of(event).abs())
         };
         Event {
             kind: event.kind,
@@ -61,16 +118,28 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
             contact_radius: estimate(|event| event.contact_radius),
         }
     });
-    let events = events.collect();
+    let events: Vec<Event<Estimate>> = events.collect();
     let largest_tension = fine.largest_tension().map(|value| {
-        Estimate::new(value, coarse.largest_tension().map_or(value, |other| SAFETY * (value - other).abs() + ROUNDING * value))
+        let change = coarse.largest_tension().map_or(value, |other| (value - other).abs());
+        Estimate::new(value, SAFETY * change + ROUNDING * value)
     });
-    let work = IndentationWork {
-        steps: coarse.work.steps + fine.work.steps,
-        closure_evaluations: coarse.work.closure_evaluations + fine.work.closure_evaluations,
-        history_updates: coarse.work.history_updates + fine.work.history_updates,
-        most_panels: coarse.work.most_panels.max(fine.work.most_panels),
-    };
+    if let Some(tension) = largest_tension {
+        reached &= tension.error <= problem.accuracy * scales[1];
+    }
+    for event in &events {
+        reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE) * 10.0;
+    }
     let residual = fine.path.iter().fold(0.0, |most: f64, point| most.max(point.residual.abs()));
-    Ok(IndentationSolution { instants, events, largest_tension, balance_defect: fine.balance_defect(), residual, fine, work })
+    IndentationSolution {
+        instants,
+        events,
+        largest_tension,
+        balance_defect: fine.balance_defect(),
+        smallest_stress_intensity_factor: fine.smallest_stress_intensity_factor,
+        smallest_gap_factor: fine.smallest_gap_factor,
+        reached,
+        residual,
+        fine,
+        work,
+    }
 }

@@ -17,8 +17,17 @@ pub struct PathPoint {
     pub stress_intensity_factor: f64,
     /// Defect of the edge condition: C/Δγ − 1, or Q(a) over its scale without adhesion.
     pub residual: f64,
+    /// Stretch of the path between corners that the point belongs to; its first point ends the stretch before.
+    pub piece: u32,
+    /// Energies, where asked for.
+    pub energies: Option<Energies>,
+}
+
+/// The account of energies at a step.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energies {
     /// U (J).
-    pub stored_energy: f64,
+    pub stored: f64,
     /// P_d (W).
     pub dissipated_power: f64,
     /// Running ∫F dΔ (J).
@@ -26,7 +35,7 @@ pub struct PathPoint {
     /// Running ∫G_tip dA (J): what adhesion gives (advancing) or takes (receding) at the tip.
     pub tip_work: f64,
     /// Running ∫P_d dt (J), and what sudden jumps of the edge set free.
-    pub dissipated_energy: f64,
+    pub dissipated: f64,
     /// Defect of the power balance F dΔ + G_tip dA = dU + P_d dt over this step (J).
     pub balance_defect: f64,
 }
@@ -85,25 +94,56 @@ pub struct Trace {
     pub events: Vec<Event<f64>>,
     /// Counters.
     pub work: IndentationWork,
+    /// Smallest K_I in contact (Pa√m).
+    pub smallest_stress_intensity_factor: f64,
+    /// Smallest D outside the contact (m).
+    pub smallest_gap_factor: f64,
 }
 
 impl Trace {
-    /// The largest tension −F at a point of the path (N); none if nothing pulled.
+    /// The largest tension −F of the path (N), between its points by the polynomial through five; none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
-        let peak = self.path.iter().map(|point| -point.force).max_by(f64::total_cmp)?;
+        let (index, top) = self.path.iter().enumerate().max_by(|one, other| other.1.force.total_cmp(&one.1.force))?;
+        // A peak at a corner, or at an end, is the point itself.
+        let near: Vec<&PathPoint> = (index.saturating_sub(2)..=index + 2)
+            .filter_map(|k| self.path.get(k))
+            .filter(|point| point.piece == top.piece && point.contact_radius > 0.0)
+            .collect();
+        let position = near.iter().position(|point| std::ptr::eq(*point, top))?;
+        let mut peak = -top.force;
+        if position > 0 && position + 1 < near.len() {
+            let at = |time: f64| {
+                near.iter().enumerate().map(|(k, one)| {
+                    let others = near.iter().enumerate().filter(|(l, _)| *l != k);
+                    -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
+                })
+                .sum::<f64>()
+            };
+            let (mut low, mut high) = (near[position - 1].time, near[position + 1].time);
+            for _ in 0..60 {
+                let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
+                if at(first) < at(second) { low = first } else { high = second }
+            }
+            let refined = at(0.5 * (low + high));
+            let steps = (near[position - 1].force - top.force).abs().max((near[position + 1].force - top.force).abs());
+            if refined > peak && refined - peak <= steps {
+                peak = refined;
+            }
+        }
         (peak > 0.0).then_some(peak)
     }
 
-    /// Σ|defect| of the power balance over the energy turned over.
+    /// Σ|defect| of the power balance over the energy turned over; none without energies.
     #[must_use]
-    pub fn balance_defect(&self) -> f64 {
+    pub fn balance_defect(&self) -> Option<f64> {
         let (mut defect, mut turned) = (0.0, 0.0);
         for pair in self.path.windows(2) {
-            defect += pair[1].balance_defect.abs();
-            turned += (pair[1].external_work - pair[0].external_work).abs() + (pair[1].tip_work - pair[0].tip_work).abs();
+            let (before, after) = (pair[0].energies?, pair[1].energies?);
+            defect += after.balance_defect.abs();
+            turned += (after.external_work - before.external_work).abs() + (after.tip_work - before.tip_work).abs();
         }
-        if turned > 0.0 { defect / turned } else { 0.0 }
+        Some(if turned > 0.0 { defect / turned } else { 0.0 })
     }
 }
 
@@ -120,14 +160,8 @@ pub struct Instant {
     pub contact_radius: Estimate,
     /// K_I (Pa√m).
     pub stress_intensity_factor: Estimate,
-    /// U (J).
-    pub stored_energy: Estimate,
-    /// P_d (W).
-    pub dissipated_power: Estimate,
-    /// ∫F dΔ (J) since the start.
-    pub external_work: Estimate,
-    /// ∫P_d dt (J) since the start.
-    pub dissipated_energy: Estimate,
+    /// Energies, where asked for: U (J), P_d (W), ∫F dΔ (J) and ∫P_d dt (J) since the start.
+    pub energies: Option<[Estimate; 4]>,
     /// Defect of the edge condition.
     pub residual: f64,
 }
@@ -141,8 +175,14 @@ pub struct IndentationSolution {
     pub events: Vec<Event<Estimate>>,
     /// The largest tension of the history (N); none if nothing pulled.
     pub largest_tension: Option<Estimate>,
-    /// Defect of the power balance over the energy turned over.
-    pub balance_defect: f64,
+    /// Defect of the power balance over the energy turned over, where energies were asked for.
+    pub balance_defect: Option<f64>,
+    /// Smallest K_I at a kept step in contact (Pa√m): below zero the edge would be pressed.
+    pub smallest_stress_intensity_factor: f64,
+    /// Smallest D of the gap outside the contact at a step (m): below zero faces would overlap.
+    pub smallest_gap_factor: f64,
+    /// Whether every error met the accuracy.
+    pub reached: bool,
     /// Largest defect of the edge condition.
     pub residual: f64,
     /// The finer march itself.

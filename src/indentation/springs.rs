@@ -1,18 +1,20 @@
 //! One point of the line: a glassy spring in series with n Voigt elements, updated exactly for any number of terms.
 //!
 //! ```text
-//! free     Q = 0:          ė_j = −e_j/τ_j                                  each strain on its own
+//! free     Q = 0:          ė_j = −e_j/τ_j                                  each Voigt strain on its own
 //! bonded   W given:        v̇_i = (W − v_i)/ρ_i                              each dashpot of the RELAXATION series on its own
 //! between  e = T v,  T_ji = J_jE_iρ_i/(τ_j − ρ_i);      v = S e,  S_ij = τ_j/(τ_j − ρ_i)      T = S⁻¹
 //! ```
-//! v_i are the strains of the dashpots of the equivalent Maxwell branches, Q = E∞W − ΣE_iv_i. The maps are partial fractions of the two
-//! transfer functions; the times interlace, so no denominator vanishes, and for well separated times S is a triangle of ones.
-//! Both states are continuous when the edge passes; only Q and W jump. Increments are mapped, never states, so that T·S need not be
-//! the unit matrix to the last bit.
+//! v_i are the strains of the dashpots of the equivalent Maxwell branches, Q = E0*W + ΣE_i(W − v_i). A point carries v while it is bonded and e
+//! while it is free, so that each update costs n, and only a point that the edge passes is mapped (n²). The maps are partial fractions of the
+//! two transfer functions; the times interlace, so no denominator vanishes. Both states are continuous when the edge passes; only Q and W jump.
 
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::special::exponential_mean::exponential_mean_complement;
+
+/// Highest power of the time in which Δ may go within a step.
+pub(super) const DEGREE: usize = 5;
 
 /// The chain of springs and dashpots of a material, in moduli E*.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,16 +31,13 @@ pub struct Springs {
     to_maxwell: Vec<f64>,
 }
 
-/// What a time does to every point alike.
+/// What a time does to every bonded point alike.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Lapse {
-    /// 1 − e^{−t/τ_j}.
-    freed: Vec<f64>,
+pub(super) struct Following {
     /// 1 − e^{−t/ρ_i}.
-    relaxed: Vec<f64>,
-    /// 1 − φ(t/ρ_i), the part of a linear increment of W that a dashpot follows.
-    followed: Vec<f64>,
-    scratch: Vec<f64>,
+    pub(super) relaxed: Vec<f64>,
+    /// Σ_k w_k ψ_k(t/ρ_i), what each dashpot follows of W = W₀ + Σ w_k u^k.
+    pub(super) followed: Vec<f64>,
 }
 
 impl Springs {
@@ -74,32 +73,113 @@ impl Springs {
         self.relaxation.iter().fold(f64::INFINITY, |least, &(_, rho)| least.min(rho))
     }
 
-    pub(super) fn lapse(&self, time: f64, lapse: &mut Lapse) {
-        lapse.freed.clear();
-        lapse.freed.extend(self.creep.iter().map(|&(_, tau)| -(-time / tau).exp_m1()));
-        lapse.relaxed.clear();
-        lapse.relaxed.extend(self.relaxation.iter().map(|&(_, rho)| -(-time / rho).exp_m1()));
-        lapse.followed.clear();
-        lapse.followed.extend(self.relaxation.iter().map(|&(_, rho)| exponential_mean_complement(time / rho)));
-        lapse.scratch.resize(self.terms(), 0.0);
+    /// e_j of given v_i.
+    pub(super) fn voigt(&self, maxwell: &[f64], voigt: &mut [f64]) {
+        map(&self.to_voigt, maxwell, voigt);
     }
 
-    /// The strains after a time without load.
-    pub(super) fn free(strains: &mut [f64], lapse: &Lapse) {
-        for (strain, freed) in strains.iter_mut().zip(&lapse.freed) {
-            *strain -= *strain * freed;
-        }
+    /// v_i of given e_j.
+    pub(super) fn maxwell(&self, voigt: &[f64], maxwell: &mut [f64]) {
+        map(&self.to_maxwell, voigt, maxwell);
     }
 
-    /// The strains after a time in which W rose linearly from `displacement` by `increment`.
-    pub(super) fn bonded(&self, strains: &mut [f64], displacement: f64, increment: f64, lapse: &mut Lapse) {
-        let n = strains.len();
-        for (i, change) in lapse.scratch.iter_mut().enumerate() {
-            let dashpot: f64 = self.to_maxwell.iter().skip(i * n).zip(strains.iter()).map(|(map, strain)| map * strain).sum();
-            *change = (displacement - dashpot) * lapse.relaxed.get(i).unwrap_or(&0.0) + increment * lapse.followed.get(i).unwrap_or(&0.0);
+    /// Q at W of a bonded point.
+    pub(super) fn load(&self, displacement: f64, maxwell: &[f64]) -> f64 {
+        let branches = self.relaxation.iter().zip(maxwell);
+        self.relaxed * displacement + branches.map(|(&(modulus, _), dashpot)| modulus * (displacement - dashpot)).sum::<f64>()
+    }
+
+    /// e^{−t/τ_j}.
+    pub(super) fn kept(&self, time: f64, kept: &mut Vec<f64>) {
+        kept.clear();
+        kept.extend(self.creep.iter().map(|&(_, tau)| (-time / tau).exp()));
+    }
+
+    /// How dashpots follow W = W₀ + Σ w_k u^k, u the part of a time, w_k = `powers[k − 1]`.
+    pub(super) fn following(&self, time: f64, powers: &[f64], following: &mut Following) {
+        following.relaxed.clear();
+        following.followed.clear();
+        let mut used = powers.len();
+        while used > 1 && powers.get(used - 1).is_none_or(|power| *power == 0.0) {
+            used -= 1;
         }
-        for (j, strain) in strains.iter_mut().enumerate() {
-            *strain += self.to_voigt.iter().skip(j * n).zip(&lapse.scratch).map(|(map, change)| map * change).sum::<f64>();
+        for &(_, rho) in &self.relaxation {
+            let x = time / rho;
+            following.relaxed.push(-(-x).exp_m1());
+            following.followed.push(match powers.get(..used) {
+                Some([rise]) => rise * exponential_mean_complement(x),
+                Some(powers) => {
+                    let weights = responses(x);
+                    powers.iter().zip(weights).map(|(power, weight)| power * weight).sum()
+                }
+                None => 0.0,
+            });
+        }
+    }
+}
+
+impl Following {
+    /// The dashpots after that time, from W₀.
+    pub(super) fn advance(&self, maxwell: &mut [f64], displacement: f64) {
+        for ((dashpot, relaxed), followed) in maxwell.iter_mut().zip(&self.relaxed).zip(&self.followed) {
+            *dashpot += (displacement - *dashpot) * relaxed + followed;
+        }
+    }
+}
+
+fn map(matrix: &[f64], from: &[f64], to: &mut [f64]) {
+    let n = from.len();
+    for (row, value) in matrix.chunks_exact(n.max(1)).zip(to.iter_mut()) {
+        *value = row.iter().zip(from).map(|(entry, state)| entry * state).sum();
+    }
+}
+
+/// ψ_k(x) = x∫₀¹ e^{−x(1−u)} u^k du for k = 1…: ψ_k = 1 − (k/x)ψ_{k−1}, upwards for large x and downwards from a series for small x.
+fn responses(x: f64) -> [f64; DEGREE] {
+    let mut values = [0.0; DEGREE];
+    let top = DEGREE as f64;
+    if x > top {
+        let mut last = -(-x).exp_m1();
+        for (k, value) in values.iter_mut().enumerate() {
+            last = 1.0 - (k as f64 + 1.0) / x * last;
+            *value = last;
+        }
+        return values;
+    }
+    // Alternating and, for x ≤ DEGREE, falling from the first term on: 40 terms reach rounding.
+    let (mut term, mut sum) = (x / (top + 1.0), 0.0);
+    for m in 1..40 {
+        sum += term;
+        term *= -x / (top + 1.0 + f64::from(m));
+    }
+    for k in (0..DEGREE).rev() {
+        values[k] = sum;
+        sum = x * (1.0 - sum) / (k as f64 + 1.0);
+    }
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::special::gauss_legendre::UNIT_RULE_20;
+
+    /// ψ_k against quadrature with graded panels.
+    #[test]
+    fn responses_are_integrals() {
+        for x in [1e-12, 1e-3, 0.3, 1.0, 4.0, 4.9, 5.1, 8.0, 60.0, 1e4] {
+            for (k, value) in responses(x).into_iter().enumerate() {
+                let mut exact = 0.0;
+                let (mut high, mut low) = (1.0, 0.5);
+                for _ in 0..60 {
+                    for &(node, weight) in UNIT_RULE_20.iter() {
+                        let y = low + (high - low) * node;
+                        exact += weight * (high - low) * x * (-x * y).exp() * (1.0 - y).powi(k as i32 + 1);
+                    }
+                    (high, low) = (low, 0.5 * low);
+                }
+                assert!((value / exact - 1.0).abs() < 1e-13, "{x} {k} {value} {exact}");
+            }
         }
     }
 }

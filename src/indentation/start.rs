@@ -1,16 +1,17 @@
 //! The first contact: relaxed or just touched, under any control.
 
-use super::elastic_zone::{elastic_contact, elastic_contact_of_radius};
+use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 use super::line::Contact;
 use super::panel::Panel;
-use super::problem::{Control, IndentationProblem, Start};
+use super::history::Controlled;
+use super::problem::{IndentationProblem, Start};
 use super::profile::Profile;
 use super::springs::Springs;
 use crate::refusal::Refusal;
 
 /// The radius at which a rising function reaches a value.
-pub(super) fn size_of(profile: Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
-    if profile == Profile::FlatPunch || value <= 0.0 {
+pub(super) fn size_of(profile: &Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
+    if value <= 0.0 || profile.rim().is_finite() {
         return 0.0;
     }
     let mut high = 1.0;
@@ -36,33 +37,57 @@ pub(super) fn size_of(profile: Profile, function: impl Fn(f64) -> f64, value: f6
 pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) -> Result<Contact<'a>, Refusal> {
     let relaxed = problem.start == Start::Relaxed;
     let modulus = if relaxed { springs.relaxed } else { springs.glassy };
-    let profile = problem.profile;
-    let value = problem.control.history().start;
-    let (a, depth) = match (problem.adhesion, &problem.control) {
-        (Some(adhesion), Control::Penetration(_)) => {
-            let state = elastic_contact(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
-            (state.contact_radius, state.penetration)
-        }
-        (Some(adhesion), Control::ContactRadius(_)) => {
+    let profile = &problem.profile;
+    let history = &problem.history;
+    let value = history.start;
+    let (a, depth) = match (problem.adhesion, history.controlled) {
+        (Some(adhesion), Controlled::ContactRadius) => {
             let state = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
             (state.contact_radius, state.penetration)
         }
-        (Some(adhesion), Control::Force(_)) => {
+        (Some(adhesion), controlled) if profile.rim().is_finite() => {
+            // A flat punch that its rim holds; more tension than the rim bears is no start.
+            let rim = profile.rim();
+            let slope = 2.0 * modulus * rim;
+            let depth = match controlled {
+                Controlled::Force => value / slope,
+                Controlled::Frame => problem.frame_stiffness.map_or(value, |stiffness| value * stiffness / (stiffness + slope)),
+                Controlled::Penetration | Controlled::ContactRadius => value,
+            };
+            let most = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, rim)?.penetration;
+            if depth < most {
+                return Err(Refusal::NoSuchState {
+                    reason: format!("the punch is pulled by {depth:e} and loses contact"),
+                    limit_name: "the penetration at which its rim gives way",
+                    limit: most,
+                });
+            }
+            (rim, depth)
+        }
+        (Some(adhesion), Controlled::Penetration) => {
+            let state = elastic_contact(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
+            (state.contact_radius, state.penetration)
+        }
+        (Some(adhesion), Controlled::Force | Controlled::Frame) => {
+            let imposed = |state: &ElasticContact| match (history.controlled, problem.frame_stiffness) {
+                (Controlled::Frame, Some(stiffness)) => state.penetration + state.force / stiffness,
+                _ => state.force,
+            };
             let by_radius = |a: f64| elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
-            // The largest contact in equilibrium: from far out, inwards, to the first force below the imposed one.
+            // The largest contact in equilibrium: from far out, inwards, to the first value below the imposed one.
             let mut high = 1.01 * adhesion.process_zone;
             let mut beyond = 0;
             while beyond < 60 {
-                beyond = if by_radius(high)?.force > value { beyond + 1 } else { 0 };
+                beyond = if imposed(&by_radius(high)?) > value { beyond + 1 } else { 0 };
                 high *= 1.02;
             }
             let mut low = high;
-            while by_radius(low)?.force > value {
+            while imposed(&by_radius(low)?) > value {
                 high = low;
                 low /= 1.02;
                 if low <= adhesion.process_zone {
                     return Err(Refusal::NoSuchState {
-                        reason: format!("the force {value:e} pulls more than any contact can hold"),
+                        reason: format!("the value {value:e} pulls more than any contact can hold"),
                         limit_name: "the process zone",
                         limit: adhesion.process_zone,
                     });
@@ -70,22 +95,42 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
             }
             for _ in 0..100 {
                 let middle = 0.5 * (low + high);
-                if by_radius(middle)?.force > value { high = middle } else { low = middle }
+                if imposed(&by_radius(middle)?) > value { high = middle } else { low = middle }
             }
             let state = by_radius(high)?;
             (state.contact_radius, state.penetration)
         }
-        (None, Control::ContactRadius(_)) => (value, profile.line(value)),
-        (None, Control::Penetration(_)) => (size_of(profile, |a| profile.line(a), value), value),
-        (None, Control::Force(_)) => {
+        (None, Controlled::ContactRadius) => (value, profile.line(value)),
+        (None, Controlled::Penetration) => (touching(profile, |a| profile.line(a), value), value),
+        (None, Controlled::Force | Controlled::Frame) => {
             let load = |a: f64| {
                 let panels = profile.breaks(a);
                 let panels = panels.windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| profile.line(s)).integral());
                 2.0 * modulus * (a * profile.line(a) - panels.sum::<f64>())
             };
-            let a = size_of(profile, load, value);
-            (a, profile.line(a))
+            let rim = profile.rim();
+            if rim.is_finite() {
+                let slope = 2.0 * modulus * rim;
+                let depth = match (history.controlled, problem.frame_stiffness) {
+                    (Controlled::Frame, Some(stiffness)) => value * stiffness / (stiffness + slope),
+                    _ => value / slope,
+                };
+                (if depth > 0.0 { rim } else { 0.0 }, depth)
+            } else {
+                let imposed = |a: f64| match (history.controlled, problem.frame_stiffness) {
+                    (Controlled::Frame, Some(stiffness)) => profile.line(a) + load(a) / stiffness,
+                    _ => load(a),
+                };
+                let a = size_of(profile, imposed, value);
+                (a, profile.line(a))
+            }
         }
     };
+    let profile = profile.clone();
     if relaxed { Contact::relaxed(springs, profile, a, depth) } else { Contact::untouched(springs, profile, a, depth) }
+}
+
+/// The radius at which an indenter without adhesion touches under a penetration.
+fn touching(profile: &Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
+    if profile.rim().is_finite() && value > 0.0 { profile.rim() } else { size_of(profile, function, value) }
 }

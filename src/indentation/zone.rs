@@ -47,37 +47,42 @@ impl Zone {
         let terms = ((34.0 / z.acosh()).ceil() as usize + 2).clamp(TERMS.0, TERMS.1);
         let count = terms as f64;
         let angle = |i: usize| PI * (i as f64 + 0.5) / count;
-        let node = |i: usize| 0.5 * (1.0 - angle(i).cos());
-        let mut table = vec![0.0; terms * terms];
+        let mut nodes = [0.0; TERMS.1];
+        for (i, node) in nodes.iter_mut().enumerate().take(terms) {
+            *node = 0.5 * (1.0 - angle(i).cos());
+        }
+        let mut table = [0.0; TERMS.1 * TERMS.1];
         for i in 0..terms {
-            let inside = contact_radius - length * node(i);
+            let inside = contact_radius - length * nodes[i];
             for l in 0..terms {
-                let outside = contact_radius + length * node(l);
-                let distance = node(i) + node(l);
+                let outside = contact_radius + length * nodes[l];
+                let distance = nodes[i] + nodes[l];
                 let m = length * length * (1.0 - distance * distance) / (4.0 * inside * outside);
                 table[i * terms + l] = elliptic_k(m) / (inside * outside).sqrt();
             }
         }
+        // T_p at x = 2ξ − 1 = −cos(angle): cos(p(π − angle)), with the factors of a discrete cosine transform.
+        let mut transform = [0.0; TERMS.1 * TERMS.1];
+        for p in 0..terms {
+            for i in 0..terms {
+                let factor = if p == 0 { 1.0 } else { 2.0 } / count;
+                transform[p * terms + i] = factor * (p as f64 * (PI - angle(i))).cos();
+            }
+        }
         // The coefficients fall with p + q: those with p + q ≥ terms are beyond rounding, and are left out.
-        // T_p at x = 2ξ − 1 = −cos(angle): cos(p(π − angle)).
-        let cosines: Vec<f64> = (0..terms * terms).map(|k| ((k / terms) as f64 * (PI - angle(k % terms))).cos()).collect();
-        let transform = |values: &dyn Fn(usize) -> f64, p: usize| {
-            let sum: f64 = (0..terms).map(|i| values(i) * cosines[p * terms + i]).sum();
-            sum * if p == 0 { 1.0 } else { 2.0 } / count
-        };
-        let mut half = vec![0.0; terms * terms];
+        let mut half = [0.0; TERMS.1 * TERMS.1];
         for i in 0..terms {
             for q in 0..terms {
-                half[i * terms + q] = transform(&|l| table[i * terms + l], q);
+                half[i * terms + q] = (0..terms).map(|l| table[i * terms + l] * transform[q * terms + l]).sum();
             }
         }
         let mut slope = vec![0.0; terms * terms];
         for q in 0..terms {
-            let coefficients: Vec<f64> = (0..terms).map(|p| transform(&|i| half[i * terms + q], p)).collect();
             // d/dξ = 2 d/dx, by the usual downward recursion.
-            let mut derivative = vec![0.0; terms + 2];
+            let mut derivative = [0.0; TERMS.1 + 2];
             for p in (1..terms).rev() {
-                derivative[p - 1] = derivative[p + 1] + 2.0 * p as f64 * coefficients[p];
+                let coefficient: f64 = (0..terms).map(|i| half[i * terms + q] * transform[p * terms + i]).sum();
+                derivative[p - 1] = derivative[p + 1] + 2.0 * p as f64 * coefficient;
             }
             derivative[0] *= 0.5;
             for p in 0..terms {
@@ -109,9 +114,11 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
     let outside = gap_factor.iter().flat_map(|panel| [panel.lower, panel.upper]).map(|s| (s - a) / length);
     breaks.extend(inside.chain(outside).filter(|eta| *eta > 0.0 && *eta < 1.0));
     breaks.sort_by(f64::total_cmp);
+    let rule = &*RULE;
     let mut moments = [0.0; TERMS.1];
-    let mut polynomials = [[0.0; TERMS.1]; POINTS];
+    let mut weighted = [[0.0; TERMS.1]; POINTS];
     let mut outer = [0.0; TERMS.1];
+    let mut running = [0.0; TERMS.1];
     let mut work = 0.0;
     for pair in breaks.windows(2).rev() {
         let (low, high) = (pair[0], pair[1]);
@@ -122,30 +129,40 @@ pub fn zone_work(zone: &Zone, line_load: &[Panel], gap_factor: &[Panel]) -> f64 
         let width = (high - low) / pieces;
         for piece in 0..pieces as usize {
             let top = high - width * piece as f64;
-            let mut loads = [0.0; POINTS];
             // A piece lies within one panel of each field.
             let bonded = panel_at(line_load, a - length * (1.0 - top + 0.5 * width));
             let free = panel_at(gap_factor, a + length * (top - 0.5 * width));
-            for g in 0..POINTS {
-                let xi = 1.0 - top + width * RULE.nodes[g];
+            let mut loads = [0.0; POINTS];
+            for (g, weighted) in weighted.iter_mut().enumerate() {
+                let xi = 1.0 - top + width * rule.nodes[g];
                 loads[g] = bonded.map_or(0.0, |panel| panel.at(a - length * xi));
-                zone.chebyshev(xi, &mut polynomials[g]);
+                zone.chebyshev(xi, weighted);
+                for value in weighted.iter_mut().take(n) {
+                    *value *= width * loads[g];
+                }
             }
             for g in 0..POINTS {
-                let eta = top - width * RULE.nodes[g];
+                let eta = top - width * rule.nodes[g];
                 let place = a + length * eta;
                 zone.chebyshev(eta, &mut outer);
+                running[..n].copy_from_slice(&moments[..n]);
+                for (factor, weighted) in rule.running[g].iter().zip(&weighted) {
+                    for (sum, value) in running[..n].iter_mut().zip(&weighted[..n]) {
+                        *sum += factor * value;
+                    }
+                }
                 let mut remembered = 0.0;
-                for p in 0..n {
-                    let running: f64 = (0..POINTS).map(|l| RULE.running[g][l] * polynomials[l][p] * loads[l]).sum();
-                    let row: f64 = (0..n - p).map(|q| zone.slope[p * n + q] * outer[q]).sum();
-                    remembered += row * (moments[p] + width * running);
+                for (p, (row, running)) in zone.slope.chunks_exact(n).zip(&running[..n]).enumerate() {
+                    let row: f64 = row[..n - p].iter().zip(&outer[..n - p]).map(|(slope, outer)| slope * outer).sum();
+                    remembered += row * running;
                 }
                 let local = -FRAC_PI_2 * loads[g] / (place * (place - length)).sqrt();
-                work += width * RULE.weights[g] * free.map_or(0.0, |panel| panel.at(place)) * (local + remembered);
+                work += width * rule.weights[g] * free.map_or(0.0, |panel| panel.at(place)) * (local + remembered);
             }
-            for (p, moment) in moments.iter_mut().enumerate().take(n) {
-                *moment += width * (0..POINTS).map(|l| RULE.weights[l] * polynomials[l][p] * loads[l]).sum::<f64>();
+            for (weight, weighted) in rule.weights.iter().zip(&weighted) {
+                for (moment, value) in moments[..n].iter_mut().zip(&weighted[..n]) {
+                    *moment += weight * value;
+                }
             }
         }
     }

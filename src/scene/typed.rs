@@ -1,6 +1,7 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
 use super::sweep::Sweep;
+use crate::closure::work_by_speed::WorkBySpeed;
 use crate::crack::{CrackBody, Motion};
 use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
@@ -186,8 +187,14 @@ pub struct Sliding {
     pub task: SlidingTask,
     /// The contacts to solve, in the order named.
     pub contacts: Vec<SlidingContact>,
-    /// What holds the faces together, if anything does.
+    /// What holds the faces together at that speed, if anything does.
     pub adhesion: Option<SlidingAdhesion>,
+    /// Whether the works of adhesion are given for each edge.
+    pub works_per_edge: bool,
+    /// How the works of adhesion follow the speed (m/s), if they do.
+    pub work_by_speed: Option<WorkBySpeed>,
+    /// Columns besides the ones that always are there.
+    pub columns: Vec<SlidingColumns>,
     /// Places along the surface at which fields are evaluated, if asked for.
     pub field_points: Option<u32>,
 }
@@ -321,11 +328,28 @@ impl SlidingContact {
     }
 }
 
+/// Columns of a sliding contact that are made on request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SlidingColumns {
+    /// The elastic contact of the modulus |E(kv)|.
+    ElasticCompanion,
+    /// The friction of the edges and of the bulk.
+    FrictionParts,
+    /// How outputs follow the parameters.
+    Sensitivities,
+}
+
+impl SlidingColumns {
+    /// All of them with their words.
+    pub const WORDS: [(Self, &'static str); 3] =
+        [(Self::ElasticCompanion, "elastic_companion"), (Self::FrictionParts, "friction_parts"), (Self::Sensitivities, "sensitivities")];
+}
+
 /// Adhesion of a sliding contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlidingAdhesion {
-    /// Δγ (J/m²); in a reduced scene Γ.
-    pub work_of_adhesion: f64,
+    /// Δγ (J/m²) of the trailing and of the leading edge; in a reduced scene Γ.
+    pub works: [f64; 2],
     /// The process zones of both edges.
     pub process_zone: SlidingZone,
 }

@@ -1,10 +1,10 @@
 //! What must hold at the two edges of a sliding contact, and the edges at which it does.
 //!
 //! ```text
-//! adhesive       work_i(l₁, l₂) = (1/2δ_i) ∫ tension₊ gap₋ = 2πΓ     at the trailing (i = 1) and at the leading edge (i = 2)
+//! adhesive       work_i(l₁, l₂) = (1/2δ_i) ∫ tension₊ gap₋ = 2πΓ_i   at the trailing (i = 1) and at the leading edge (i = 2)
 //! adhesiveless   k_i(l₁, l₂) = 0                                     no edge is singular
 //! ```
-//! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ) − 1 is nearly linear in the edges: that is the residual. The unknowns
+//! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ_i) − 1 is nearly linear in the edges: that is the residual. The unknowns
 //! are the half-width and the eccentricity, or, at a prescribed half-width, the mean pressure and the eccentricity. Every adhesive contact has
 //! four roots, as a pressed edge with interpenetrating faces does the same work as a pulled one: the residual takes the sign of the amplitude, so
 //! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
@@ -24,12 +24,57 @@ use std::sync::Arc;
 /// Adhesion of a wave contact in reduced units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WaveAdhesion {
-    /// Γ = Δγ/(πE0*kΛ²).
-    pub reduced_work: f64,
+    /// Γ = Δγ/(πE0*kΛ²) of the trailing edge, where the contact opens.
+    pub trailing_work: f64,
+    /// Γ of the leading edge, where it closes; smaller where the interface itself dissipates (adhesion hysteresis).
+    pub leading_work: f64,
     /// δ of the trailing edge, in 1/k.
     pub trailing_zone: f64,
     /// δ of the leading edge, in 1/k.
     pub leading_zone: f64,
+}
+
+impl WaveAdhesion {
+    /// The same work and the same process zone at both edges.
+    #[must_use]
+    pub const fn even(reduced_work: f64, zone: f64) -> Self {
+        Self { trailing_work: reduced_work, leading_work: reduced_work, trailing_zone: zone, leading_zone: zone }
+    }
+
+    /// Whether both edges take the same work.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.trailing_work.to_bits() == self.leading_work.to_bits()
+    }
+
+    /// With both works multiplied, that of the trailing edge by the first factor.
+    #[must_use]
+    pub fn with_works_times(self, [trailing, leading]: [f64; 2]) -> Self {
+        Self { trailing_work: trailing * self.trailing_work, leading_work: leading * self.leading_work, ..self }
+    }
+
+    /// With the work of the trailing edge given, that of the leading edge in the same ratio to it.
+    #[must_use]
+    pub fn with_trailing_work(self, reduced_work: f64) -> Self {
+        // The ratio of equal works is one to the last bit.
+        Self { trailing_work: reduced_work, leading_work: reduced_work * (self.leading_work / self.trailing_work), ..self }
+    }
+
+    /// With both process zones multiplied.
+    #[must_use]
+    pub fn with_zones_times(self, factor: f64) -> Self {
+        Self { trailing_zone: factor * self.trailing_zone, leading_zone: factor * self.leading_zone, ..self }
+    }
+
+    /// The larger of both works.
+    pub(super) const fn larger_work(&self) -> f64 {
+        self.trailing_work.max(self.leading_work)
+    }
+
+    /// 2πΓ of both edges, which the works are held against.
+    pub(super) fn targets(&self) -> [f64; 2] {
+        [2.0 * PI * self.trailing_work, 2.0 * PI * self.leading_work]
+    }
 }
 
 /// What is prescribed of a contact besides its speed.
@@ -192,25 +237,26 @@ impl EdgeBalance {
         let (trailing, leading) = &**zones;
         let trailing_moved = solve(edges.moved_out(-trailing.length()), state.held())?;
         let leading_moved = solve(edges.moved_out(leading.length()), state.held())?;
-        let target = 2.0 * PI * adhesion.reduced_work;
+        let targets = adhesion.targets();
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
-        let defect = |work: f64, amplitude: f64| {
+        let defect = |work: f64, target: f64, amplitude: f64| {
             let root = if work > 0.0 { (work / target).sqrt() } else { work / target };
             if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 }
         };
         let amplitudes = state.edge_amplitudes();
         let tensions = (trailing.tension(&trailing_moved), leading.tension(&leading_moved));
         let works = (trailing.work(&state, &tensions.0), leading.work(&state, &tensions.1));
-        let residual = [defect(works.0.value, amplitudes.0), defect(works.1.value, amplitudes.1)];
+        let residual = [defect(works.0.value, targets[0], amplitudes.0), defect(works.1.value, targets[1], amplitudes.1)];
         let digits = 1.0 + state.condition().ln();
-        let rounding = [works.0, works.1].map(|work| ROUNDING * digits * work.size / target);
+        let rounding = [ROUNDING * digits * works.0.size / targets[0], ROUNDING * digits * works.1.size / targets[1]];
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }
         Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual, rounding })
     }
 
-    /// G/Δγ of both edges at a root, with what rounding leaves uncertain: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none without adhesion.
+    /// G/Δγ of both edges at a root, each over the work of its own edge, with what rounding leaves uncertain: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none
+    /// without adhesion.
     ///
     /// # Errors
     /// Those of the reversed contact.
@@ -220,9 +266,9 @@ impl EdgeBalance {
         };
         let (trailing, leading) = &**zones;
         let reversed = states.state.reversed()?;
-        let target = 2.0 * PI * adhesion.reduced_work;
-        let over_target = |work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);
-        Ok(Some((over_target(trailing.release(&reversed, &tensions.0)), over_target(leading.release(&reversed, &tensions.1)))))
+        let targets = adhesion.targets();
+        let over = |target: f64, work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);
+        Ok(Some((over(targets[0], trailing.release(&reversed, &tensions.0)), over(targets[1], leading.release(&reversed, &tensions.1)))))
     }
 
     /// The room that each unknown has: a length for edges, a pressure for the mean pressure.
@@ -260,7 +306,7 @@ impl EdgeBalance {
         let (Indenter::Wave, Some((adhesion, ..))) = (self.indenter, &self.adhesion) else { return [first, eccentricity] };
         // Across a narrow gap the pressure of the wave hardly changes: what an eccentricity does is this many times smaller than one.
         let gap = PI - half_width;
-        let tilts = (adhesion.reduced_work / (0.5 * gap).tan()).sqrt() / gap;
+        let tilts = (adhesion.larger_work() / (0.5 * gap).tan()).sqrt() / gap;
         [first, eccentricity.max((f64::EPSILON * tilts).sqrt().min(MOST_OF_ROOM))]
     }
 

@@ -23,9 +23,10 @@
 //!
 //! # Contacts
 //! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`edge_balance`] finds the edges, with adhesion and
-//! without; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
+//! without; [`companion`] compares with an elastic solid, [`sensitivity`] tells what depends on what; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
 
 pub mod branch;
+pub mod companion;
 pub mod contact;
 pub mod edge_balance;
 pub mod green;
@@ -33,6 +34,7 @@ pub mod layer;
 pub mod layer_green;
 pub mod memory;
 pub mod nonconservative;
+pub mod sensitivity;
 pub mod steady;
 mod thin_layer;
 

@@ -33,7 +33,7 @@ pub fn contact_at_rate(
     prescribed: Prescribed,
     accuracy: f64,
 ) -> Result<Found, Refusal> {
-    let problem = SlidingProblem { rate, indenter: Indenter::Wave, adhesion, control: control(prescribed), accuracy };
+    let problem = SlidingProblem { rate, indenter: Indenter::Wave, adhesion, work_by_speed: None, control: control(prescribed), accuracy };
     match steady_sliding(material, &problem)? {
         SlidingOutcome::Partial(contact) => {
             let (trailing_release, leading_release) =

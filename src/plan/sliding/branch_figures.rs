@@ -205,15 +205,21 @@ impl SlidingPlan {
             (Units::Reduced, true) => r"pull-off pressure $2|p_\mathrm{out}|/E_0^* k\Lambda$",
             (Units::Reduced, false) => r"pull-off force $|F_\mathrm{out}| R/\pi E_0^* L^2$",
         };
-        let mut figures = vec![(format!("pull_off_against_{against}"), over(Axis::linear(pull_off), strength::PULL_OFF, -1.0))];
+        // Beside each the elastic companion, if it is asked for.
+        let beside = |drawn: Figure, name: &str, sign: f64| self.beside_companion(drawn, &families, name, sign);
+        let pulled = over(Axis::linear(pull_off), strength::PULL_OFF, -1.0);
+        let mut figures = vec![(format!("pull_off_against_{against}"), beside(pulled, "elastic_pull_off_pressure", -1.0))];
         if self.is_wave() {
             let snap_in = self.label("snap-in pressure", r"$p_\mathrm{IN}$", " (Pa)", r"$2p_\mathrm{IN}/E_0^* k\Lambda$", "");
             let positive = rows.iter().filter_map(|row| row.value(strength::SNAP_IN)).all(|pressure| pressure > 0.0);
             let snap_in = if positive { Axis::logarithmic(snap_in) } else { Axis::linear(snap_in) };
             let toughness = self.label("toughness", "$T$", " (J/m)", r"$2T/E_0^* \Lambda^2$", "");
-            figures.push((format!("snap_in_against_{against}"), over(snap_in, strength::SNAP_IN, 1.0)));
-            figures.push((format!("toughness_against_{against}"), over(Axis::linear(toughness), strength::TOUGHNESS, 1.0)));
+            let snapped = over(snap_in, strength::SNAP_IN, 1.0);
+            figures.push((format!("snap_in_against_{against}"), beside(snapped, "elastic_snap_in_pressure", 1.0)));
+            let tough = over(Axis::linear(toughness), strength::TOUGHNESS, 1.0);
+            figures.push((format!("toughness_against_{against}"), beside(tough, "elastic_toughness", 1.0)));
         }
+        figures.extend(self.extra_drawings(scene, rows, &against, [("pull_off_pressure", r"|p_\mathrm{out}|"), ("toughness", "T")]));
         figures
     }
 }

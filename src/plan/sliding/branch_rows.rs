@@ -54,20 +54,23 @@ impl SlidingPlan {
             reduced.truncate(super::columns::at::PENETRATION);
         }
         let flag = |told: Option<bool>| told.map(|told| Estimate::exact(f64::from(u8::from(told))));
-        reduced.extend([Some(Estimate::exact(number as f64)), Some(found.reduced_work), flag(found.under_load)]);
+        reduced.extend([Some(Estimate::exact(number as f64)), Some(found.reduced_works[0]), flag(found.under_load)]);
         if self.is_wave() {
             reduced.push(flag(found.under_penetration));
             if branch.frame_stiffness.is_some() {
                 reduced.push(flag(found.in_frame));
             }
         }
+        reduced.extend(self.extras_of_point(&found.values, found.reduced_works));
         let note = row.reason.take();
         row.status = Status::Solved;
-        let work_of_adhesion = match (branch.parameter, self.units) {
-            (BranchParameter::WorkOfAdhesion, Units::Si) => found.reduced_work.value * self.scale.work_of_adhesion,
-            _ => self.work_of_adhesion(),
+        let follows = branch.parameter == BranchParameter::WorkOfAdhesion
+            || branch.parameter == BranchParameter::Speed && self.work_by_rate.is_some();
+        let works_of_adhesion = match (follows, self.units) {
+            (true, Units::Si) => found.reduced_works.map(|work| work.value * self.scale.work_of_adhesion),
+            _ => self.works_of_adhesion(),
         };
-        self.finish(row, reduced, work_of_adhesion)?;
+        self.finish(row, reduced, works_of_adhesion)?;
         row.reason = match (row.reason.take(), note) {
             (Some(reason), Some(note)) => Some(format!("{reason}; {note}")),
             (reason, note) => reason.or(note),

@@ -1,13 +1,11 @@
-//! Curves of contacts and strengths as the solver gives them, in reduced units: the one place of this plan that calls [`crate::sliding::branch`].
+//! Curves of contacts as the solver gives them, in reduced units: the one place of this plan that follows a [`crate::sliding::branch`].
 
 use super::SlidingPlan;
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch};
-pub(super) use crate::sliding::branch::Fold;
 use crate::sliding::branch::{
-    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Strength, Toughness, Turn, speed_folds,
-    strengths, trace,
+    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Turn, speed_folds, trace,
 };
 use crate::sliding::steady::{PartialValues, SlidingControl, WaveAdhesion};
 
@@ -39,8 +37,8 @@ pub(super) struct Found {
     pub(super) values: PartialValues,
     /// kv.
     pub(super) rate: Estimate,
-    /// Γ.
-    pub(super) reduced_work: Estimate,
+    /// Γ of the trailing and of the leading edge.
+    pub(super) reduced_works: [Estimate; 2],
     /// Both process zones.
     pub(super) zones: [Estimate; 2],
     pub(super) under_load: Option<bool>,
@@ -56,25 +54,16 @@ pub(super) struct Traced {
     pub(super) closure_evaluations: u64,
 }
 
-/// What a contact bears.
-pub(super) struct Borne {
-    pub(super) pull_off: Option<Fold>,
-    pub(super) snap_in: Option<Fold>,
-    pub(super) separation: Option<Fold>,
-    pub(super) zero_load: Option<PartialValues>,
-    pub(super) toughness: Result<Toughness, Refusal>,
-    pub(super) closure_evaluations: u64,
-}
-
 impl SlidingPlan {
     /// The problem of a branch without its points; `span` are the ends of its parameter, reduced.
-    fn branch_problem(&self, parameter: Option<BranchParameter>, span: Option<[f64; 2]>) -> Result<BranchProblem, Refusal> {
+    fn branch_problem(&self, parameter: Option<BranchParameter>, span: Option<[f64; 2]>) -> Result<BranchProblem<'_>, Refusal> {
         let adhesion = self.reduced_adhesion().ok_or_else(|| Refusal::Undefined {
             quantity: "a branch of contacts",
             reason: "without adhesion there is no energy balance at the edges".into(),
         })?;
         let mut problem = BranchProblem::loads(self.rate(self.sliding.speed), adhesion, self.accuracy);
         problem.indenter = self.indenter();
+        problem.work_by_speed = self.work_by_rate.as_ref();
         if !self.is_wave() {
             let largest = match (parameter, span) {
                 (Some(BranchParameter::LoadPerWidth), Some([_, largest])) => largest.max(0.0),
@@ -149,7 +138,13 @@ impl SlidingPlan {
 
     /// The part of a branch of loads on which a quantity, by its place in an outline, lies within a span. The whole one is followed first, to see how
     /// much of it that is.
-    fn within(&self, branch: &SlidingBranch, problem: &mut BranchProblem, place: usize, [from, to]: [f64; 2]) -> Result<Traced, Refusal> {
+    fn within(
+        &self,
+        branch: &SlidingBranch,
+        problem: &mut BranchProblem<'_>,
+        place: usize,
+        [from, to]: [f64; 2],
+    ) -> Result<Traced, Refusal> {
         let inside = |values: &PartialValues| {
             let value = if place == 3 { values.penetration } else { values.mean_pressure };
             value.value + value.error >= from && value.value - value.error <= to
@@ -196,7 +191,7 @@ impl SlidingPlan {
         &self,
         traced: &mut Traced,
         branch: &SlidingBranch,
-        problem: &BranchProblem,
+        problem: &BranchProblem<'_>,
         found: Branch,
         name: &'static str,
         gap: Option<&str>,
@@ -204,14 +199,14 @@ impl SlidingPlan {
         traced.closure_evaluations += found.work.closure_evaluations;
         let stiffness = branch.frame_stiffness.map(|stiffness| stiffness * self.scale.displacement / self.scale.load);
         let at = |parameter: Estimate, values: PartialValues, variations: Option<&SecondVariations>, residual| {
-            let [rate, reduced_work, factor] = conditions(problem, parameter);
+            let (rate, reduced_works, factor) = conditions(problem, parameter);
             let zones = [problem.adhesion.trailing_zone, problem.adhesion.leading_zone]
                 .map(|zone| Estimate::new(zone * factor.value, zone * factor.error));
             let told = |of: &dyn Fn(&SecondVariations) -> Stability| variations.and_then(|variations| stable(of(variations)));
             Found {
                 values,
                 rate,
-                reduced_work,
+                reduced_works,
                 zones,
                 under_load: told(&SecondVariations::under_load),
                 under_penetration: told(&SecondVariations::under_penetration),
@@ -280,50 +275,29 @@ impl SlidingPlan {
         }
     }
 
-    /// What the contact bears at the scene's speed.
-    pub(super) fn borne(&self) -> Result<Borne, Refusal> {
-        let problem = self.branch_problem(None, None)?;
-        if self.is_wave() {
-            let found = strengths(&self.material, &[problem.rate], &[problem.adhesion.reduced_work], problem.adhesion, self.accuracy);
-            let lost = || Refusal::NotConverged { what: "a strength", detail: "it was asked for and not given".into() };
-            let Strength { pull_off, snap_in, separation, toughness, work } = found.into_iter().next().ok_or_else(lost)?.strength?;
-            let mut closure_evaluations = work.closure_evaluations;
-            let zero_load = match &toughness {
-                Ok(toughness) => Some(toughness.unloaded),
-                Err(_) => {
-                    let branch = trace(&self.material, &problem)?;
-                    closure_evaluations += branch.work.closure_evaluations;
-                    stable_without_load(&branch)
-                }
-            };
-            return Ok(Borne { pull_off, snap_in, separation, zero_load, toughness, closure_evaluations });
-        }
-        let branch = trace(&self.material, &problem)?;
-        Ok(Borne {
-            pull_off: branch.pull_off(&problem).cloned(),
-            snap_in: None,
-            separation: None,
-            zero_load: stable_without_load(&branch),
-            toughness: Err(Refusal::Undefined { quantity: "the toughness of a cylinder", reason: "it has no penetration".into() }),
-            closure_evaluations: branch.work.closure_evaluations,
-        })
+    /// The branch of every load at the scene's speed, whose turns are what the contact bears.
+    pub(super) fn every_load(&self) -> Result<BranchProblem<'_>, Refusal> {
+        self.branch_problem(None, None)
     }
 }
 
-/// The contact without load that a held load leaves where it is.
-fn stable_without_load(branch: &Branch) -> Option<PartialValues> {
-    branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values)
-}
-
-/// Rate, Γ and factor of the zones at a value of the parameter.
-fn conditions(problem: &BranchProblem, parameter: Estimate) -> [Estimate; 3] {
-    let WaveAdhesion { reduced_work, .. } = problem.adhesion;
-    let (rate, work, one) = (Estimate::exact(problem.rate), Estimate::exact(reduced_work), Estimate::exact(1.0));
-    match problem.path {
-        BranchPath::Loads => [rate, work, one],
-        BranchPath::Speeds(_) => [parameter, work, one],
-        BranchPath::Adhesions(_) => [rate, parameter, one],
-        BranchPath::Zones(_) => [rate, work, parameter],
+/// Rate, Γ of both edges and factor of the zones at a value of the parameter.
+fn conditions(problem: &BranchProblem<'_>, parameter: Estimate) -> (Estimate, [Estimate; 2], Estimate) {
+    let WaveAdhesion { trailing_work, leading_work, .. } = problem.adhesion;
+    let (rate, works, one) = (Estimate::exact(problem.rate), [trailing_work, leading_work].map(Estimate::exact), Estimate::exact(1.0));
+    match (problem.path, problem.work_by_speed) {
+        (BranchPath::Loads, _) => (rate, works, one),
+        (BranchPath::Speeds(_), None) => (parameter, works, one),
+        (BranchPath::Speeds(_), Some(law)) => {
+            let of = |edge: fn([f64; 2]) -> f64, given: f64| {
+                let at = |rate: f64| given * (edge(law.factors(rate)) / edge(law.factors(problem.rate)));
+                let (low, here, high) = (at(parameter.value - parameter.error), at(parameter.value), at(parameter.value + parameter.error));
+                Estimate::new(here, (low - here).abs().max((high - here).abs()) + 4.0 * f64::EPSILON * here)
+            };
+            (parameter, [of(|[trailing, _]| trailing, trailing_work), of(|[_, leading]| leading, leading_work)], one)
+        }
+        (BranchPath::Adhesions(_), _) => (rate, [parameter, parameter.scaled(leading_work / trailing_work)], one),
+        (BranchPath::Zones(_), _) => (rate, works, parameter),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::outcome::Column;
 use crate::scene::typed::{Sliding, SlidingIndenter, SlidingTask, Units};
 
 /// What a column measures.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) enum Measure {
     Speed,
     Length,
@@ -13,18 +13,24 @@ pub(super) enum Measure {
     Load,
     Friction,
     Coefficient,
+    /// An energy release rate of the trailing edge, over its work of adhesion.
     Release,
+    /// The same of the leading edge.
+    LeadingRelease,
     Energy,
     Adhesion,
+    Modulus,
     Number,
+    /// A quotient of outputs: as accurate as they are, which its own bar tells.
+    Ratio,
 }
 
 /// A column, with the name that it has for a cylinder.
 pub(super) struct Definition {
     pub(super) name: &'static str,
-    of_cylinder: &'static str,
+    pub(super) of_cylinder: &'static str,
     pub(super) measure: Measure,
-    meaning: &'static str,
+    pub(super) meaning: &'static str,
 }
 
 /// Positions of the columns in a row.
@@ -38,6 +44,8 @@ pub(super) mod at {
     pub(crate) const LEADING_RELEASE: usize = 6;
     pub(crate) const LOAD: usize = 7;
     pub(crate) const ADHESIVE_FRICTION: usize = 10;
+    pub(crate) const TRAILING_NONCONSERVATIVE: usize = 11;
+    pub(crate) const LEADING_NONCONSERVATIVE: usize = 12;
     pub(crate) const TRAILING_ZONE: usize = 13;
     pub(crate) const LEADING_ZONE: usize = 14;
     /// A cylinder's columns end before this one.
@@ -51,7 +59,7 @@ pub(super) mod strength {
     pub(crate) const TOUGHNESS: usize = 13;
 }
 
-const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
+pub(super) const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, of_cylinder: name, measure, meaning }
 }
 
@@ -70,8 +78,8 @@ pub(super) static COLUMNS: [Definition; 17] = [
         Measure::Coefficient,
         "Friction over load, where the load presses; accuracy relative to at least kΛ, of a cylinder L/R.",
     ),
-    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ."),
-    column("leading_energy_release_rate", Measure::Release, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
+    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ of that edge."),
+    column("leading_energy_release_rate", Measure::LeadingRelease, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
     Definition {
         name: "mean_pressure",
         of_cylinder: "load_per_width",
@@ -93,7 +101,7 @@ pub(super) static COLUMNS: [Definition; 17] = [
     ),
     column(
         "leading_nonconservative_work",
-        Measure::Release,
+        Measure::LeadingRelease,
         "Δγ − G₂: work of the interface at the closing edge that is not stored (3.22).",
     ),
     column("trailing_process_zone", Measure::Length, "δ of the edge that opens."),
@@ -109,7 +117,7 @@ pub(super) static COLUMNS: [Definition; 17] = [
 /// What a point of a branch has besides; those from the third on are of a wave.
 static BRANCH_COLUMNS: [Definition; 5] = [
     column("point", Measure::Number, "Number of the row along its branch, from 1; turns count."),
-    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, where the edges differ that of the trailing one; in a reduced scene Γ."),
     column(
         "stable_under_load",
         Measure::Number,
@@ -122,7 +130,7 @@ static BRANCH_COLUMNS: [Definition; 5] = [
 /// What a contact bears; those of the penetration are of a wave.
 static STRENGTH_COLUMNS: [Definition; 14] = [
     column("speed", Measure::Speed, "v of the sliding body along +x."),
-    column("work_of_adhesion", Measure::Adhesion, "Δγ, in a reduced scene Γ."),
+    column("work_of_adhesion", Measure::Adhesion, "Δγ, where the edges differ that of the trailing one; in a reduced scene Γ."),
     Definition {
         name: "pull_off_pressure",
         of_cylinder: "pull_off_load_per_width",
@@ -156,7 +164,7 @@ pub(super) const CYLINDER_STRENGTH: [usize; 5] = [0, 1, 2, 3, 5];
 /// The definitions of a scene's columns: a cylinder sinks into a half-plane without bound and has neither Δ nor U.
 pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
     let wave = matches!(sliding.indenter, SlidingIndenter::Wave { .. });
-    match &sliding.task {
+    let mut definitions: Vec<&'static Definition> = match &sliding.task {
         SlidingTask::State | SlidingTask::Branch(_) => {
             let mut definitions: Vec<&'static Definition> =
                 COLUMNS.iter().take(if wave { COLUMNS.len() } else { at::PENETRATION }).collect();
@@ -172,7 +180,9 @@ pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
             .filter(|(index, _)| wave || CYLINDER_STRENGTH.contains(index))
             .map(|(_, definition)| definition)
             .collect(),
-    }
+    };
+    definitions.extend(super::extra_columns::extra_definitions(sliding));
+    definitions
 }
 
 /// The position of a column of a scene by its name.
@@ -182,7 +192,7 @@ pub(super) fn place_of(sliding: &Sliding, name: &str) -> usize {
 
 impl Definition {
     /// Its factor from reduced units to those of the scene.
-    pub(super) fn factor(&self, scale: &Scale, work_of_adhesion: f64) -> f64 {
+    pub(super) fn factor(&self, scale: &Scale, [trailing, leading]: [f64; 2]) -> f64 {
         match self.measure {
             Measure::Speed => 1.0,
             Measure::Length => scale.length,
@@ -190,10 +200,12 @@ impl Definition {
             Measure::Load => scale.load,
             Measure::Friction => scale.friction,
             Measure::Coefficient => scale.slope,
-            Measure::Release => work_of_adhesion,
+            Measure::Release => trailing,
+            Measure::LeadingRelease => leading,
             Measure::Energy => scale.energy_per_width,
             Measure::Adhesion => scale.work_of_adhesion,
-            Measure::Number => 1.0,
+            // The material's own unit.
+            Measure::Modulus | Measure::Number | Measure::Ratio => 1.0,
         }
     }
 
@@ -205,10 +217,12 @@ impl Definition {
             (Measure::Load | Measure::Friction, Units::Si, true) => "Pa",
             (Measure::Load | Measure::Friction, Units::Si, false) => "N/m",
             (Measure::Coefficient, Units::Si, _) => "1",
-            (Measure::Release, Units::Si, _) => "J/m²",
+            (Measure::Release | Measure::LeadingRelease, Units::Si, _) => "J/m²",
             (Measure::Energy, Units::Si, _) => "J/m",
             (Measure::Adhesion, Units::Si, _) => "J/m²",
-            (Measure::Number, ..) => "1",
+            (Measure::Modulus, Units::Si, _) => "Pa",
+            (Measure::Modulus, Units::Reduced, _) => "E0*",
+            (Measure::Number | Measure::Ratio, ..) => "1",
             (Measure::Adhesion, Units::Reduced, true) => "πE0*kΛ²",
             (Measure::Adhesion, Units::Reduced, false) => "πE0*L³/R²",
             (Measure::Speed, Units::Reduced, true) => "1/kτ",
@@ -223,7 +237,7 @@ impl Definition {
             (Measure::Friction, Units::Reduced, false) => "πE0*L³/R²",
             (Measure::Coefficient, Units::Reduced, true) => "kΛ",
             (Measure::Coefficient, Units::Reduced, false) => "L/R",
-            (Measure::Release, Units::Reduced, _) => "Δγ",
+            (Measure::Release | Measure::LeadingRelease, Units::Reduced, _) => "Δγ",
             (Measure::Energy, Units::Reduced, true) => "E0*Λ²/2",
             (Measure::Energy, Units::Reduced, false) => "E0*L⁴/2R²",
         }

@@ -2,7 +2,7 @@
 
 use super::SlidingPlan;
 use crate::outcome::Work;
-use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingContact, SlidingTask};
+use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, SlidingContact, SlidingTask};
 
 /// Balances of an elastic contact, whatever its speed.
 const ELASTIC: f64 = 5.0;
@@ -26,6 +26,11 @@ const EVERY_ADHESION: f64 = 250.0;
 /// Balances of a point of a branch: the contact, and what moved edges do to it.
 const POINT: f64 = 19.0;
 
+/// Balances of the work to separate: two rules of a dozen and of twenty contacts, each with its slopes.
+const SEPARATION: f64 = 1300.0;
+/// Balances of the sensitivities of a contact, and of what one bears.
+const SENSITIVITIES: [f64; 2] = [50.0, 1500.0];
+
 /// Points by which is seen how much of a branch lies within a range of loads, and points outside it over those inside.
 const PROBES: f64 = 40.0;
 const OUTSIDE: f64 = 0.7;
@@ -48,6 +53,14 @@ impl SlidingPlan {
         curve + POINT * f64::from(branch.points)
     }
 
+    /// Balances of what a contact bears.
+    fn balances_of_strength(&self) -> f64 {
+        let separation = if self.is_wave() { SEPARATION } else { 0.0 };
+        let own = EVERY_LOAD[usize::from(!self.material.is_elastic())] + separation;
+        let companion = if self.asks(SlidingColumns::ElasticCompanion) { EVERY_LOAD[0] + separation } else { 0.0 };
+        own + companion + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
+    }
+
     /// Balances of one contact at a speed. Measured over the shipped scenes, see `tests/explain_predicts_work.rs`.
     fn balances(&self, contact: SlidingContact, speed: f64) -> f64 {
         let Some(time) = self.material.longest_retardation_time() else { return ELASTIC };
@@ -64,7 +77,7 @@ impl SlidingPlan {
         let of_curve = match &self.sliding.task {
             SlidingTask::State => None,
             SlidingTask::Branch(branch) => Some(self.balances_of_branch(branch)),
-            SlidingTask::Strength => Some(EVERY_LOAD.get(usize::from(!self.material.is_elastic())).copied().unwrap_or(0.0)),
+            SlidingTask::Strength => Some(self.balances_of_strength()),
         };
         if let Some(balances) = of_curve {
             let balances = balances * states as f64;
@@ -75,7 +88,12 @@ impl SlidingPlan {
             };
         }
         let of_contact = |contact: SlidingContact| {
-            let balances = self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
+            let mut balances =
+                self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
+            if contact == SlidingContact::Adhesive {
+                balances += if self.asks(SlidingColumns::ElasticCompanion) { ELASTIC } else { 0.0 };
+                balances += if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[0] } else { 0.0 };
+            }
             let solves = if contact == SlidingContact::Adhesive { SOLVES } else { 1.0 };
             (balances * states as f64, solves * balances * states as f64)
         };

@@ -3,7 +3,7 @@
 use super::SlidingPlan;
 use crate::outcome::{Effect, Group};
 use crate::plan::citations::{Citation, JOHNSON_WAVE, THESIS, WESTERGAARD};
-use crate::scene::typed::{BranchParameter, SlidingContact, SlidingLoad, SlidingTask, SlidingZone, Units};
+use crate::scene::typed::{BranchParameter, SlidingColumns, SlidingContact, SlidingLoad, SlidingTask, SlidingZone, Units};
 
 impl SlidingPlan {
     fn solves(&self, contact: SlidingContact) -> bool {
@@ -40,6 +40,11 @@ impl SlidingPlan {
             Effect { name: "memory", on: terms > 0, why: memory },
             Effect { name: "elastic counter body", on: self.sliding.counter_body.is_some(), why: counter_body.into() },
             Effect {
+                name: "work of adhesion by speed",
+                on: self.sliding.work_by_speed.is_some(),
+                why: if self.sliding.work_by_speed.is_some() { "[adhesion.by_speed] is given" } else { "no [adhesion.by_speed]" }.into(),
+            },
+            Effect {
                 name: "fields",
                 on: self.sliding.field_points.is_some(),
                 why: if self.sliding.field_points.is_some() { "[fields] is given" } else { "no [fields]" }.into(),
@@ -72,6 +77,21 @@ impl SlidingPlan {
                 "adhesive: at each edge the work of the tension inside the moved edge on the gap outside the old one equals Δγδ (3.26–3.30); two equations for two edges"
                     .to_owned(),
             );
+        }
+        for (columns, sentence) in [
+            (
+                SlidingColumns::FrictionParts,
+                "friction of the edges is G₁ − G₂ over the wavelength (3.40), that of the bulk the rest of the friction",
+            ),
+            (
+                SlidingColumns::ElasticCompanion,
+                "elastic companion: the same contact of an elastic solid with the modulus |E*(ω)| at ω = kv",
+            ),
+            (SlidingColumns::Sensitivities, "sensitivities: implicit derivatives of the solved equations, two resolutions compared"),
+        ] {
+            if self.asks(columns) {
+                sentences.push(sentence.to_owned());
+            }
         }
         if self.solves(SlidingContact::Adhesiveless) {
             sentences.push("adhesiveless: no singular stress at either edge; two equations for two edges".to_owned());
@@ -143,10 +163,17 @@ impl SlidingPlan {
             && let (Some(adhesion), Some(given)) = (self.reduced_adhesion(), self.sliding.adhesion)
         {
             if self.is_wave() {
-                groups.push(group("adhesion Γ = Δγ/(πE0*kΛ²)", adhesion.reduced_work, "1"));
-                groups.push(group("Johnson's α = 2√Γ", 2.0 * adhesion.reduced_work.sqrt(), "1"));
+                groups.push(group("adhesion Γ = Δγ/(πE0*kΛ²)", adhesion.trailing_work, "1"));
+                groups.push(group("Johnson's α = 2√Γ", 2.0 * adhesion.trailing_work.sqrt(), "1"));
             } else {
-                groups.push(group("adhesion Γ = ΔγR²/(πE0*L³)", adhesion.reduced_work, "1"));
+                groups.push(group("adhesion Γ = ΔγR²/(πE0*L³)", adhesion.trailing_work, "1"));
+            }
+            if !adhesion.is_even() {
+                groups.push(group(
+                    "the same of the leading edge, over the trailing one's",
+                    adhesion.leading_work / adhesion.trailing_work,
+                    "1",
+                ));
             }
             match given.process_zone {
                 SlidingZone::Lengths { trailing, leading } if trailing.to_bits() != leading.to_bits() => {

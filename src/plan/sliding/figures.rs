@@ -37,14 +37,14 @@ impl SlidingPlan {
                 drawn
             };
             figures.push((format!("friction_against_{against}"), friction));
-            figures.push((
-                format!("half_width_against_{against}"),
-                over_sweep(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"), at::HALF_WIDTH),
-            ));
+            let half_width = over_sweep(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"), at::HALF_WIDTH);
+            figures
+                .push((format!("half_width_against_{against}"), self.beside_companion(half_width, &families, "elastic_half_width", 1.0)));
             figures.push((
                 format!("eccentricity_against_{against}"),
                 over_sweep(self.label("eccentricity", "$e$", " (m)", "$ke$", "$e/L$"), at::ECCENTRICITY),
             ));
+            figures.extend(self.extra_drawings(scene, rows, &against, [("half_width", "a"), ("friction_stress", r"\tau_f")]));
             figures.extend(self.release_figure(&families, horizontal.clone()).map(|drawn| (format!("edges_against_{against}"), drawn)));
         }
         figures.extend(self.field_figures(scene, rows));
@@ -94,21 +94,22 @@ impl SlidingPlan {
 
     /// G/Δγ of both edges of the adhesive contact: the opening edge solid, the closing one dashed.
     fn release_figure(&self, families: &[Family<'_>], horizontal: Axis) -> Option<Figure> {
-        let adhesion = self.sliding.adhesion.filter(|_| self.sliding.contacts.contains(&SlidingContact::Adhesive))?;
-        let unit = if self.units == Units::Si { adhesion.work_of_adhesion } else { 1.0 };
+        self.sliding.adhesion.filter(|_| self.sliding.contacts.contains(&SlidingContact::Adhesive))?;
         let mut drawn = Figure::new(horizontal, Axis::logarithmic(r"energy release rate $G/\Delta\gamma$"));
         for family in families.iter().filter(|family| family.kind.word == SlidingContact::Adhesive.word()) {
             let alone = family.label == family.kind.name;
-            for (edge, column, line) in
-                [("trailing edge", at::TRAILING_RELEASE, Line::Solid), ("leading edge", at::LEADING_RELEASE, Line::Dashed)]
-            {
+            for (edge, column, rest, line) in [
+                ("trailing edge", at::TRAILING_RELEASE, at::TRAILING_NONCONSERVATIVE, Line::Solid),
+                ("leading edge", at::LEADING_RELEASE, at::LEADING_NONCONSERVATIVE, Line::Dashed),
+            ] {
                 let label = match (alone, line) {
                     (true, _) => edge.to_owned(),
                     (false, Line::Solid) => family.label.clone(),
                     (false, _) => String::new(),
                 };
                 let colour = if alone && line == Line::Dashed { 1 } else { family.colour };
-                let points = family.points(innermost, |row| value(row, column) / unit);
+                // What is released and what is not make up Δγ of the edge at the speed of the row.
+                let points = family.points(innermost, |row| value(row, column) / (value(row, column) + value(row, rest)));
                 drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with_colour(colour));
             }
         }

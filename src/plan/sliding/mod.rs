@@ -6,12 +6,16 @@ mod branches;
 mod columns;
 mod cost;
 mod describe;
+mod extra_columns;
+mod extra_figures;
+mod extras;
 mod figures;
 mod scale;
 mod solve;
 mod strength_rows;
 mod validity;
 
+use crate::closure::work_by_speed::WorkBySpeed;
 use crate::elastic::PlaneState;
 use crate::material::{CreepTerm, Material};
 use crate::outcome::plot::Figure;
@@ -33,6 +37,8 @@ pub(super) struct SlidingPlan {
     /// Both bodies together, with plane moduli.
     material: Material,
     poisson_ratio: Option<f64>,
+    /// How the works of adhesion follow kv, or v/L.
+    work_by_rate: Option<WorkBySpeed>,
     scale: Scale,
     units: Units,
     accuracy: f64,
@@ -55,8 +61,10 @@ impl SlidingPlan {
             None => plane,
         };
         let relaxed = material.solid_modulus("a steady sliding contact")?;
+        let scale = Scale::new(sliding, relaxed, scene.units);
         let plan = Self {
-            scale: Scale::new(sliding, relaxed, scene.units),
+            work_by_rate: sliding.work_by_speed.as_ref().map(|law| law.in_unit(scale.length)),
+            scale,
             sliding: sliding.clone(),
             material,
             poisson_ratio: scene.material.poisson_ratio,
@@ -94,21 +102,21 @@ impl SlidingPlan {
     /// Γ and both process zones.
     fn reduced_adhesion(&self) -> Option<WaveAdhesion> {
         let adhesion = self.sliding.adhesion?;
-        let reduced_work = adhesion.work_of_adhesion / self.scale.work_of_adhesion;
+        let [trailing_work, leading_work] = adhesion.works.map(|work| work / self.scale.work_of_adhesion);
         let (trailing_zone, leading_zone) = match adhesion.process_zone {
             SlidingZone::Lengths { trailing, leading } => (trailing / self.scale.length, leading / self.scale.length),
             SlidingZone::Cohesive { cohesive_stress, factor } => {
                 // αa₀, a₀ = E0*Δγ/(πσ_c²).
                 let stress = cohesive_stress / self.scale.pressure;
-                let zone = 4.0 * factor * reduced_work / (stress * stress);
-                (zone, zone)
+                let zone = |work: f64| 4.0 * factor * work / (stress * stress);
+                (zone(trailing_work), zone(leading_work))
             }
         };
-        Some(WaveAdhesion { reduced_work, trailing_zone, leading_zone })
+        Some(WaveAdhesion { trailing_work, leading_work, trailing_zone, leading_zone })
     }
 
     /// What the solver is asked.
-    fn problem(&self, contact: SlidingContact) -> Result<SlidingProblem, Refusal> {
+    fn problem(&self, contact: SlidingContact) -> Result<SlidingProblem<'_>, Refusal> {
         let control = self.control();
         let without = |limit_name| Refusal::NoSuchState {
             reason: "without adhesion nothing holds a contact that is not pressed".into(),
@@ -121,7 +129,14 @@ impl SlidingPlan {
             (SlidingContact::Adhesiveless, SlidingControl::Penetration(depth)) if depth <= 0.0 => return Err(without("the penetration")),
             (SlidingContact::Adhesiveless, _) => None,
         };
-        Ok(SlidingProblem { rate: self.rate(self.sliding.speed), indenter: self.indenter(), adhesion, control, accuracy: self.accuracy })
+        Ok(SlidingProblem {
+            rate: self.rate(self.sliding.speed),
+            indenter: self.indenter(),
+            adhesion,
+            work_by_speed: self.work_by_rate.as_ref(),
+            control,
+            accuracy: self.accuracy,
+        })
     }
 
     fn indenter(&self) -> Indenter {

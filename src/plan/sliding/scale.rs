@@ -63,7 +63,8 @@ impl Scale {
 
 /// L of a cylinder: the larger of the adhesion length (ΔγR²/E0*)^{1/3} and Hertz's half-width √(4|F|R/πE0*), or the given half-width.
 fn cylinder_length(sliding: &Sliding, radius: f64, relaxed_modulus: f64) -> f64 {
-    let adhesion = sliding.adhesion.map_or(0.0, |adhesion| (adhesion.work_of_adhesion / relaxed_modulus * radius * radius).cbrt());
+    let adhesion =
+        sliding.adhesion.map_or(0.0, |adhesion| (adhesion.works[0].max(adhesion.works[1]) / relaxed_modulus * radius * radius).cbrt());
     let pressed = match sliding.control {
         SlidingLoad::LoadPerWidth(load) => (4.0 * load.abs() / (PI * relaxed_modulus) * radius).sqrt(),
         SlidingLoad::HalfWidth(half_width) => half_width,

@@ -1,7 +1,7 @@
 //! One state of a sliding contact: a row for each kind of contact, from the solver's reduced numbers.
 
 use super::SlidingPlan;
-use super::columns::{COLUMNS, at, columns, definitions};
+use super::columns::{COLUMNS, Measure, at, columns, definitions};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
@@ -62,7 +62,8 @@ impl SlidingPlan {
     }
 
     fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
-        let reduced = match steady_sliding(&self.material, &self.problem(contact)?)? {
+        let problem = self.problem(contact)?;
+        let (mut reduced, extras) = match steady_sliding(&self.material, &problem)? {
             SlidingOutcome::Partial(partial) => {
                 row.labels = vec![contact.word().to_owned(), "partial".to_owned()];
                 row.work = counted(&partial.work);
@@ -76,7 +77,8 @@ impl SlidingPlan {
                     row.work.field_evaluations = u64::from(points);
                 }
                 let speed = Estimate::exact(self.sliding.speed);
-                self.partial_values(&partial.values, speed, self.zones().filter(|_| contact == SlidingContact::Adhesive))
+                let zones = self.zones().filter(|_| contact == SlidingContact::Adhesive);
+                (self.partial_values(&partial.values, speed, zones), self.extras_of_state(&problem, Some(&partial.values))?)
             }
             SlidingOutcome::Full(full) => {
                 row.labels = vec![contact.word().to_owned(), "full".to_owned()];
@@ -85,28 +87,35 @@ impl SlidingPlan {
                 let limit = self.limit(full.limit_name, full.limit);
                 row.reason = Some(format!("past {limit}"));
                 row.witness = Some(limit.into());
-                self.full_values(&full)
+                (self.full_values(&full), self.extras_of_state(&problem, None)?)
             }
         };
-        self.finish(row, reduced, self.work_of_adhesion())?;
+        reduced.truncate(if self.is_wave() { COLUMNS.len() } else { at::PENETRATION });
+        reduced.extend(extras.values);
+        row.work += extras.work;
+        self.finish(row, reduced, self.works_of_adhesion())?;
         row.assumptions = self.assumptions(row);
+        if !extras.notes.is_empty() {
+            row.reason = Some(row.reason.take().into_iter().chain(extras.notes).collect::<Vec<_>>().join("; "));
+        }
         row.representable(&columns(&self.sliding, self.units))
     }
 
-    /// Δγ of the scene as the unit of energy release rates.
-    pub(super) fn work_of_adhesion(&self) -> f64 {
+    /// Δγ of both edges as the units of their energy release rates.
+    pub(super) fn works_of_adhesion(&self) -> [f64; 2] {
         match (self.units, self.sliding.adhesion) {
-            (Units::Si, Some(adhesion)) => adhesion.work_of_adhesion,
-            _ => 1.0,
+            (Units::Si, Some(adhesion)) => adhesion.works,
+            _ => [1.0; 2],
         }
     }
 
     /// Puts reduced values into a row in the units of the scene; the first, the speed, is in them already. Flags a row whose bounds are too wide.
-    pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, work_of_adhesion: f64) -> Result<(), Refusal> {
+    pub(super) fn finish(&self, row: &mut Row, reduced: Vec<Option<Estimate>>, works_of_adhesion: [f64; 2]) -> Result<(), Refusal> {
         let columns = columns(&self.sliding, self.units);
         // Every reference scale is one reduced unit.
-        let shortfall = columns.iter().zip(&reduced).skip(1).find_map(|(column, value)| {
-            let estimate = (*value)?;
+        let definitions = definitions(&self.sliding);
+        let shortfall = columns.iter().zip(&definitions).zip(&reduced).skip(1).find_map(|((column, definition), value)| {
+            let estimate = value.filter(|_| definition.measure != Measure::Ratio)?;
             let error = estimate.error / estimate.value.abs().max(1.0);
             (error > self.accuracy).then_some((column.name, error))
         });
@@ -114,10 +123,10 @@ impl SlidingPlan {
             row.status = Status::Inaccurate;
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
-        row.values = definitions(&self.sliding)
+        row.values = definitions
             .into_iter()
             .zip(reduced)
-            .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, work_of_adhesion))))
+            .map(|(definition, value)| Some(self.in_units(value?, definition.factor(&self.scale, works_of_adhesion))))
             .collect();
         row.representable(&columns)
     }

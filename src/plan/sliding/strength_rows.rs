@@ -1,12 +1,12 @@
 //! What a contact bears, as one row: a quantity that does not exist is an empty cell, and the row says why.
 
 use super::SlidingPlan;
-use super::branches::{Borne, Fold};
 use super::columns::definitions;
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::SlidingContact;
+use crate::sliding::branch::{Fold, Strength, strength};
 use crate::sliding::steady::PartialValues;
 
 /// Contacts solved for one balance: as it is, and with each edge moved.
@@ -16,14 +16,17 @@ impl SlidingPlan {
     pub(super) fn strength_row(&self, state: usize, swept: &[f64]) -> Row {
         let labels = vec![SlidingContact::Adhesive.word().to_owned()];
         let mut row = Row::new(state, swept, labels, definitions(&self.sliding).len());
-        if let Err(refusal) = self.borne().and_then(|borne| self.fill_strength(&borne, &mut row)) {
+        if let Err(refusal) = self.fill_strength(&mut row) {
             self.refuse(&mut row, refusal);
         }
         row
     }
 
-    fn fill_strength(&self, borne: &Borne, row: &mut Row) -> Result<(), Refusal> {
-        let Borne { pull_off, snap_in, separation, zero_load, toughness, closure_evaluations } = borne;
+    fn fill_strength(&self, row: &mut Row) -> Result<(), Refusal> {
+        let problem = self.every_load()?;
+        let found = strength(&self.material, &problem)?;
+        let extras = self.extras_of_strength(&problem, &found)?;
+        let Strength { pull_off, snap_in, separation, zero_load, toughness, work } = &found;
         let adhesion = self.reduced_adhesion();
         let contact = |fold: &Option<Fold>| fold.as_ref().map(|fold| fold.contact);
         let (pulled, snapped, apart) = (contact(pull_off), contact(snap_in), contact(separation));
@@ -33,7 +36,7 @@ impl SlidingPlan {
         let turned = |fold: &Option<Fold>| fold.as_ref().map(|fold| fold.value);
         let all = [
             Some(Estimate::exact(self.sliding.speed)),
-            adhesion.map(|adhesion| Estimate::exact(adhesion.reduced_work)),
+            adhesion.map(|adhesion| Estimate::exact(adhesion.trailing_work)),
             turned(pull_off),
             of(pulled, half_width),
             of(pulled, penetration),
@@ -47,20 +50,23 @@ impl SlidingPlan {
             of(apart, |values| values.mean_pressure),
             toughness.as_ref().ok().map(|toughness| toughness.value),
         ];
-        let reduced = if self.is_wave() {
+        let mut reduced: Vec<Option<Estimate>> = if self.is_wave() {
             all.to_vec()
         } else {
             super::columns::CYLINDER_STRENGTH.iter().filter_map(|&place| all.get(place).copied()).collect()
         };
-        self.finish(row, reduced, self.work_of_adhesion())?;
+        reduced.extend(extras.values);
+        self.finish(row, reduced, self.works_of_adhesion())?;
         let residual = [pull_off, snap_in, separation].into_iter().flatten().map(|fold| fold.residual).fold(0.0, f64::max);
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible: true });
-        row.work = Work { closure_evaluations: *closure_evaluations, linear_solves: SOLVES * closure_evaluations, ..Work::default() };
+        let closure_evaluations = work.closure_evaluations;
+        row.work = Work { closure_evaluations, linear_solves: SOLVES * closure_evaluations, ..Work::default() };
+        row.work += extras.work;
         let zones = adhesion.map(|adhesion| [adhesion.trailing_zone, adhesion.leading_zone].map(|zone| Some(zone * self.scale.length)));
         // The narrowest contact that is spoken of.
         let narrowest = [pulled, apart, *zero_load].into_iter().flatten().map(|values| values.half_width.value).reduce(f64::min);
         row.assumptions = self.assumed(narrowest.map(|width| width * self.scale.length), zones.unwrap_or([None, None]));
-        let mut missing: Vec<String> = Vec::new();
+        let mut missing = extras.notes;
         for (is_there, name, why) in [
             (pull_off.is_some(), "pull-off", "no load of the branch is smallest"),
             (zero_load.is_some(), "zero load", "no stable contact is without load"),

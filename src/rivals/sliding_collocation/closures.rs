@@ -32,8 +32,11 @@ impl CollocatedClosures {
     #[must_use]
     pub fn releases(&self, adhesion: &WaveAdhesion) -> (f64, f64) {
         let work = self.contact.interface_work();
-        let release = |moved: &CollocatedContact, zone: f64| (moved.interface_work() - work) / (2.0 * PI * adhesion.reduced_work * zone);
-        (release(&self.trailing_moved, adhesion.trailing_zone), release(&self.leading_moved, adhesion.leading_zone))
+        let release = |moved: &CollocatedContact, of_edge: f64, zone: f64| (moved.interface_work() - work) / (2.0 * PI * of_edge * zone);
+        (
+            release(&self.trailing_moved, adhesion.trailing_work, adhesion.trailing_zone),
+            release(&self.leading_moved, adhesion.leading_work, adhesion.leading_zone),
+        )
     }
 }
 

@@ -56,12 +56,13 @@ impl SlidingCollocation {
         start: WaveContact,
         tolerance: f64,
     ) -> Result<CollocatedEquilibrium, Refusal> {
-        let target = 2.0 * PI * require_positive("reduced_work", adhesion.reduced_work)?;
-        let defect = |work: f64| if work > 0.0 { (work / target).sqrt() - 1.0 } else { -1.0 + work / target };
+        let trailing = 2.0 * PI * require_positive("reduced_work", adhesion.trailing_work)?;
+        let leading = 2.0 * PI * require_positive("reduced_work", adhesion.leading_work)?;
+        let defect = |work: f64, target: f64| if work > 0.0 { (work / target).sqrt() - 1.0 } else { -1.0 + work / target };
         let evaluate = |[half_width, eccentricity]: [f64; 2]| -> Result<AtEdges, Refusal> {
             let edges = WaveContact { half_width, eccentricity };
             let closures = self.closures(adhesion, prescribed, edges)?;
-            let residual = [defect(closures.trailing_work), defect(closures.leading_work)];
+            let residual = [defect(closures.trailing_work, trailing), defect(closures.leading_work, leading)];
             Ok(AtEdges { edges, closures, residual })
         };
         let room = |half_width: f64| half_width.min(PI - half_width);

@@ -3,6 +3,12 @@
 use super::{Key, Kind, Range, Word};
 use crate::scene::units::Dimension;
 
+const WORK: Kind = Kind::Number {
+    dimension: Dimension::ENERGY_PER_AREA,
+    range: Range::Positive,
+    reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³)",
+};
+
 const ZONE_LENGTH: Kind = Kind::Number {
     dimension: Dimension::LENGTH,
     range: Range::Positive,
@@ -13,12 +19,51 @@ pub(super) const KEYS: &[Key] = &[
     Key { path: "adhesion", kind: Kind::Table, meaning: "What holds the faces together. Without it no energy balance is solved." },
     Key {
         path: "adhesion.work_of_adhesion",
-        kind: Kind::Number {
-            dimension: Dimension::ENERGY_PER_AREA,
-            range: Range::Positive,
-            reduced: "1 for a crack (it is the unit); for a sliding contact the group Γ = Δγ/(πE0*kΛ²), of a cylinder ΔγR²/(πE0*L³)",
-        },
+        kind: WORK,
         meaning: "Δγ, the energy to part a unit area of the interface; of a torn sheet, per unit area of crack (both new faces together).",
+    },
+    Key {
+        path: "adhesion.trailing_work_of_adhesion",
+        kind: WORK,
+        meaning: "Sliding: Δγ of the trailing edge, where the contact opens; together with `leading_work_of_adhesion`, instead of `work_of_adhesion`.",
+    },
+    Key {
+        path: "adhesion.leading_work_of_adhesion",
+        kind: WORK,
+        meaning: "Sliding: Δγ of the leading edge, where the contact closes; together with `trailing_work_of_adhesion`, instead of `work_of_adhesion`.",
+    },
+    Key {
+        path: "adhesion.by_speed",
+        kind: Kind::Table,
+        meaning: "The works of adhesion follow the speed of the edge: the law Δγ(1 + (v/v₀)ⁿ) by `speed` and `exponent`, or a table. Of sliding contacts, and of cracks of given speed.",
+    },
+    Key {
+        path: "adhesion.by_speed.speed",
+        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L) per reference time" },
+        meaning: "v₀, at which the work is twice that at rest.",
+    },
+    Key {
+        path: "adhesion.by_speed.exponent",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Positive, reduced: "1" },
+        meaning: "n of the law.",
+    },
+    Key {
+        path: "adhesion.by_speed.table",
+        kind: Kind::Tables,
+        meaning: "Works at growing speeds, instead of all others: ln Δγ runs linearly in ln v from entry to entry, and speeds outside are refused.",
+    },
+    Key {
+        path: "adhesion.by_speed.table[].speed",
+        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L) per reference time" },
+        meaning: "v of the entry.",
+    },
+    Key { path: "adhesion.by_speed.table[].work_of_adhesion", kind: WORK, meaning: "Δγ of both edges at that speed." },
+    Key { path: "adhesion.by_speed.table[].trailing_work_of_adhesion", kind: WORK, meaning: "Δγ of the trailing edge at that speed." },
+    Key { path: "adhesion.by_speed.table[].leading_work_of_adhesion", kind: WORK, meaning: "Δγ of the leading edge at that speed." },
+    Key {
+        path: "adhesion.by_speed.file",
+        kind: Kind::Text,
+        meaning: "The same table in a CSV file beside the scene: a first line of column names, then a line an entry, cells as in a scene.",
     },
     Key {
         path: "adhesion.process_zone",

@@ -56,6 +56,24 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "The contacts to solve, on the same axes.",
     },
     Key {
+        path: "sliding.columns",
+        kind: Kind::Choices(&[
+            Word {
+                word: "elastic_companion",
+                meaning: "wave: the elastic contact of the modulus |E*(ω)| at ω = kv with the same works, process zones and load, penetration or half-width; beside a strength its pull-off, snap-in, separation and toughness (thesis Fig 3.14c)",
+            },
+            Word {
+                word: "friction_parts",
+                meaning: "friction of the edges (3.40) and of the bulk, their shares, and which one governs: a part of nine tenths or more",
+            },
+            Word {
+                word: "sensitivities",
+                meaning: "∂ln(output)/∂ln(parameter) by the process zones, the works of adhesion, E0, β (E0 and the retardation times held) and all times",
+            },
+        ]),
+        meaning: "Columns that are made on request, of adhesive contacts.",
+    },
+    Key {
         path: "sliding.speed",
         kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Finite, reduced: "1/k (of a cylinder L) per reference time" },
         meaning: "v of the wave along +x; a negative speed mirrors the contact, at 0 the solid is relaxed.",

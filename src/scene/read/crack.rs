@@ -1,7 +1,7 @@
 //! The [crack], [adhesion] and [fields] tables of a steady crack.
 
 use super::section::Section;
-use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress};
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress, works};
 use crate::crack::{CrackBody, Motion};
 use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
@@ -24,7 +24,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Steady
         None => return Err(crack.missing("body")),
     };
     let plane = plane(&crack, top, material)?;
-    let (work_of_adhesion, process_zone) = adhesion(top, body)?;
+    let (work_of_adhesion, process_zone) = adhesion(top, &crack, motion, body)?;
     let theories = theories(top, &crack, motion, process_zone)?;
     let control = control(&crack, plane, material, work_of_adhesion)?;
     Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
@@ -49,10 +49,15 @@ fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMaterial) -> Re
     }
 }
 
-fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
+fn adhesion(top: &Section<'_>, crack: &Section<'_>, motion: Motion, body: CrackBody) -> Result<(f64, ProcessZoneLaw), SceneError> {
     let table = top.required_table("adhesion", "a crack moves by the balance of work at its tip")?;
     let reduced = table.units() == Units::Reduced;
-    let work = match (table.number("work_of_adhesion")?, reduced) {
+    table.without(&["trailing_work_of_adhesion", "leading_work_of_adhesion"], "a sliding contact")?;
+    let by_speed = match table.node().get("by_speed") {
+        Some(_) => Some(work_at_speed(top, &table, crack, motion)?),
+        None => None,
+    };
+    let work = match (by_speed.map_or_else(|| table.number("work_of_adhesion"), |work| Ok(Some(work)))?, reduced) {
         (Some(work), true) if (work - 1.0).abs() > 1e-12 => {
             return Err(table.wrong(
                 "work_of_adhesion",
@@ -93,6 +98,21 @@ fn adhesion(top: &Section<'_>, body: CrackBody) -> Result<(f64, ProcessZoneLaw),
         without_cohesive_stress(&zone)?;
     }
     Ok((work, given))
+}
+
+/// Δγ at the speed of a crack: of the two works of a table, the trailing one where it opens.
+fn work_at_speed(top: &Section<'_>, table: &Section<'_>, crack: &Section<'_>, motion: Motion) -> Result<f64, SceneError> {
+    if table.units() == Units::Reduced {
+        let message = "`adhesion.by_speed`: in reduced units the work of adhesion of a crack is the unit";
+        return Err(table.wrong("by_speed", message, "write the scene in SI units"));
+    }
+    let Some(speed) = crack.number("speed")? else {
+        let message = "`adhesion.by_speed`: the speed of this crack is found, not given, and the work of adhesion would change with it";
+        return Err(table.wrong("by_speed", message, "needs crack.speed").help("sweep crack.speed and read the load off the table"));
+    };
+    let works = works::read(top)?.ok_or_else(|| table.missing("work_of_adhesion"))?;
+    let [trailing, leading] = works.at(speed)?;
+    Ok(if motion == Motion::Closing { leading } else { trailing })
 }
 
 /// The cohesive stress for which a₀ = E0Δγ/(πσ_c²·halves) is one.

@@ -6,6 +6,8 @@ mod material;
 mod section;
 mod sliding;
 mod sliding_branch;
+mod speed_table;
+mod works;
 
 use super::catalogue::Range;
 use super::check::{Units, check};
@@ -28,7 +30,8 @@ const DEFAULT_FIELD_POINTS: f64 = 200.0;
 /// # Errors
 /// A file that cannot be read, or a key that is given twice.
 pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
-    include::resolve(document)
+    include::resolve(document)?;
+    speed_table::resolve(document)
 }
 
 /// States of a sweep that are tried before a scene is called wrong.

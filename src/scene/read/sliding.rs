@@ -1,11 +1,12 @@
 //! The [sliding], [adhesion] and [fields] tables of a sliding contact.
 
 use super::section::Section;
-use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesive_stress};
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesive_stress, works};
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
-    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
+    SlidingZone,
 };
 use std::f64::consts::TAU;
 
@@ -17,8 +18,8 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
     }
     let indenter = indenter(&sliding)?;
     let counter_body = counter_body(&sliding)?;
-    let adhesion = adhesion(top)?;
-    let task = sliding_branch::task(&sliding, indenter, adhesion)?;
+    let works = works::read(top)?;
+    let task = sliding_branch::task(&sliding, works.is_some())?;
     let control = if sliding_branch::meets_every_load(&task) {
         sliding_branch::without_load(&sliding)?;
         SlidingLoad::Every
@@ -35,6 +36,16 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
         }
         None => sliding.required_number("speed")?,
     };
+    let adhesion = match &works {
+        Some(works) => Some(SlidingAdhesion { works: works.at(speed)?, process_zone: process_zone(top)? }),
+        None => None,
+    };
+    if let (Some(adhesion), Some(works)) = (adhesion, &works) {
+        sliding_branch::fits(&sliding, &task, indenter, adhesion, works)?;
+    }
+    let works_per_edge = works.as_ref().is_some_and(|works| works.per_edge);
+    let work_by_speed = works.and_then(|works| works.law);
+    let columns = columns(&sliding, &task, indenter, adhesion.is_some())?;
     let contacts = contacts(&sliding, adhesion.is_some())?;
     if task != SlidingTask::State {
         sliding_branch::of_states(top, &sliding)?;
@@ -46,7 +57,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
             Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
         }
     };
-    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, field_points })
+    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, works_per_edge, work_by_speed, columns, field_points })
 }
 
 fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {
@@ -109,9 +120,8 @@ fn control(sliding: &Section<'_>, indenter: SlidingIndenter) -> Result<SlidingLo
     })
 }
 
-fn adhesion(top: &Section<'_>) -> Result<Option<SlidingAdhesion>, SceneError> {
-    let Some(table) = top.table("adhesion") else { return Ok(None) };
-    let work_of_adhesion = table.required_number("work_of_adhesion")?;
+fn process_zone(top: &Section<'_>) -> Result<SlidingZone, SceneError> {
+    let table = top.required_table("adhesion", "it holds the process zone")?;
     let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
     let per_edge = ["trailing_length", "leading_length"].into_iter().find(|key| zone.node().get(key).is_some());
     let way = match per_edge {
@@ -141,7 +151,37 @@ fn adhesion(top: &Section<'_>) -> Result<Option<SlidingAdhesion>, SceneError> {
             SlidingZone::Lengths { trailing: zone.required_number(trailing)?, leading: zone.required_number(leading)? }
         }
     };
-    Ok(Some(SlidingAdhesion { work_of_adhesion, process_zone }))
+    Ok(process_zone)
+}
+
+/// The columns asked for besides, in the order of the catalogue.
+fn columns(
+    sliding: &Section<'_>,
+    task: &SlidingTask,
+    indenter: SlidingIndenter,
+    with_adhesion: bool,
+) -> Result<Vec<SlidingColumns>, SceneError> {
+    let words = sliding.texts("columns");
+    let refused = |word: &str, why: &str| {
+        let message = format!("`sliding.columns` names {word:?}: {why}");
+        Err(sliding.wrong("columns", message, format!("leave {word:?} out")))
+    };
+    for &word in &words {
+        if !with_adhesion {
+            return refused(word, "it is about adhesive contacts, but the scene has no [adhesion]");
+        }
+        match (word, task, indenter) {
+            ("elastic_companion", _, SlidingIndenter::Cylinder { .. }) => {
+                return refused(word, "its modulus is |E(ω)| at ω = kv, and a single cylinder has no wave number");
+            }
+            ("elastic_companion" | "sensitivities", SlidingTask::Branch(_), _) => {
+                return refused(word, "a branch has no such columns; sweep its parameter instead");
+            }
+            ("friction_parts", SlidingTask::Strength, _) => return refused(word, "a strength has no friction"),
+            _ => {}
+        }
+    }
+    Ok(SlidingColumns::WORDS.iter().filter(|(_, word)| words.contains(word)).map(|(columns, _)| *columns).collect())
 }
 
 fn contacts(sliding: &Section<'_>, with_adhesion: bool) -> Result<Vec<SlidingContact>, SceneError> {

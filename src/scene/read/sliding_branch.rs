@@ -1,6 +1,7 @@
 //! The [sliding.branch] and [sliding.strength] tables: curves of contacts, and what contacts bear.
 
 use super::section::Section;
+use super::works::GivenWorks;
 use crate::scene::check::number;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{BranchParameter, SlidingAdhesion, SlidingBranch, SlidingIndenter, SlidingTask, SlidingZone};
@@ -12,14 +13,14 @@ const DEFAULT_POINTS: f64 = 100.0;
 const LOADS: [&str; 4] = ["mean_pressure", "load_per_width", "penetration", "half_width"];
 
 /// What is looked for.
-pub(super) fn task(sliding: &Section<'_>, indenter: SlidingIndenter, adhesion: Option<SlidingAdhesion>) -> Result<SlidingTask, SceneError> {
+pub(super) fn task(sliding: &Section<'_>, with_adhesion: bool) -> Result<SlidingTask, SceneError> {
     let Some(name) = sliding.at_most_one(&["branch", "strength"])? else { return Ok(SlidingTask::State) };
-    let Some(adhesion) = adhesion else {
+    if !with_adhesion {
         let message = format!("[sliding.{name}] is about adhesive contacts, but the scene has no [adhesion]");
         return Err(SceneError::at(&sliding.key_place(name), message, "needs [adhesion]"));
-    };
+    }
     match sliding.table("branch") {
-        Some(table) => Ok(SlidingTask::Branch(branch(&table, indenter, adhesion)?)),
+        Some(table) => Ok(SlidingTask::Branch(branch(&table, sliding.node().get("wave").is_some())?)),
         None => Ok(SlidingTask::Strength),
     }
 }
@@ -66,14 +67,13 @@ pub(super) fn of_states(top: &Section<'_>, sliding: &Section<'_>) -> Result<(), 
     Ok(())
 }
 
-fn branch(table: &Section<'_>, indenter: SlidingIndenter, adhesion: SlidingAdhesion) -> Result<SlidingBranch, SceneError> {
+fn branch(table: &Section<'_>, wave: bool) -> Result<SlidingBranch, SceneError> {
     let word = table.required_text("parameter")?;
     let parameter = BranchParameter::WORDS
         .iter()
         .find(|(_, known)| *known == word)
         .map(|(parameter, _)| *parameter)
         .ok_or_else(|| table.missing("parameter"))?;
-    let wave = matches!(indenter, SlidingIndenter::Wave { .. });
     let of_other = match parameter {
         BranchParameter::LoadPerWidth => wave,
         BranchParameter::MeanPressure | BranchParameter::Penetration => !wave,
@@ -85,9 +85,6 @@ fn branch(table: &Section<'_>, indenter: SlidingIndenter, adhesion: SlidingAdhes
         return Err(table.wrong("parameter", message, format!("give one of {instead}, \"half_width\"")));
     }
     let range = range(table, parameter, wave)?;
-    if let Some([smallest, largest]) = range {
-        within(table, parameter, indenter, adhesion, [smallest, largest])?;
-    }
     let frame_stiffness = table.number("frame_stiffness")?;
     if frame_stiffness.is_some() && !wave {
         let message = format!("`{}`: a cylinder has no penetration, which a frame would hold", table.full("frame_stiffness"));
@@ -126,12 +123,33 @@ fn range(table: &Section<'_>, parameter: BranchParameter, wave: bool) -> Result<
     }
 }
 
+/// Refuses a branch that contradicts the adhesion.
+pub(super) fn fits(
+    sliding: &Section<'_>,
+    task: &SlidingTask,
+    indenter: SlidingIndenter,
+    adhesion: SlidingAdhesion,
+    works: &GivenWorks<'_>,
+) -> Result<(), SceneError> {
+    let (SlidingTask::Branch(branch), Some(table)) = (task, sliding.table("branch")) else { return Ok(()) };
+    let Some(range) = branch.range else { return Ok(()) };
+    let work = if works.per_edge { "the work of adhesion of the trailing edge" } else { "adhesion.work_of_adhesion" };
+    within(&table, branch.parameter, (indenter, adhesion, work), range)?;
+    if branch.parameter == BranchParameter::Speed {
+        range.into_iter().try_for_each(|speed| works.covers(speed))?;
+        if works.law.is_some() && matches!(adhesion.process_zone, SlidingZone::Cohesive { .. }) {
+            let message = "`sliding.branch.parameter` = \"speed\" holds the process zones, but adhesion.process_zone follows from a cohesive stress and, with it, from a work of adhesion that changes with speed";
+            return Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep sliding.speed"));
+        }
+    }
+    Ok(())
+}
+
 /// Refuses ends that contradict the rest of the scene.
 fn within(
     table: &Section<'_>,
     parameter: BranchParameter,
-    indenter: SlidingIndenter,
-    adhesion: SlidingAdhesion,
+    (indenter, adhesion, work): (SlidingIndenter, SlidingAdhesion, &str),
     [smallest, largest]: [f64; 2],
 ) -> Result<(), SceneError> {
     let starts_at = |start: f64, name: &str| {
@@ -150,7 +168,7 @@ fn within(
             let message = "`sliding.branch.parameter` = \"work_of_adhesion\" holds the process zones, but adhesion.process_zone follows from a cohesive stress";
             Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep adhesion.work_of_adhesion"))
         }
-        (BranchParameter::WorkOfAdhesion, ..) => starts_at(adhesion.work_of_adhesion, "adhesion.work_of_adhesion"),
+        (BranchParameter::WorkOfAdhesion, ..) => starts_at(adhesion.works[0], work),
         (BranchParameter::ProcessZone, _, SlidingZone::Lengths { trailing, .. }) => {
             starts_at(trailing, "the process zone of the trailing edge")
         }

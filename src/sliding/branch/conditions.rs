@@ -1,10 +1,11 @@
 //! What is asked of a branch, in reduced units.
 
+use crate::closure::work_by_speed::WorkBySpeed;
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
-use crate::sliding::steady::{Prepared, SlidingProblem};
+use crate::sliding::steady::{Prepared, SlidingProblem, adhesion_at};
 
 /// Half the narrowest gap of a branch, over the longer process zone.
 const GAP_IN_ZONES: f64 = 2.0;
@@ -16,7 +17,7 @@ pub enum BranchPath {
     Loads,
     /// The rate kv at a held load, penetration or half-width.
     Speeds(SlidingControl),
-    /// The work of adhesion Γ.
+    /// The work of adhesion Γ of the trailing edge, that of the leading one in a fixed ratio to it.
     Adhesions(SlidingControl),
     /// The process zones, both multiplied by one factor.
     Zones(SlidingControl),
@@ -44,13 +45,15 @@ pub enum BranchStart {
 
 /// A branch: everything but the material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BranchProblem {
-    /// kv (1/s), zero or more; along speeds of no meaning.
+pub struct BranchProblem<'a> {
+    /// kv (1/s), zero or more; along speeds only the rate at which `adhesion` holds.
     pub rate: f64,
     /// The indenter.
     pub indenter: Indenter,
-    /// Adhesion; along adhesions and zones the one where the branch begins.
+    /// Adhesion at that rate; along adhesions and zones the one where the branch begins.
     pub adhesion: WaveAdhesion,
+    /// How the works of adhesion follow the rate kv (1/s), if they do.
+    pub work_by_speed: Option<&'a WorkBySpeed>,
     /// What varies.
     pub path: BranchPath,
     /// Where the branch begins.
@@ -65,7 +68,7 @@ pub struct BranchProblem {
     pub points: usize,
 }
 
-impl BranchProblem {
+impl<'a> BranchProblem<'a> {
     /// The branch of all loads on a wave at one rate, as far as the equations mean something: the contact two process zones wide and the gap four. (A zone
     /// that fills half of the gap meets the next contact; there the work of closing has turns of its own.)
     #[must_use]
@@ -75,6 +78,7 @@ impl BranchProblem {
             rate,
             indenter: Indenter::Wave,
             adhesion,
+            work_by_speed: None,
             path: BranchPath::Loads,
             start: BranchStart::Slow,
             half_widths: [zone, std::f64::consts::PI - GAP_IN_ZONES * zone],
@@ -100,9 +104,16 @@ impl BranchProblem {
     }
 
     /// The steady problem at a point of the branch: `third` is the third unknown.
-    pub(super) fn steady(&self, third: f64, control: SlidingControl) -> SlidingProblem {
+    pub(in crate::sliding) fn steady(&self, third: f64, control: SlidingControl) -> SlidingProblem<'a> {
         let (rate, adhesion) = self.at(third);
-        SlidingProblem { rate, indenter: self.indenter, adhesion: Some(adhesion), control, accuracy: self.accuracy }
+        SlidingProblem {
+            rate,
+            indenter: self.indenter,
+            adhesion: Some(adhesion),
+            work_by_speed: self.work_by_speed,
+            control,
+            accuracy: self.accuracy,
+        }
     }
 
     /// The edge conditions at a point of the branch, for its accurate contacts.
@@ -116,12 +127,9 @@ impl BranchProblem {
         let value = third.exp();
         match self.path {
             BranchPath::Loads => (self.rate, self.adhesion),
-            BranchPath::Speeds(_) => (value, self.adhesion),
-            BranchPath::Adhesions(_) => (self.rate, WaveAdhesion { reduced_work: value, ..self.adhesion }),
-            BranchPath::Zones(_) => {
-                let WaveAdhesion { reduced_work, trailing_zone, leading_zone } = self.adhesion;
-                (self.rate, WaveAdhesion { reduced_work, trailing_zone: value * trailing_zone, leading_zone: value * leading_zone })
-            }
+            BranchPath::Speeds(_) => (value, adhesion_at(self.adhesion, self.work_by_speed, self.rate, value)),
+            BranchPath::Adhesions(_) => (self.rate, self.adhesion.with_trailing_work(value)),
+            BranchPath::Zones(_) => (self.rate, self.adhesion.with_zones_times(value)),
         }
     }
 
@@ -134,7 +142,9 @@ impl BranchProblem {
         let half_width = require_positive("narrowest half_width", self.half_widths[0])?;
         let control = self.held().unwrap_or(SlidingControl::HalfWidth(half_width));
         let rate = if matches!(self.path, BranchPath::Speeds(_)) { self.parameters[0] } else { self.rate };
-        SlidingProblem { rate, indenter: self.indenter, adhesion: Some(self.adhesion), control, accuracy: self.accuracy }.checked()?;
+        let adhesion = Some(self.adhesion);
+        let work_by_speed = self.work_by_speed;
+        SlidingProblem { rate, indenter: self.indenter, adhesion, work_by_speed, control, accuracy: self.accuracy }.checked()?;
         let widest = self.half_widths[1];
         if !(widest > half_width && widest < self.indenter.widest()) {
             return Err(Refusal::out_of_range("widest half_width", widest, "above the narrowest one and, of a wave, below π (in 1/k)"));

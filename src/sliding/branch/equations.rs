@@ -15,6 +15,7 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Prescribed, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl};
+use crate::sliding::steady::adhesion_at;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
@@ -26,7 +27,7 @@ const ROUNDING: f64 = 1e-15;
 /// The equations of a branch at one resolution.
 pub(super) struct BranchEquations<'a> {
     material: &'a Material,
-    problem: &'a BranchProblem,
+    problem: &'a BranchProblem<'a>,
     resolution: Resolution,
     /// At the rate and adhesion of the problem; serves every point along loads and adhesions.
     prepared: EdgeBalance,
@@ -41,7 +42,7 @@ impl<'a> BranchEquations<'a> {
     ///
     /// # Errors
     /// Those of the material at that rate.
-    pub(super) fn new(material: &'a Material, problem: &'a BranchProblem, resolution: Resolution) -> Result<Self, Refusal> {
+    pub(super) fn new(material: &'a Material, problem: &'a BranchProblem<'a>, resolution: Resolution) -> Result<Self, Refusal> {
         let rate = if matches!(problem.path, BranchPath::Speeds(_)) { problem.parameters[0] } else { problem.rate };
         let prepared = Self::balance(material, problem, resolution, rate, 0.0)?;
         Ok(Self {
@@ -57,16 +58,14 @@ impl<'a> BranchEquations<'a> {
 
     fn balance(
         material: &Material,
-        problem: &BranchProblem,
+        problem: &BranchProblem<'_>,
         resolution: Resolution,
         rate: f64,
         zones: f64,
     ) -> Result<EdgeBalance, Refusal> {
         let memory = Arc::new(ContactMemory::new(material, rate)?);
         let factor = zones.exp();
-        let mut adhesion = problem.adhesion;
-        adhesion.trailing_zone *= factor;
-        adhesion.leading_zone *= factor;
+        let adhesion = adhesion_at(problem.adhesion, problem.work_by_speed, problem.rate, rate).with_zones_times(factor);
         let control = problem.held().unwrap_or(SlidingControl::MeanPressure(0.0));
         Ok(EdgeBalance::new(memory, problem.indenter, Some(adhesion), control, resolution))
     }
@@ -122,7 +121,7 @@ impl<'a> BranchEquations<'a> {
         };
         let stiffness = 1.0 / real.hypot(imaginary);
         let size = self.problem.indenter.half_angle_scale(edges.half_width).abs() * stiffness;
-        let pull = (self.problem.adhesion.reduced_work * stiffness * slope).sqrt();
+        let pull = (self.problem.adhesion.larger_work() * stiffness * slope).sqrt();
         let scale = size + pressure.abs() + pull;
         // Of a contact without adhesion p̄ = a²/4, and e is a part of a.
         let tilt = 4.0 / (stiffness * edges.width_by_place());
@@ -172,7 +171,7 @@ impl CurveEquations for BranchEquations<'_> {
             BranchPath::Loads => (here(&self.prepared)?, 1.0),
             BranchPath::Speeds(_) | BranchPath::Zones(_) => (self.with_balance(third, here)?, 1.0),
             // residual + 1 is the root of a work over that of adhesion.
-            BranchPath::Adhesions(_) => (here(&self.prepared)?, (self.problem.adhesion.reduced_work / third.exp()).sqrt()),
+            BranchPath::Adhesions(_) => (here(&self.prepared)?, (self.problem.adhesion.trailing_work / third.exp()).sqrt()),
         };
         let [trailing, leading] = states.residual().map(|residual| (residual + 1.0) * factor - 1.0);
         let rounding = states.rounding.map(|rounding| rounding * factor * factor);

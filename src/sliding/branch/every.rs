@@ -3,7 +3,7 @@
 //! At given half-width and speed both fields of a contact are linear in cos e, sin e and p̄ (of a parabola in 1, e and p̄), and so are those of the contacts with a
 //! moved edge at the same penetration. The closure work of each edge is therefore a quadratic form
 //! ```text
-//! work_i/2πΓ = uᵀA_i u = 1,    u = (cos e, sin e, p̄)        i = trailing, leading
+//! work_i/2πΓ_i = uᵀA_i u = 1,    u = (cos e, sin e, p̄)        i = trailing, leading
 //! ```
 //! known from six contacts. For each e the two conditions give p̄ in closed form, two values each; where one of the first equals one of the second along e,
 //! there is a root, and none elsewhere. Those whose edges are pulled and whose faces do not meet are the contacts. So no branch can hide: what is not on a branch that was
@@ -101,7 +101,7 @@ impl EveryContact {
 
     /// Both forms at a half-width, from six contacts, and the size of eccentricities.
     fn conditions(&self, half_width: f64) -> Result<(Conditions, f64), Refusal> {
-        let (beta, work) = (self.memory.stiffening_ratio(), self.adhesion.reduced_work);
+        let (beta, work) = (self.memory.stiffening_ratio(), self.adhesion.larger_work());
         let slope = match self.indenter {
             Indenter::Wave => (0.5 * half_width).tan(),
             Indenter::Parabola => 0.5 * half_width,
@@ -152,10 +152,10 @@ impl EveryContact {
         let (trailing, leading) = &self.zones;
         let behind = solve(edges.moved_out(-trailing.length()), state.held())?;
         let ahead = solve(edges.moved_out(leading.length()), state.held())?;
-        let target = 2.0 * PI * self.adhesion.reduced_work;
+        let targets = self.adhesion.targets();
         let works = [trailing.work(&state, &trailing.tension(&behind)), leading.work(&state, &leading.tension(&ahead))];
         let [own, moved, other] = [&state, &behind, &ahead].map(ContactState::edge_amplitudes);
-        Ok([works[0].value / target, works[1].value / target, own.0, own.1, moved.0, moved.1, other.0, other.1])
+        Ok([works[0].value / targets[0], works[1].value / targets[1], own.0, own.1, moved.0, moved.1, other.0, other.1])
     }
 }
 

@@ -12,6 +12,9 @@ use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{PartialContact, SlidingOutcome, Start, steady_sliding, steady_sliding_near};
 use nalgebra::Vector3;
 
+/// Evaluations for the slopes at one resolution: four along each of three unknowns, and one where they are wanted.
+const SLOPE_EVALUATIONS: u64 = 13;
+
 /// A contact of given half-width and how its load follows it.
 #[derive(Debug, Clone)]
 pub struct LoadSlopes {
@@ -21,6 +24,8 @@ pub struct LoadSlopes {
     pub pressure_slope: Estimate,
     /// dΔ/da along the branch; zero at Δ_out.
     pub penetration_slope: Estimate,
+    /// Evaluations of both edge conditions, those of the contact among them.
+    pub closure_evaluations: u64,
 }
 
 /// The slopes of mean pressure and penetration by the half-width (in 1/k) at one half-width, from a `start` (mean pressure, eccentricity) if one is known.
@@ -72,5 +77,6 @@ pub fn load_slopes(
     let floor = (rounding + f64::EPSILON) / CENTRAL_STEP;
     let scale = 1.0 / edges.narrower();
     let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor * (best[index].abs() + scale));
-    Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact })
+    let closure_evaluations = contact.work.closure_evaluations + 2 * SLOPE_EVALUATIONS;
+    Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact, closure_evaluations })
 }

@@ -46,6 +46,6 @@ pub use no_contact::{NoContactBetween, SpeedFolds, speed_folds};
 pub use point::BranchPoint;
 pub use scan::{EveryBranch, Scan, contacts_of_width, every_branch};
 pub use stability::{SecondVariations, Stability};
-pub use strength::{Strength, StrengthAt, strengths};
+pub use strength::{Strength, StrengthAt, strength, strengths};
 pub use toughness::{Toughness, toughness};
 pub use trace::{Branch, BranchWork, trace};

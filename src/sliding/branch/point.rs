@@ -38,7 +38,7 @@ pub struct BranchPoint {
 }
 
 /// What a branch is of: the material, the problem, and along loads the conditions at its one speed.
-pub(super) type Of<'a> = (&'a Material, &'a BranchProblem, Option<&'a Prepared>);
+pub(super) type Of<'a> = (&'a Material, &'a BranchProblem<'a>, Option<&'a Prepared>);
 
 /// A Jacobian of a contact nearby, with whether it is of a prescribed half-width.
 pub(super) type Nearby = Option<(bool, Jacobian)>;

@@ -9,7 +9,9 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::steady::{From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, start_at_rate, steady_sliding};
+use crate::sliding::steady::{
+    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding,
+};
 
 /// The half-width at which the loads of one speed are begun, if it is asked for.
 const MIDDLE: f64 = 1.2;
@@ -26,8 +28,7 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 /// The unknowns at which a branch begins.
 pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
-        let problem =
-            SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+        let problem = at_start(problem, rate, control);
         match steady_sliding(material, &problem)? {
             SlidingOutcome::Partial(contact) => {
                 work.closure_evaluations += contact.work.closure_evaluations;
@@ -66,8 +67,7 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
                 _ => (From::Slow, problem.parameters[0]),
             };
             let mut counters = SlidingWork::default();
-            let steady =
-                SlidingProblem { rate, indenter: problem.indenter, adhesion: Some(problem.adhesion), control, accuracy: START_ACCURACY };
+            let steady = at_start(problem, rate, control);
             let start = start_at_rate(material, &steady, from, &mut counters).map_err(|none| none.refusal());
             work.closure_evaluations += counters.closure_evaluations;
             let Start { unknowns: [first, eccentricity], .. } = start?;
@@ -75,7 +75,7 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
             Ok([first, eccentricity, rate.ln()])
         }
         (BranchPath::Adhesions(control) | BranchPath::Zones(control), _) => {
-            let third = if matches!(problem.path, BranchPath::Zones(_)) { 0.0 } else { problem.adhesion.reduced_work.ln() };
+            let third = if matches!(problem.path, BranchPath::Zones(_)) { 0.0 } else { problem.adhesion.trailing_work.ln() };
             match steady(problem.rate, control) {
                 Ok((values, _)) => Ok(placed(control, &values, third)),
                 Err(refusal) => by_scan(material, problem, refusal, work),
@@ -84,12 +84,19 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
     }
 }
 
+/// The contact at which a branch begins, roughly.
+fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl) -> SlidingProblem<'a> {
+    let &BranchProblem { indenter, work_by_speed, .. } = problem;
+    let adhesion = Some(adhesion_at(problem.adhesion, work_by_speed, problem.rate, rate));
+    SlidingProblem { rate, indenter, adhesion, work_by_speed, control, accuracy: START_ACCURACY }
+}
+
 /// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest eccentricity.
 fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     if matches!(refusal, Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) {
         return Err(refusal);
     }
-    let third = if matches!(problem.path, BranchPath::Adhesions(_)) { problem.adhesion.reduced_work.ln() } else { 0.0 };
+    let third = if matches!(problem.path, BranchPath::Adhesions(_)) { problem.adhesion.trailing_work.ln() } else { 0.0 };
     let found = contacts_of(material, problem, problem.held(), third, SCANNED)?;
     let prepared = problem.prepared(material, third)?;
     let frame = if matches!(problem.held(), Some(SlidingControl::Penetration(_))) { f64::INFINITY } else { 0.0 };

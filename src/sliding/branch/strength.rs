@@ -2,11 +2,13 @@
 
 use super::conditions::BranchProblem;
 use super::fold::Fold;
+use super::stability::Stability;
 use super::toughness::{Toughness, of_branch};
 use super::trace::{BranchWork, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::edge_balance::WaveAdhesion;
+use crate::sliding::steady::PartialValues;
 use rayon::prelude::*;
 
 /// What a contact of one speed and adhesion can bear.
@@ -18,6 +20,8 @@ pub struct Strength {
     pub snap_in: Option<Fold>,
     /// The smallest penetration, Δ_out.
     pub separation: Option<Fold>,
+    /// The stable contact without load.
+    pub zero_load: Option<PartialValues>,
     /// The work to separate; or why it is none.
     pub toughness: Result<Toughness, Refusal>,
     /// What the branch took.
@@ -29,32 +33,44 @@ pub struct Strength {
 pub struct StrengthAt {
     /// kv (1/s).
     pub rate: f64,
-    /// Γ.
+    /// Γ of the trailing edge.
     pub reduced_work: f64,
     /// The strength, or why there is none.
     pub strength: Result<Strength, Refusal>,
 }
 
-/// Pull-off, snap-in, Δ_out and toughness at each pair of a rate kv (1/s) and a work of adhesion Γ; rates fastest.
+/// Pull-off, snap-in, Δ_out and toughness at each pair of a rate kv (1/s) and a work of adhesion Γ of the trailing edge (that of the leading one in a fixed ratio
+/// to it); rates fastest.
 #[must_use]
 pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: WaveAdhesion, accuracy: f64) -> Vec<StrengthAt> {
     let pairs: Vec<(f64, f64)> = works.iter().flat_map(|&work| rates.iter().map(move |&rate| (rate, work))).collect();
     pairs
         .into_par_iter()
         .map(|(rate, reduced_work)| {
-            let problem = BranchProblem::loads(rate, WaveAdhesion { reduced_work, ..adhesion }, accuracy);
+            let problem = BranchProblem::loads(rate, adhesion.with_trailing_work(reduced_work), accuracy);
             StrengthAt { rate, reduced_work, strength: strength(material, &problem) }
         })
         .collect()
 }
 
-fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
+/// What the contacts of a branch of loads can bear.
+///
+/// # Errors
+/// Those of [`trace`].
+pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
     let branch = trace(material, problem)?;
+    let toughness = of_branch(material, problem, &branch);
+    let stable = || branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values);
+    let zero_load = toughness.as_ref().map_or_else(|_| stable(), |toughness| Some(toughness.unloaded));
     Ok(Strength {
         pull_off: branch.pull_off(problem).cloned(),
         snap_in: branch.snap_in().cloned(),
         separation: branch.separation().cloned(),
-        toughness: of_branch(material, problem, &branch),
-        work: branch.work,
+        work: BranchWork {
+            closure_evaluations: branch.work.closure_evaluations + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
+            ..branch.work
+        },
+        zero_load,
+        toughness,
     })
 }

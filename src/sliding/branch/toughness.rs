@@ -5,6 +5,10 @@
 //! ```
 //! Reduced by E0*Λ²/2 per wavelength. Both p̄ and dΔ are negative on the way, so T > 0. As load and penetration are smooth functions of the half-width on
 //! it, Gauss's rule in ln tan(a/2) gains digits with each node; two rules tell the error.
+//!
+//! Every state on the way slides: material enters at the leading edge and leaves at the trailing one, whichever way the edges creep as the contact is
+//! unloaded. So both works of adhesion count on the whole way, each at its own edge and at the sliding speed. (At speed zero, where unloading would open
+//! both edges, it is the limit of slow sliding that is slower still to unload.)
 
 use super::conditions::BranchProblem;
 use super::fold::Fold;
@@ -26,6 +30,8 @@ pub struct Toughness {
     pub unloaded: PartialValues,
     /// The fold of Δ at which the contact is lost under a held penetration.
     pub separation: Fold,
+    /// Evaluations of both edge conditions for the integral; those of the branch are counted there.
+    pub closure_evaluations: u64,
 }
 
 /// The toughness of a branch of loads.
@@ -71,11 +77,13 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
             _ => None,
         }
     };
-    let integral = |rule: &UnitRule| -> Result<(f64, f64), Refusal> {
+    let mut closure_evaluations = 0;
+    let mut integral = |rule: &UnitRule| -> Result<(f64, f64), Refusal> {
         let (mut sum, mut error) = (0.0, 0.0);
         for &(node, weight) in rule {
             let half_width = 2.0 * (begin + (end - begin) * node).exp().atan();
             let slopes = load_slopes(material, problem, half_width, guess(half_width))?;
+            closure_evaluations += slopes.closure_evaluations;
             // da = sin a dξ.
             let measure = 2.0 * PI * weight * (end - begin) * half_width.sin();
             let (pressure, slope) = (slopes.contact.values.mean_pressure, slopes.penetration_slope);
@@ -88,5 +96,10 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
     let (best, error) = integral(&UNIT_RULE_20)?;
     // The integrand vanishes at both ends, p̄ at one and dΔ at the other: errors of the ends enter squared.
     let ends = 2.0 * PI * (separation.contact.mean_pressure.value.abs() * separation.value.error + unloaded.mean_pressure.error);
-    Ok(Toughness { value: Estimate::new(best, (best - rough).abs() + error + ends), unloaded, separation: separation.clone() })
+    Ok(Toughness {
+        value: Estimate::new(best, (best - rough).abs() + error + ends),
+        unloaded,
+        separation: separation.clone(),
+        closure_evaluations,
+    })
 }

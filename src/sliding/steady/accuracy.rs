@@ -30,7 +30,7 @@ const LOOSEST: f64 = 1e-7;
 /// Number of outputs.
 const OUTPUTS: usize = 12;
 
-/// Half-width, eccentricity, trailing and leading edge, Δ, p̄, friction stress, μ, U, G₁, G₂, Γ(G₁ − G₂).
+/// Half-width, eccentricity, trailing and leading edge, Δ, p̄, friction stress, μ, U, G₁/Δγ₁, G₂/Δγ₂, Γ₁G₁/Δγ₁ − Γ₂G₂/Δγ₂.
 type Outputs = [f64; OUTPUTS];
 
 /// Solves a contact from a start to the accuracy of the problem, or as near to it as double precision allows.
@@ -39,7 +39,7 @@ type Outputs = [f64; OUTPUTS];
 /// [`Refusal::NotConverged`] if no admissible root is near.
 pub(super) fn solved(
     prepared: &Prepared,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     start: &Start,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
@@ -166,7 +166,10 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<(Outputs, [f64;
         state.interface_work(),
         trailing,
         leading,
-        balance.adhesion().map_or(0.0, |adhesion| adhesion.reduced_work * (trailing - leading)),
+        // So written, the difference of equal works costs no digits.
+        balance.adhesion().map_or(0.0, |adhesion| {
+            adhesion.trailing_work * (trailing - leading) + (adhesion.trailing_work - adhesion.leading_work) * leading
+        }),
     ];
     Ok((values, [released.error, gained.error]))
 }
@@ -186,7 +189,7 @@ fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>, rele
         // Integrals over the same zones as the conditions; the gap of the reversed contact may be the larger one.
         rounding[9] = states.rounding[0].max(release_rounding[0]);
         rounding[10] = states.rounding[1].max(release_rounding[1]);
-        rounding[11] = adhesion.reduced_work * (rounding[9] + rounding[10]);
+        rounding[11] = adhesion.trailing_work.max(adhesion.leading_work) * (rounding[9] + rounding[10]);
     }
     rounding
 }

@@ -5,24 +5,35 @@
 //! wave        p̄ = m s² − 2√(mΓ tan(a/2)),    Δ = s²(1 − 2 ln s) + 4√(Γ tan(a/2)/m) ln s       s = sin(a/2)
 //! parabola    p̄ = m a²/4 − √(2mΓa)
 //! ```
-//! Of the equilibria at one load the one with dp̄/da > 0 is taken. Source: Johnson 1995 and Westergaard as in [`crate::elastic`]; the parabola is
+//! Different works at the two edges have forms of their own ([`super::uneven_start`]). Of the equilibria at one load the one with dp̄/da > 0 is taken. Source: Johnson 1995 and Westergaard as in [`crate::elastic`]; the parabola is
 //! their limit for narrow contacts, the adhesive cylinder of Barquins.
 
 use super::problem::SlidingProblem;
+use super::uneven_start::{is_uneven_wave, mean_work, uneven_parabola_shift, uneven_unknowns};
 use crate::continuation::root::{LogSlope, increasing_root};
 use crate::elastic::johnson_wave::WaveBranch;
 use crate::elastic::{EquilibriumBranch, JohnsonWave, WestergaardWave};
 use crate::refusal::Refusal;
 use crate::sliding::contact::Indenter;
-use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
 use std::f64::consts::PI;
 
-/// The half-width of the elastic contact of a modulus m = E/E0, or the mean pressure if the half-width is prescribed.
+/// The half-width of the elastic contact of a modulus m = E/E0, or the mean pressure if the half-width is prescribed; and the eccentricity.
 ///
 /// # Errors
 /// [`Refusal::NoSuchState`] above snap-in and below pull-off, with that limit in units of the problem.
-pub(super) fn elastic_unknown(problem: &SlidingProblem, modulus: f64) -> Result<f64, Refusal> {
-    let work = problem.adhesion.map_or(0.0, |adhesion| adhesion.reduced_work);
+pub(super) fn elastic_unknowns(problem: &SlidingProblem<'_>, adhesion: Option<WaveAdhesion>, modulus: f64) -> Result<[f64; 2], Refusal> {
+    if let Some(adhesion) = is_uneven_wave(problem, adhesion) {
+        return uneven_unknowns(problem, adhesion, modulus);
+    }
+    let first = elastic_unknown(problem, adhesion.map_or(0.0, mean_work), modulus)?;
+    let half_width = if let SlidingControl::HalfWidth(half_width) = problem.control { half_width } else { first };
+    let uneven = adhesion.filter(|adhesion| !adhesion.is_even());
+    Ok([first, uneven.map_or(0.0, |adhesion| uneven_parabola_shift(adhesion, half_width, modulus))])
+}
+
+/// The first of both, at equal works.
+fn elastic_unknown(problem: &SlidingProblem<'_>, work: f64, modulus: f64) -> Result<f64, Refusal> {
     match (problem.indenter, problem.control) {
         (Indenter::Wave, SlidingControl::HalfWidth(half_width)) => {
             let sine = (0.5 * half_width).sin();

@@ -7,6 +7,7 @@ mod prepared;
 mod problem;
 mod solution;
 mod solve;
+mod uneven_start;
 
 pub use super::contact::Indenter;
 pub use super::edge_balance::{SlidingControl, WaveAdhesion};
@@ -14,6 +15,7 @@ pub use path::Start;
 pub(super) use path::{From, start_at_rate};
 pub(super) use prepared::Prepared;
 pub use problem::SlidingProblem;
+pub(super) use problem::adhesion_at;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
 pub(super) use solve::near_counted;
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};

@@ -5,14 +5,15 @@
 //! whose contact is far from its prediction is a jump to another root: it is refused and halved, not accepted. Paths are followed coarsely; only
 //! the contact at their end is solved to the accuracy asked for.
 
-use super::elastic_start::elastic_unknown;
+use super::elastic_start::elastic_unknowns;
 use super::problem::SlidingProblem;
 use super::solution::SlidingWork;
+use super::uneven_start::mean_work;
 use crate::continuation::two_unknowns::Jacobian;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Resolution};
-use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
+use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::sync::Arc;
 
 /// The longest step in ln speed.
@@ -91,7 +92,7 @@ pub(in crate::sliding) enum From {
 /// Follows the contact of a material to the rate of the problem; adds to `work`.
 pub(in crate::sliding) fn start_at_rate(
     material: &Material,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     from: From,
     work: &mut SlidingWork,
 ) -> Result<Start, NoStart> {
@@ -99,19 +100,22 @@ pub(in crate::sliding) fn start_at_rate(
         From::Slow => 1.0,
         From::Fast => material.stiffening_ratio(),
     };
-    let first = elastic_unknown(problem, modulus).map_err(NoStart::Elastic)?;
-    let at_rest = Start { unknowns: [first, 0.0], jacobian: None };
+    let elastic = |rate: f64| -> Result<Start, NoStart> {
+        let unknowns = elastic_unknowns(problem, problem.adhesion_at(rate), modulus).map_err(NoStart::Elastic)?;
+        Ok(Start { unknowns, jacobian: None })
+    };
+    let at_rest = elastic(problem.rate)?;
     let (Some(longest), Some(shortest)) =
         (material.longest_retardation_time(), material.relaxation_terms().iter().map(|term| term.relaxation_time).min_by(f64::total_cmp))
     else {
-        return Ok(at_rest);
+        return settled(material, problem, problem.rate, modulus, at_rest, work);
     };
     if problem.rate == 0.0 {
-        return Ok(at_rest);
+        return settled(material, problem, problem.rate, modulus, at_rest, work);
     }
     let half_width = match problem.control {
         SlidingControl::HalfWidth(half_width) => half_width,
-        _ => first,
+        _ => at_rest.unknowns[0],
     };
     let zone = problem.adhesion.map_or(0.1 * half_width, |adhesion| adhesion.trailing_zone.min(adhesion.leading_zone));
     let begin = match from {
@@ -120,8 +124,11 @@ pub(in crate::sliding) fn start_at_rate(
     };
     let balance_at = |log_rate: f64| {
         let memory = Arc::new(ContactMemory::new(material, log_rate.exp())?);
-        Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion, problem.control, Resolution::Coarse))
+        Ok(EdgeBalance::new(memory, problem.indenter, problem.adhesion_at(log_rate.exp()), problem.control, Resolution::Coarse))
     };
+    // The elastic contact has the works of the speed at which the path begins.
+    let at_rest = if problem.work_by_speed.is_some() { elastic(begin)? } else { at_rest };
+    let at_rest = settled(material, problem, begin, modulus, at_rest, work)?;
     let range = Range { begin: begin.ln(), end: problem.rate.ln(), first: FIRST_STEP, longest: LONGEST_STEP, shortest: SHORTEST_STEP };
     follow(balance_at, at_rest, range, work).map_err(|none| match none {
         NoStart::Fold(end) => NoStart::Fold(PathEnd { last: end.last.exp(), ..end }),
@@ -129,10 +136,43 @@ pub(in crate::sliding) fn start_at_rate(
     })
 }
 
+/// The contact at a rate near an elastic one: itself where both edges take the same work. A process zone of any length moves a contact of uneven works far from
+/// its limit for short ones, the more the smaller the lesser work is; where Newton's method does not get there, the works are taken apart bit by bit.
+fn settled(
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    rate: f64,
+    modulus: f64,
+    start: Start,
+    work: &mut SlidingWork,
+) -> Result<Start, NoStart> {
+    let Some(adhesion) = problem.adhesion_at(rate).filter(|adhesion| !adhesion.is_even()) else { return Ok(start) };
+    let memory = Arc::new(ContactMemory::new(material, rate).map_err(NoStart::Elastic)?);
+    let apart = |part: f64| {
+        let mean = mean_work(adhesion);
+        let of = |edge: f64| mean * (edge / mean).powf(part);
+        WaveAdhesion { trailing_work: of(adhesion.trailing_work), leading_work: of(adhesion.leading_work), ..adhesion }
+    };
+    let balance_at =
+        |part: f64| Ok(EdgeBalance::new(Arc::clone(&memory), problem.indenter, Some(apart(part)), problem.control, Resolution::Coarse));
+    let range = |begin: f64| Range { begin, end: 1.0, first: 0.25, longest: 0.5, shortest: SHORTEST_STEP };
+    // Without a step this is one solution.
+    if let Ok(found) = follow(balance_at, start, range(1.0), work) {
+        return Ok(found);
+    }
+    let even = elastic_unknowns(problem, Some(apart(0.0)), modulus).map_err(NoStart::Elastic)?;
+    follow(balance_at, Start { unknowns: even, jacobian: None }, range(0.0), work).map_err(|_| {
+        NoStart::Elastic(Refusal::NotConverged {
+            what: "the edges of a sliding contact with uneven works",
+            detail: "no contact with both edges pulled was found near the elastic one; the lesser work may be too small for the length of its process zone".into(),
+        })
+    })
+}
+
 /// Reaches a pull by which neither end of the speed range is held: at no load first, then by loads falling at the rate of the problem.
 ///
 /// An edge that moves at the right speed resists pulls that neither the relaxed nor the glassy contact could.
-pub(super) fn start_by_pulling(material: &Material, problem: &SlidingProblem, work: &mut SlidingWork) -> Result<Start, NoStart> {
+pub(super) fn start_by_pulling(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Result<Start, NoStart> {
     let unloaded = SlidingProblem { control: SlidingControl::MeanPressure(0.0), ..*problem };
     let SlidingControl::MeanPressure(target) = problem.control else {
         return Err(NoStart::Fold(PathEnd { last: problem.rate, widening: false }));

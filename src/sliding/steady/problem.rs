@@ -1,5 +1,6 @@
 //! What is asked of a steady sliding contact, in reduced units.
 
+use crate::closure::work_by_speed::WorkBySpeed;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
@@ -7,20 +8,28 @@ use std::f64::consts::PI;
 
 /// A steady sliding contact: everything but the material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlidingProblem {
+pub struct SlidingProblem<'a> {
     /// kv (1/s), zero or more; at zero the solid is relaxed.
     pub rate: f64,
     /// The indenter.
     pub indenter: Indenter,
-    /// Adhesion; none for the adhesiveless contact.
+    /// Adhesion at that rate; none for the adhesiveless contact.
     pub adhesion: Option<WaveAdhesion>,
+    /// How the works of adhesion follow the rate kv (1/s), if they do: the contact is reached along a path in speed.
+    pub work_by_speed: Option<&'a WorkBySpeed>,
     /// What is prescribed.
     pub control: SlidingControl,
     /// Wanted |error| ≤ accuracy·max(|value|, scale) of every output, scale one in reduced units.
     pub accuracy: f64,
 }
 
-impl SlidingProblem {
+impl SlidingProblem<'_> {
+    /// The adhesion at another rate kv (1/s).
+    #[must_use]
+    pub(in crate::sliding) fn adhesion_at(&self, rate: f64) -> Option<WaveAdhesion> {
+        Some(adhesion_at(self.adhesion?, self.work_by_speed, self.rate, rate))
+    }
+
     /// Checks every number.
     ///
     /// # Errors
@@ -47,7 +56,8 @@ impl SlidingProblem {
         }
         match (self.adhesion, self.control) {
             (Some(adhesion), _) => {
-                require_positive("reduced_work", adhesion.reduced_work)?;
+                require_positive("reduced_work", adhesion.trailing_work)?;
+                require_positive("reduced_work", adhesion.leading_work)?;
                 require_positive("trailing_zone", adhesion.trailing_zone)?;
                 require_positive("leading_zone", adhesion.leading_zone)?;
             }
@@ -61,4 +71,11 @@ impl SlidingProblem {
         }
         Ok(())
     }
+}
+
+/// Adhesion that is given at one rate, at another one.
+pub(in crate::sliding) fn adhesion_at(adhesion: WaveAdhesion, law: Option<&WorkBySpeed>, given: f64, rate: f64) -> WaveAdhesion {
+    let Some(law) = law else { return adhesion };
+    let (there, here) = (law.factors(rate), law.factors(given));
+    adhesion.with_works_times([there[0] / here[0], there[1] / here[1]])
 }

@@ -56,15 +56,15 @@ pub struct PartialValues {
 /// The numbers that only an adhesive contact has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AdhesiveValues {
-    /// G₁/Δγ of the trailing edge.
+    /// G₁/Δγ of the trailing edge, over its own work of adhesion.
     pub trailing_release: Estimate,
-    /// G₂/Δγ of the leading edge.
+    /// G₂/Δγ of the leading edge, over its own work of adhesion.
     pub leading_release: Estimate,
     /// δL_P of the trailing edge over Δγδ: the work of the interface that is not stored, 1 − G₁/Δγ (3.21).
     pub trailing_nonconservative: Estimate,
     /// δL_P of the leading edge over Δγδ, 1 − G₂/Δγ (3.22).
     pub leading_nonconservative: Estimate,
-    /// Γ(G₁ − G₂)/Δγ, the adhesive part of the friction stress (3.40 times the mean pressure).
+    /// Γ₁G₁/Δγ₁ − Γ₂G₂/Δγ₂, the adhesive part of the friction stress (3.40 times the mean pressure).
     pub adhesive_friction_stress: Estimate,
 }
 

@@ -19,7 +19,7 @@ use crate::sliding::edge_balance::SlidingControl;
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off and past a fold where the contact
 /// was narrowing; [`Refusal::NotConverged`] is a defect.
-pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<SlidingOutcome, Refusal> {
+pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
@@ -93,7 +93,7 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem) -> Result<S
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
-pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start: &Start) -> Result<PartialContact, Refusal> {
+pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     near_counted(&prepared, problem, start, &mut SlidingWork::default())
 }
@@ -101,7 +101,7 @@ pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem, start:
 /// The same from conditions that are prepared, adding to `work` whether there is a contact or not.
 pub(in crate::sliding) fn near_counted(
     prepared: &Prepared,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     start: &Start,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
@@ -110,7 +110,7 @@ pub(in crate::sliding) fn near_counted(
 }
 
 /// Whether the limit that an elastic contact has passed is snap-in or full contact.
-fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
+fn may_fill(problem: &SlidingProblem<'_>, limit: f64) -> bool {
     let asked = match problem.control {
         SlidingControl::MeanPressure(pressure) => pressure,
         SlidingControl::Penetration(penetration) => penetration,
@@ -121,7 +121,7 @@ fn may_fill(problem: &SlidingProblem, limit: f64) -> bool {
 
 fn full_contact(
     material: &Material,
-    problem: &SlidingProblem,
+    problem: &SlidingProblem<'_>,
     limit_name: &'static str,
     limit: f64,
     work: SlidingWork,

@@ -1,0 +1,334 @@
+//! Steps under a penetration, a force or a frame, and under a prescribed edge: sizes by the error of the path, accepted or tried again.
+
+use super::edge::{Drive, Imposed, Trial};
+use super::elastic_zone::tension_root;
+use super::marcher::Marcher;
+use super::motion::{Motion, Passage};
+use super::past::Node;
+use super::solution::EventKind;
+use super::stepping::{EdgeStep, Stepper, TimeStep};
+use crate::refusal::Refusal;
+
+/// Attempts at one step; each failed one shrinks it or changes what drives it.
+const MOST_ATTEMPTS: u32 = 200;
+/// Steps of the edge, over the process zone, below which an edge without a stable neighbour is taken as unstable.
+const SMALLEST_REACH: f64 = 1e-5;
+/// Accepted residual of the edge condition near a fold.
+const FOLD_TOLERANCE: f64 = 1e-13;
+/// Distance from the fold of t(a), over the process zone, at which it is taken as reached.
+const AT_FOLD: f64 = 2e-3;
+/// Part of the way to a fold that one step goes.
+const TOWARDS_FOLD: f64 = 0.6;
+/// Points behind an extrapolation: more only amplify what is not smooth.
+const EXTRAPOLATION: usize = 5;
+/// Change of a step from one to the next.
+const FASTEST: f64 = 2.0;
+/// The same when it fails.
+const SLOWEST: f64 = 0.2;
+
+/// Motion over the process zone that is none.
+const AT_REST: f64 = 1e-9;
+/// Halvings of the time at which a rim gives way.
+const RIM_HALVINGS: u32 = 50;
+
+/// What drives the next attempt.
+enum Choice {
+    Edge { inwards: bool, guess: f64 },
+    Time { guess: f64 },
+}
+
+impl Marcher<'_> {
+    /// One step of at most `cap`.
+    pub(super) fn advance(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<(), Refusal> {
+        let (mut reach, mut cap) = (self.reach.min(self.largest_reach()), cap);
+        let mut landing = false;
+        let a = self.contact.radius();
+        if a == 0.0 {
+            // From a point, without adhesion: y grows smoothly, and only time can drive it.
+            reach = reach.max(self.largest_reach());
+        } else if self.problem.adhesion.is_none() {
+            reach = reach.min(0.25 * a);
+        }
+        let mut forced: Option<Choice> = None;
+        let mut was_far = false;
+        for _ in 0..MOST_ATTEMPTS {
+            if let Some(distance) = self.fold_ahead() {
+                if distance < AT_FOLD * self.length && self.is_unstable(imposed)? {
+                    return self.lost(true, Some(distance), imposed);
+                }
+                reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * AT_FOLD * self.length));
+            }
+            let choice = match forced.take() {
+                Some(choice) => choice,
+                None => self.choose(reach, cap),
+            };
+            let found = match choice {
+                Choice::Time { guess } => {
+                    let outcome = self.stepper().time_driven(cap, guess, 1.5 * reach, imposed)?;
+                    match outcome {
+                        TimeStep::Found(trial) => {
+                            if trial.motion.to < a && self.leave_rim(cap, left, target, imposed)? {
+                                return Ok(());
+                            }
+                            Some((trial, false))
+                        }
+                        TimeStep::Far(inwards) => {
+                            if inwards && self.leave_rim(cap, left, target, imposed)? {
+                                return Ok(());
+                            }
+                            was_far = true;
+                            forced = Some(Choice::Edge { inwards, guess: 0.5 * cap });
+                            None
+                        }
+                    }
+                }
+                Choice::Edge { inwards, guess } => {
+                    let mut way = if inwards { -reach } else { reach.min(self.contact.profile().rim() - a) };
+                    landing = false;
+                    if let Some(mark) = self.landmarks.iter().copied().find(|mark| (mark - a) * way > 0.0 && (mark - a).abs() <= 1.2 * way.abs()) {
+                        way = mark - a;
+                        landing = true;
+                    }
+                    if a + way <= self.smallest() {
+                        if self.problem.adhesion.is_some() {
+                            return self.detach(EventKind::ZoneReached, imposed);
+                        }
+                        if a <= 2.0 * self.smallest() {
+                            return self.detach(EventKind::Detachment, imposed);
+                        }
+                        way = 0.5 * way.max(-a);
+                    }
+                    match self.stepper().edge_driven(a + way, guess, cap, imposed)? {
+                        EdgeStep::Found(trial) => Some((trial, true)),
+                        EdgeStep::Late => {
+                            if was_far {
+                                cap *= 0.5;
+                                was_far = false;
+                            }
+                            forced = Some(Choice::Time { guess: self.place_after(cap, reach) });
+                            None
+                        }
+                        EdgeStep::Unstable => {
+                            reach *= 0.25;
+                            if reach < SMALLEST_REACH * self.length {
+                                return self.lost(inwards, None, imposed);
+                            }
+                            // A shorter time lets the edge go less far.
+                            forced = Some(Choice::Edge { inwards, guess: 0.25 * guess });
+                            None
+                        }
+                    }
+                }
+            };
+            let Some((trial, by_edge)) = found else { continue };
+            let error = (trial.place_error / self.length).max(trial.depth_error / self.opening);
+            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { FASTEST };
+            let factor = ideal.clamp(SLOWEST, FASTEST);
+            if error > self.tolerance && factor < 0.9 {
+                let smallest = reach < 1e-7 * self.length || cap < 1e-12 * (self.time - self.corner);
+                if !smallest {
+                    if by_edge { reach *= factor } else { cap *= factor }
+                    continue;
+                }
+            }
+            return self.accept(&trial, by_edge, (reach, cap, factor), (left, target), landing && by_edge);
+        }
+        Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
+    }
+
+    /// The rim holds the edge for a while yet: goes to the instant at which it gives way, and starts anew from there.
+    fn leave_rim(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
+        let rim = self.contact.profile().rim();
+        if self.contact.radius() < rim {
+            return Ok(false);
+        }
+        let (mut low, mut high) = (0.0, cap);
+        for _ in 0..RIM_HALVINGS {
+            let middle = 0.5 * (low + high);
+            let trial = self.edge.trial(&self.contact, &self.past, (rim, middle), Drive::Time, imposed)?;
+            if trial.residual <= 0.0 { low = middle } else { high = middle }
+        }
+        if low <= 1e-9 * cap {
+            return Ok(false);
+        }
+        let trial = self.edge.trial(&self.contact, &self.past, (rim, low), Drive::Time, imposed)?;
+        self.go(&trial.motion, trial.penetration);
+        self.went(low, left, target, 0.0);
+        self.restart();
+        Ok(true)
+    }
+
+    fn accept(
+        &mut self,
+        trial: &Trial,
+        by_edge: bool,
+        (reach, cap, factor): (f64, f64, f64),
+        (left, target): (f64, f64),
+        landing: bool,
+    ) -> Result<(), Refusal> {
+        let dt = trial.motion.time;
+        self.go(&trial.motion, trial.penetration);
+        self.went(dt, left, target, trial.residual);
+        if by_edge {
+            self.reach = reach * factor;
+            self.dt = self.dt.max(dt).min(3.0 * dt * factor);
+        } else if cap < left || factor < 1.0 {
+            self.dt = cap * factor;
+        }
+        self.reach = self.reach.min(self.largest_reach());
+        if !by_edge {
+            // While time drives, the edge may find its pace again.
+            self.reach = (self.reach * FASTEST).min(self.largest_reach());
+        }
+        if landing {
+            self.restart_at_landmark();
+        }
+        Ok(())
+    }
+
+    /// Makes a motion.
+    pub(super) fn go(&mut self, motion: &Motion, penetration: f64) {
+        self.record.passed(&self.contact, motion);
+        self.contact = self.contact.after(motion, penetration);
+    }
+
+    fn stepper(&mut self) -> Stepper<'_, '_> {
+        // Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
+        let near_fold = self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
+        let tolerance = if near_fold { FOLD_TOLERANCE } else { self.edge_tolerance() };
+        Stepper {
+            edge: &mut self.edge,
+            contact: &self.contact,
+            past: &self.past,
+            tolerance,
+            slopes: &mut self.slopes,
+        }
+    }
+
+    fn choose(&self, reach: f64, cap: f64) -> Choice {
+        let nodes = self.past.nodes();
+        let (Some(now), Some(before)) = (nodes.first(), nodes.get(1)) else {
+            return Choice::Time { guess: self.contact.radius() };
+        };
+        let way = now.radius - before.radius;
+        let inwards = way < 0.0;
+        if way == 0.0 || now.time <= before.time {
+            return Choice::Time { guess: self.place_after(cap, reach) };
+        }
+        let pace = (now.time - before.time) / way.abs() * reach;
+        let target = if inwards { now.radius - reach } else { now.radius + reach };
+        let guess = self
+            .past
+            .extrapolated(EXTRAPOLATION, |node| (node.radius - target, node.time))
+            .map(|time| time - now.time)
+            .filter(|dt| *dt > 0.1 * pace && *dt < 10.0 * pace)
+            .unwrap_or(pace);
+        if guess <= cap { Choice::Edge { inwards, guess } } else { Choice::Time { guess: self.place_after(cap, reach) } }
+    }
+
+    /// Where the edge is probably going to be.
+    fn place_after(&self, dt: f64, reach: f64) -> f64 {
+        let here = self.contact.radius();
+        let Some(now) = self.past.nodes().first() else { return here };
+        let guess = self.past.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - now.time - dt, node.radius));
+        let guess = guess.unwrap_or(here).clamp(here - reach, here + reach);
+        // An edge at rest stays: extrapolated rounding is no motion.
+        if (guess - here).abs() < AT_REST * self.length { here } else { guess }
+    }
+
+    /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.
+    fn fold_ahead(&self) -> Option<f64> {
+        let [now, one, two] = *self.past.nodes().get(..3)? else { return None };
+        let (first, second) = (now.radius - one.radius, one.radius - two.radius);
+        if first * second <= 0.0 {
+            return None;
+        }
+        let (fast, slow) = ((now.time - one.time) / first.abs(), (one.time - two.time) / second.abs());
+        let bend = 2.0 * (fast - slow) / (first.abs() + second.abs());
+        let slope = fast + 0.5 * bend * first.abs();
+        // Only a fold that is near counts; further away the path will show itself.
+        (bend < 0.0 && slope > 0.0).then(|| -slope / bend).filter(|distance| *distance < 4.0 * first.abs().max(self.reach))
+    }
+
+    /// Whether the edge has no stable neighbour a little further on.
+    pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
+        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(false) };
+        let way = 1e-2 * self.length * (now.radius - before.radius).signum();
+        if now.radius + way <= self.smallest() {
+            return Ok(false);
+        }
+        let (_, value) = self.edge.jumped(&self.contact, now.radius + way, imposed)?;
+        Ok(if way < 0.0 { value >= 0.0 } else { value <= 0.0 })
+    }
+
+    /// A step of a prescribed edge.
+    pub(super) fn prescribed_step(&mut self, value: &dyn Fn(f64) -> f64, cap: f64, left: f64, target: f64) -> Result<(), Refusal> {
+        let mut cap = cap;
+        for _ in 0..MOST_ATTEMPTS {
+            let way = (value(cap) - self.contact.radius()).abs();
+            if way > self.largest_reach() {
+                cap *= (0.99 * self.largest_reach() / way).max(0.1);
+                continue;
+            }
+            let (motion, residual, error) = self.prescribed_motion(value(cap), cap, 5)?;
+            let error = error / self.opening;
+            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { FASTEST };
+            let factor = ideal.clamp(SLOWEST, FASTEST);
+            if error > self.tolerance && factor < 0.9 && cap > 1e-12 * (self.time - self.corner) {
+                cap *= factor;
+                continue;
+            }
+            self.go(&motion, motion.end_penetration());
+            self.went(cap, left, target, residual);
+            if cap < left || factor < 1.0 {
+                self.dt = cap * factor;
+            }
+            return Ok(());
+        }
+        Err(Refusal::NotConverged { what: "a step of the prescribed edge", detail: format!("at t = {:e}", self.time) })
+    }
+
+    /// A given edge after dt: the penetration from the edge condition.
+    pub(super) fn prescribed(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(), Refusal> {
+        let (motion, _, _) = self.prescribed_motion(radius, dt, degree)?;
+        self.go(&motion, motion.end_penetration());
+        Ok(())
+    }
+
+    fn prescribed_motion(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(Motion, f64, f64), Refusal> {
+        let here = self.contact.penetration();
+        let now = self.past.nodes().first().copied();
+        let powers = |rise: f64| match now {
+            Some(now) if dt > 0.0 => self.past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
+            _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
+        };
+        let motion = |rise: f64| {
+            let (powers, error) = powers(rise);
+            (Motion::new(self.contact.profile(), (self.contact.radius(), radius), dt, Passage::Radius, here, powers), error)
+        };
+        let unit = self.opening;
+        let rise = match self.problem.adhesion {
+            None => {
+                let first = self.edge.residual(&self.contact, &motion(0.0).0, false)?;
+                let second = self.edge.residual(&self.contact, &motion(unit).0, false)?;
+                -unit * first / (second - first)
+            }
+            Some(adhesion) => {
+                // C is a quadratic in the rise; sampled again about its root it keeps its digits.
+                let mut about = self.contact.profile().line(radius) - here;
+                let mut scale = -unit;
+                for _ in 0..2 {
+                    let mut sample = |x: f64| self.edge.work(&self.contact, &motion(about + scale * x).0);
+                    let samples = [sample(0.0)?, sample(1.0)?, sample(2.0)?];
+                    about += scale * tension_root(samples, adhesion.work_of_adhesion)?;
+                    about += 0.5 * unit;
+                    scale = -0.5 * unit;
+                }
+                about - 0.5 * unit
+            }
+        };
+        let (motion, error) = motion(rise);
+        let residual = self.edge.residual(&self.contact, &motion, false)?;
+        Ok((motion, residual, error))
+    }
+}

@@ -1,0 +1,198 @@
+//! The last points of a march, and the polynomials through them that the next step follows.
+//!
+//! Between (0, 0) and (1, 1) a step goes as v = x[1 + (x − 1)q(x)], q the polynomial through what earlier points ask of it: a new point costs one unknown,
+//! however high the degree. C depends on t(s) − t(s′) with a smooth weight, an equation of the second kind in t(s): any such
+//! interpolation is stable, and of the order of its degree plus one. The size of its last term is the error of one degree less.
+
+use super::motion::polynomial;
+use super::springs::DEGREE;
+
+/// Points kept.
+const KEPT: usize = DEGREE;
+/// A term that does not fall to this part of the one before is noise, or the path is not smooth.
+const FALLS: f64 = 0.9;
+
+/// A point of the march.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Node {
+    pub(super) time: f64,
+    /// y(a), see [`super::motion`].
+    pub(super) place: f64,
+    pub(super) penetration: f64,
+    pub(super) force: f64,
+    pub(super) radius: f64,
+}
+
+/// Points since the last corner, the newest first.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Past {
+    nodes: Vec<Node>,
+}
+
+/// A polynomial from (0, 0) to (1, 1) as monomials, with the size of its last term within the step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bridge {
+    pub(super) coefficients: [f64; DEGREE],
+    /// Largest distance within the step from the polynomial of one degree less; 0 for a straight line without a past.
+    pub(super) error: f64,
+    pub(super) degree: u32,
+}
+
+impl Past {
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    pub(super) fn restart(&mut self, node: Node) {
+        self.nodes.clear();
+        self.nodes.push(node);
+    }
+
+    /// The clock starts again: every point was earlier by so much.
+    pub(super) fn earlier(&mut self, duration: f64) {
+        for node in &mut self.nodes {
+            node.time -= duration;
+        }
+    }
+
+    pub(super) fn push(&mut self, node: Node) {
+        self.nodes.insert(0, node);
+        self.nodes.truncate(KEPT);
+    }
+
+    /// v(x) through the past, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
+    pub(super) fn bridge(&self, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
+        let mut sum = Newton::new(1.0);
+        let mut bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 1 };
+        for node in self.nodes.iter().skip(1).take(DEGREE - 1) {
+            let (x, v) = of(node);
+            let first = bridge.degree == 1;
+            let Some(size) = sum.add(x, v) else { break };
+            if !first && size > FALLS * bridge.error {
+                break;
+            }
+            if !rises(&sum.coefficients) {
+                if first {
+                    bridge.error = size;
+                }
+                break;
+            }
+            bridge = Bridge { coefficients: sum.coefficients, error: size, degree: bridge.degree + 1 };
+        }
+        bridge
+    }
+
+    /// Powers of v(x) from (0, 0) to (1, rise) through points of the past as far as a degree goes, and the size of the last term. Affine in `rise`.
+    pub(super) fn powers(&self, rise: f64, degree: u32, of: impl Fn(&Node) -> (f64, f64)) -> ([f64; DEGREE], f64) {
+        let mut sum = Newton::new(rise);
+        let mut last = 0.0;
+        for node in self.nodes.iter().skip(1).take(degree.saturating_sub(1) as usize) {
+            let (x, v) = of(node);
+            match sum.add(x, v) {
+                Some(size) => last = size,
+                None => break,
+            }
+        }
+        (sum.coefficients, last)
+    }
+
+    /// The value at the place 0 of the polynomial through at most `count` points.
+    pub(super) fn extrapolated(&self, count: usize, of: impl Fn(&Node) -> (f64, f64)) -> Option<f64> {
+        let points: Vec<(f64, f64)> = self.nodes.iter().take(count).map(of).collect();
+        let mut total = 0.0;
+        for (k, (x, v)) in points.iter().enumerate() {
+            let factor: f64 = points.iter().enumerate().filter(|(l, _)| *l != k).map(|(_, (other, _))| other / (other - x)).product();
+            total += factor * v;
+        }
+        (points.len() > 1 && total.is_finite()).then_some(total)
+    }
+}
+
+/// v = rise·x + x(x − 1)q(x), q by Newton's divided differences.
+struct Newton {
+    rise: f64,
+    count: usize,
+    places: [f64; KEPT],
+    divided: [f64; KEPT],
+    coefficients: [f64; DEGREE],
+    /// Monomials of x(x − 1)Π(x − x_j).
+    product: [f64; DEGREE],
+}
+
+impl Newton {
+    const fn new(rise: f64) -> Self {
+        Self {
+            rise,
+            count: 0,
+            places: [0.0; KEPT],
+            divided: [0.0; KEPT],
+            coefficients: [rise, 0.0, 0.0, 0.0, 0.0],
+            product: [-1.0, 1.0, 0.0, 0.0, 0.0],
+        }
+    }
+
+    /// Adds a point further back; the largest change within the step, or none for a point that is not further back.
+    fn add(&mut self, x: f64, v: f64) -> Option<f64> {
+        let k = self.count;
+        let last = self.places[..k].iter().fold(0.0, |least: f64, place| least.min(*place));
+        if !(x < last) || !v.is_finite() || k + 1 >= DEGREE {
+            return None;
+        }
+        self.places[k] = x;
+        self.divided[k] = (v / x - self.rise) / (x - 1.0);
+        for j in (0..k).rev() {
+            self.divided[j] = (self.divided[j + 1] - self.divided[j]) / (x - self.places[j]);
+        }
+        let factor = self.divided[0];
+        let size = [0.2, 0.5, 0.8].iter().fold(0.0, |most: f64, x| most.max((factor * polynomial(&self.product, *x)).abs()));
+        if !size.is_finite() {
+            return None;
+        }
+        for (sum, term) in self.coefficients.iter_mut().zip(self.product) {
+            *sum += factor * term;
+        }
+        // Times (x − x_k).
+        for j in (0..DEGREE).rev() {
+            let below = if j == 0 { 0.0 } else { self.product[j - 1] };
+            self.product[j] = below - x * self.product[j];
+        }
+        self.count += 1;
+        Some(size)
+    }
+}
+
+/// Whether a polynomial rises throughout the step.
+fn rises(coefficients: &[f64; DEGREE]) -> bool {
+    let mut last = 0.0;
+    (1..=16).all(|k| {
+        let value = polynomial(coefficients, f64::from(k) / 16.0);
+        let more = value > last;
+        last = value;
+        more
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn node(time: f64, place: f64) -> Node {
+        Node { time, place, penetration: 0.0, force: 0.0, radius: place }
+    }
+
+    #[test]
+    fn a_polynomial_of_the_degree_is_met() {
+        // t = 0.5y + y³/8 − y⁴/50, at places that are not equidistant.
+        let t = |y: f64| 0.5 * y + y * y * y / 8.0 - y.powi(4) / 50.0;
+        let mut past = Past::default();
+        for y in [0.0, 0.3, 0.4, 0.8, 1.1] {
+            past.push(node(t(y), y));
+        }
+        let (y0, y1) = (1.1, 1.5);
+        let bridge = past.bridge(|node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
+        for x in [0.1, 0.4, 0.77] {
+            let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
+            assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");
+        }
+    }
+}

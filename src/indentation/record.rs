@@ -1,0 +1,189 @@
+//! The record of a march: points of its path, kept instants, events, the account of energies.
+
+use super::line::Contact;
+use super::motion::Motion;
+use super::panel::RULE;
+use super::past::Node;
+use super::solution::{Energies, Event, EventKind, IndentationWork, PathPoint, Trace};
+use std::f64::consts::PI;
+
+pub(super) struct Record<'a> {
+    pub(super) trace: Trace,
+    piece: u32,
+    energies: bool,
+    /// ∫F dΔ, ∫G_tip dA and ∫P_d dt since the last point.
+    turned_over: [f64; 3],
+    /// Whether the next point follows at once: what is set free then is dissipated.
+    sudden: bool,
+    /// The contact at the last point, for what a sudden change sets free.
+    last: Option<Contact<'a>>,
+}
+
+impl<'a> Record<'a> {
+    pub(super) fn new(contact: &Contact<'a>, energies: bool) -> Self {
+        let trace = Trace {
+            path: Vec::new(),
+            kept: Vec::new(),
+            events: Vec::new(),
+            work: IndentationWork::default(),
+            smallest_stress_intensity_factor: f64::INFINITY,
+            smallest_gap_factor: f64::INFINITY,
+        };
+        Self { trace, piece: 0, energies, turned_over: [0.0; 3], sudden: false, last: energies.then(|| contact.clone()) }
+    }
+
+    pub(super) fn force(&self) -> f64 {
+        self.trace.path.last().map_or(0.0, |point| point.force)
+    }
+
+    pub(super) fn new_piece(&mut self) {
+        self.piece += 1;
+    }
+
+    pub(super) fn sudden(&mut self) {
+        self.sudden = true;
+        self.piece += 1;
+    }
+
+    /// The last point is to be kept.
+    pub(super) fn keep(&mut self) {
+        self.trace.kept.push(self.trace.path.len().saturating_sub(1));
+    }
+
+    /// Adds up what a motion turns over, by Gauss points of the motion itself: the line is exact at any instant within it.
+    pub(super) fn passed(&mut self, from: &Contact<'a>, motion: &Motion) {
+        if !self.energies {
+            return;
+        }
+        let mut sums = [0.0; 3];
+        let profile = from.profile();
+        for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
+            let part = motion.until(profile, *x);
+            let middle = from.after(&part, part.end_penetration());
+            let (depth_rate, area_rate) = rates(motion, profile, *x);
+            sums[0] += weight * depth_rate * middle.force();
+            sums[1] += weight * area_rate * middle.tip_release_rate();
+            sums[2] += weight * motion.time * middle.dissipated_power();
+        }
+        for (total, sum) in self.turned_over.iter_mut().zip(sums) {
+            *total += sum;
+        }
+    }
+
+    /// Adds the present state to the path.
+    pub(super) fn point(&mut self, time: f64, contact: &Contact<'a>, residual: f64) {
+        let loads = contact.line_load();
+        let force = 2.0 * loads.iter().map(super::panel::Panel::integral).sum::<f64>();
+        let a = contact.radius();
+        let intensity = if a > 0.0 { -super::panel::value_at(&loads, a) / (PI * a).sqrt() } else { 0.0 };
+        let energies = self.energies.then(|| self.account(contact, force));
+        self.trace.path.push(PathPoint {
+            time,
+            penetration: contact.penetration(),
+            force,
+            contact_radius: a,
+            stress_intensity_factor: intensity,
+            residual,
+            piece: self.piece,
+            energies,
+        });
+        if a > 0.0 {
+            if a < contact.profile().rim() {
+                // A rim may be pressed.
+                let least = &mut self.trace.smallest_stress_intensity_factor;
+                *least = least.min(intensity);
+            }
+            let gaps = contact.gap_factor(0.0);
+            let smallest = gaps.iter().flat_map(|panel| panel.values).fold(f64::INFINITY, f64::min);
+            let least = &mut self.trace.smallest_gap_factor;
+            *least = least.min(smallest);
+        }
+        self.trace.work.most_panels = self.trace.work.most_panels.max(contact.panels() as u64);
+        if self.energies {
+            self.last = Some(contact.clone());
+        }
+    }
+
+    fn account(&mut self, contact: &Contact<'a>, force: f64) -> Energies {
+        let stored = contact.stored_energy();
+        let mut now = Energies { stored, dissipated_power: contact.dissipated_power(), ..Energies::default() };
+        let Some(before) = self.trace.path.last().and_then(|point| point.energies) else { return now };
+        let [mut external, tip, lost] = std::mem::take(&mut self.turned_over);
+        if std::mem::take(&mut self.sudden) {
+            // At once: the work of the force over the change of Δ, glassy and so linear, and the rest is lost.
+            if let Some(last) = &self.last {
+                external += 0.5 * (last.force() + force) * (contact.penetration() - last.penetration());
+            }
+            now.external_work = before.external_work + external;
+            now.tip_work = before.tip_work;
+            now.dissipated = before.dissipated + external + before.stored - stored;
+        } else {
+            now.external_work = before.external_work + external;
+            now.tip_work = before.tip_work + tip;
+            now.dissipated = before.dissipated + lost;
+            now.balance_defect = external + tip - (stored - before.stored) - lost;
+        }
+        now
+    }
+
+    pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
+        self.trace.events.push(Event {
+            kind,
+            time,
+            penetration: contact.penetration(),
+            force: contact.force(),
+            contact_radius: contact.radius(),
+        });
+    }
+
+    /// An event at a fold of t(a) a little ahead of the last point: values continued to it.
+    pub(super) fn happened_at_fold(
+        &mut self,
+        kind: EventKind,
+        (time, clock): (f64, f64),
+        contact: &Contact<'_>,
+        nodes: &[Node],
+        ahead: Option<f64>,
+    ) {
+        self.happened(kind, time, contact);
+        let (Some(distance), Some([now, one, two])) = (ahead, nodes.get(..3)) else { return };
+        let place = now.radius + distance * (now.radius - one.radius).signum();
+        let at = |of: fn(&Node) -> f64| {
+            let points = [now, one, two];
+            points
+                .iter()
+                .enumerate()
+                .map(|(k, point)| {
+                    let others = points.iter().enumerate().filter(|(l, _)| *l != k);
+                    of(point) * others.map(|(_, other)| (place - other.radius) / (point.radius - other.radius)).product::<f64>()
+                })
+                .sum::<f64>()
+        };
+        if let Some(event) = self.trace.events.last_mut() {
+            event.time += at(|node| node.time) - clock;
+            event.penetration = at(|node| node.penetration);
+            event.force = at(|node| node.force);
+            event.contact_radius = place;
+        }
+    }
+
+    pub(super) fn finished(&mut self) -> Trace {
+        std::mem::replace(
+            &mut self.trace,
+            Trace {
+                path: Vec::new(),
+                kept: Vec::new(),
+                events: Vec::new(),
+                work: IndentationWork::default(),
+                smallest_stress_intensity_factor: 0.0,
+                smallest_gap_factor: 0.0,
+            },
+        )
+    }
+}
+
+/// dΔ/du and dA/du of a motion at a part of its time.
+fn rates(motion: &Motion, profile: &super::profile::Profile, part: f64) -> (f64, f64) {
+    let depth = motion.powers.iter().enumerate().rev().fold(0.0, |sum, (k, power)| sum * part + (k as f64 + 1.0) * power);
+    (depth, motion.area_rate(profile, part))
+}

@@ -1,0 +1,202 @@
+//! One step: either the edge goes a given way and the time follows from the edge condition, or a time goes by and the place of the edge follows.
+//!
+//! A step of the edge takes the FIRST instant at which g changes sign there (C is a product: later sign changes may be compressed
+//! edges). If g(a − h) ≥ 0 at once the edge has no stable neighbour on that side.
+
+use super::edge::{Drive, Edge, Imposed, Trial};
+use super::line::Contact;
+use super::past::Past;
+use crate::refusal::Refusal;
+
+/// Trials of one root; with a good guess four suffice, and each doubling of an unknown time is one.
+const MOST_TRIALS: u32 = 300;
+/// Trials after which rounding is taken as reached, and the residual accepted then.
+const PATIENCE: u32 = 60;
+const LAST_RESORT: f64 = 1e-10;
+/// Growth of a trial time without a bracket.
+const STRIDE: f64 = 4.0;
+
+/// Where a step of the edge ended.
+pub(super) enum EdgeStep {
+    /// There, in this time.
+    Found(Trial),
+    /// Not there by the end of the allowed time.
+    Late,
+    /// It would be there at once: unstable.
+    Unstable,
+}
+
+/// Where a step of time ended.
+pub(super) enum TimeStep {
+    /// At this place.
+    Found(Trial),
+    /// Further away than allowed: inwards (true) or outwards.
+    Far(bool),
+}
+
+/// One step from a state.
+pub(super) struct Stepper<'m, 'a> {
+    pub(super) edge: &'m mut Edge,
+    pub(super) contact: &'m Contact<'a>,
+    pub(super) past: &'m Past,
+    /// Accepted |g|.
+    pub(super) tolerance: f64,
+    /// dg/d ln t and dg/da·reach of the last steps: first guesses of a secant.
+    pub(super) slopes: &'m mut (f64, f64),
+}
+
+/// A bracket that a secant narrows.
+struct Search {
+    low: Option<(f64, f64)>,
+    high: Option<(f64, f64)>,
+    last: Option<(f64, f64)>,
+}
+
+impl Search {
+    /// Takes a value in; the point that the last two suggest.
+    fn narrowed(&mut self, point: f64, value: f64) -> Option<f64> {
+        let before = self.last.replace((point, value));
+        if value < 0.0 { self.low = Some((point, value)) } else { self.high = Some((point, value)) }
+        let (other, other_value) = before?;
+        let secant = point - value * (point - other) / (value - other_value);
+        secant.is_finite().then_some(secant)
+    }
+
+    /// A point inside the bracket, as near to a suggestion as allowed.
+    fn inside(&self, suggestion: Option<f64>) -> Option<f64> {
+        let ((low, low_value), (high, high_value)) = (self.low?, self.high?);
+        let (left, right) = (low.min(high), low.max(high));
+        let within = |point: &f64| *point > left && *point < right;
+        let chord = (low * high_value - high * low_value) / (high_value - low_value);
+        Some(suggestion.filter(within).or(Some(chord).filter(within)).unwrap_or(0.5 * (low + high)))
+    }
+
+    fn width(&self) -> f64 {
+        match (self.low, self.high) {
+            (Some((low, _)), Some((high, _))) => (high - low).abs(),
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+impl Stepper<'_, '_> {
+    /// The edge to `target` in at most `cap`, probably in about `guess`.
+    pub(super) fn edge_driven(&mut self, target: f64, guess: f64, cap: f64, imposed: &Imposed<'_>) -> Result<EdgeStep, Refusal> {
+        let sign = if target < self.contact.radius() { 1.0 } else { -1.0 };
+        let mut search = Search { low: None, high: None, last: None };
+        let mut time = guess.min(cap);
+        for count in 0..MOST_TRIALS {
+            let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
+            let value = sign * trial.residual;
+            let before = search.last;
+            let secant = search.narrowed(time, value);
+            if let Some((other, other_value)) = before
+                && (time - other).abs() > 1e-9 * time
+            {
+                let slope = (value - other_value) / (time - other) * time;
+                if slope > 0.0 && slope.is_finite() {
+                    self.slopes.0 = slope;
+                }
+            }
+            let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
+            if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
+                // What is found must not have been there from the start.
+                let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
+                return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(trial) });
+            }
+            if value < 0.0 && time >= cap {
+                return Ok(EdgeStep::Late);
+            }
+            let newton = if self.slopes.0 > 0.0 { Some(time * (1.0 - value / self.slopes.0)) } else { None };
+            let suggestion = secant.or(newton);
+            time = match (search.low, search.high) {
+                (Some(_), Some(_)) => {
+                    if count % 4 == 3 {
+                        0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
+                    } else {
+                        search.inside(suggestion).unwrap_or(time)
+                    }
+                }
+                (Some((low, _)), None) => match suggestion.filter(|point| *point > low) {
+                    Some(point) => (low + 1.1 * (point - low)).clamp(low * (1.0 + 1e-9), STRIDE * low).min(cap),
+                    None => (STRIDE * low).min(cap),
+                },
+                _ => {
+                    // The first sign change is earlier: at once, or on the way.
+                    let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
+                    if at_once >= 0.0 {
+                        return Ok(EdgeStep::Unstable);
+                    }
+                    search.low = Some((0.0, at_once));
+                    search.inside(suggestion.filter(|point| *point > 0.2 * time)).unwrap_or(0.5 * time)
+                }
+            };
+        }
+        Err(Refusal::NotConverged { what: "the edge condition", detail: format!("no time found at which the edge is at {target:e}") })
+    }
+
+    /// The edge after `dt`, probably near `guess`, at most `reach` from here.
+    pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
+        let here = self.contact.radius();
+        let rim = self.contact.profile().rim();
+        // A contact no larger than its process zone has no closure: further in is far.
+        let inner = (here - reach).max(1.001 * self.edge.zone());
+        let outer = (here + reach).min(rim);
+        let mut search = Search { low: None, high: None, last: None };
+        // Without a past, a little to either side of the edge tells which way it goes.
+        let mut stride = 1e-3 * reach;
+        let mut place = guess.clamp(inner, outer);
+        if here == 0.0 {
+            // A contact about to grow from a point: no contact is too little.
+            search.low = Some((0.0, -1.0));
+            place = place.max(stride);
+        }
+        for count in 0..MOST_TRIALS {
+            let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
+            let value = trial.residual;
+            let before = search.last;
+            let secant = search.narrowed(place, value);
+            if let Some((other, other_value)) = before
+                && (place - other).abs() > 1e-12 * here
+            {
+                let slope = (value - other_value) / (place - other);
+                if slope > 0.0 && slope.is_finite() {
+                    self.slopes.1 = slope;
+                }
+            }
+            if place >= rim && value <= 0.0 {
+                // Nothing to touch beyond the rim: the edge stays there.
+                trial.residual = 0.0;
+                return Ok(TimeStep::Found(trial));
+            }
+            let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
+            if value.abs() <= accepted || search.width() <= 16.0 * f64::EPSILON * here.max(place) {
+                return Ok(TimeStep::Found(trial));
+            }
+            let newton = if self.slopes.1 > 0.0 { Some(place - value / self.slopes.1) } else { None };
+            let suggestion = secant.or(newton);
+            place = if search.low.is_some() && search.high.is_some() {
+                if count % 4 == 3 {
+                    0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
+                } else {
+                    search.inside(suggestion).unwrap_or(place)
+                }
+            } else {
+                let outwards = value < 0.0;
+                if (outwards && place >= outer) || (!outwards && place <= inner) {
+                    return Ok(TimeStep::Far(!outwards));
+                }
+                let ahead = suggestion.filter(|point| if outwards { *point > place } else { *point < place });
+                let least = if outwards { place + stride } else { place - stride };
+                stride *= STRIDE;
+                let next = ahead.map_or(least, |point| {
+                    let past_it = place + 1.1 * (point - place);
+                    // Never further than the stride allows: a flat slope points anywhere.
+                    if outwards { past_it.min(place + 10.0 * stride) } else { past_it.max(place - 10.0 * stride) }
+                });
+                next.clamp(inner, outer)
+            };
+        }
+        Err(Refusal::NotConverged { what: "the edge condition", detail: format!("no place found for the edge after {dt:e}") })
+    }
+}
