@@ -85,7 +85,9 @@ impl Marcher<'_> {
                 Choice::Edge { inwards, guess } => {
                     let mut way = if inwards { -reach } else { reach.min(self.contact.profile().rim() - a) };
                     landing = false;
-                    if let Some(mark) = self.landmarks.iter().copied().find(|mark| (mark - a) * way > 0.0 && (mark - a).abs() <= 1.2 * way.abs()) {
+                    if let Some(mark) =
+                        self.landmarks.iter().copied().find(|mark| (mark - a) * way > 0.0 && (mark - a).abs() <= 1.2 * way.abs())
+                    {
                         way = mark - a;
                         landing = true;
                     }
@@ -127,7 +129,11 @@ impl Marcher<'_> {
             if error > self.tolerance && factor < 0.9 {
                 let smallest = reach < 1e-7 * self.length || cap < 1e-12 * (self.time - self.corner);
                 if !smallest {
-                    if by_edge { reach *= factor } else { cap *= factor }
+                    if by_edge {
+                        reach *= factor
+                    } else {
+                        cap *= factor
+                    }
                     continue;
                 }
             }
@@ -196,13 +202,7 @@ impl Marcher<'_> {
         // Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
         let near_fold = self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
         let tolerance = if near_fold { FOLD_TOLERANCE } else { self.edge_tolerance() };
-        Stepper {
-            edge: &mut self.edge,
-            contact: &self.contact,
-            past: &self.past,
-            tolerance,
-            slopes: &mut self.slopes,
-        }
+        Stepper { edge: &mut self.edge, contact: &self.contact, past: &self.past, tolerance, slopes: &mut self.slopes }
     }
 
     fn choose(&self, reach: f64, cap: f64) -> Choice {

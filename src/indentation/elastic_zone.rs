@@ -67,10 +67,7 @@ pub fn elastic_contact(
     require_positive("process_zone", process_zone)?;
     require_finite("penetration", penetration)?;
     if profile.rim().is_finite() {
-        return Err(Refusal::Undefined {
-            quantity: "the contact radius of a flat punch",
-            reason: "its rim gives it".into(),
-        });
+        return Err(Refusal::Undefined { quantity: "the contact radius of a flat punch", reason: "its rim gives it".into() });
     }
     let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
     // Up, far beyond the last zero, then down to the first one.

@@ -222,7 +222,8 @@ impl<'a> Marcher<'a> {
             return Ok(());
         }
         let rate = (segment.end - stretch.from) / segment.duration;
-        let same = self.pace.is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
+        let same =
+            self.pace.is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
         self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration);
         if !same {
             self.restart();

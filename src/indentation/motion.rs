@@ -54,7 +54,11 @@ fn inverse(coefficients: &[f64; DEGREE], value: f64) -> f64 {
     let (mut low, mut high, mut x) = (0.0, 1.0, value);
     for _ in 0..MOST_ITERATIONS {
         let excess = polynomial(coefficients, x) - value;
-        if excess < 0.0 { low = x } else { high = x }
+        if excess < 0.0 {
+            low = x
+        } else {
+            high = x
+        }
         let newton = x - excess / slope(coefficients, x);
         let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
         if (next - x).abs() <= 1e-16 {
@@ -69,7 +73,14 @@ fn inverse(coefficients: &[f64; DEGREE], value: f64) -> f64 {
 pub(super) const STRAIGHT: [f64; DEGREE] = [1.0, 0.0, 0.0, 0.0, 0.0];
 
 impl Motion {
-    pub(super) fn new(profile: &Profile, (from, to): (f64, f64), time: f64, passage: Passage, penetration: f64, powers: [f64; DEGREE]) -> Self {
+    pub(super) fn new(
+        profile: &Profile,
+        (from, to): (f64, f64),
+        time: f64,
+        passage: Passage,
+        penetration: f64,
+        powers: [f64; DEGREE],
+    ) -> Self {
         let start = profile.coordinate(from);
         Self { from, to, start, way: profile.coordinate(to) - start, time, passage, penetration, powers }
     }
@@ -145,7 +156,9 @@ impl Motion {
             Passage::TimeOfPlace(c) => Some(inverse(c, part)),
             Passage::PlaceOfTime(c) => Some(polynomial(c, part)),
         };
-        let to = place.map_or(self.from + (self.to - self.from) * part, |x| profile.inverse_coordinate(self.start + self.way * x, self.from, self.to));
+        let to = place.map_or(self.from + (self.to - self.from) * part, |x| {
+            profile.inverse_coordinate(self.start + self.way * x, self.from, self.to)
+        });
         let scaled = |c: &[f64; DEGREE], by: f64, to: f64| {
             let mut scale = 1.0 / to;
             c.map(|c| {

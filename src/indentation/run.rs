@@ -60,10 +60,12 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
     let mut instants = Vec::with_capacity(fine.kept.len());
     let mut largest = [0.0_f64; 8];
     let scale = |of: fn(&PathPoint) -> f64| fine.path.iter().fold(0.0, |most: f64, point| most.max(of(point).abs()));
-    let scales =
-        [scale(|point| point.penetration), scale(|point| point.force), scale(|point| point.contact_radius), scale(|point| {
-            point.stress_intensity_factor
-        })];
+    let scales = [
+        scale(|point| point.penetration),
+        scale(|point| point.force),
+        scale(|point| point.contact_radius),
+        scale(|point| point.stress_intensity_factor),
+    ];
     let mut reached = true;
     for (index, place) in fine.kept.iter().enumerate() {
         let Some(point) = fine.path.get(*place) else { continue };

@@ -114,11 +114,13 @@ impl Trace {
         let mut peak = -top.force;
         if position > 0 && position + 1 < near.len() {
             let at = |time: f64| {
-                near.iter().enumerate().map(|(k, one)| {
-                    let others = near.iter().enumerate().filter(|(l, _)| *l != k);
-                    -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
-                })
-                .sum::<f64>()
+                near.iter()
+                    .enumerate()
+                    .map(|(k, one)| {
+                        let others = near.iter().enumerate().filter(|(l, _)| *l != k);
+                        -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
+                    })
+                    .sum::<f64>()
             };
             let (mut low, mut high) = (near[position - 1].time, near[position + 1].time);
             for _ in 0..60 {

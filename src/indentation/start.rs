@@ -1,9 +1,9 @@
 //! The first contact: relaxed or just touched, under any control.
 
 use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
+use super::history::Controlled;
 use super::line::Contact;
 use super::panel::Panel;
-use super::history::Controlled;
 use super::problem::{IndentationProblem, Start};
 use super::profile::Profile;
 use super::springs::Springs;

@@ -56,7 +56,11 @@ impl Search {
     /// Takes a value in; the point that the last two suggest.
     fn narrowed(&mut self, point: f64, value: f64) -> Option<f64> {
         let before = self.last.replace((point, value));
-        if value < 0.0 { self.low = Some((point, value)) } else { self.high = Some((point, value)) }
+        if value < 0.0 {
+            self.low = Some((point, value))
+        } else {
+            self.high = Some((point, value))
+        }
         let (other, other_value) = before?;
         let secant = point - value * (point - other) / (value - other_value);
         secant.is_finite().then_some(secant)

@@ -1,6 +1,7 @@
 //! The plots of branches, stable parts and others told apart, turns marked; and of strengths.
 
 use super::SlidingPlan;
+use super::apart::ISOLA;
 use super::columns::{at, place_of, strength};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
@@ -162,14 +163,23 @@ impl SlidingPlan {
     /// The parts of one state's branches that hold in one way, gaps between them; a turn belongs to the parts on both sides.
     fn parts(&self, branch: &SlidingBranch, rows: &[&Row], held: Held, point: &dyn Fn(&Row) -> (f64, f64)) -> Vec<(f64, f64)> {
         let ways: Vec<Option<Held>> = rows.iter().map(|row| self.held(branch, row)).collect();
-        let mut points = Vec::new();
-        for (index, pair) in rows.windows(2).enumerate() {
-            let ([from, to], (before, after)) = (pair, (ways.get(index).copied().flatten(), ways.get(index + 1).copied().flatten())) else {
-                continue;
+        let (mut points, mut first) = (Vec::new(), 0);
+        for (index, row) in rows.iter().enumerate() {
+            let begins = index.checked_sub(1).and_then(|before| rows.get(before)).is_none_or(|before| before.label(2) != row.label(2));
+            if begins {
+                first = index;
+            }
+            // A closed branch comes back to its first point.
+            let next = match rows.get(index + 1) {
+                Some(next) if next.label(2) == row.label(2) => index + 1,
+                _ if row.label(2).starts_with(ISOLA) => first,
+                _ => continue,
             };
+            let Some((from, to)) = rows.get(index).zip(rows.get(next)) else { continue };
+            let (before, after) = (ways.get(index).copied().flatten(), ways.get(next).copied().flatten());
             // Between a turn and a point the point tells; between two points that differ, the second.
             let way = after.or(before);
-            if from.label(2) != to.label(2) || way != Some(held) {
+            if way != Some(held) {
                 continue;
             }
             let (start, end) = (point(from), point(to));

@@ -13,6 +13,7 @@ use crate::continuation::two_unknowns::{TwoResiduals, largest};
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
+use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -53,6 +54,8 @@ pub(super) struct EveryContact {
     adhesion: WaveAdhesion,
     zones: (ProcessZone, ProcessZone),
     resolution: Resolution,
+    /// How often both conditions were evaluated.
+    evaluations: Cell<u64>,
 }
 
 /// The conditions of a half-width.
@@ -67,7 +70,13 @@ impl EveryContact {
         let zones = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
         let control = SlidingControl::MeanPressure(0.0);
         let balance = EdgeBalance::new(Arc::clone(&memory), indenter, Some(adhesion), control, resolution);
-        Self { balance, memory, indenter, adhesion, zones, resolution }
+        Self { balance, memory, indenter, adhesion, zones, resolution, evaluations: Cell::new(0) }
+    }
+
+    /// How often both conditions were evaluated, each three contacts.
+    pub(super) fn evaluations(&self) -> u64 {
+        self.evaluations.set(self.evaluations.get() + self.balance.take_evaluations());
+        self.evaluations.get()
     }
 
     /// The contacts of a half-width, in the order of their eccentricities.
@@ -147,6 +156,7 @@ impl EveryContact {
     /// Both works over 2πΓ, and the amplitudes of both edges in the contact and in the moved ones.
     fn numbers(&self, half_width: f64, eccentricity: f64, pressure: f64) -> Result<[f64; 8], Refusal> {
         let edges = ContactEdges::new(self.indenter, WaveContact { half_width, eccentricity });
+        self.evaluations.set(self.evaluations.get() + 1);
         let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
         let state = solve(edges, Prescribed::MeanPressure(pressure))?;
         let (trailing, leading) = &self.zones;

@@ -23,6 +23,8 @@ use super::stability::SecondVariations;
 const NEAR_TURN: f64 = 0.1;
 /// Accuracies above this begin at the medium resolution.
 const COARSEST_FOR: f64 = 1e-9;
+/// Share of the accuracy that the uncertain place of a fold may take; bars of the contact there are its own as well.
+const PLACE: f64 = 0.5;
 /// Share of an error that the finer level may still have.
 const MARGIN: f64 = 0.3;
 
@@ -162,8 +164,13 @@ fn solved(
             Err(refusal) => return Err(refusal),
         };
         let value = quantity.told(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
-        if value.error <= problem.accuracy * value.value.abs().max(1.0) || finer.finer().is_none() {
-            let errors = std::array::from_fn(|index| (1.0 + MARGIN) * shift.unknowns[index].abs() + point.unknown_rounding[index]);
+        let errors: [f64; 3] = std::array::from_fn(|index| (1.0 + MARGIN) * shift.unknowns[index].abs() + point.unknown_rounding[index]);
+        // Its place is an output as well, and less sure than what turns there.
+        let edges = edges_at(problem, point.unknowns[0], point.unknowns[1]);
+        let by_width = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
+        let place = errors[1].max(if by_width { errors[0] } else { errors[0] * edges.width_by_place() });
+        let enough = value.error <= problem.accuracy * value.value.abs().max(1.0) && place <= PLACE * problem.accuracy;
+        if enough || finer.finer().is_none() {
             return Ok(Solved { point, value, errors, tangent: tangent.into() });
         }
         start = std::array::from_fn(|index| point.unknowns[index] + shift.unknowns[index]);

@@ -42,7 +42,7 @@ pub use end::{BranchEnd, Impossible};
 pub use every::ContactAt;
 pub use fold::{Fold, FoldQuantity, Turn};
 pub use load::{LoadSlopes, load_slopes};
-pub use no_contact::{NoContactBetween, SpeedFolds, speed_folds};
+pub use no_contact::{Everywhere, NoContactBetween, SpeedFolds, beyond_both_ends, speed_folds};
 pub use point::BranchPoint;
 pub use scan::{EveryBranch, Scan, contacts_of_width, every_branch};
 pub use stability::{SecondVariations, Stability};

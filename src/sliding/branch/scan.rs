@@ -25,6 +25,14 @@ const TOLERANCE: f64 = 1e-4;
 const NEIGHBOURS: f64 = 0.6;
 /// A contact nearer than this to a curve, in scaled unknowns, lies on it.
 const ON_CURVE: f64 = 0.05;
+/// Half-widths of a scan of usual fineness.
+const HALF_WIDTHS: usize = 36;
+/// Values of its parameter per factor e.
+const PER_LOGARITHM: f64 = 2.0;
+/// The fewest of them.
+const FEWEST_PARAMETERS: usize = 8;
+/// The most of them.
+const MOST_PARAMETERS: usize = 200;
 /// Branches that are followed at most.
 const MOST_BRANCHES: usize = 16;
 
@@ -37,6 +45,16 @@ pub struct Scan {
     pub parameters: usize,
 }
 
+impl Scan {
+    /// Two values of the parameter per factor e, eight at least, and 36 half-widths: a closed branch whose speeds span less than a factor 1.6 may be missed.
+    #[must_use]
+    pub fn of(problem: &BranchProblem) -> Self {
+        let [smallest, largest] = problem.parameters.map(f64::ln);
+        let parameters = if problem.path == BranchPath::Loads { 1.0 } else { (PER_LOGARITHM * (largest - smallest)).ceil() };
+        Self { half_widths: HALF_WIDTHS, parameters: (parameters as usize).clamp(FEWEST_PARAMETERS, MOST_PARAMETERS) }
+    }
+}
+
 /// The branches of a problem, with what was looked at.
 #[derive(Debug, Clone)]
 pub struct EveryBranch {
@@ -44,6 +62,8 @@ pub struct EveryBranch {
     pub branches: Vec<Branch>,
     /// Contacts that the scan found.
     pub contacts: usize,
+    /// Evaluations of both edge conditions by the scan; those of the branches are told there.
+    pub scan_evaluations: u64,
     /// Contacts that lie on no branch, with the third unknown (p̄, rate kv, Γ or factor) and why none was followed from there.
     pub left_over: Vec<(ContactAt, f64, Refusal)>,
 }
@@ -70,22 +90,28 @@ fn row(problem: &BranchProblem, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The contacts of a control at the rate and adhesion of a value of the third unknown.
+/// The contacts of a control, and how often both edge conditions were evaluated, at the rate and adhesion of a value of the third unknown.
 pub(super) fn contacts_of(
     material: &Material,
     problem: &BranchProblem,
     control: Option<SlidingControl>,
     third: f64,
     half_widths: usize,
-) -> Result<Vec<ContactAt>, Refusal> {
+) -> Result<(Vec<ContactAt>, u64), Refusal> {
     let (rate, adhesion) = problem.at(third);
     let memory = Arc::new(ContactMemory::new(material, rate)?);
     let every = EveryContact::new(Arc::clone(&memory), problem.indenter, adhesion, RESOLUTION);
     // A contact that a width refuses is a gap in the row: the zone may be wider than the room there.
     let at = |width: f64| every.at(width).unwrap_or_default();
     let (held, value): (fn(&ContactAt) -> f64, f64) = match control {
-        None => return Ok(row(problem, half_widths).into_iter().flat_map(at).collect()),
-        Some(SlidingControl::HalfWidth(half_width)) => return Ok(at(half_width)),
+        None => {
+            let found = row(problem, half_widths).into_iter().flat_map(at).collect();
+            return Ok((found, every.evaluations()));
+        }
+        Some(SlidingControl::HalfWidth(half_width)) => {
+            let found = at(half_width);
+            return Ok((found, every.evaluations()));
+        }
         Some(SlidingControl::MeanPressure(pressure)) => (|contact| contact.mean_pressure, pressure),
         Some(SlidingControl::Penetration(penetration)) => (|contact| contact.penetration, penetration),
     };
@@ -149,7 +175,8 @@ pub(super) fn contacts_of(
             found.push(contact);
         }
     }
-    Ok(found)
+    let evaluations = every.evaluations() + balance.take_evaluations();
+    Ok((found, evaluations))
 }
 
 /// The contact of a half-width that continues one of the next.
@@ -166,19 +193,9 @@ pub fn every_branch(material: &Material, problem: &BranchProblem, scan: Scan) ->
     problem.checked()?;
     let starts =
         if matches!(problem.path, BranchPath::Speeds(_)) { &[BranchStart::Slow, BranchStart::Fast][..] } else { &[BranchStart::Slow] };
-    let thirds: Vec<f64> = if problem.path == BranchPath::Loads {
-        vec![0.0]
-    } else {
-        let [smallest, largest] = problem.parameters.map(f64::ln);
-        (0..scan.parameters).map(|index| smallest + (largest - smallest) * (index as f64 + 0.5) / scan.parameters as f64).collect()
-    };
-    let seen: Result<Vec<(f64, Vec<ContactAt>)>, Refusal> =
-        thirds.into_par_iter().map(|third| Ok((third, contacts_of(material, problem, problem.held(), third, scan.half_widths)?))).collect();
-    let mut open: Vec<(f64, ContactAt)> =
-        seen?.into_iter().flat_map(|(third, contacts)| contacts.into_iter().map(move |one| (third, one))).collect();
+    let (mut open, scan_evaluations) = contacts_at(material, problem, &scanned_parameters(problem, scan), scan.half_widths)?;
     let contacts = open.len();
     let mut branches: Vec<Branch> = Vec::new();
-    let mut left_over = Vec::new();
     for &start in starts {
         if let Ok(branch) = trace(material, &BranchProblem { start, ..*problem }) {
             let before = open.len();
@@ -189,6 +206,50 @@ pub fn every_branch(material: &Material, problem: &BranchProblem, scan: Scan) ->
             }
         }
     }
+    let (branches, left_over) = branches_through(material, problem, branches, open);
+    Ok(EveryBranch { branches, contacts, scan_evaluations, left_over })
+}
+
+/// The values of the third unknown that a scan looks at; along loads one of no meaning.
+pub(super) fn scanned_parameters(problem: &BranchProblem, scan: Scan) -> Vec<f64> {
+    if problem.path == BranchPath::Loads {
+        return vec![0.0];
+    }
+    let [smallest, largest] = problem.parameters.map(f64::ln);
+    (0..scan.parameters).map(|index| smallest + (largest - smallest) * (index as f64 + 0.5) / scan.parameters as f64).collect()
+}
+
+/// Every contact of the control that is held at values of the third unknown, with that value; and how often both edge conditions were evaluated.
+pub(super) fn contacts_at(
+    material: &Material,
+    problem: &BranchProblem,
+    thirds: &[f64],
+    half_widths: usize,
+) -> Result<(Vec<(f64, ContactAt)>, u64), Refusal> {
+    let seen: Result<Vec<(f64, Vec<ContactAt>, u64)>, Refusal> = thirds
+        .par_iter()
+        .map(|&third| {
+            let (contacts, evaluations) = contacts_of(material, problem, problem.held(), third, half_widths)?;
+            Ok((third, contacts, evaluations))
+        })
+        .collect();
+    let seen = seen?;
+    let evaluations = seen.iter().map(|(_, _, evaluations)| evaluations).sum();
+    let contacts = seen.into_iter().flat_map(|(third, contacts, _)| contacts.into_iter().map(move |contact| (third, contact))).collect();
+    Ok((contacts, evaluations))
+}
+
+/// A contact with the third unknown that it has, and why no branch was followed from it.
+type LeftOver = (ContactAt, f64, Refusal);
+
+/// The branches through contacts that lie on none of those known, after these.
+pub(super) fn branches_through(
+    material: &Material,
+    problem: &BranchProblem,
+    mut branches: Vec<Branch>,
+    mut open: Vec<(f64, ContactAt)>,
+) -> (Vec<Branch>, Vec<LeftOver>) {
+    let mut left_over = Vec::new();
     while let Some((third, contact)) = open.pop() {
         let parameter = if problem.path == BranchPath::Loads { contact.mean_pressure } else { third.exp() };
         if branches.len() >= MOST_BRANCHES {
@@ -210,7 +271,7 @@ pub fn every_branch(material: &Material, problem: &BranchProblem, scan: Scan) ->
             Err(refusal) => left_over.push((contact, parameter, refusal)),
         }
     }
-    Ok(EveryBranch { branches, contacts, left_over })
+    (branches, left_over)
 }
 
 /// Whether a contact of the scan lies on a branch.

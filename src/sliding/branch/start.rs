@@ -97,7 +97,8 @@ fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work:
         return Err(refusal);
     }
     let third = if matches!(problem.path, BranchPath::Adhesions(_)) { problem.adhesion.trailing_work.ln() } else { 0.0 };
-    let found = contacts_of(material, problem, problem.held(), third, SCANNED)?;
+    let (found, evaluations) = contacts_of(material, problem, problem.held(), third, SCANNED)?;
+    work.closure_evaluations += evaluations;
     let prepared = problem.prepared(material, third)?;
     let frame = if matches!(problem.held(), Some(SlidingControl::Penetration(_))) { f64::INFINITY } else { 0.0 };
     let mut stable = |contact: &ContactAt| {

@@ -12,7 +12,7 @@ mod uneven_start;
 pub use super::contact::Indenter;
 pub use super::edge_balance::{SlidingControl, WaveAdhesion};
 pub use path::Start;
-pub(super) use path::{From, start_at_rate};
+pub(super) use path::{From, end_bears, start_at_rate};
 pub(super) use prepared::Prepared;
 pub use problem::SlidingProblem;
 pub(super) use problem::adhesion_at;

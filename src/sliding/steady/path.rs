@@ -136,6 +136,15 @@ pub(in crate::sliding) fn start_at_rate(
     })
 }
 
+/// Whether the elastic contact at the slow or the fast end of all speeds bears what is prescribed; in closed form.
+pub(in crate::sliding) fn end_bears(material: &Material, problem: &SlidingProblem<'_>, from: From) -> bool {
+    let modulus = match from {
+        From::Slow => 1.0,
+        From::Fast => material.stiffening_ratio(),
+    };
+    elastic_unknowns(problem, problem.adhesion_at(problem.rate), modulus).is_ok()
+}
+
 /// The contact at a rate near an elastic one: itself where both edges take the same work. A process zone of any length moves a contact of uneven works far from
 /// its limit for short ones, the more the smaller the lesser work is; where Newton's method does not get there, the works are taken apart bit by bit.
 fn settled(
