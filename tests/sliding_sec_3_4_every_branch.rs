@@ -27,11 +27,14 @@ use support::random::Uniform;
 use viscotack::Material;
 use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::branch::{
-    BranchEnd, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, contacts_of_width, every_branch, speed_folds, trace,
+    BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, SecondVariations, Stability, beyond_both_ends, contacts_of_width,
+    every_branch, speed_folds, trace,
 };
 use viscotack::sliding::contact::{ContactMemory, Prescribed, Resolution, WaveContact};
 use viscotack::sliding::edge_balance::EdgeBalance;
-use viscotack::sliding::steady::{Indenter, PartialValues, SlidingControl, SlidingProblem, Start, WaveAdhesion, steady_sliding_near};
+use viscotack::sliding::steady::{
+    Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
+};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)
@@ -107,6 +110,58 @@ fn random_starts_find_no_contact_that_is_not_known() {
 }
 
 #[test]
+fn contacts_of_two_works_are_those_of_the_path_and_of_random_starts() {
+    let mut uniform = Uniform::new();
+    let (mut paths, mut roots) = (0, 0);
+    for (ratio, rate) in [(0.3, 0.01), (0.3, 0.3), (0.6, 10.0), (0.9, 1.0), (1.5, 0.1), (3.0, 1.0)] {
+        let work = 1e-3;
+        let both = WaveAdhesion { trailing_work: work, leading_work: ratio * work, trailing_zone: 0.01, leading_zone: 0.02 };
+        let (material, problem) = (one_time(10.0), loads(rate, both));
+        for half_width in [0.8, 1.2, 1.8] {
+            let known = contacts_of_width(&material, &problem, half_width).unwrap();
+            let is_known = |pressure: f64, eccentricity: f64| {
+                known.iter().any(|contact| {
+                    let ahead = contact.eccentricity - eccentricity;
+                    (ahead - 2.0 * PI * (ahead / (2.0 * PI)).round()).abs() < 1e-4
+                        && (contact.mean_pressure - pressure).abs() < 1e-4 * (1.0 + pressure.abs())
+                })
+            };
+            let steady = SlidingProblem {
+                rate,
+                indenter: Indenter::Wave,
+                adhesion: Some(both),
+                work_by_speed: None,
+                control: SlidingControl::HalfWidth(half_width),
+                accuracy: 1e-8,
+            };
+            if let Ok(SlidingOutcome::Partial(path)) = steady_sliding(&material, &steady) {
+                let values = path.values;
+                // Both edges release what their own work takes.
+                assert!(
+                    is_known(values.mean_pressure.value, values.eccentricity.value),
+                    "{ratio} {rate} {half_width}: {values:?} {known:?}"
+                );
+                paths += 1;
+            }
+            let memory = Arc::new(ContactMemory::new(&material, rate).unwrap());
+            let balance = EdgeBalance::new(memory, Indenter::Wave, Some(both), SlidingControl::HalfWidth(half_width), Resolution::Medium);
+            for _ in 0..8 {
+                let start = [uniform.between(-1.5, 1.5), uniform.between(-PI, PI)];
+                let Ok((found, _)) = balance.solve_admissible(start, None, 1e-8) else { continue };
+                assert!(is_known(found.unknowns[0], found.unknowns[1]), "{ratio} {rate} {half_width}: {:?} {known:?}", found.unknowns);
+                roots += 1;
+            }
+        }
+        // The branch of loads is the one that every branch finds.
+        let problem = BranchProblem { half_widths: [0.3, 2.5], ..problem };
+        let found = every_branch(&material, &problem, Scan { half_widths: 24, parameters: 1 }).unwrap();
+        assert!(!found.branches.is_empty() && found.left_over.is_empty(), "{:?}", found.left_over);
+    }
+    println!("two works: {paths} contacts of paths and {roots} of random starts, all known");
+    assert!(paths > 10 && roots > 40, "{paths} {roots}");
+}
+
+#[test]
 fn a_contact_under_a_trough_is_a_contact_for_collocation_too() {
     let (material, problem) = (one_time(10.0), loads(1.0, adhesion(0.003, 0.01)));
     let known = contacts_of_width(&material, &problem, 2.0).unwrap();
@@ -158,6 +213,27 @@ fn an_isola_is_where_pull_off_is_strongest_between_the_ends() {
         println!("isola turns at ζ = {:.9}, where p_out = {there:.12}", fold.exp());
         assert!((there - load).abs() < 1e-6 * load.abs(), "{there}");
     }
+    // The folds of speeds find it as well, where neither elastic limit bears the load.
+    let at_load = |load: f64| BranchProblem { path: BranchPath::Speeds(SlidingControl::MeanPressure(load)), ..problem };
+    assert!(beyond_both_ends(&material, &at_load(-0.05)) && !beyond_both_ends(&material, &at_load(-0.01)));
+    let both = speed_folds(&material, &problem).unwrap();
+    assert!(both.slow.is_err() && both.fast.as_ref().is_some_and(Result::is_err) && both.others.is_empty());
+    let isola: Vec<_> = both.apart.iter().filter(|branch| branch.ends == BranchEnd::Closed).collect();
+    assert_eq!(isola.len(), 1, "{} branches", both.apart.len());
+    let turns: Vec<f64> = isola[0].folds_of(FoldQuantity::LogRate).map(|fold| fold.parameter().value).collect();
+    assert_eq!(turns.len(), 2);
+    for (known, name) in [(1.0263, "smallest"), (5.6409, "largest")] {
+        assert!(turns.iter().any(|turn| (turn / known - 1.0).abs() < 1e-4), "{name}: {turns:?}");
+        let other = folds.iter().map(|fold| fold.exp()).find(|fold| (fold / known - 1.0).abs() < 1e-4).unwrap();
+        assert!(turns.iter().any(|turn| (turn / other - 1.0).abs() < 1e-9), "{other} {turns:?}");
+    }
+    // No contact narrower than one third of the wave bears more than the middle: the scan is the witness.
+    let narrow = [0.03, 1.0];
+    let problem = BranchProblem { half_widths: narrow, ..problem };
+    let more = speed_folds(&material, &BranchProblem { half_widths: narrow, ..at_load(1.02 * middle) });
+    let more = more.unwrap();
+    assert!(more.at_no_speed() && more.apart.is_empty() && more.no_contact.is_none() && more.scan_evaluations > 1000, "{more:?}");
+    assert!(more.everywhere.unwrap().scan.parameters > 30 && !speed_folds(&material, &problem).unwrap().at_no_speed());
     // A load that the middle does not hold has none.
     let beyond = BranchProblem::speeds(SlidingControl::MeanPressure(1.02 * middle), [1e-4, 1e4], BranchStart::Slow, adhesion, 1e-6);
     let found = every_branch(&material, &beyond, Scan { half_widths: 36, parameters: 12 }).unwrap();
@@ -280,6 +356,38 @@ fn no_sliding_gap_is_narrower_than_its_relaxation_allows() {
         let memory = narrowest * relaxing;
         println!("β = {beta}, ζ = {rate:e}, Γ = {work:e}: narrowest half gap {ratio:.6} of {narrowest:.3e}; c/ε = {memory:.1e}");
         assert!((ratio - 1.0).abs() < 1e-3 + memory, "{pairs:?}");
+    }
+}
+
+#[test]
+fn stability_is_told_to_a_gap_of_a_millionth() {
+    // Under a held load the determinant of the second variations changes its sign with dp̄/da of the branch alone: from the last turn of the load to full contact it has one
+    // sign. There the load falls as the contact widens, and the gap closes by itself.
+    for (beta, rate, work) in [(1.0, 0.0, 0.003), (1.0, 0.0, 1e-6), (10.0, 1e4, 1e-4), (3.0, 1e4, 0.003), (10.0, 1e-4, 1e-4)] {
+        let material = one_time(beta);
+        let half_width = PI - 1e-6;
+        let problem = BranchProblem {
+            half_widths: [1.0, half_width],
+            points: 60,
+            ..BranchProblem::loads(rate, adhesion(work, 1e-7), 1e-7)
+        };
+        let branch = trace(&material, &problem).unwrap();
+        let last_turn = branch.folds.iter().map(|fold| fold.contact.half_width.value).fold(0.0, f64::max);
+        let near: Vec<_> = branch.points.iter().filter(|point| point.values.half_width.value > last_turn.max(PI - 0.1)).collect();
+        let narrowest = near.iter().map(|point| PI - point.values.half_width.value).fold(f64::INFINITY, f64::min);
+        let told = |of: fn(&SecondVariations) -> Stability| near.iter().filter(|point| of(&point.variations) != Stability::Marginal).count();
+        let (load, depth) = (told(SecondVariations::under_load), told(SecondVariations::under_penetration));
+        println!(
+            "β = {beta}, ζ = {rate:e}, Γ = {work:e}: {} contacts to π − a = {narrowest:.1e}, {load} told under load and {depth} under penetration; {:?}",
+            near.len(),
+            branch.ends
+        );
+        assert!(near.len() > 3 && narrowest < 3e-6 && load == near.len(), "{load} of {}", near.len());
+        for pair in near.windows(2) {
+            let rises = pair[1].values.mean_pressure.value > pair[0].values.mean_pressure.value;
+            let stable = pair.iter().map(|point| point.variations.under_load() == Stability::Stable);
+            assert!(!rises && stable.into_iter().all(|stable| !stable), "{:?}", pair[0].values.half_width);
+        }
     }
 }
 

@@ -179,6 +179,12 @@ impl EdgeBalance {
         self.adhesion.as_ref().map(|(adhesion, ..)| *adhesion)
     }
 
+    /// The resolution.
+    #[must_use]
+    pub const fn resolution(&self) -> Resolution {
+        self.resolution
+    }
+
     /// Contacts solved for one evaluation.
     #[must_use]
     pub const fn contacts_per_evaluation(&self) -> u64 {

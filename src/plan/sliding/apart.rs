@@ -54,22 +54,30 @@ impl SlidingPlan {
             let sure = if gap.closed { "no steady partial contact exists" } else { "no steady partial contact was found" };
             format!("{sure} at speeds between {slow:.6e} and {fast:.6e}")
         });
-        let seen = folds.everywhere.map(|everywhere| scanned(everywhere, folds.apart.len()));
         let mut traced = Traced { items: Vec::new(), closure_evaluations: folds.scan_evaluations };
         let mut words = Words::default();
+        let mut refused = None;
         for (name, end) in [("slow", Some(folds.slow)), ("fast", folds.fast)] {
             match end {
                 Some(Ok(found)) => self.collect(&mut traced, branch, problem, found, words.of(name), gap.as_deref()),
-                Some(Err(refusal)) => {
-                    let found = Err(seen.as_deref().map_or_else(|| refusal.clone(), |seen| with_witness(refusal.clone(), seen)));
-                    traced.items.push(Item { branch: words.of(name).into(), event: "", found, note: None });
-                }
+                Some(Err(refusal)) => match folds.everywhere {
+                    // Branches apart tell what there is; the limits that the load is beyond are said at the first of them.
+                    Some(_) if !folds.apart.is_empty() => refused = refused.or(Some(refusal)),
+                    everywhere => {
+                        let found = Err(everywhere.map_or_else(|| refusal.clone(), |everywhere| with_witness(refusal.clone(), everywhere)));
+                        traced.items.push(Item { branch: words.of(name).into(), event: "", found, note: None });
+                    }
+                },
                 None => {}
             }
         }
         for found in folds.apart {
             let word = words.of(kind(problem, &found, false));
             self.collect(&mut traced, branch, problem, found, word, None);
+        }
+        if let (Some(first), Some(refusal)) = (traced.items.first_mut(), refused) {
+            let beyond = format!("neither end of the speeds has a contact, of the slow one: {}", self.sentence(&refusal));
+            first.note = Some(first.note.take().map_or_else(|| beyond.clone(), |note| format!("{beyond}; {note}")));
         }
         let left_over: Vec<_> = folds.others.into_iter().map(|(_, contact, refusal)| (contact, refusal)).collect();
         self.leave_over(&mut traced, &left_over);
@@ -115,17 +123,13 @@ impl SlidingPlan {
     }
 }
 
-/// What a scan of all speeds has seen.
-fn scanned(Everywhere { scan: Scan { half_widths, parameters }, contacts }: Everywhere, branches: usize) -> String {
-    if contacts == 0 {
-        format!("no steady partial contact at any of {parameters} speeds between the ends and {half_widths} half-widths each")
+/// A refusal with what a scan of all speeds has seen besides.
+fn with_witness(refusal: Refusal, Everywhere { scan: Scan { half_widths, parameters }, contacts }: Everywhere) -> Refusal {
+    let seen = if contacts == 0 {
+        format!("a scan finds no steady partial contact at any of {parameters} speeds and {half_widths} half-widths at each")
     } else {
-        format!("a scan of {parameters} speeds between the ends finds contacts on {branches} branches of their own")
-    }
-}
-
-/// A refusal with what a scan has seen besides.
-fn with_witness(refusal: Refusal, seen: &str) -> Refusal {
+        format!("a scan of {parameters} speeds finds contacts: {contacts}")
+    };
     match refusal {
         Refusal::NoSuchState { reason, limit_name, limit } => {
             Refusal::NoSuchState { reason: format!("{reason}; {seen}"), limit_name, limit }

@@ -11,6 +11,9 @@ use crate::scene::typed::{BranchParameter, Scene, SlidingBranch, SlidingContact,
 /// Most states whose branches are drawn in one figure.
 const MOST_BRANCHES: usize = 6;
 
+/// Half-widths that span more than this factor have a logarithmic axis.
+const LOGARITHMIC_FROM: f64 = 10.0;
+
 /// Turns that are marked, with their sign and name; all others are diamonds.
 const MARKS: [(&str, Marker, &str); 4] = [
     ("pull_off", Marker::Circle, "pull-off"),
@@ -44,7 +47,7 @@ impl Held {
 impl SlidingPlan {
     pub(super) fn branch_drawings(&self, branch: &SlidingBranch, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let load = || Axis::linear(self.load_label());
-        let width = || Axis::linear(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"));
+        let width = || Axis::linear(self.half_width_label());
         let draw = |horizontal: Axis, vertical: Axis, columns: (usize, usize)| {
             self.branch_figure(branch, scene, rows, (horizontal, vertical), columns)
         };
@@ -74,9 +77,19 @@ impl SlidingPlan {
         let friction = (format!("friction_against_{against}"), draw(along(), vertical, (column, at::FRICTION)));
         let other = match self.sliding.control {
             SlidingLoad::HalfWidth(_) => ("load", load(), at::LOAD),
-            _ => ("half_width", width(), at::HALF_WIDTH),
+            _ => {
+                let widths = || rows.iter().filter_map(|row| row.value(at::HALF_WIDTH));
+                let (narrowest, widest) = (widths().fold(f64::INFINITY, f64::min), widths().fold(0.0, f64::max));
+                // Contacts of all widths, such as an isola of narrow ones beside almost full ones.
+                let axis = if widest > LOGARITHMIC_FROM * narrowest { Axis::logarithmic } else { Axis::linear };
+                ("half_width", axis(self.half_width_label()), at::HALF_WIDTH)
+            }
         };
         vec![(format!("{}_against_{against}", other.0), draw(along(), other.1, (column, other.2))), friction]
+    }
+
+    fn half_width_label(&self) -> String {
+        self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$")
     }
 
     fn name_of(&self, branch: &SlidingBranch, held: Held) -> &'static str {

@@ -170,6 +170,7 @@ fn solved(
         let by_width = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
         let place = errors[1].max(if by_width { errors[0] } else { errors[0] * edges.width_by_place() });
         let enough = value.error <= problem.accuracy * value.value.abs().max(1.0) && place <= PLACE * problem.accuracy;
+        if std::env::var_os("DBG").is_some() { eprintln!("{quantity:?} {level:?} shift {:?} rounding {:?} value {value:?} acc {}", shift.unknowns, point.unknown_rounding, problem.accuracy); }
         if enough || finer.finer().is_none() {
             return Ok(Solved { point, value, errors, tangent: tangent.into() });
         }

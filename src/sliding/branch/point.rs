@@ -12,12 +12,15 @@ use crate::continuation::two_unknowns::Jacobian;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{Resolution, WaveContact};
+use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{PartialValues, Prepared, Start};
+use std::f64::consts::PI;
 
 /// Part of the tangent along the parameter below which a turn is so near that the parameter is found and the half-width given.
 const NEAR_TURN: f64 = 0.1;
+/// Half gaps below this need every digit for the signs of second variations.
+const NARROW: f64 = 0.2;
 /// Largest distance of an accurate point from the coarse curve in scaled unknowns.
 const FARTHEST: f64 = 0.03;
 
@@ -122,8 +125,9 @@ pub(super) fn variations_at(
     work: &mut BranchWork,
 ) -> Result<SecondVariations, Refusal> {
     let pressure = values.mean_pressure.value;
-    let balance = prepared.balance(SlidingControl::MeanPressure(pressure), resolution);
     let contact = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
+    let resolution = if problem.indenter == Indenter::Wave && PI - contact.half_width < NARROW { Resolution::Finest } else { resolution };
+    let balance = prepared.balance(SlidingControl::MeanPressure(pressure), resolution);
     let found = SecondVariations::new(&balance, contact, pressure, problem.indenter);
     work.closure_evaluations += balance.take_evaluations();
     found
