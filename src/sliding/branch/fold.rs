@@ -25,6 +25,10 @@ const NEAR_TURN: f64 = 0.1;
 const COARSEST_FOR: f64 = 1e-9;
 /// Share of the accuracy that the uncertain place of a fold may take; bars of the contact there are its own as well.
 const PLACE: f64 = 0.5;
+/// A place whose shift at the next level is below this part of its error is uncertain by rounding.
+const ROUNDED: f64 = 0.05;
+/// The longest differences that are taken against rounding.
+const LONGEST_STEP: f64 = 4.0 * CENTRAL_STEP;
 /// Share of an error that the finer level may still have.
 const MARGIN: f64 = 0.3;
 
@@ -141,15 +145,15 @@ fn solved(
     (start, scales): ([f64; 3], [f64; 3]),
     work: &mut BranchWork,
 ) -> Result<Solved, Refusal> {
-    let (mut start, mut jacobian) = (start, None);
+    let (mut start, mut jacobian, mut step) = (start, None, CENTRAL_STEP);
     let mut level = if problem.accuracy > COARSEST_FOR { Resolution::Medium } else { Resolution::Fine };
     loop {
         let Some(finer) = level.finer() else {
             return Err(Refusal::NotConverged { what: "the accuracy of a fold", detail: "no finer level is left".into() });
         };
         let (here, there) = (BranchEquations::new(material, problem, level)?, BranchEquations::new(material, problem, finer)?);
-        let both = located(&here, start, quantity.unknown(), scales, jacobian, CENTRAL_STEP).and_then(|point| {
-            let shift = shifted(&there, &point, quantity.unknown(), 2.0 * CENTRAL_STEP)?;
+        let both = located(&here, start, quantity.unknown(), scales, jacobian, step).and_then(|point| {
+            let shift = shifted(&there, &point, quantity.unknown(), 2.0 * step)?;
             let (_, tangent) = linearized(&here, point.unknowns, &point.found)?;
             Ok((point, shift, tangent))
         });
@@ -164,13 +168,19 @@ fn solved(
             Err(refusal) => return Err(refusal),
         };
         let value = quantity.told(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
-        let errors: [f64; 3] = std::array::from_fn(|index| (1.0 + MARGIN) * shift.unknowns[index].abs() + point.unknown_rounding[index]);
+        let shifts = shift.unknowns.map(|shift| (1.0 + MARGIN) * shift.abs());
+        let errors: [f64; 3] = std::array::from_fn(|index| shifts[index] + point.unknown_rounding[index]);
         // Its place is an output as well, and less sure than what turns there.
-        let edges = edges_at(problem, point.unknowns[0], point.unknowns[1]);
         let by_width = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
-        let place = errors[1].max(if by_width { errors[0] } else { errors[0] * edges.width_by_place() });
-        let enough = value.error <= problem.accuracy * value.value.abs().max(1.0) && place <= PLACE * problem.accuracy;
-        if std::env::var_os("DBG").is_some() { eprintln!("{quantity:?} {level:?} shift {:?} rounding {:?} value {value:?} acc {}", shift.unknowns, point.unknown_rounding, problem.accuracy); }
+        let width = if by_width { 1.0 } else { edges_at(problem, point.unknowns[0], point.unknowns[1]).width_by_place() };
+        let place = |[first, eccentricity, _]: [f64; 3]| (first * width).max(eccentricity);
+        let placed = place(errors) <= PLACE * problem.accuracy;
+        let enough = placed && value.error <= problem.accuracy * value.value.abs().max(1.0);
+        if !placed && place(shifts) < ROUNDED * place(errors) && step < LONGEST_STEP {
+            // Rounding over the step is what is left: no finer level helps, longer differences do.
+            (start, jacobian, step) = (point.unknowns, point.jacobian, 2.0 * step);
+            continue;
+        }
         if enough || finer.finer().is_none() {
             return Ok(Solved { point, value, errors, tangent: tangent.into() });
         }

@@ -69,7 +69,8 @@ pub fn load_slopes(
             Indenter::Parabola => 1.0,
         };
         let penetration = depth * Vector3::from(rows[2]).dot(&tangent);
-        Ok(([tangent[2] * scales[2] / width, penetration / width], here.rounding[0] + here.rounding[1]))
+        // Half the sum and the difference of both roundings are never largest together: their sum is the larger bound.
+        Ok(([tangent[2] * scales[2] / width, penetration / width], here.rounding[0].max(here.rounding[1])))
     };
     let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
     let (best, rounding) = slopes(Resolution::Finest, CENTRAL_STEP)?;

@@ -90,7 +90,10 @@ impl Even {
     fn matrix(&self, compliance: Option<f64>) -> [[f64; 2]; 2] {
         let [[sum_wider, sum_ahead], [difference_wider, difference_ahead]] = self.held(compliance);
         let entries = |wider: f64, ahead: f64| [0.5 * (wider - ahead), 0.5 * (wider + ahead)];
-        [entries(sum_wider - difference_wider, sum_ahead - difference_ahead), entries(sum_wider + difference_wider, sum_ahead + difference_ahead)]
+        [
+            entries(sum_wider - difference_wider, sum_ahead - difference_ahead),
+            entries(sum_wider + difference_wider, sum_ahead + difference_ahead),
+        ]
     }
 
     /// det M and the size below which its sign is not told.
