@@ -334,6 +334,38 @@ fn folds_in_speed_name_the_gap_between_them() {
 }
 
 #[test]
+fn an_isola_is_a_branch_of_its_own_with_two_folds() {
+    let text = |branches: &str, load: f64, more: &str| {
+        format!(
+            "units = \"reduced\"\naccuracy = 1e-6\n[material]\nglassy_modulus = 10\ncreep = [{{ fraction = 1, retardation_time = 1 }}]\n\
+             [adhesion]\nwork_of_adhesion = 0.002\nprocess_zone = {{ length = 0.03 }}\n[sliding]\nwave = {{}}\nmean_pressure = {load}\n\
+             [sliding.branch]\nparameter = \"speed\"\nfrom = 0.1\nto = 100\npoints = 12\n{branches}\n{more}"
+        )
+    };
+    // On request, and unasked where neither end bears the load: the same rows.
+    let asked = solved(&text("branches = \"every\"", -0.0365, ""));
+    let unasked = solved(&text("", -0.0365, ""));
+    for rows in [&asked, &unasked] {
+        for (event, known) in [("smallest_speed", 1.0263), ("largest_speed", 5.6409)] {
+            let folds: Vec<_> = rows.iter().filter(|(row, _)| (row.label(2), row.label(3)) == ("isola", event)).collect();
+            assert_eq!(folds.len(), 1, "{event}");
+            assert_close(event, folds[0].1["speed"].value, known, 1e-4);
+        }
+        let isola = || rows.iter().filter(|(row, _)| row.label(2) == "isola");
+        let stable =
+            |flag: f64| isola().filter(|(_, values)| values.get("stable_under_load").is_some_and(|told| told.value == flag)).count();
+        assert!(isola().count() == 14 && stable(1.0) > 3 && stable(0.0) > 3);
+        assert!(rows.iter().all(|(row, _)| row.label(2) != "slow" && row.label(2) != "fast"));
+    }
+    assert!(unasked[0].0.reason.as_ref().unwrap().contains("neither end of the speeds has a contact"), "{:?}", unasked[0].0.reason);
+    // Each row is a contact: both edges release Δγ against their motion.
+    for (row, values) in asked.iter().filter(|(row, _)| row.label(2) == "isola") {
+        let pressure = values["mean_pressure"];
+        assert!((pressure.value + 0.0365).abs() <= pressure.error + 1e-12, "{:?} {pressure:?}", row.labels);
+    }
+}
+
+#[test]
 fn a_cylinder_has_branches_and_a_strength_without_penetration() {
     let text = |rest: &str| {
         format!(

@@ -11,99 +11,10 @@
 //! say cannot exist is a jump to another curve: the step is halved, nothing is kept. Source: Keller, in: Applications of Bifurcation Theory,
 //! Academic Press 1977, 359; Allgower and Georg, Numerical Continuation Methods, Springer 1990, Ch. 6.
 
+use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, linearized};
 use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
 use nalgebra::{Matrix3, RowVector3, Vector3};
-
-/// Two equations in three unknowns.
-pub trait CurveEquations {
-    /// What an evaluation leaves besides numbers.
-    type State: Clone;
-
-    /// The equations at a point.
-    ///
-    /// # Errors
-    /// Where they mean nothing.
-    fn evaluate(&self, unknowns: [f64; 3]) -> Result<Evaluated<Self::State>, Refusal>;
-
-    /// What each unknown is measured in near a point; positive.
-    fn scales(&self, unknowns: [f64; 3]) -> [f64; 3];
-
-    /// Whether a solution can exist.
-    ///
-    /// # Errors
-    /// Those of the check itself.
-    fn admissible(&self, state: &Self::State) -> Result<bool, Refusal>;
-}
-
-/// What the equations give at a point.
-#[derive(Debug, Clone)]
-pub struct Evaluated<S> {
-    /// The two residuals, of order one away from the curve.
-    pub residual: [f64; 2],
-    /// A further quantity whose turning is of interest.
-    pub watched: f64,
-    /// What rounding leaves uncertain of each residual.
-    pub rounding: [f64; 2],
-    /// What the evaluation leaves besides.
-    pub state: S,
-}
-
-/// A quantity that may turn along a curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// One of the three unknowns (0, 1 or 2).
-    Unknown(usize),
-    /// The watched quantity.
-    Watched,
-}
-
-impl Quantity {
-    /// Its value at a point.
-    #[must_use]
-    pub fn of(self, unknowns: [f64; 3], watched: f64) -> f64 {
-        match self {
-            Self::Unknown(index) => unknowns.get(index).copied().unwrap_or(f64::NAN),
-            Self::Watched => watched,
-        }
-    }
-}
-
-/// A point of a curve with its tangent.
-#[derive(Debug, Clone)]
-pub struct CurvePoint<S> {
-    /// The unknowns.
-    pub unknowns: [f64; 3],
-    /// The watched quantity.
-    pub watched: f64,
-    /// What the equations left.
-    pub state: S,
-    /// The scales of the unknowns here.
-    pub scales: [f64; 3],
-    /// Unit tangent in scaled unknowns.
-    pub tangent: [f64; 3],
-    /// Derivatives of both residuals and of the watched quantity in scaled unknowns.
-    pub rows: [[f64; 3]; 3],
-    /// Arclength from the start, in the local scales of each step; negative on the other side.
-    pub arclength: f64,
-}
-
-impl<S> CurvePoint<S> {
-    /// The value of a quantity.
-    #[must_use]
-    pub fn value(&self, quantity: Quantity) -> f64 {
-        quantity.of(self.unknowns, self.watched)
-    }
-
-    /// d quantity/d arclength.
-    #[must_use]
-    pub fn slope(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Unknown(index) => self.tangent.get(index).zip(self.scales.get(index)).map_or(f64::NAN, |(part, scale)| part * scale),
-            Quantity::Watched => self.rows[2].iter().zip(&self.tangent).map(|(row, part)| row * part).sum(),
-        }
-    }
-}
 
 /// How a curve is followed.
 #[derive(Debug, Clone, Copy)]
@@ -118,20 +29,20 @@ pub struct Steps {
     pub most: usize,
     /// Residual of the points.
     pub tolerance: f64,
-    /// Step of the difference quotients, in scaled unknowns.
-    pub difference: f64,
 }
 
 /// How a curve ended.
-#[derive(Debug, Clone, PartialEq)]
-pub enum CurveEnd {
+#[derive(Debug, Clone)]
+pub enum CurveEnd<S> {
     /// Outside the region asked for; the last point is beyond its border.
     Left,
     /// Back where it began: the curve is closed, and the last point is the first one once more, to within a step.
     Closed,
     /// The largest number of points was reached.
     MostPoints,
-    /// No admissible point follows however short the step; the reason is that of the last attempt.
+    /// However short the step, the next point cannot exist; what the equations left there.
+    Inadmissible(S),
+    /// No point follows however short the step; the reason is that of the last attempt.
     Lost(Refusal),
 }
 
@@ -141,9 +52,7 @@ pub struct Curve<S> {
     /// Its points in order.
     pub points: Vec<CurvePoint<S>>,
     /// How it ended.
-    pub end: CurveEnd,
-    /// Evaluations of the equations.
-    pub evaluations: u64,
+    pub end: CurveEnd<S>,
     /// Steps that were refused and halved.
     pub refused: u64,
 }
@@ -158,48 +67,6 @@ const LARGEST_CORRECTION: f64 = 0.4;
 /// A closed curve has more points than this.
 const FEWEST_OF_LOOP: usize = 10;
 
-/// The tangent and the derivatives at a point of a curve; three evaluations.
-///
-/// # Errors
-/// Those of the equations; [`Refusal::NotConverged`] where both equations have the same gradient.
-pub fn linearized<E: CurveEquations>(
-    equations: &E,
-    unknowns: [f64; 3],
-    here: &Evaluated<E::State>,
-    difference: f64,
-) -> Result<([[f64; 3]; 3], Vector3<f64>), Refusal> {
-    let scales = equations.scales(unknowns);
-    let mut rows = [[0.0; 3]; 3];
-    for index in 0..3 {
-        let mut moved = unknowns;
-        if let (Some(unknown), Some(scale)) = (moved.get_mut(index), scales.get(index)) {
-            *unknown += difference * scale;
-        }
-        let there = equations.evaluate(moved)?;
-        for (row, change) in
-            rows.iter_mut().zip([there.residual[0] - here.residual[0], there.residual[1] - here.residual[1], there.watched - here.watched])
-        {
-            row[index] = change / difference;
-        }
-    }
-    Ok((rows, tangent_of(&rows)?))
-}
-
-/// The unit vector along which neither equation changes.
-///
-/// # Errors
-/// [`Refusal::NotConverged`] where both equations have the same gradient.
-pub fn tangent_of(rows: &[[f64; 3]; 3]) -> Result<Vector3<f64>, Refusal> {
-    let unit = |row: [f64; 3]| Vector3::from(row).normalize();
-    let cross = unit(rows[0]).cross(&unit(rows[1]));
-    let length = cross.norm();
-    if length > 1e-12 {
-        Ok(cross / length)
-    } else {
-        Err(Refusal::NotConverged { what: "the tangent of a curve", detail: "both equations have the same gradient".into() })
-    }
-}
-
 /// Follows the curve through the point near `start` while `inside` holds, first toward growing `toward` (or falling, if `sign` is negative).
 ///
 /// # Errors
@@ -212,9 +79,8 @@ pub fn follow<E: CurveEquations>(
     steps: &Steps,
     inside: &dyn Fn(&CurvePoint<E::State>) -> bool,
 ) -> Result<Curve<E::State>, Refusal> {
-    let mut evaluations = 0;
     let mut refused = 0;
-    let mut here = begun(equations, start, steps, &mut evaluations)?;
+    let mut here = begun(equations, start, steps)?;
     if here.slope(toward) * sign < 0.0 {
         here.tangent = here.tangent.map(|part| -part);
     }
@@ -230,7 +96,7 @@ pub fn follow<E: CurveEquations>(
             points.push(here);
             break CurveEnd::MostPoints;
         }
-        match advanced(equations, &here, step, steps, &mut evaluations) {
+        match advanced(equations, &here, step, steps) {
             Ok((next, turn)) => {
                 if points.first().is_some_and(|first| points.len() > FEWEST_OF_LOOP && meets(first, &next, step)) {
                     points.push(here);
@@ -242,17 +108,20 @@ pub fn follow<E: CurveEquations>(
                 points.push(here);
                 here = next;
             }
-            Err(refusal) => {
+            Err(failure) => {
                 refused += 1;
                 step *= 0.5;
                 if step < steps.shortest {
                     points.push(here);
-                    break CurveEnd::Lost(refusal);
+                    break match failure {
+                        Failure::Refused(refusal) => CurveEnd::Lost(refusal),
+                        Failure::Inadmissible(state) => CurveEnd::Inadmissible(*state),
+                    };
                 }
             }
         }
     };
-    Ok(Curve { points, end, evaluations, refused })
+    Ok(Curve { points, end, refused })
 }
 
 /// Whether the start is within a step behind or ahead of a point, along nearly the same tangent.
@@ -264,38 +133,54 @@ fn meets<S>(first: &CurvePoint<S>, point: &CurvePoint<S>, step: f64) -> bool {
     away.norm() < step && tangent.dot(&here) > 0.9 && (away - here * away.dot(&here)).norm() < 0.2 * step
 }
 
-/// The point of the curve nearest to a start, in the plane across the tangent.
-fn begun<E: CurveEquations>(equations: &E, start: [f64; 3], steps: &Steps, evaluations: &mut u64) -> Result<CurvePoint<E::State>, Refusal> {
-    let first = equations.evaluate(start)?;
-    let (_, tangent) = linearized(equations, start, &first, steps.difference)?;
-    *evaluations += 4;
-    let found = across(equations, start, &tangent, None, steps, evaluations)?;
-    point(equations, found, 0.0, None, steps, evaluations)
+/// Why a step was refused.
+enum Failure<S> {
+    Refused(Refusal),
+    /// A root that cannot exist.
+    Inadmissible(Box<S>),
 }
 
 /// The next point, and how much the tangent has turned.
-fn advanced<E: CurveEquations>(
-    equations: &E,
-    here: &CurvePoint<E::State>,
-    step: f64,
-    steps: &Steps,
-    evaluations: &mut u64,
-) -> Result<(CurvePoint<E::State>, f64), Refusal> {
+type Stepped<S> = Result<(CurvePoint<S>, f64), Failure<S>>;
+
+impl<S> From<Refusal> for Failure<S> {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+fn unphysical() -> Refusal {
+    Refusal::NotConverged { what: "a point of a curve", detail: "the root found is unphysical".into() }
+}
+
+/// The point of the curve nearest to a start, in the plane across the tangent.
+fn begun<E: CurveEquations>(equations: &E, start: [f64; 3], steps: &Steps) -> Result<CurvePoint<E::State>, Refusal> {
+    let first = equations.evaluate(start)?;
+    let (_, tangent) = linearized(equations, start, &first)?;
+    let found = across(equations, start, &tangent, None, equations.scales(start), steps)?;
+    point(equations, found, 0.0, None).map_err(|failure| match failure {
+        Failure::Refused(refusal) => refusal,
+        Failure::Inadmissible(_) => unphysical(),
+    })
+}
+
+/// The next point, and how much the tangent has turned.
+fn advanced<E: CurveEquations>(equations: &E, here: &CurvePoint<E::State>, step: f64, steps: &Steps) -> Stepped<E::State> {
     let tangent = Vector3::from(here.tangent);
     let along = |length: f64, index: usize| here.unknowns[index] + length * here.tangent[index] * here.scales[index];
     let predicted = [along(step, 0), along(step, 1), along(step, 2)];
     let rows = here.rows;
     let bordered = Matrix3::from_rows(&[RowVector3::from(rows[0]), RowVector3::from(rows[1]), tangent.transpose()]);
-    let (found, state) = across_scaled(equations, predicted, &tangent, Some(bordered), here.scales, steps, evaluations)?;
+    let (found, state) = across(equations, predicted, &tangent, Some(bordered), here.scales, steps)?;
     let correction = (0..3).map(|index| ((found[index] - predicted[index]) / here.scales[index]).powi(2)).sum::<f64>().sqrt();
     if correction > LARGEST_CORRECTION * step {
-        return Err(jumped("a corrected point is far from its prediction"));
+        return Err(jumped("a corrected point is far from its prediction").into());
     }
-    let next = point(equations, (found, state), here.arclength + step, Some(here), steps, evaluations)?;
+    let next = point(equations, (found, state), here.arclength + step, Some(here))?;
     let before = rescaled(&tangent, here.scales, next.scales);
     let cosine = before.dot(&Vector3::from(next.tangent)).clamp(-1.0, 1.0);
     if cosine < LARGEST_TURN_COSINE {
-        return Err(jumped("the tangent turns too much"));
+        return Err(jumped("the tangent turns too much").into());
     }
     Ok((next, cosine.acos()))
 }
@@ -309,26 +194,14 @@ fn rescaled(tangent: &Vector3<f64>, from: [f64; 3], to: [f64; 3]) -> Vector3<f64
     Vector3::from_fn(|index, _| tangent[index] * from[index] / to[index]).normalize()
 }
 
-fn across<E: CurveEquations>(
-    equations: &E,
-    predicted: [f64; 3],
-    tangent: &Vector3<f64>,
-    bordered: Option<Matrix3<f64>>,
-    steps: &Steps,
-    evaluations: &mut u64,
-) -> Result<([f64; 3], Evaluated<E::State>), Refusal> {
-    across_scaled(equations, predicted, tangent, bordered, equations.scales(predicted), steps, evaluations)
-}
-
 /// The solution in the plane through a predicted point across a tangent.
-fn across_scaled<E: CurveEquations>(
+fn across<E: CurveEquations>(
     equations: &E,
     predicted: [f64; 3],
     tangent: &Vector3<f64>,
     bordered: Option<Matrix3<f64>>,
     scales: [f64; 3],
     steps: &Steps,
-    evaluations: &mut u64,
 ) -> Result<([f64; 3], Evaluated<E::State>), Refusal> {
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
@@ -340,11 +213,10 @@ fn across_scaled<E: CurveEquations>(
         what: "a point of a curve",
         evaluate: &evaluate,
         scales,
-        difference: steps.difference,
+        differences: equations.differences(predicted),
         rounding: 10.0 * steps.tolerance,
     };
     let found = system.solve(predicted, bordered, steps.tolerance)?;
-    *evaluations += u64::from(found.evaluations);
     Ok((found.unknowns, found.solution))
 }
 
@@ -354,14 +226,11 @@ fn point<E: CurveEquations>(
     (unknowns, found): ([f64; 3], Evaluated<E::State>),
     arclength: f64,
     before: Option<&CurvePoint<E::State>>,
-    steps: &Steps,
-    evaluations: &mut u64,
-) -> Result<CurvePoint<E::State>, Refusal> {
+) -> Result<CurvePoint<E::State>, Failure<E::State>> {
     if !equations.admissible(&found.state)? {
-        return Err(Refusal::NotConverged { what: "a point of a curve", detail: "the root found is unphysical".into() });
+        return Err(Failure::Inadmissible(Box::new(found.state)));
     }
-    let (rows, mut tangent) = linearized(equations, unknowns, &found, steps.difference)?;
-    *evaluations += 3;
+    let (rows, mut tangent) = linearized(equations, unknowns, &found)?;
     let scales = equations.scales(unknowns);
     if let Some(before) = before
         && rescaled(&Vector3::from(before.tangent), before.scales, scales).dot(&tangent) < 0.0
@@ -371,8 +240,8 @@ fn point<E: CurveEquations>(
     Ok(CurvePoint { unknowns, watched: found.watched, state: found.state, scales, tangent: tangent.into(), rows, arclength })
 }
 
-/// Where a curve was landed on: the unknowns, what the equations gave there, and how often they were evaluated.
-pub type Landed<S> = ([f64; 3], Evaluated<S>, u64);
+/// Where a curve was landed on: the unknowns, and what the equations gave there.
+pub type Landed<S> = ([f64; 3], Evaluated<S>);
 
 /// The point of a curve between two of its points where a quantity has a value, by Newton's method from the chord.
 ///
@@ -396,14 +265,20 @@ pub fn landed<E: CurveEquations>(
         let off = (quantity.of(unknowns, found.watched) - value) / span;
         Ok((found, [first, second, off]))
     };
-    let system = ThreeEquations { what: "a point of a curve", evaluate: &evaluate, scales, difference: 1e-6, rounding: 100.0 * tolerance };
+    let system = ThreeEquations {
+        what: "a point of a curve",
+        evaluate: &evaluate,
+        scales,
+        differences: equations.differences(start),
+        rounding: 100.0 * tolerance,
+    };
     let found = system.solve(start, None, tolerance)?;
     let far = (0..3).map(|index| ((found.unknowns[index] - start[index]) / scales[index]).abs()).fold(0.0, f64::max);
     if far > 2.0 * (to.arclength - from.arclength).abs() {
         return Err(jumped("the point found is not between the two it was looked for"));
     }
     if !equations.admissible(&found.solution.state)? {
-        return Err(Refusal::NotConverged { what: "a point of a curve", detail: "the root found is unphysical".into() });
+        return Err(unphysical());
     }
-    Ok((found.unknowns, found.solution, u64::from(found.evaluations)))
+    Ok((found.unknowns, found.solution))
 }

@@ -3,7 +3,7 @@
 //! The gradients are central differences of fourth order, so that the third equation is known to some ten digits where the equations themselves are
 //! known to rounding. The value of the quantity is stationary at a fold: an error of the location enters it squared.
 
-use super::arclength::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
+use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
@@ -12,8 +12,8 @@ use nalgebra::{Matrix3, Vector3};
 pub const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
-/// Residual asked for; one that does not fall any more below the second is rounding.
-const TOLERANCE: (f64, f64) = (1e-13, 1e-7);
+/// Residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
+const TOLERANCE: (f64, f64, f64) = (1e-13, 1e-5, 1e-3);
 
 /// A turning point.
 #[derive(Debug, Clone)]
@@ -30,10 +30,19 @@ pub struct FoldPoint<S> {
     pub value_rounding: f64,
     /// The largest residual of the three equations.
     pub residual: f64,
-    /// Evaluations of the curve's equations.
-    pub evaluations: u64,
     /// ∂(equations)/∂scaled unknown, for a fold nearby.
     pub jacobian: Option<Matrix3<f64>>,
+    scales: [f64; 3],
+    natural: [f64; 3],
+}
+
+/// How far a fold is off in finer equations.
+#[derive(Debug, Clone, Copy)]
+pub struct FoldShift {
+    /// Change of the unknowns.
+    pub unknowns: [f64; 3],
+    /// Change of the value.
+    pub value: f64,
 }
 
 /// Gradients of both residuals and of the watched quantity at a point in given scales, by central differences; twelve evaluations.
@@ -63,6 +72,21 @@ fn gradient(quantity: Quantity, rows: &[[f64; 3]; 3], scales: [f64; 3]) -> Vecto
     }
 }
 
+/// The gradient of a quantity in natural units of the unknowns, and its part along the curve over its size: zero at a fold.
+fn turning<E: CurveEquations>(
+    equations: &E,
+    unknowns: [f64; 3],
+    quantity: Quantity,
+    natural: [f64; 3],
+    step: f64,
+) -> Result<(Vector3<f64>, f64), Refusal> {
+    let rows = gradients(equations, unknowns, natural, step)?;
+    let tangent = tangent_of(&rows)?;
+    let gradient = gradient(quantity, &rows, natural);
+    let slope = gradient.dot(&tangent) / gradient.norm();
+    Ok((gradient, slope))
+}
+
 /// Where a chord between two points of a curve on both sides of a fold has the slope zero.
 #[must_use]
 pub fn between<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, quantity: Quantity) -> [f64; 3] {
@@ -86,6 +110,26 @@ pub fn interpolated<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, part: f64) -> [
     })
 }
 
+/// The part of the way between two points of a curve at which the interpolated curve has a value of one unknown; that of the chord if the value is not between.
+#[must_use]
+pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value: f64) -> f64 {
+    let off = |part: f64| interpolated(from, to, part).get(index).map_or(f64::NAN, |unknown| unknown - value);
+    let (begin, end) = (off(0.0), off(1.0));
+    if begin * end >= 0.0 || begin.is_nan() || end.is_nan() {
+        return (begin / (begin - end)).clamp(0.0, 1.0);
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if off(middle) * begin > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
 /// The fold of a quantity near a start, with a `step` of the gradients' differences in scaled unknowns.
 ///
 /// Truncation of the differences, step⁴, is no part of the bars: a second call with another step shows it.
@@ -100,18 +144,21 @@ pub fn located<E: CurveEquations>(
     jacobian: Option<Matrix3<f64>>,
     step: f64,
 ) -> Result<FoldPoint<E::State>, Refusal> {
+    let natural = equations.natural(start);
+    let of_start = equations.evaluate(start)?.rounding;
+    let rounding = ((of_start[0] + of_start[1]) / step).clamp(TOLERANCE.1, TOLERANCE.2);
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
-        let rows = gradients(equations, unknowns, scales, step)?;
-        let tangent = tangent_of(&rows)?;
-        let gradient = gradient(quantity, &rows, scales);
-        let slope = gradient.dot(&tangent) / gradient.norm();
+        let (gradient, slope) = turning(equations, unknowns, quantity, natural, step)?;
         let [first, second] = found.residual;
         Ok(((found, gradient), [first, second, slope]))
     };
-    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, difference: OUTER_STEP, rounding: TOLERANCE.1 };
+    let differences = std::array::from_fn(|index| OUTER_STEP * natural[index] / scales[index]);
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences, rounding };
     let solved = system.solve(start, jacobian, TOLERANCE.0)?;
     let (found, gradient) = solved.solution;
+    // In scaled unknowns.
+    let gradient = Vector3::from_fn(|index, _| gradient[index] * scales[index] / natural[index]);
     let here = Vector3::new(found.residual[0], found.residual[1], 0.0);
     let matrix = match solved.jacobian {
         Some(matrix) => matrix,
@@ -136,8 +183,28 @@ pub fn located<E: CurveEquations>(
         unknown_rounding,
         value_rounding: across + along + 8.0 * f64::EPSILON * value.abs(),
         residual: solved.residual,
-        evaluations: 13 * u64::from(solved.evaluations),
         jacobian: Some(matrix),
+        scales,
+        natural,
         found,
     })
+}
+
+/// What a fold is off in finer equations, by one Newton step in them with differences of another `step`; thirteen evaluations.
+///
+/// # Errors
+/// Those of the equations; [`Refusal::NotConverged`] where two folds merge.
+pub fn shifted<E: CurveEquations>(finer: &E, fold: &FoldPoint<E::State>, quantity: Quantity, step: f64) -> Result<FoldShift, Refusal> {
+    let found = finer.evaluate(fold.unknowns)?;
+    let (gradient, slope) = turning(finer, fold.unknowns, quantity, fold.natural, step)?;
+    let gradient = Vector3::from_fn(|index, _| gradient[index] * fold.scales[index] / fold.natural[index]);
+    let residual = Vector3::new(found.residual[0], found.residual[1], slope);
+    let moved = fold
+        .jacobian
+        .and_then(|matrix| matrix.lu().solve(&residual))
+        .ok_or_else(|| Refusal::NotConverged { what: "a fold of a curve", detail: "two folds merge: the Jacobian is singular".into() })?;
+    let unknowns = std::array::from_fn(|index| -moved[index] * fold.scales[index]);
+    // Along the tangent the value is stationary.
+    let value = quantity.of(fold.unknowns, found.watched) - fold.value - gradient.dot(&moved);
+    Ok(FoldShift { unknowns, value })
 }

@@ -21,8 +21,8 @@ pub struct ThreeEquations<'a, T> {
     pub evaluate: &'a dyn Fn([f64; 3]) -> Result<(T, [f64; 3]), Refusal>,
     /// What each unknown is measured in.
     pub scales: [f64; 3],
-    /// Step of the difference quotients, in scaled unknowns.
-    pub difference: f64,
+    /// Steps of the difference quotients, in scaled unknowns.
+    pub differences: [f64; 3],
     /// A residual below this that does not fall any more is rounding.
     pub rounding: f64,
 }
@@ -118,9 +118,10 @@ impl<T> ThreeEquations<'_, T> {
         let mut matrix = Matrix3::zeros();
         for index in 0..3 {
             let mut moved = Vector3::zeros();
-            moved[index] = self.difference;
+            let difference = self.differences.get(index).copied().unwrap_or(f64::NAN);
+            moved[index] = difference;
             let (_, there) = (self.evaluate)(self.displaced(unknowns, &moved))?;
-            matrix.set_column(index, &((Vector3::from(there) - here) / self.difference));
+            matrix.set_column(index, &((Vector3::from(there) - here) / difference));
         }
         Ok(matrix)
     }
@@ -150,7 +151,8 @@ mod tests {
     fn three_surfaces_meet_where_they_do() {
         // x = 1, y = 2, z = 3e-3.
         let evaluate = |[x, y, z]: [f64; 3]| Ok(((), [x * y - 2.0, y + x - 3.0, z * 1e3 * x - 3.0]));
-        let equations = ThreeEquations { what: "test", evaluate: &evaluate, scales: [1.0, 1.0, 1e-3], difference: 1e-7, rounding: 1e-12 };
+        let equations =
+            ThreeEquations { what: "test", evaluate: &evaluate, scales: [1.0, 1.0, 1e-3], differences: [1e-7; 3], rounding: 1e-12 };
         let found = equations.solve([0.8, 2.1, 1e-3], None, 1e-14).unwrap();
         for (unknown, exact) in found.unknowns.iter().zip([1.0, 2.0, 3e-3]) {
             assert!((unknown / exact - 1.0).abs() < 1e-12, "{:?}", found.unknowns);

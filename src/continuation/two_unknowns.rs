@@ -130,8 +130,10 @@ where
         let column = |index: usize| -> Result<[f64; 2], Refusal> {
             let mut moved = unknowns;
             moved[index] += small[index];
+            // Of a large unknown with a small step: what the step has become.
+            let step = moved[index] - unknowns[index];
             let there = (self.evaluate)(moved)?.residual();
-            Ok([(there[0] - here[0]) / small[index], (there[1] - here[1]) / small[index]])
+            Ok([(there[0] - here[0]) / step, (there[1] - here[1]) / step])
         };
         let (first, second) = (column(0)?, column(1)?);
         Ok([[first[0], second[0]], [first[1], second[1]]])

@@ -273,6 +273,8 @@ pub struct SlidingBranch {
     pub points: u32,
     /// k_f (Pa/m), if a frame is given.
     pub frame_stiffness: Option<f64>,
+    /// Whether a scan looks for branches apart from those that are followed.
+    pub every: bool,
 }
 
 /// What runs along a curve of contacts.

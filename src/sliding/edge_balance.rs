@@ -11,10 +11,13 @@
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 
-use super::contact::{ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork};
+use super::contact::{
+    ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork,
+};
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
+use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -63,8 +66,13 @@ impl WaveAdhesion {
         Self { trailing_zone: factor * self.trailing_zone, leading_zone: factor * self.leading_zone, ..self }
     }
 
+    /// The larger of both works.
+    pub(super) const fn larger_work(&self) -> f64 {
+        self.trailing_work.max(self.leading_work)
+    }
+
     /// 2πΓ of both edges, which the works are held against.
-    fn targets(&self) -> [f64; 2] {
+    pub(super) fn targets(&self) -> [f64; 2] {
         [2.0 * PI * self.trailing_work, 2.0 * PI * self.leading_work]
     }
 }
@@ -103,6 +111,8 @@ const GAP_POINTS: u32 = 16;
 const LONGEST_STEP: f64 = 0.33;
 /// Steps of difference quotients in units of the same room.
 const DIFFERENCE: f64 = 1e-6;
+/// Longest step of difference quotients in the eccentricity of a narrow gap.
+const MOST_OF_ROOM: f64 = 1e-3;
 /// Rounding of a condition over the size of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A gap this far below zero, over the largest, is rounding.
@@ -134,9 +144,10 @@ impl TwoResiduals for EdgeStates {
 pub struct EdgeBalance {
     memory: Arc<ContactMemory>,
     indenter: Indenter,
-    adhesion: Option<(WaveAdhesion, ProcessZone, ProcessZone)>,
+    adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
     control: SlidingControl,
     resolution: Resolution,
+    evaluations: Cell<u64>,
 }
 
 impl EdgeBalance {
@@ -150,10 +161,16 @@ impl EdgeBalance {
         resolution: Resolution,
     ) -> Self {
         let adhesion = adhesion.map(|adhesion| {
-            let (trailing, leading) = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
-            (adhesion, trailing, leading)
+            let zones = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
+            (adhesion, Arc::new(zones))
         });
-        Self { memory, indenter, adhesion, control, resolution }
+        Self { memory, indenter, adhesion, control, resolution, evaluations: Cell::new(0) }
+    }
+
+    /// The same conditions under another control; what is prepared is shared.
+    #[must_use]
+    pub fn under(&self, control: SlidingControl) -> Self {
+        Self { control, evaluations: Cell::new(0), ..self.clone() }
     }
 
     /// The adhesion.
@@ -162,10 +179,21 @@ impl EdgeBalance {
         self.adhesion.as_ref().map(|(adhesion, ..)| *adhesion)
     }
 
+    /// The resolution.
+    #[must_use]
+    pub const fn resolution(&self) -> Resolution {
+        self.resolution
+    }
+
     /// Contacts solved for one evaluation.
     #[must_use]
     pub const fn contacts_per_evaluation(&self) -> u64 {
         if self.adhesion.is_some() { 3 } else { 1 }
+    }
+
+    /// Evaluations since this was last asked, those that led to nothing as well.
+    pub fn take_evaluations(&self) -> u64 {
+        self.evaluations.take()
     }
 
     /// The edges and the prescription that a pair of unknowns stands for.
@@ -193,22 +221,28 @@ impl EdgeBalance {
     /// # Errors
     /// As [`EdgeBalance::evaluate`].
     pub fn evaluate_at(&self, contact: WaveContact, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
-        let solve = |contact, prescribed| ContactState::at_resolution(&self.memory, self.indenter, contact, prescribed, self.resolution);
-        let state = solve(contact, prescribed)?;
-        let Some((adhesion, trailing, leading)) = &self.adhesion else {
-            let half = self.indenter.half_angle_scale(contact.half_width);
+        self.evaluate_edges(ContactEdges::new(self.indenter, contact), prescribed)
+    }
+
+    /// The conditions at given edges, of which half the gap is known to its own digits.
+    ///
+    /// # Errors
+    /// As [`EdgeBalance::evaluate`].
+    pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
+        let state = solve(edges, prescribed)?;
+        let Some((adhesion, zones)) = &self.adhesion else {
+            let half = self.indenter.half_angle_scale(edges.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
             let rounding = ROUNDING * (1.0 + state.condition().ln());
             let residual = [behind / scale, ahead / scale];
             return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
         };
-        let moved = |out: f64, shift: f64| {
-            let edges = WaveContact { half_width: contact.half_width + 0.5 * out, eccentricity: contact.eccentricity + shift };
-            solve(edges, state.held())
-        };
-        let trailing_moved = moved(trailing.length(), -0.5 * trailing.length())?;
-        let leading_moved = moved(leading.length(), 0.5 * leading.length())?;
+        let (trailing, leading) = &**zones;
+        let trailing_moved = solve(edges.moved_out(-trailing.length()), state.held())?;
+        let leading_moved = solve(edges.moved_out(leading.length()), state.held())?;
         let targets = adhesion.targets();
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
         let defect = |work: f64, target: f64, amplitude: f64| {
@@ -233,9 +267,10 @@ impl EdgeBalance {
     /// # Errors
     /// Those of the reversed contact.
     pub fn releases(&self, states: &EdgeStates) -> Result<Option<(Estimate, Estimate)>, Refusal> {
-        let (Some((adhesion, trailing, leading)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
+        let (Some((adhesion, zones)), Some(tensions)) = (&self.adhesion, &states.tensions) else {
             return Ok(None);
         };
+        let (trailing, leading) = &**zones;
         let reversed = states.state.reversed()?;
         let targets = adhesion.targets();
         let over = |target: f64, work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);
@@ -247,13 +282,17 @@ impl EdgeBalance {
     pub fn room(&self, [first, _]: [f64; 2]) -> [f64; 2] {
         match self.control {
             SlidingControl::HalfWidth(half_width) => {
-                let arc = half_width.min(self.indenter.widest() - half_width);
-                [self.indenter.half_angle_scale(half_width) + first.abs(), arc]
+                [self.indenter.half_angle_scale(half_width) + first.abs(), self.room_of_eccentricity(half_width)]
             }
-            _ => {
-                let arc = first.min(self.indenter.widest() - first);
-                [arc, arc]
-            }
+            _ => [first.min(self.indenter.widest() - first), self.room_of_eccentricity(first)],
+        }
+    }
+
+    /// Near full contact a gap may be anywhere on the wave.
+    fn room_of_eccentricity(&self, half_width: f64) -> f64 {
+        match self.indenter {
+            Indenter::Wave => half_width.min(1.0),
+            Indenter::Parabola => half_width,
         }
     }
 
@@ -268,7 +307,13 @@ impl EdgeBalance {
     /// The difference steps of the unknowns.
     #[must_use]
     pub fn differences(&self, unknowns: [f64; 2]) -> [f64; 2] {
-        self.room(unknowns).map(|room| DIFFERENCE * room)
+        let [first, eccentricity] = self.room(unknowns).map(|room| DIFFERENCE * room);
+        let half_width = if let SlidingControl::HalfWidth(half_width) = self.control { half_width } else { unknowns[0] };
+        let (Indenter::Wave, Some((adhesion, ..))) = (self.indenter, &self.adhesion) else { return [first, eccentricity] };
+        // Across a narrow gap the pressure of the wave hardly changes: what an eccentricity does is this many times smaller than one.
+        let gap = PI - half_width;
+        let tilts = (adhesion.larger_work() / (0.5 * gap).tan()).sqrt() / gap;
+        [first, eccentricity.max((f64::EPSILON * tilts).sqrt().min(MOST_OF_ROOM))]
     }
 
     fn with_equations<R>(
@@ -310,7 +355,7 @@ impl EdgeBalance {
         // Signs need no digits.
         let rough = state.evaluated_at(Resolution::Coarse);
         let half_gap = match self.indenter {
-            Indenter::Wave => PI - half_width,
+            Indenter::Wave => state.edges().half_gap,
             Indenter::Parabola => 10.0 * half_width,
         };
         let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);

@@ -1,6 +1,7 @@
 //! The plots of branches, stable parts and others told apart, turns marked; and of strengths.
 
 use super::SlidingPlan;
+use super::apart::ISOLA;
 use super::columns::{at, place_of, strength};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
@@ -9,6 +10,9 @@ use crate::scene::typed::{BranchParameter, Scene, SlidingBranch, SlidingContact,
 
 /// Most states whose branches are drawn in one figure.
 const MOST_BRANCHES: usize = 6;
+
+/// Half-widths that span more than this factor have a logarithmic axis.
+const LOGARITHMIC_FROM: f64 = 10.0;
 
 /// Turns that are marked, with their sign and name; all others are diamonds.
 const MARKS: [(&str, Marker, &str); 4] = [
@@ -43,7 +47,7 @@ impl Held {
 impl SlidingPlan {
     pub(super) fn branch_drawings(&self, branch: &SlidingBranch, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let load = || Axis::linear(self.load_label());
-        let width = || Axis::linear(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"));
+        let width = || Axis::linear(self.half_width_label());
         let draw = |horizontal: Axis, vertical: Axis, columns: (usize, usize)| {
             self.branch_figure(branch, scene, rows, (horizontal, vertical), columns)
         };
@@ -73,9 +77,19 @@ impl SlidingPlan {
         let friction = (format!("friction_against_{against}"), draw(along(), vertical, (column, at::FRICTION)));
         let other = match self.sliding.control {
             SlidingLoad::HalfWidth(_) => ("load", load(), at::LOAD),
-            _ => ("half_width", width(), at::HALF_WIDTH),
+            _ => {
+                let widths = || rows.iter().filter_map(|row| row.value(at::HALF_WIDTH));
+                let (narrowest, widest) = (widths().fold(f64::INFINITY, f64::min), widths().fold(0.0, f64::max));
+                // Contacts of all widths, such as an isola of narrow ones beside almost full ones.
+                let axis = if widest > LOGARITHMIC_FROM * narrowest { Axis::logarithmic } else { Axis::linear };
+                ("half_width", axis(self.half_width_label()), at::HALF_WIDTH)
+            }
         };
         vec![(format!("{}_against_{against}", other.0), draw(along(), other.1, (column, other.2))), friction]
+    }
+
+    fn half_width_label(&self) -> String {
+        self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$")
     }
 
     fn name_of(&self, branch: &SlidingBranch, held: Held) -> &'static str {
@@ -162,14 +176,23 @@ impl SlidingPlan {
     /// The parts of one state's branches that hold in one way, gaps between them; a turn belongs to the parts on both sides.
     fn parts(&self, branch: &SlidingBranch, rows: &[&Row], held: Held, point: &dyn Fn(&Row) -> (f64, f64)) -> Vec<(f64, f64)> {
         let ways: Vec<Option<Held>> = rows.iter().map(|row| self.held(branch, row)).collect();
-        let mut points = Vec::new();
-        for (index, pair) in rows.windows(2).enumerate() {
-            let ([from, to], (before, after)) = (pair, (ways.get(index).copied().flatten(), ways.get(index + 1).copied().flatten())) else {
-                continue;
+        let (mut points, mut first) = (Vec::new(), 0);
+        for (index, row) in rows.iter().enumerate() {
+            let begins = index.checked_sub(1).and_then(|before| rows.get(before)).is_none_or(|before| before.label(2) != row.label(2));
+            if begins {
+                first = index;
+            }
+            // A closed branch comes back to its first point.
+            let next = match rows.get(index + 1) {
+                Some(next) if next.label(2) == row.label(2) => index + 1,
+                _ if row.label(2).starts_with(ISOLA) => first,
+                _ => continue,
             };
+            let Some((from, to)) = rows.get(index).zip(rows.get(next)) else { continue };
+            let (before, after) = (ways.get(index).copied().flatten(), ways.get(next).copied().flatten());
             // Between a turn and a point the point tells; between two points that differ, the second.
             let way = after.or(before);
-            if from.label(2) != to.label(2) || way != Some(held) {
+            if way != Some(held) {
                 continue;
             }
             let (start, end) = (point(from), point(to));

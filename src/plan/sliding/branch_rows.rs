@@ -29,11 +29,11 @@ impl SlidingPlan {
         let mut rows: Vec<Row> = Vec::with_capacity(items.len());
         for Item { branch: name, event, found, note } in items {
             let number = 1 + rows.iter().filter(|row| row.label(2) == name).count();
-            let mut row = empty([adhesive, "partial", name, event]);
+            let mut row = empty([adhesive, "partial", &name, event]);
             row.reason = note;
             let filled = found.and_then(|found| self.fill_point(branch, &found, number, &mut row));
             if let Err(refusal) = filled {
-                row.labels = [adhesive, "", name, event].map(str::to_owned).to_vec();
+                row.labels = [adhesive, "", &name, event].map(str::to_owned).to_vec();
                 self.refuse(&mut row, refusal);
             }
             rows.push(row);

@@ -4,10 +4,9 @@ use super::SlidingPlan;
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch};
-use crate::sliding::branch::{
-    Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Turn, speed_folds, trace,
-};
+use crate::sliding::branch::{Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Turn, trace};
 use crate::sliding::steady::{PartialValues, SlidingControl, WaveAdhesion};
+use std::borrow::Cow;
 
 /// The widest contact of a cylinder that is followed, in L, at no load.
 const WIDEST_UNLOADED: f64 = 6.0;
@@ -22,8 +21,8 @@ const MOST_POINTS: usize = 10_000;
 
 /// What a row of a branch is.
 pub(super) struct Item {
-    /// Which branch: of one curve the word is "whole", of the parts of it within a range "first" and so on.
-    pub(super) branch: &'static str,
+    /// Which branch: of one curve the word is "whole", of the parts of it within a range "first" and so on; of several see [`super::apart`].
+    pub(super) branch: Cow<'static, str>,
     /// The turn or the state that it is; empty for a point.
     pub(super) event: &'static str,
     /// The contact; or why there is none.
@@ -56,7 +55,7 @@ pub(super) struct Traced {
 
 impl SlidingPlan {
     /// The problem of a branch without its points; `span` are the ends of its parameter, reduced.
-    fn branch_problem(&self, parameter: Option<BranchParameter>, span: Option<[f64; 2]>) -> Result<BranchProblem<'_>, Refusal> {
+    pub(super) fn branch_problem(&self, parameter: Option<BranchParameter>, span: Option<[f64; 2]>) -> Result<BranchProblem<'_>, Refusal> {
         let adhesion = self.reduced_adhesion().ok_or_else(|| Refusal::Undefined {
             quantity: "a branch of contacts",
             reason: "without adhesion there is no energy balance at the edges".into(),
@@ -88,7 +87,7 @@ impl SlidingPlan {
     }
 
     /// The ends of a branch's parameter, reduced.
-    fn span(&self, branch: &SlidingBranch) -> Option<[f64; 2]> {
+    pub(super) fn span(&self, branch: &SlidingBranch) -> Option<[f64; 2]> {
         let unit = match branch.parameter {
             BranchParameter::MeanPressure | BranchParameter::LoadPerWidth => self.scale.load,
             BranchParameter::Penetration => self.scale.displacement,
@@ -105,25 +104,8 @@ impl SlidingPlan {
         problem.points = branch.points as usize;
         let material = &self.material;
         match (branch.parameter, span) {
-            (BranchParameter::Speed, _) => {
-                let folds = speed_folds(material, &problem)?;
-                let gap = folds.no_contact.as_ref().map(|gap| {
-                    let [slow, fast] = [&gap.lower, &gap.upper].map(|fold| fold.parameter().value * self.scale.length);
-                    let sure = if gap.closed { "no steady partial contact exists" } else { "no steady partial contact was found" };
-                    format!("{sure} at speeds between {slow:.6e} and {fast:.6e}")
-                });
-                let mut traced = Traced { items: Vec::new(), closure_evaluations: 0 };
-                for (name, end) in [("slow", Some(folds.slow)), ("fast", folds.fast)] {
-                    match end {
-                        Some(Ok(found)) => self.collect(&mut traced, branch, &problem, found, name, gap.as_deref()),
-                        Some(Err(refusal)) => {
-                            traced.items.push(Item { branch: name, event: "", found: Err(refusal), note: None });
-                        }
-                        None => {}
-                    }
-                }
-                Ok(traced)
-            }
+            _ if branch.every => self.every_traced(branch, &problem),
+            (BranchParameter::Speed, _) => self.speeds_traced(branch, &problem),
             (BranchParameter::MeanPressure | BranchParameter::LoadPerWidth | BranchParameter::Penetration, Some(span)) => {
                 let place = if branch.parameter == BranchParameter::Penetration { 3 } else { 2 };
                 self.within(branch, &mut problem, place, span)
@@ -178,7 +160,7 @@ impl SlidingPlan {
             let kept = item.found.as_ref().map_or(true, |found| inside(&found.values));
             if kept {
                 part += usize::from(left || part == 0);
-                item.branch = PARTS.get(part - 1).copied().unwrap_or("further");
+                item.branch = PARTS.get(part - 1).copied().unwrap_or("further").into();
             }
             left = !kept && part > 0;
             kept
@@ -187,15 +169,16 @@ impl SlidingPlan {
     }
 
     /// Points and turns of a branch in the order of the curve.
-    fn collect(
+    pub(super) fn collect(
         &self,
         traced: &mut Traced,
         branch: &SlidingBranch,
         problem: &BranchProblem<'_>,
         found: Branch,
-        name: &'static str,
+        name: impl Into<Cow<'static, str>>,
         gap: Option<&str>,
     ) {
+        let name = name.into();
         traced.closure_evaluations += found.work.closure_evaluations;
         let stiffness = branch.frame_stiffness.map(|stiffness| stiffness * self.scale.displacement / self.scale.load);
         let at = |parameter: Estimate, values: PartialValues, variations: Option<&SecondVariations>, residual| {
@@ -218,13 +201,13 @@ impl SlidingPlan {
         let mut items: Vec<(f64, Item)> = Vec::new();
         for point in found.points {
             let found = Ok(at(point.parameter, point.values, Some(&point.variations), None));
-            items.push((point.arclength, Item { branch: name, event: "", found, note: None }));
+            items.push((point.arclength, Item { branch: name.clone(), event: "", found, note: None }));
         }
         for (arclength, refusal) in found.left_out {
-            items.push((arclength, Item { branch: name, event: "", found: Err(refusal), note: None }));
+            items.push((arclength, Item { branch: name.clone(), event: "", found: Err(refusal), note: None }));
         }
         for (quantity, arclength, refusal) in found.unlocated {
-            items.push((arclength, Item { branch: name, event: turn_of(quantity, None), found: Err(refusal), note: None }));
+            items.push((arclength, Item { branch: name.clone(), event: turn_of(quantity, None), found: Err(refusal), note: None }));
         }
         for fold in found.folds {
             let event = match meant.iter().position(|place| *place == Some(fold.arclength.to_bits())) {
@@ -242,11 +225,11 @@ impl SlidingPlan {
                 _ => found.under_load = None,
             }
             let found = Ok(found);
-            items.push((fold.arclength, Item { branch: name, event, found, note }));
+            items.push((fold.arclength, Item { branch: name.clone(), event, found, note }));
         }
         for point in found.zero_load {
             let found = Ok(at(point.values.mean_pressure, point.values, Some(&point.variations), None));
-            items.push((point.arclength, Item { branch: name, event: "zero_load", found, note: None }));
+            items.push((point.arclength, Item { branch: name.clone(), event: "zero_load", found, note: None }));
         }
         items.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut items: Vec<Item> = items.into_iter().map(|(_, item)| item).collect();
@@ -262,12 +245,15 @@ impl SlidingPlan {
     /// Where a branch stops before the end that was asked for.
     fn ending(&self, verb: &str, end: &BranchEnd) -> Option<String> {
         match end {
+            BranchEnd::Impossible { half_width, witness, .. } => {
+                let half_width = half_width * self.scale.length;
+                Some(format!("the branch {verb} at a half-width of {half_width:.4e}: {}", witness.name()))
+            }
             BranchEnd::Lost { half_width, reason, .. } => {
                 let half_width = half_width * self.scale.length;
                 Some(format!("the branch {verb} at a half-width of {half_width:.4e}: {}", self.sentence(reason)))
             }
             BranchEnd::TooLong => Some(format!("the branch {verb} here: it is too long")),
-            BranchEnd::NearFull(_) => Some(format!("the branch {verb} here: full contact is too near for its digits")),
             BranchEnd::HalfWidth(_) | BranchEnd::Parameter(_) | BranchEnd::Closed => None,
         }
     }

@@ -3,6 +3,7 @@
 use super::SlidingPlan;
 use crate::outcome::Work;
 use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, SlidingContact, SlidingTask};
+use crate::sliding::branch::{Scan, beyond_both_ends};
 
 /// Balances of an elastic contact, whatever its speed.
 const ELASTIC: f64 = 5.0;
@@ -35,6 +36,9 @@ const SENSITIVITIES: [f64; 2] = [50.0, 1500.0];
 const PROBES: f64 = 40.0;
 const OUTSIDE: f64 = 0.7;
 
+/// Balances of a half-width of a scan: six for the forms, the rest for what comes out as a contact.
+const SCANNED: f64 = 8.0;
+
 impl SlidingPlan {
     /// Balances of a branch.
     fn balances_of_branch(&self, branch: &SlidingBranch) -> f64 {
@@ -47,10 +51,28 @@ impl SlidingPlan {
                 of(EVERY_LOAD) * if branch.range.is_some() { 2.0 } else { 1.0 }
                     + if branch.range.is_some() { POINT * (PROBES + OUTSIDE * f64::from(branch.points)) } else { 0.0 }
             }
+            BranchParameter::Speed if self.is_scanned(branch) => of(EVERY_SPEED) + self.balances_of_scan(branch),
             BranchParameter::Speed => of(EVERY_SPEED),
             BranchParameter::WorkOfAdhesion | BranchParameter::ProcessZone => EVERY_ADHESION,
         };
-        curve + POINT * f64::from(branch.points)
+        let scan = if branch.every && branch.parameter != BranchParameter::Speed { self.balances_of_scan(branch) } else { 0.0 };
+        curve + scan + POINT * f64::from(branch.points)
+    }
+
+    /// Whether every contact is scanned along speeds: on request, and where neither end bears what is held.
+    fn is_scanned(&self, branch: &SlidingBranch) -> bool {
+        branch.every
+            || self
+                .branch_problem(Some(branch.parameter), self.span(branch))
+                .is_ok_and(|problem| beyond_both_ends(&self.material, &problem))
+    }
+
+    /// Balances of a scan.
+    fn balances_of_scan(&self, branch: &SlidingBranch) -> f64 {
+        let Ok(problem) = self.branch_problem(Some(branch.parameter), self.span(branch)) else { return 0.0 };
+        let Scan { half_widths, parameters } = Scan::of(&problem);
+        let parameters = if branch.parameter.is_load() { 1 } else { parameters };
+        SCANNED * (half_widths * parameters) as f64
     }
 
     /// Balances of what a contact bears.

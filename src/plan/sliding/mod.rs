@@ -1,5 +1,6 @@
 //! The plan of a sliding contact: which contacts, at which speed, under which load, with which fields.
 
+mod apart;
 mod branch_figures;
 mod branch_rows;
 mod branches;

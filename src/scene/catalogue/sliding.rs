@@ -134,6 +134,20 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "About how many contacts of the curve are rows, evenly spaced along it, on each of the slow and the fast branch; turns come besides. Default 100.",
     },
     Key {
+        path: "sliding.branch.branches",
+        kind: Kind::Choice(&[
+            Word {
+                word: "followed",
+                meaning: "the branch of the contact that a plain scene finds; along speeds those of the slow and of the fast contact, and, where a load is beyond what both bear, those that a scan of all speeds finds",
+            },
+            Word {
+                word: "every",
+                meaning: "also those that a scan of every contact finds apart from these, closed ones (isolas) as well; not together with a range of loads or penetrations",
+            },
+        ]),
+        meaning: "Which branches are rows: those that are reached from the ends, or every one. A scan misses a branch that fits between two of its half-widths and two values of the parameter (two per factor e). Default \"followed\".",
+    },
+    Key {
         path: "sliding.branch.frame_stiffness",
         kind: Kind::Number {
             dimension: Dimension::STIFFNESS_PER_AREA,

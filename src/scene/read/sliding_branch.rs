@@ -90,7 +90,16 @@ fn branch(table: &Section<'_>, wave: bool) -> Result<SlidingBranch, SceneError> 
         let message = format!("`{}`: a cylinder has no penetration, which a frame would hold", table.full("frame_stiffness"));
         return Err(table.wrong("frame_stiffness", message, "leave it out"));
     }
-    Ok(SlidingBranch { parameter, range, points: table.number("points")?.unwrap_or(DEFAULT_POINTS) as u32, frame_stiffness })
+    let every = table.text("branches") == Some("every");
+    let ranged = !matches!(parameter, BranchParameter::HalfWidth) && parameter.is_load() && range.is_some();
+    if every && ranged {
+        let message =
+            format!("`{}` = \"every\" goes through every load, but a range of {} is given", table.full("branches"), parameter.word());
+        let instead = if wave { "leave `from` and `to` out, or go along \"half_width\"" } else { "go along \"half_width\"" };
+        return Err(table.wrong("branches", message, instead));
+    }
+    let points = table.number("points")?.unwrap_or(DEFAULT_POINTS) as u32;
+    Ok(SlidingBranch { parameter, range, points, frame_stiffness, every })
 }
 
 fn range(table: &Section<'_>, parameter: BranchParameter, wave: bool) -> Result<Option<[f64; 2]>, SceneError> {

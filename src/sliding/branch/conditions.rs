@@ -1,10 +1,11 @@
 //! What is asked of a branch, in reduced units.
 
 use crate::closure::work_by_speed::WorkBySpeed;
+use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::{SlidingControl, WaveAdhesion};
-use crate::sliding::steady::{SlidingProblem, adhesion_at};
+use crate::sliding::steady::{Prepared, SlidingProblem, adhesion_at};
 
 /// Half the narrowest gap of a branch, over the longer process zone.
 const GAP_IN_ZONES: f64 = 2.0;
@@ -113,6 +114,12 @@ impl<'a> BranchProblem<'a> {
             control,
             accuracy: self.accuracy,
         }
+    }
+
+    /// The edge conditions at a point of the branch, for its accurate contacts.
+    pub(super) fn prepared(&self, material: &Material, third: f64) -> Result<Prepared, Refusal> {
+        let (rate, adhesion) = self.at(third);
+        Prepared::new(material, rate, self.indenter, Some(adhesion))
     }
 
     /// Rate and adhesion at a value of the third unknown.

@@ -4,8 +4,9 @@
 //! under strong pulls, with turns of load and penetration that no stable contact is next to; those are not meant.
 
 use super::conditions::BranchProblem;
+use super::end::BranchEnd;
 use super::fold::{Fold, FoldQuantity, Turn};
-use super::trace::{Branch, BranchEnd};
+use super::trace::Branch;
 
 impl Branch {
     /// Snap-in, p_IN: the first largest mean pressure from the narrow side; none if adhesion leaves no stable contact under a held load, or if it is beyond
@@ -21,7 +22,6 @@ impl Branch {
         let end = match self.snap_in() {
             Some(snap_in) => snap_in.arclength,
             None if matches!(self.ends, BranchEnd::HalfWidth(width) if width > problem.half_widths[0]) => f64::INFINITY,
-            None if matches!(self.ends, BranchEnd::NearFull(_)) => f64::INFINITY,
             None => return None,
         };
         self.folds_of(FoldQuantity::MeanPressure).filter(|fold| fold.turn == Turn::Minimum && fold.arclength < end).last()

@@ -1,25 +1,36 @@
 //! A turn of a branch: where it is, what turns there, and how well both are known.
 //!
-//! The fold equations are solved at one resolution, with longer differences, and at the next; the difference, with what rounding leaves, is the error.
+//! The fold equations are solved at one resolution; what they are off at the next, with longer differences, is the error, with what rounding leaves. Where that is
+//! above the request, the next resolution follows.
 
 use super::conditions::{BranchPath, BranchProblem};
-use super::equations::BranchEquations;
+use super::equations::{BranchEquations, edges_at};
 use super::point::variations_at;
-use super::trace::{BranchWork, Coarse};
+use super::trace::{BranchWork, Coarse, near};
 use super::values::widened;
-use crate::continuation::arclength::{Quantity, linearized};
-use crate::continuation::fold::{CENTRAL_STEP, between, located};
+use crate::continuation::curve::{Quantity, linearized};
+use crate::continuation::fold::{CENTRAL_STEP, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{Indenter, Resolution};
-use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::steady::{PartialValues, Start, steady_sliding_near};
+use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
+use crate::sliding::steady::{PartialValues, Start};
 
 use super::stability::SecondVariations;
 
 /// Part of the tangent along the half-width below which the mean pressure is prescribed instead.
 const NEAR_TURN: f64 = 0.1;
+/// Accuracies above this begin at the medium resolution.
+const COARSEST_FOR: f64 = 1e-9;
+/// Share of the accuracy that the uncertain place of a fold may take; bars of the contact there are its own as well.
+const PLACE: f64 = 0.5;
+/// A place whose shift at the next level is below this part of its error is uncertain by rounding.
+const ROUNDED: f64 = 0.05;
+/// The longest differences that are taken against rounding.
+const LONGEST_STEP: f64 = 4.0 * CENTRAL_STEP;
+/// Share of an error that the finer level may still have.
+const MARGIN: f64 = 0.3;
 
 /// What turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,11 +54,25 @@ impl FoldQuantity {
     pub(super) fn of(problem: &BranchProblem) -> &'static [Self] {
         match (problem.path, problem.indenter) {
             (BranchPath::Loads, Indenter::Wave) => &[Self::MeanPressure, Self::Penetration, Self::HalfWidth],
-            // The penetration of a parabola counts from a datum of no meaning.
+            // The penetration of a parabola counts from a datum; another datum adds a multiple of the load, so a turn of it means nothing by itself.
             (BranchPath::Loads, Indenter::Parabola) => &[Self::MeanPressure, Self::HalfWidth],
             (BranchPath::Speeds(_), _) => &[Self::LogRate],
             (BranchPath::Adhesions(_), _) => &[Self::LogWork],
             (BranchPath::Zones(_), _) => &[Self::LogZone],
+        }
+    }
+
+    /// The quantity itself at a fold of what the curve has in its place, with an error.
+    fn told(self, problem: &BranchProblem, point: &FoldPoint<EdgeStates>, error: f64) -> Estimate {
+        let state = &point.found.state.state;
+        match self {
+            Self::HalfWidth => {
+                let edges = edges_at(problem, point.unknowns[0], point.unknowns[1]);
+                Estimate::new(edges.half_width, error * edges.width_by_place() + f64::EPSILON * edges.half_width)
+            }
+            // Watched is −ln(1 − Δ).
+            Self::Penetration => Estimate::new(state.penetration(), error * state.mean_separation() + f64::EPSILON),
+            _ => Estimate::new(point.value, error),
         }
     }
 
@@ -104,6 +129,67 @@ impl Fold {
     }
 }
 
+/// A fold at the level of resolution that the accuracy takes, with its bars.
+struct Solved {
+    point: FoldPoint<EdgeStates>,
+    value: Estimate,
+    errors: [f64; 3],
+    tangent: [f64; 3],
+}
+
+/// Solves a fold at one level and sees what it is off at the next, with longer differences as well, until that is below the accuracy.
+fn solved(
+    material: &Material,
+    problem: &BranchProblem,
+    quantity: FoldQuantity,
+    (start, scales): ([f64; 3], [f64; 3]),
+    work: &mut BranchWork,
+) -> Result<Solved, Refusal> {
+    let (mut start, mut jacobian, mut step) = (start, None, CENTRAL_STEP);
+    let mut level = if problem.accuracy > COARSEST_FOR { Resolution::Medium } else { Resolution::Fine };
+    loop {
+        let Some(finer) = level.finer() else {
+            return Err(Refusal::NotConverged { what: "the accuracy of a fold", detail: "no finer level is left".into() });
+        };
+        let (here, there) = (BranchEquations::new(material, problem, level)?, BranchEquations::new(material, problem, finer)?);
+        let both = located(&here, start, quantity.unknown(), scales, jacobian, step).and_then(|point| {
+            let shift = shifted(&there, &point, quantity.unknown(), 2.0 * step)?;
+            let (_, tangent) = linearized(&here, point.unknowns, &point.found)?;
+            Ok((point, shift, tangent))
+        });
+        work.closure_evaluations += here.evaluations() + there.evaluations();
+        let (point, shift, tangent) = match both {
+            Ok(found) => found,
+            // Rough fields may turn a little elsewhere, or twice.
+            Err(_) if finer.finer().is_some() => {
+                (jacobian, level) = (None, finer);
+                continue;
+            }
+            Err(refusal) => return Err(refusal),
+        };
+        let value = quantity.told(problem, &point, (1.0 + MARGIN) * shift.value.abs() + point.value_rounding);
+        let shifts = shift.unknowns.map(|shift| (1.0 + MARGIN) * shift.abs());
+        let errors: [f64; 3] = std::array::from_fn(|index| shifts[index] + point.unknown_rounding[index]);
+        // Its place is an output as well, and less sure than what turns there.
+        let by_width = matches!(problem.held(), Some(SlidingControl::HalfWidth(_)));
+        let width = if by_width { 1.0 } else { edges_at(problem, point.unknowns[0], point.unknowns[1]).width_by_place() };
+        let place = |[first, eccentricity, _]: [f64; 3]| (first * width).max(eccentricity);
+        let placed = place(errors) <= PLACE * problem.accuracy;
+        let enough = placed && value.error <= problem.accuracy * value.value.abs().max(1.0);
+        if !placed && place(shifts) < ROUNDED * place(errors) && step < LONGEST_STEP {
+            // Rounding over the step is what is left: no finer level helps, longer differences do.
+            (start, jacobian, step) = (point.unknowns, point.jacobian, 2.0 * step);
+            continue;
+        }
+        if enough || finer.finer().is_none() {
+            return Ok(Solved { point, value, errors, tangent: tangent.into() });
+        }
+        start = std::array::from_fn(|index| point.unknowns[index] + shift.unknowns[index]);
+        jacobian = point.jacobian;
+        level = finer;
+    }
+}
+
 /// The fold between two neighbouring points of a coarse curve.
 pub(super) fn located_fold(
     material: &Material,
@@ -114,37 +200,32 @@ pub(super) fn located_fold(
     work: &mut BranchWork,
 ) -> Result<Fold, Refusal> {
     let start = between(from, to, quantity.unknown());
-    let fine = BranchEquations::new(material, problem, Resolution::Fine)?;
-    let finest = BranchEquations::new(material, problem, Resolution::Finest)?;
-    let rough = located(&fine, start, quantity.unknown(), from.scales, None, 2.0 * CENTRAL_STEP)?;
-    let best = located(&finest, rough.unknowns, quantity.unknown(), from.scales, rough.jacobian, CENTRAL_STEP)?;
-    work.closure_evaluations += rough.evaluations + best.evaluations;
-    let far = (0..3).map(|index| ((best.unknowns[index] - start[index]) / from.scales[index]).abs()).fold(0.0, f64::max);
+    let Solved { point, value, errors, tangent } = solved(material, problem, quantity, (start, from.scales), work)?;
+    let far = (0..3).map(|index| ((point.unknowns[index] - start[index]) / from.scales[index]).abs()).fold(0.0, f64::max);
     if far > 2.0 * (to.arclength - from.arclength) {
         return Err(Refusal::NotConverged { what: "a fold of a branch", detail: "the fold found is not where the curve turns".into() });
     }
-    let errors: [f64; 3] = std::array::from_fn(|index| (best.unknowns[index] - rough.unknowns[index]).abs() + best.unknown_rounding[index]);
-    let value = Estimate::new(best.value, (best.value - rough.value).abs() + best.value_rounding);
-    let state = &best.found.state.state;
-    let pressure = state.mean_pressure();
-    let (_, tangent) = linearized(&finest, best.unknowns, &best.found, 1e-6)?;
+    let pressure = point.found.state.state.mean_pressure();
     let by_pressure = tangent[0].abs() < NEAR_TURN;
-    let contact = contact_at(material, problem, best.unknowns, (pressure, by_pressure), errors, work)?;
-    let variations = variations_at(material, problem, best.unknowns[2], &contact, Resolution::Finest, work)?;
+    let contact = contact_at(material, problem, point.unknowns, (pressure, by_pressure), errors, work)?;
+    let third = if problem.path == BranchPath::Loads { 0.0 } else { point.unknowns[2] };
+    let variations = variations_at(&problem.prepared(material, third)?, problem, &contact, Resolution::Fine, work)?;
     let frame = match (quantity, problem.held()) {
         (FoldQuantity::Penetration, _) | (_, Some(SlidingControl::Penetration(_))) => f64::INFINITY,
         _ => 0.0,
     };
-    let borders_stable = variations.each_edge_is_held(frame);
+    // Where its neighbours are placed by the same unknown, the fold comes between those it lies between.
+    let along = if problem.held().is_none() && by_pressure { 2 } else { 0 };
+    let place = point.unknowns.get(along).copied().unwrap_or(f64::NAN);
     Ok(Fold {
         quantity,
         turn: if from.slope(quantity.unknown()) < 0.0 { Turn::Minimum } else { Turn::Maximum },
         value,
         contact,
+        borders_stable: variations.each_edge_is_held(frame),
         variations,
-        arclength: 0.5 * (from.arclength + to.arclength),
-        residual: best.residual,
-        borders_stable,
+        arclength: from.arclength + part_at(from, to, along, place) * (to.arclength - from.arclength),
+        residual: point.residual,
     })
 }
 
@@ -159,17 +240,17 @@ pub(super) fn contact_at(
     work: &mut BranchWork,
 ) -> Result<PartialValues, Refusal> {
     let [first, eccentricity, third] = unknowns;
+    let edges = edges_at(problem, first, eccentricity);
+    let (half_width, width_error) = (edges.half_width, errors[0] * edges.width_by_place());
     // The prescribed unknown with its error, what makes a control of it, the guess of the other, and whether a parameter is left over.
     type Control = fn(f64) -> SlidingControl;
     let (given, error, control, guess): (f64, f64, Control, f64) = match problem.held() {
         Some(SlidingControl::HalfWidth(half_width)) => (first, errors[0], SlidingControl::MeanPressure, half_width),
-        None if by_pressure => (third, errors[2], SlidingControl::MeanPressure, first),
-        _ => (first, errors[0], SlidingControl::HalfWidth, pressure),
+        None if by_pressure => (third, errors[2], SlidingControl::MeanPressure, half_width),
+        _ => (half_width, width_error, SlidingControl::HalfWidth, pressure),
     };
     let mut at = |given: f64, third: f64| -> Result<PartialValues, Refusal> {
-        let found = steady_sliding_near(material, &problem.steady(third, control(given)), &Start::at(guess, eccentricity))?;
-        work.closure_evaluations += found.work.closure_evaluations;
-        Ok(found.values)
+        Ok(near(&problem.prepared(material, third)?, &problem.steady(third, control(given)), &Start::at(guess, eccentricity), work)?.values)
     };
     let here = at(given, third)?;
     // Differences far above the bars of both, far below curvature, and away from the narrower of contact and gap.
@@ -178,7 +259,12 @@ pub(super) fn contact_at(
         _ => given.abs().max(1e-3),
     };
     let step = 1e-4 * room;
-    let mut values = widened(&here, &at(given + step, third)?, error / step);
+    // Where contacts end just beyond, the other side tells the same.
+    let beside = match at(given + step, third) {
+        Ok(beside) => beside,
+        Err(_) => at(given - step, third)?,
+    };
+    let mut values = widened(&here, &beside, error / step);
     if problem.path != BranchPath::Loads {
         values = widened(&values, &at(given, third + 1e-4)?, errors[2] / 1e-4);
     }

@@ -2,12 +2,12 @@
 
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
-use crate::continuation::arclength::{CurveEquations, tangent_of};
+use crate::continuation::curve::{CurveEquations, tangent_of};
 use crate::continuation::fold::{CENTRAL_STEP, gradients};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::Resolution;
+use crate::sliding::contact::{ContactEdges, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{PartialContact, SlidingOutcome, Start, steady_sliding, steady_sliding_near};
 use nalgebra::Vector3;
@@ -55,21 +55,28 @@ pub fn load_slopes(
             }
         },
     };
-    let unknowns = [half_width, contact.values.eccentricity.value, contact.values.mean_pressure.value];
+    let edges = ContactEdges::new(problem.indenter, WaveContact { half_width, eccentricity: contact.values.eccentricity.value });
+    let unknowns = [edges.place(), contact.values.eccentricity.value, contact.values.mean_pressure.value];
     let slopes = |resolution: Resolution, step: f64| -> Result<([f64; 2], f64), Refusal> {
         let equations = BranchEquations::new(material, problem, resolution)?;
-        let scales = equations.scales(unknowns);
+        let scales = equations.natural(unknowns);
         let rows = gradients(&equations, unknowns, scales, step)?;
         let tangent = tangent_of(&rows)?;
-        let width = tangent[0] * scales[0];
-        let rounding = equations.evaluate(unknowns)?.rounding;
-        Ok(([tangent[2] * scales[2] / width, Vector3::from(rows[2]).dot(&tangent) / width], rounding[0] + rounding[1]))
+        let width = tangent[0] * scales[0] * edges.width_by_place();
+        let here = equations.evaluate(unknowns)?;
+        let depth = match problem.indenter {
+            Indenter::Wave => here.state.state.mean_separation(),
+            Indenter::Parabola => 1.0,
+        };
+        let penetration = depth * Vector3::from(rows[2]).dot(&tangent);
+        // Half the sum and the difference of both roundings are never largest together: their sum is the larger bound.
+        Ok(([tangent[2] * scales[2] / width, penetration / width], here.rounding[0].max(here.rounding[1])))
     };
     let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
     let (best, rounding) = slopes(Resolution::Finest, CENTRAL_STEP)?;
     // Rounding of the differences, over sizes of order one in scaled unknowns.
     let floor = (rounding + f64::EPSILON) / CENTRAL_STEP;
-    let scale = 1.0 / half_width.min(problem.indenter.widest() - half_width);
+    let scale = 1.0 / edges.narrower();
     let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor * (best[index].abs() + scale));
     let closure_evaluations = contact.work.closure_evaluations + 2 * SLOPE_EVALUATIONS;
     Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact, closure_evaluations })

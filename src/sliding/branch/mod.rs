@@ -12,8 +12,8 @@
 //!
 //! | path | what varies | unknowns | turns of interest |
 //! |---|---|---|---|
-//! | [`BranchPath::Loads`] | mean pressure and penetration | a, e, p̄ | p̄: pull-off, snap-in; Δ: Δ_out; a |
-//! | [`BranchPath::Speeds`] | speed | a, e, ln kv (held half-width: p̄, e, ln kv) | ln kv |
+//! | [`BranchPath::Loads`] | mean pressure and penetration | ln tan(a/2), e, p̄ | p̄: pull-off, snap-in; Δ: Δ_out; a |
+//! | [`BranchPath::Speeds`] | speed | ln tan(a/2), e, ln kv (held half-width: p̄, e, ln kv) | ln kv |
 //! | [`BranchPath::Adhesions`] | work of adhesion | …, ln Γ | ln Γ |
 //! | [`BranchPath::Zones`] | process zones, in a fixed ratio | …, ln of their factor | the factor |
 //!
@@ -21,24 +21,31 @@
 //! and the toughness are then solved to the accuracy asked for, each with its error bar. Source: thesis Sec 3.7 and Figs 3.14, 3.15.
 
 mod conditions;
+mod end;
 mod equations;
 mod events;
+mod every;
 mod fold;
 mod load;
 mod no_contact;
 mod point;
+mod scan;
 mod stability;
+mod start;
 mod strength;
 mod toughness;
 mod trace;
 mod values;
 
 pub use conditions::{BranchPath, BranchProblem, BranchStart};
+pub use end::{BranchEnd, Impossible};
+pub use every::ContactAt;
 pub use fold::{Fold, FoldQuantity, Turn};
 pub use load::{LoadSlopes, load_slopes};
-pub use no_contact::{NoContactBetween, SpeedFolds, speed_folds};
+pub use no_contact::{Everywhere, NoContactBetween, SpeedFolds, beyond_both_ends, speed_folds};
 pub use point::BranchPoint;
+pub use scan::{EveryBranch, Scan, contacts_of_width, every_branch};
 pub use stability::{SecondVariations, Stability};
 pub use strength::{Strength, StrengthAt, strength, strengths};
 pub use toughness::{Toughness, toughness};
-pub use trace::{Branch, BranchEnd, BranchWork, trace};
+pub use trace::{Branch, BranchWork, trace};

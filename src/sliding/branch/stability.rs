@@ -16,11 +16,15 @@
 
 use crate::continuation::two_unknowns::TwoResiduals;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{Indenter, Prescribed, WaveContact};
+use crate::sliding::contact::{ContactEdges, Indenter, Prescribed, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
 
 /// Step of the central differences over contact or gap, whichever is narrower.
 const STEP: f64 = 5e-4;
+/// Longest step of the eccentricity.
+const WIDEST_SHIFT: f64 = 0.05;
+/// Rounding of the penetration's differences, over their size.
+const DEPTH_ROUNDING: f64 = 1e-12;
 /// A sign below this part of the terms that make it up is not told.
 const UNTOLD: f64 = 1e-5;
 
@@ -48,6 +52,70 @@ pub struct SecondVariations {
     pub penetration_by_load: f64,
     /// Whether a penetration is defined: not of a parabola, whose fixed penetration is a fixed load.
     pub has_penetration: bool,
+    /// The same by width and shift.
+    even: Even,
+}
+
+/// How both works, their difference and the penetration follow half-width a, eccentricity e and mean pressure.
+///
+/// ```text
+/// S = (work₁ + work₂)/4πΓ      D = (work₂ − work₁)/4πΓ      det M = S_a D_e − D_a S_e
+/// ```
+/// Near full contact both edges stand at the ends of one narrow gap and M is all but singular: what tells the edges apart, D_e, is smaller than S_a by the
+/// width of the gap squared. Formed of differences of its own it keeps its digits, which the entries of M lose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Even {
+    /// S by a, e, p̄.
+    sum: [f64; 3],
+    /// D.
+    difference: [f64; 3],
+    /// Δ.
+    penetration: [f64; 3],
+    /// What rounding leaves uncertain of S and D each.
+    rounding: [f64; 3],
+    /// Relative error of the resolution: what it makes of a sum it may make of a difference.
+    digits: f64,
+}
+
+impl Even {
+    /// Derivatives of S and D by a and e at the load, or with contact and frame of a compliance in series.
+    fn held(&self, compliance: Option<f64>) -> [[f64; 2]; 2] {
+        [self.sum, self.difference].map(|[wider, ahead, loaded]| match compliance {
+            Some(compliance) => [wider - loaded * self.penetration[0] / compliance, ahead - loaded * self.penetration[1] / compliance],
+            None => [wider, ahead],
+        })
+    }
+
+    /// M.
+    fn matrix(&self, compliance: Option<f64>) -> [[f64; 2]; 2] {
+        let [[sum_wider, sum_ahead], [difference_wider, difference_ahead]] = self.held(compliance);
+        let entries = |wider: f64, ahead: f64| [0.5 * (wider - ahead), 0.5 * (wider + ahead)];
+        [
+            entries(sum_wider - difference_wider, sum_ahead - difference_ahead),
+            entries(sum_wider + difference_wider, sum_ahead + difference_ahead),
+        ]
+    }
+
+    /// det M and the size below which its sign is not told.
+    fn determinant(&self, compliance: Option<f64>) -> (f64, f64) {
+        let [[sum_wider, sum_ahead], [difference_wider, difference_ahead]] = self.held(compliance);
+        let mut errors = [self.rounding[0], self.rounding[1]];
+        if let Some(compliance) = compliance {
+            for (error, depth) in errors.iter_mut().zip(self.penetration) {
+                *error += (self.rounding[2] + DEPTH_ROUNDING * (self.sum[2].abs() + self.difference[2].abs())) * (depth / compliance).abs();
+            }
+        }
+        // Of a held penetration large terms cancel: the resolution counts by what they were.
+        let [wider, ahead] = [0, 1].map(|index: usize| {
+            let parts = self.sum.get(index).zip(self.penetration.get(index));
+            parts.map_or(f64::NAN, |(sum, depth)| sum.abs() + compliance.map_or(0.0, |compliance| (self.sum[2] * depth / compliance).abs()))
+        });
+        let by_width = errors[0] + self.digits * wider;
+        let by_shift = errors[1] + self.digits * (ahead + difference_ahead.abs());
+        let sized = (sum_wider * difference_ahead).abs() + (difference_wider * sum_ahead).abs();
+        let untold = (sum_wider.abs() + difference_wider.abs()) * by_shift + (sum_ahead.abs() + difference_ahead.abs()) * by_width;
+        (sum_wider * difference_ahead - difference_wider * sum_ahead, untold.max(UNTOLD * sized))
+    }
 }
 
 impl SecondVariations {
@@ -56,54 +124,76 @@ impl SecondVariations {
     /// # Errors
     /// Those of the contacts.
     pub fn new(balance: &EdgeBalance, contact: WaveContact, pressure: f64, indenter: Indenter) -> Result<Self, Refusal> {
-        let WaveContact { half_width, eccentricity } = contact;
-        let length = STEP * half_width.min(indenter.widest() - half_width);
-        let stiffness = balance.evaluate_at(contact, Prescribed::MeanPressure(pressure))?.state.stiffness_at_contact();
-        let load = STEP * (indenter.half_angle_scale(half_width) * stiffness + pressure.abs());
+        let edges = ContactEdges::new(indenter, contact);
+        let width = STEP * edges.narrower();
+        // Across a narrow gap the pressure of the wave hardly changes: an eccentricity may be moved further, and has to be (fields are linear in cos e and sin e).
+        let aside = match (indenter, balance.adhesion()) {
+            (Indenter::Wave, Some(adhesion)) => {
+                let tilts = (adhesion.larger_work() / (0.5 * edges.half_gap).tan()).sqrt() / edges.half_gap;
+                (f64::EPSILON * tilts).powf(0.2).min(WIDEST_SHIFT)
+            }
+            _ => 0.0,
+        };
+        let shift = if edges.half_gap < edges.half_width { width.max(aside) } else { width };
+        let here = balance.evaluate_edges(edges, Prescribed::MeanPressure(pressure))?;
+        let load = STEP * (indenter.half_angle_scale(edges.half_width) * here.state.stiffness_at_contact() + pressure.abs());
         let at = |wider: f64, ahead: f64, more: f64| {
-            let moved = WaveContact { half_width: half_width + wider, eccentricity: eccentricity + ahead };
-            let found = balance.evaluate_at(moved, Prescribed::MeanPressure(pressure + more))?;
+            let moved = ContactEdges {
+                half_width: edges.half_width + wider,
+                half_gap: edges.half_gap - wider,
+                eccentricity: edges.eccentricity + ahead,
+            };
+            let found = balance.evaluate_edges(moved, Prescribed::MeanPressure(pressure + more))?;
             let [trailing, leading] = found.residual();
-            Ok::<_, Refusal>([trailing, leading, found.state.penetration()])
+            // The separation has its own digits near full contact.
+            let depth = if indenter == Indenter::Wave { -found.state.mean_separation() } else { found.state.penetration() };
+            // The residual is the root of the work: half its change.
+            Ok::<_, Refusal>([trailing + leading, leading - trailing, depth])
         };
         // Fourth order: (f(−2h) − 8f(−h) + 8f(h) − f(2h))/12h.
-        let slope = |edges: [f64; 2], more: f64, step: f64| -> Result<[f64; 3], Refusal> {
+        let slope = |[wider, ahead, more]: [f64; 3], step: f64| -> Result<[f64; 3], Refusal> {
             let mut sum = [0.0; 3];
             for (times, weight) in [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)] {
-                let there = at(times * edges[0], times * edges[1], times * more)?;
+                let there = at(times * wider, times * ahead, times * more)?;
                 for (sum, value) in sum.iter_mut().zip(there) {
                     *sum += weight * value / step;
                 }
             }
             Ok(sum)
         };
-        // An edge moves out by h: half of it wider, and the middle by half of it to that side.
-        let trailing = slope([0.5 * length, -0.5 * length], 0.0, length)?;
-        let leading = slope([0.5 * length, 0.5 * length], 0.0, length)?;
-        let loaded = slope([0.0, 0.0], load, load)?;
-        // The residual is the root of the work: half its change.
+        let wider = slope([width, 0.0, 0.0], width)?;
+        let ahead = slope([0.0, shift, 0.0], shift)?;
+        let loaded = slope([0.0, 0.0, load], load)?;
+        // The weights of a difference add up to 1.5 in size.
+        let rounding = 1.5 * (here.rounding[0] + here.rounding[1]);
+        let even = Even {
+            sum: [wider[0], ahead[0], loaded[0]],
+            difference: [wider[1], ahead[1], loaded[1]],
+            penetration: [wider[2], ahead[2], loaded[2]],
+            rounding: [rounding / width, rounding / shift, rounding / load],
+            digits: balance.resolution().relative_error(),
+        };
+        // An edge moves out by one: half of it wider, and the middle by half of it to that side.
+        let [trailing, leading] = even.matrix(None);
         Ok(Self {
-            at_fixed_load: [[2.0 * trailing[0], 2.0 * leading[0]], [2.0 * trailing[1], 2.0 * leading[1]]],
-            by_load: [2.0 * loaded[0], 2.0 * loaded[1]],
-            penetration_by_edges: [trailing[2], leading[2]],
+            at_fixed_load: [trailing, leading],
+            by_load: [loaded[0] - loaded[1], loaded[0] + loaded[1]],
+            penetration_by_edges: [0.5 * (wider[2] - ahead[2]), 0.5 * (wider[2] + ahead[2])],
             penetration_by_load: loaded[2],
             has_penetration: indenter == Indenter::Wave,
+            even,
         })
+    }
+
+    /// The compliance of contact and frame together; none of a held load.
+    fn compliance(&self, frame_stiffness: f64) -> Option<f64> {
+        (frame_stiffness > 0.0 && self.has_penetration).then(|| self.penetration_by_load + 1.0 / frame_stiffness)
     }
 
     /// The matrix in a frame of stiffness k_f (p̄ per Δ, in E0*k/2): zero for a held load, infinite for a held penetration.
     #[must_use]
     pub fn in_frame_matrix(&self, frame_stiffness: f64) -> [[f64; 2]; 2] {
-        let mut matrix = self.at_fixed_load;
-        if frame_stiffness > 0.0 && self.has_penetration {
-            let compliance = self.penetration_by_load + 1.0 / frame_stiffness;
-            for (row, by_load) in matrix.iter_mut().zip(self.by_load) {
-                for (entry, by_edge) in row.iter_mut().zip(self.penetration_by_edges) {
-                    *entry -= by_load * by_edge / compliance;
-                }
-            }
-        }
-        matrix
+        self.even.matrix(self.compliance(frame_stiffness))
     }
 
     /// Under a held load.
@@ -122,10 +212,9 @@ impl SecondVariations {
     #[must_use]
     pub fn in_frame(&self, frame_stiffness: f64) -> Stability {
         let [[first, second], [third, fourth]] = self.in_frame_matrix(frame_stiffness);
-        let determinant = first * fourth - second * third;
-        let size = (first * fourth).abs() + (second * third).abs();
+        let (determinant, untold) = self.even.determinant(self.compliance(frame_stiffness));
         let entries = first.abs().max(second.abs()).max(third.abs()).max(fourth.abs());
-        if [determinant, first, fourth].iter().any(|value| value.is_nan()) || determinant.abs() <= UNTOLD * size {
+        if [determinant, first, fourth].iter().any(|value| value.is_nan()) || determinant.abs() <= untold {
             Stability::Marginal
         } else if determinant < 0.0 || first < -UNTOLD * entries || fourth < -UNTOLD * entries {
             Stability::Unstable
@@ -157,8 +246,8 @@ impl SecondVariations {
         // (∂Δ/∂p̄ + c)·det is linear in the compliance c of the frame; the diagonal entries times the same are as well.
         let load = self.at_fixed_load;
         let held = self.in_frame_matrix(f64::INFINITY);
-        let determinant = |matrix: [[f64; 2]; 2]| matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-        let softest = [(determinant(load), determinant(held)), (load[0][0], held[0][0]), (load[1][1], held[1][1])]
+        let [at_load, at_penetration] = [0.0, f64::INFINITY].map(|stiffness| self.even.determinant(self.compliance(stiffness)).0);
+        let softest = [(at_load, at_penetration), (load[0][0], held[0][0]), (load[1][1], held[1][1])]
             .into_iter()
             .filter(|&(at_load, at_penetration)| at_load < 0.0 && at_penetration > 0.0)
             .map(|(at_load, at_penetration)| -self.penetration_by_load * at_penetration / at_load)

@@ -1,66 +1,37 @@
 //! Following a branch both ways from its start, with its turns and its states without load.
 
-use super::conditions::{BranchPath, BranchProblem, BranchStart};
+use super::conditions::{BranchPath, BranchProblem};
+use super::end::{BranchEnd, border, impossible};
 use super::equations::BranchEquations;
 use super::fold::{Fold, FoldQuantity, located_fold};
-use super::point::{BranchPoint, accurate_point, variations_at};
-use crate::continuation::arclength::{Curve, CurveEnd, CurvePoint, Quantity, Steps, follow, landed};
-use crate::continuation::fold::interpolated;
+use super::point::{BranchPoint, VARIATIONS, accurate_point, variations_at};
+use super::start::start;
+use crate::continuation::arclength::{Curve, CurveEnd, Steps, follow, landed};
+use crate::continuation::curve::{CurveEquations, CurvePoint, Quantity};
+use crate::continuation::fold::{interpolated, part_at};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{Indenter, Resolution};
+use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
-use crate::sliding::steady::{
-    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding,
-    steady_sliding_near,
-};
+use crate::sliding::steady::{PartialContact, Prepared, SlidingProblem, SlidingWork, Start, near_counted};
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
-const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7, difference: 1e-6 };
+const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7 };
 /// The resolution of the coarse curve.
 const RESOLUTION: Resolution = Resolution::Medium;
-/// The half-widths at which the loads of one speed are begun, in this order.
-const HALF_WIDTHS: [f64; 10] = [1.2, 0.6, 1.8, 0.3, 2.4, 0.15, 0.08, 0.04, 0.02, 0.01];
-/// Accuracy of the contact at which a branch begins.
-const START_ACCURACY: f64 = 1e-4;
-
 /// A slope whose smallest value is below this part of its change to the neighbours may have turned in between.
 const DIP: f64 = 2.0;
 /// Parts of a step where it may have.
 const REFINED: f64 = 8.0;
 
-/// 1 − Δ below which a branch is not followed: moved contacts keep it to its last digits, but an ulp of a half-width near π then is 1e-8 of π − a.
-const NEAREST_TO_FULL: f64 = 1e-13;
+/// Arclengths beyond the last point at which it is looked for what forbids the next.
+const PREDICTED: [f64; 3] = [1e-5, 1e-4, 1e-3];
 /// Turns that are refused before no more are looked for.
 const MOST_UNLOCATED: usize = 12;
 
 /// A point of the coarse curve.
 pub(super) type Coarse = CurvePoint<EdgeStates>;
-
-/// How an end of a branch came about.
-#[derive(Debug, Clone, PartialEq)]
-pub enum BranchEnd {
-    /// The narrowest or widest half-width asked for was passed.
-    HalfWidth(f64),
-    /// The smallest or largest parameter asked for was passed (rate kv in 1/s, Γ, factor of the zones).
-    Parameter(f64),
-    /// No admissible contact follows; the half-width and parameter of the last one (mean pressure along loads), and the refusal of the next.
-    Lost {
-        /// a.
-        half_width: f64,
-        /// The third unknown: p̄, or rate, Γ, factor.
-        parameter: f64,
-        /// Why.
-        reason: Refusal,
-    },
-    /// So near full contact that a penetration, which moved contacts keep, has too few digits below one; the last half-width.
-    NearFull(f64),
-    /// The branch is a closed curve, and ends where it begins.
-    Closed,
-    /// The branch has more points than are followed, 3000 to each side.
-    TooLong,
-}
 
 /// Work counters of a branch.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -152,24 +123,41 @@ pub(super) fn coarse(
     let border = |point: &Coarse| border(problem, point);
     let inside = |point: &Coarse| border(point).is_none();
     let mut run = |sign: f64| -> Result<(Vec<Coarse>, BranchEnd), Refusal> {
-        let Curve { points, end, evaluations, refused } = follow(&equations, start, toward, sign, &STEPS, &inside)?;
-        work.closure_evaluations += evaluations;
+        let Curve { points, end, refused } = follow(&equations, start, toward, sign, &STEPS, &inside)?;
         work.refused_steps += refused;
         work.curve_points += points.len() as u64;
-        let end = match (end, points.last()) {
-            (CurveEnd::Closed, _) => BranchEnd::Closed,
-            (CurveEnd::Left, Some(last)) => border(last).unwrap_or(BranchEnd::TooLong),
-            (CurveEnd::Lost(reason), Some(last)) => BranchEnd::Lost {
-                half_width: last.state.state.contact().half_width,
-                parameter: parameter_of(problem, last.unknowns[2]),
-                reason,
+        let Some(last) = points.last() else { return Ok((points, BranchEnd::TooLong)) };
+        let (half_width, parameter) = (last.state.state.contact().half_width, parameter_of(problem, last.unknowns[2]));
+        let end = match end {
+            CurveEnd::Closed => BranchEnd::Closed,
+            CurveEnd::Left => border(last).unwrap_or(BranchEnd::TooLong),
+            CurveEnd::MostPoints => BranchEnd::TooLong,
+            // An amplitude that changes its sign makes the residual jump: no root follows, but the contact predicted tells.
+            CurveEnd::Lost(reason) => match PREDICTED.into_iter().find_map(|step| {
+                let next =
+                    equations.evaluate(std::array::from_fn(|index| last.unknowns[index] + step * last.tangent[index] * last.scales[index]));
+                impossible(equations.prepared(), &last.state, &next.ok()?.state)
+            }) {
+                Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
+                None => BranchEnd::Lost { half_width, parameter, reason },
             },
-            _ => BranchEnd::TooLong,
+            CurveEnd::Inadmissible(next) => match impossible(equations.prepared(), &last.state, &next) {
+                Some(witness) => BranchEnd::Impossible { half_width, parameter, witness },
+                None => {
+                    let reason =
+                        Refusal::NotConverged { what: "a point of a branch", detail: "only another, unphysical root is near".into() };
+                    BranchEnd::Lost { half_width, parameter, reason }
+                }
+            },
         };
         Ok((points, end))
     };
-    let (forward, ends) = run(1.0)?;
-    let (backward, begins) = if ends == BranchEnd::Closed { (Vec::new(), BranchEnd::Closed) } else { run(-1.0)? };
+    let both = run(1.0).and_then(|(forward, ends)| {
+        let (backward, begins) = if ends == BranchEnd::Closed { (Vec::new(), BranchEnd::Closed) } else { run(-1.0)? };
+        Ok((forward, ends, backward, begins))
+    });
+    work.closure_evaluations += equations.evaluations();
+    let (forward, ends, backward, begins) = both?;
     let mut curve: Vec<Coarse> = backward
         .into_iter()
         .skip(1)
@@ -185,116 +173,20 @@ pub(super) fn coarse(
     Ok((curve, begins, ends))
 }
 
-/// The border of the region asked for that a point has passed.
-fn border(problem: &BranchProblem, point: &Coarse) -> Option<BranchEnd> {
-    let half_width = point.state.state.contact().half_width;
-    let [narrowest, widest] = problem.half_widths;
-    if half_width < narrowest {
-        return Some(BranchEnd::HalfWidth(narrowest));
-    }
-    if half_width > widest {
-        return Some(BranchEnd::HalfWidth(widest));
-    }
-    if problem.indenter == Indenter::Wave && point.state.state.mean_separation() < NEAREST_TO_FULL {
-        return Some(BranchEnd::NearFull(half_width));
-    }
-    if problem.path != BranchPath::Loads {
-        let [smallest, largest] = problem.parameters;
-        let parameter = point.unknowns[2].exp();
-        if parameter < smallest * (1.0 - 1e-9) {
-            return Some(BranchEnd::Parameter(smallest));
-        }
-        if parameter > largest * (1.0 + 1e-9) {
-            return Some(BranchEnd::Parameter(largest));
-        }
-    }
-    None
-}
-
-/// The unknowns at which a branch begins.
-fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
-    let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
-        let problem = at_start(problem, rate, control);
-        match steady_sliding(material, &problem)? {
-            SlidingOutcome::Partial(contact) => {
-                work.closure_evaluations += contact.work.closure_evaluations;
-                Ok((contact.values, contact.values.half_width.value))
-            }
-            SlidingOutcome::Full(full) => Err(Refusal::NoSuchState {
-                reason: "there is full contact where the branch begins".into(),
-                limit_name: full.limit_name,
-                limit: full.limit,
-            }),
-        }
-    };
-    let placed = |control: SlidingControl, values: &PartialValues, third: f64| match control {
-        SlidingControl::HalfWidth(_) => [values.mean_pressure.value, values.eccentricity.value, third],
-        _ => [values.half_width.value, values.eccentricity.value, third],
-    };
-    match (problem.path, problem.start) {
-        (BranchPath::Loads, BranchStart::Near { half_width, eccentricity, mean_pressure, .. }) => {
-            Ok([half_width, eccentricity, mean_pressure])
-        }
-        (_, BranchStart::Near { half_width, eccentricity, mean_pressure, parameter }) => Ok(match problem.held() {
-            Some(SlidingControl::HalfWidth(_)) => [mean_pressure, eccentricity, parameter.ln()],
-            _ => [half_width, eccentricity, parameter.ln()],
-        }),
-        (BranchPath::Loads, _) => {
-            // Which half-widths are reached from the slow or the fast contact at that half-width depends on where the branch turns back.
-            let [narrowest, widest] = problem.half_widths;
-            let mut widths: Vec<f64> = HALF_WIDTHS.into_iter().filter(|&width| width > narrowest && width < widest).collect();
-            if widths.is_empty() {
-                widths.push(0.5 * (narrowest + widest));
-            }
-            let mut first = None;
-            let controls = widths.into_iter().map(SlidingControl::HalfWidth).chain([SlidingControl::MeanPressure(0.0)]);
-            for control in controls {
-                match steady(problem.rate, control) {
-                    Ok((values, half_width)) if half_width > narrowest && half_width < widest => {
-                        return Ok([half_width, values.eccentricity.value, values.mean_pressure.value]);
-                    }
-                    Ok(_) => {}
-                    Err(refusal) => first = first.or(Some(refusal)),
-                }
-            }
-            Err(first
-                .unwrap_or(Refusal::NotConverged { what: "the start of a branch", detail: "no contact within the half-widths".into() }))
-        }
-        (BranchPath::Speeds(control), from) => {
-            let (from, rate) = match from {
-                BranchStart::Fast => (From::Fast, problem.parameters[1]),
-                _ => (From::Slow, problem.parameters[0]),
-            };
-            let mut counters = SlidingWork::default();
-            let steady = at_start(problem, rate, control);
-            let start: Start = start_at_rate(material, &steady, from, &mut counters).map_err(|none| none.refusal())?;
-            work.closure_evaluations += counters.closure_evaluations;
-            Ok([start.unknowns[0], start.unknowns[1], rate.ln()])
-        }
-        (BranchPath::Adhesions(control), _) => {
-            let (values, _) = steady(problem.rate, control)?;
-            Ok(placed(control, &values, problem.adhesion.trailing_work.ln()))
-        }
-        (BranchPath::Zones(control), _) => {
-            let (values, _) = steady(problem.rate, control)?;
-            Ok(placed(control, &values, 0.0))
-        }
-    }
-}
-
-/// The contact at which a branch begins, roughly.
-fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl) -> SlidingProblem<'a> {
-    let &BranchProblem { indenter, work_by_speed, .. } = problem;
-    let adhesion = Some(adhesion_at(problem.adhesion, work_by_speed, problem.rate, rate));
-    SlidingProblem { rate, indenter, adhesion, work_by_speed, control, accuracy: START_ACCURACY }
-}
-
 /// Neighbouring points between which something changes sign.
 pub(super) fn changes<'a>(curve: &'a [Coarse], value: impl Fn(&Coarse) -> f64 + 'a) -> impl Iterator<Item = (&'a Coarse, &'a Coarse)> + 'a {
     curve.windows(2).filter_map(move |pair| match pair {
         [from, to] if (value(from) < 0.0) != (value(to) < 0.0) => Some((from, to)),
         _ => None,
     })
+}
+
+/// The contact of a problem near a start, with its work counted whether there is one or not.
+pub(super) fn near(prepared: &Prepared, problem: &SlidingProblem, start: &Start, work: &mut BranchWork) -> Result<PartialContact, Refusal> {
+    let mut counters = SlidingWork::default();
+    let found = near_counted(prepared, problem, start, &mut counters);
+    work.closure_evaluations += counters.closure_evaluations;
+    found
 }
 
 type Turns = (Vec<Fold>, Vec<(FoldQuantity, f64, Refusal)>);
@@ -332,17 +224,16 @@ fn zero_load(
         return Ok(Vec::new());
     }
     let equations = BranchEquations::new(material, problem, RESOLUTION)?;
+    let prepared = problem.prepared(material, 0.0)?;
     let mut found = Vec::new();
     for (from, to) in changes(curve, |point| point.unknowns[2]) {
         let mut at = || -> Result<BranchPoint, Refusal> {
-            let (unknowns, _, evaluations) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
-            work.closure_evaluations += evaluations;
+            let (unknowns, _) = landed(&equations, (from, to), Quantity::Unknown(2), 0.0, STEPS.tolerance)?;
             let steady = problem.steady(0.0, SlidingControl::MeanPressure(0.0));
-            let contact = steady_sliding_near(material, &steady, &Start::at(unknowns[0], unknowns[1]))?;
-            work.closure_evaluations += contact.work.closure_evaluations;
-            let part = (0.0 - from.unknowns[2]) / (to.unknowns[2] - from.unknowns[2]);
-            let arclength = from.arclength + part * (to.arclength - from.arclength);
-            let variations = variations_at(material, problem, 0.0, &contact.values, Resolution::Fine, work)?;
+            let start = Start::at(equations.edges(unknowns).half_width, unknowns[1]);
+            let contact = near(&prepared, &steady, &start, work)?;
+            let arclength = from.arclength + part_at(from, to, 0, unknowns[0]) * (to.arclength - from.arclength);
+            let variations = variations_at(&prepared, problem, &contact.values, VARIATIONS, work)?;
             Ok(BranchPoint { arclength, parameter: Estimate::exact(0.0), values: contact.values, variations })
         };
         match at() {
@@ -350,6 +241,7 @@ fn zero_load(
             Err(refusal) => left_out.push((from.arclength, refusal)),
         }
     }
+    work.closure_evaluations += equations.evaluations();
     Ok(found)
 }
 
@@ -367,6 +259,7 @@ fn refined(equations: &BranchEquations<'_>, problem: &BranchProblem, curve: Vec<
     // The dip may be on either side of the middle point.
     let split =
         |segment: usize| dips.get(segment).copied().unwrap_or(false) || (segment > 0 && dips.get(segment - 1).copied().unwrap_or(false));
+    let before = equations.evaluations();
     let mut all = Vec::with_capacity(curve.len());
     let mut after: Vec<Vec<Coarse>> = Vec::with_capacity(curve.len());
     for (segment, pair) in curve.windows(2).enumerate() {
@@ -378,7 +271,6 @@ fn refined(equations: &BranchEquations<'_>, problem: &BranchProblem, curve: Vec<
             let inside = |point: &Coarse| point.arclength < 0.999 * span;
             let found = follow(equations, from.unknowns, Quantity::Unknown(along), from.tangent[along].signum(), &steps, &inside);
             if let Ok(found) = found {
-                work.closure_evaluations += found.evaluations;
                 between = found.points.into_iter().skip(1).filter(|point| inside(point)).collect();
                 for point in &mut between {
                     point.arclength += from.arclength;
@@ -388,6 +280,7 @@ fn refined(equations: &BranchEquations<'_>, problem: &BranchProblem, curve: Vec<
         work.curve_points += between.len() as u64;
         after.push(between);
     }
+    work.closure_evaluations += equations.evaluations() - before;
     let mut after = after.into_iter();
     for point in curve {
         all.push(point);
@@ -403,6 +296,9 @@ fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &m
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return Ok((Vec::new(), Vec::new())) };
     let (mut points, mut left_out) = (Vec::new(), Vec::new());
     let fine = BranchEquations::new(material, problem, Resolution::Fine)?;
+    // Along loads every contact has one speed and adhesion.
+    let prepared = (problem.path == BranchPath::Loads).then(|| problem.prepared(material, 0.0)).transpose()?;
+    let mut jacobian = None;
     let mut segment = 0;
     for index in 0..problem.points {
         // The first and the last point of the curve may be outside the region: not quite to the ends.
@@ -414,10 +310,11 @@ fn kept(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &m
         let (Some(from), Some(to)) = (curve.get(segment), curve.get(segment + 1)) else { continue };
         let part = ((arclength - from.arclength) / (to.arclength - from.arclength)).clamp(0.0, 1.0);
         let near = interpolated(from, to, part);
-        match accurate_point(material, problem, &fine, (from, to), part, near, work) {
+        match accurate_point((material, problem, prepared.as_ref()), &fine, (from, to), (part, near), &mut jacobian, work) {
             Ok(point) => points.push(BranchPoint { arclength, ..point }),
             Err(refusal) => left_out.push((arclength, refusal)),
         }
     }
+    work.closure_evaluations += fine.evaluations();
     Ok((points, left_out))
 }

@@ -6,6 +6,7 @@
 //! ```
 //! d is at most half the arc, so that no difference loses digits.
 
+use super::edges::ContactEdges;
 use super::fields::ArcPoint;
 use super::indenter::Indenter;
 
@@ -26,8 +27,16 @@ pub(super) struct Place {
 }
 
 impl Arcs {
-    pub(super) fn new(indenter: Indenter, half_width: f64) -> Self {
-        Self { indenter, half: indenter.half_sine_cosine(half_width), whole: indenter.half_sine_cosine(2.0 * half_width) }
+    /// Of the narrower one of contact and gap, whose sine keeps its digits.
+    pub(super) fn new(edges: ContactEdges, indenter: Indenter) -> Self {
+        let ContactEdges { half_width, half_gap, .. } = edges;
+        if half_gap < half_width {
+            let ((half_sine, half_cosine), (sine, cosine)) =
+                (indenter.half_sine_cosine(half_gap), indenter.half_sine_cosine(2.0 * half_gap));
+            Self { indenter, half: (half_cosine, half_sine), whole: (sine, -cosine) }
+        } else {
+            Self { indenter, half: indenter.half_sine_cosine(half_width), whole: indenter.half_sine_cosine(2.0 * half_width) }
+        }
     }
 
     /// A point of the contact.

@@ -22,7 +22,7 @@ impl ContactState {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the contact.
     pub fn inside_trailing(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = 2.0 * self.contact.half_width;
+        let width = 2.0 * self.edges.half_width;
         checked(distance, width).map(|distance| ArcPoint { from_trailing: distance, from_leading: width - distance })
     }
 
@@ -31,7 +31,7 @@ impl ContactState {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the contact.
     pub fn inside_leading(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = 2.0 * self.contact.half_width;
+        let width = 2.0 * self.edges.half_width;
         checked(distance, width).map(|distance| ArcPoint { from_trailing: width - distance, from_leading: distance })
     }
 
@@ -40,7 +40,7 @@ impl ContactState {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the gap.
     pub fn behind_trailing(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = self.indenter.gap_width(self.contact.half_width);
+        let width = 2.0 * self.edges.half_gap;
         checked(distance, width).map(|distance| ArcPoint { from_trailing: distance, from_leading: width - distance })
     }
 
@@ -49,7 +49,7 @@ impl ContactState {
     /// # Errors
     /// [`Refusal::OutOfRange`] for a distance outside the gap.
     pub fn ahead_of_leading(&self, distance: f64) -> Result<ArcPoint, Refusal> {
-        let width = self.indenter.gap_width(self.contact.half_width);
+        let width = 2.0 * self.edges.half_gap;
         checked(distance, width).map(|distance| ArcPoint { from_trailing: width - distance, from_leading: distance })
     }
 
@@ -57,7 +57,7 @@ impl ContactState {
     #[must_use]
     pub fn pressure(&self, point: ArcPoint) -> f64 {
         let memory = &self.memory;
-        let shift = self.indenter.shift(self.contact.eccentricity);
+        let shift = self.indenter.shift(self.edges.eccentricity);
         let Place { root, angle } = self.arcs.inside(point);
         let [flat, odd, wave] = self.indenter.pressures(angle, root, shift);
         let field = |strengths: (f64, f64)| wave + strengths.0 * flat + strengths.1 * odd;
@@ -71,7 +71,7 @@ impl ContactState {
     /// The gap in Λ at a point outside the contact.
     #[must_use]
     pub fn gap(&self, point: ArcPoint) -> f64 {
-        let shift = self.indenter.shift(self.contact.eccentricity);
+        let shift = self.indenter.shift(self.edges.eccentricity);
         let Place { root, angle } = self.arcs.outside(point);
         let (wave, depth) = self.indenter.gaps(angle, root, self.arcs.half.0, shift);
         let mut gap = wave - self.flat_strength * depth;
@@ -88,10 +88,10 @@ impl ContactState {
         let between = Between {
             from_near: point.from_trailing,
             from_far: point.from_leading,
-            opposite: self.indenter.gap_width(self.contact.half_width),
+            opposite: 2.0 * self.edges.half_gap,
             rule: self.resolution.arc_rule(),
         };
-        let shift = self.indenter.shift(self.contact.eccentricity);
+        let shift = self.indenter.shift(self.edges.eccentricity);
         let remembered = between.memory(relaxation.ratio, |from_trailing, from_leading| {
             let Place { root, angle } = self.arcs.inside(ArcPoint { from_trailing, from_leading });
             let [flat, odd, wave] = self.indenter.pressures(angle, root, shift);
@@ -109,7 +109,7 @@ impl ContactState {
         let between = Between {
             from_near: point.from_leading,
             from_far: point.from_trailing,
-            opposite: 2.0 * self.contact.half_width,
+            opposite: 2.0 * self.edges.half_width,
             rule: self.resolution.arc_rule(),
         };
         let remembered = between.memory(creep.ratio, |from_leading, from_trailing| {

@@ -27,14 +27,6 @@ pub enum Indenter {
 }
 
 impl Indenter {
-    /// sin(x/2).
-    pub(super) fn half_sine(self, x: f64) -> f64 {
-        match self {
-            Self::Wave => (0.5 * x).sin(),
-            Self::Parabola => 0.5 * x,
-        }
-    }
-
     /// sin(x/2) and cos(x/2).
     pub(super) fn half_sine_cosine(self, x: f64) -> (f64, f64) {
         match self {
@@ -64,15 +56,6 @@ impl Indenter {
     pub fn half_angle_scale(self, half_width: f64) -> f64 {
         let (sine, cosine) = self.half_sine_cosine(half_width);
         sine * sine * cosine
-    }
-
-    /// Width of the gap from the trailing edge back to the next leading edge.
-    #[must_use]
-    pub fn gap_width(self, half_width: f64) -> f64 {
-        match self {
-            Self::Wave => 2.0 * (PI - half_width),
-            Self::Parabola => f64::INFINITY,
-        }
     }
 
     /// The largest half-width, which is that of full contact.

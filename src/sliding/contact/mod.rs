@@ -37,8 +37,10 @@
 //! Every integral is one-dimensional. Source: our own; the problem is thesis Eqs 3.16–3.24.
 
 mod arcs;
+mod edges;
 mod fields;
 mod indenter;
+mod integrals;
 mod memory;
 mod moments;
 mod panel;
@@ -47,6 +49,7 @@ mod quadrature;
 mod resolution;
 mod state;
 
+pub use edges::ContactEdges;
 pub use fields::ArcPoint;
 pub use indenter::Indenter;
 pub use memory::ContactMemory;

@@ -26,7 +26,7 @@ impl ContactState {
         for (term, mode) in self.memory.relaxation.iter().enumerate() {
             let (strengths, layer) = (self.strengths(Some(term)), mode.ratio);
             let of = |power: i32| self.elastic_moment(strengths, power);
-            let remembered = if layer < 2.0 * self.contact.half_width {
+            let remembered = if layer < 2.0 * self.edges.half_width {
                 if power == 1 { of(1) - layer * of(0) } else { of(2) - 2.0 * layer * (of(1) - layer * of(0)) }
             } else {
                 self.remembered_moment(strengths, layer, power)
@@ -38,7 +38,7 @@ impl ContactState {
 
     /// ∫f yᵐ with f = X − e y/X + flat/X + odd y/2X.
     fn elastic_moment(&self, (flat, odd): (f64, f64), power: i32) -> f64 {
-        let (a, e) = (self.contact.half_width, self.contact.eccentricity);
+        let (a, e) = (self.edges.half_width, self.edges.eccentricity);
         match power {
             0 => PI * (0.5 * a * a + flat),
             1 => PI * a * a * (0.25 * odd - 0.5 * e),
@@ -48,7 +48,7 @@ impl ContactState {
 
     /// The second form.
     fn remembered_moment(&self, (flat, odd): (f64, f64), layer: f64, power: i32) -> f64 {
-        let (a, e) = (self.contact.half_width, self.contact.eccentricity);
+        let (a, e) = (self.edges.half_width, self.edges.eccentricity);
         let arc = ArcRange { length: 2.0 * a, before: f64::INFINITY, behind: f64::INFINITY, starts_at_edge: true };
         let rule = self.resolution.arc_rule();
         let [sum] = memory_integrals(arc, f64::INFINITY, rule, |distance, rest| {

@@ -197,8 +197,8 @@ impl ProcessZone {
     /// p at the nodes of the zone inside the edge.
     fn pressures(&self, state: &ContactState) -> Vec<Field> {
         let indenter = self.indenter;
-        let half_width = state.contact.half_width;
-        let shift = indenter.shift(state.contact.eccentricity);
+        let half_width = state.edges.half_width;
+        let shift = indenter.shift(state.edges.eccentricity);
         let elastic: Vec<[Values; 3]> = self
             .angles
             .iter()
@@ -246,8 +246,8 @@ impl ProcessZone {
     /// The gap at the nodes of the zone outside an edge.
     fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Field> {
         let indenter = self.indenter;
-        let half_width = state.contact.half_width;
-        let shift = indenter.shift(state.contact.eccentricity);
+        let gap_width = 2.0 * state.edges.half_gap;
+        let shift = indenter.shift(state.edges.eccentricity);
         let mut gaps = Vec::with_capacity(self.panels.len());
         let mut loads = Vec::with_capacity(self.panels.len());
         for angles in &self.angles {
@@ -265,7 +265,7 @@ impl ProcessZone {
         for (term, march) in marches.iter().enumerate() {
             let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
             let far = || {
-                let outside = ArcPoint { from_trailing: indenter.gap_width(half_width) - self.length, from_leading: self.length };
+                let outside = ArcPoint { from_trailing: gap_width - self.length, from_leading: self.length };
                 state.remembered_outside(outside, term)
             };
             let field = |panel: usize| loads.get(panel).map(|(even, odd): &(Values, Values)| odd * outside_cosine + even * outside_sine);

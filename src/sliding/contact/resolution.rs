@@ -27,6 +27,17 @@ impl Resolution {
         }
     }
 
+    /// The relative error of its integrals, roughly.
+    #[must_use]
+    pub const fn relative_error(self) -> f64 {
+        match self {
+            Self::Coarse => 1e-4,
+            Self::Medium => 1e-7,
+            Self::Fine => 1e-10,
+            Self::Finest => 1e-13,
+        }
+    }
+
     /// The rule of a panel of an integral along an arc.
     pub(super) fn arc_rule(self) -> &'static UnitRule {
         match self {

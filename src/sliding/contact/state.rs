@@ -1,10 +1,10 @@
 //! A contact with given edges: the linear system for the memory loads, and the totals.
 
-use super::arcs::{Arcs, Place};
-use super::fields::ArcPoint;
-use super::indenter::{Indenter, inverse_hyperbolic_sine};
+use super::arcs::Arcs;
+use super::edges::ContactEdges;
+use super::indenter::Indenter;
+use super::integrals::{OutsideIntegrals, condition_number, inside_integrals, outside_integrals};
 use super::memory::ContactMemory;
-use super::quadrature::{ArcRange, memory_integrals};
 use super::resolution::Resolution;
 use crate::refusal::{Refusal, require_finite};
 use nalgebra::DMatrix;
@@ -34,7 +34,7 @@ pub struct WaveContact {
 /// A solved contact with given edges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactState {
-    pub(super) contact: WaveContact,
+    pub(super) edges: ContactEdges,
     pub(super) indenter: Indenter,
     pub(super) arcs: Arcs,
     pub(super) resolution: Resolution,
@@ -51,15 +51,6 @@ pub struct ContactState {
     /// ∫p e^{−iy}dy of a wave; a parabola has moments instead ([`super::moments`]).
     first_harmonic: (f64, f64),
     condition: f64,
-}
-
-/// Integrals over the gap with the memory of one creep term.
-struct OutsideIntegrals {
-    cosine: f64,
-    sine: f64,
-    depth: f64,
-    root_cosine: f64,
-    root_sine: f64,
 }
 
 impl ContactState {
@@ -83,22 +74,36 @@ impl ContactState {
         prescribed: Prescribed,
         resolution: Resolution,
     ) -> Result<Self, Refusal> {
-        let WaveContact { half_width, eccentricity } = contact;
-        if !(half_width > 0.0 && half_width < indenter.widest()) {
+        Self::at_edges(memory, indenter, ContactEdges::new(indenter, contact), prescribed, resolution)
+    }
+
+    /// Solves a contact with given edges, of which half the gap is known to its own digits.
+    ///
+    /// # Errors
+    /// As [`ContactState::new`].
+    pub fn at_edges(
+        memory: &Arc<ContactMemory>,
+        indenter: Indenter,
+        edges: ContactEdges,
+        prescribed: Prescribed,
+        resolution: Resolution,
+    ) -> Result<Self, Refusal> {
+        let ContactEdges { half_width, half_gap, eccentricity } = edges;
+        if !(half_width > 0.0 && half_gap > 0.0) {
             return Err(Refusal::out_of_range("half_width", half_width, "greater than 0 and, of a wave, below π (in 1/k)"));
         }
         require_finite("eccentricity", eccentricity)?;
-        let s = indenter.half_sine(half_width);
-        let square = s * s;
+        let arcs = Arcs::new(edges, indenter);
+        let square = arcs.half.0 * arcs.half.0;
         let shift = indenter.shift(eccentricity);
         let outside: Vec<OutsideIntegrals> =
-            memory.creep().iter().map(|mode| outside_integrals(indenter, half_width, mode.ratio, resolution)).collect();
+            memory.creep().iter().map(|mode| outside_integrals(&arcs, edges, mode.ratio, resolution)).collect();
         // Rows M_{ε_i} f_i(−a) = 0: the loads j_jV_j under cos e W − sin e S, and under H₀.
         let count = memory.creep().len();
         let mut matrix = DMatrix::zeros(count, count);
         let mut sides = DMatrix::zeros(count, 2);
         for (row, relaxation) in memory.relaxation.iter().enumerate() {
-            let [flat, odd, wave] = inside_integrals(indenter, half_width, relaxation.ratio, shift, resolution);
+            let [flat, odd, wave] = inside_integrals(&arcs, edges, relaxation.ratio, shift, resolution);
             // Rows are divided by M_ε H₀(−a), columns by their O^s: everything is then of order one.
             sides[(row, 0)] = wave / flat;
             sides[(row, 1)] = 1.0;
@@ -118,7 +123,7 @@ impl ContactState {
         let (wave_loads, flat_loads) = (scaled(0), scaled(1));
         let depth_of = |loads: &[f64]| loads.iter().zip(&outside).map(|(load, integrals)| load * integrals.depth).sum::<f64>() / PI;
         // Δ and p̄ are linear in D: Δ from the crest, 1 − Δ from the trough, each without the digits that it would lose in the other.
-        let log_sine = log_half_sine(indenter, half_width);
+        let log_sine = log_half_sine(&arcs);
         let crest = match indenter {
             Indenter::Wave => {
                 let half = (0.5 * eccentricity).sin();
@@ -127,7 +132,7 @@ impl ContactState {
             Indenter::Parabola => 0.5 * eccentricity * eccentricity + square * (1.0 - 2.0 * log_sine),
         };
         let (fixed, per_flat) = (crest - depth_of(&wave_loads), -log_sine - depth_of(&flat_loads));
-        let trough = shift.1 * separation_of_wave(half_width) + depth_of(&wave_loads);
+        let trough = shift.1 * separation_of_wave(&arcs) + depth_of(&wave_loads);
         let flat_strength = match prescribed {
             Prescribed::MeanPressure(pressure) => 2.0 * (require_finite("mean_pressure", pressure)? - square * shift.1),
             Prescribed::Penetration(penetration) => (require_finite("penetration", penetration)? - fixed) / per_flat,
@@ -144,13 +149,13 @@ impl ContactState {
         let penetration = fixed + flat_strength * per_flat;
         let separation = trough - flat_strength * per_flat;
         let first_harmonic = match indenter {
-            Indenter::Wave => first_harmonic(memory, contact, flat_strength, &loads, &outside),
+            Indenter::Wave => first_harmonic(memory, (square, eccentricity), flat_strength, &loads, &outside),
             Indenter::Parabola => (0.0, 0.0),
         };
         let state = Self {
-            contact,
+            edges,
             indenter,
-            arcs: Arcs::new(indenter, half_width),
+            arcs,
             resolution,
             memory: Arc::clone(memory),
             flat_strength,
@@ -174,8 +179,8 @@ impl ContactState {
     /// # Errors
     /// As [`ContactState::new`].
     pub fn reversed(&self) -> Result<Self, Refusal> {
-        let contact = WaveContact { eccentricity: -self.contact.eccentricity, ..self.contact };
-        Self::at_resolution(&self.memory, self.indenter, contact, self.held(), self.resolution)
+        let edges = ContactEdges { eccentricity: -self.edges.eccentricity, ..self.edges };
+        Self::at_edges(&self.memory, self.indenter, edges, self.held(), self.resolution)
     }
 
     /// The same contact with its fields evaluated at another resolution; the loads stay.
@@ -184,10 +189,16 @@ impl ContactState {
         Self { resolution, ..self.clone() }
     }
 
-    /// The edges.
+    /// Half-width and eccentricity.
     #[must_use]
     pub const fn contact(&self) -> WaveContact {
-        self.contact
+        self.edges.contact()
+    }
+
+    /// The edges, with half the gap.
+    #[must_use]
+    pub const fn edges(&self) -> ContactEdges {
+        self.edges
     }
 
     /// β, or 1 at rest: how much stiffer than relaxed the edges are.
@@ -199,7 +210,7 @@ impl ContactState {
     /// How much stiffer than relaxed the solid is on the scale of the contact: 1/|Ĉ| of the harmonic 1/a.
     #[must_use]
     pub fn stiffness_at_contact(&self) -> f64 {
-        let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / self.contact.half_width);
+        let (real, imaginary) = self.memory.kernel().harmonic_compliance(1.0 / self.edges.half_width);
         1.0 / real.hypot(imaginary)
     }
 
@@ -224,7 +235,7 @@ impl ContactState {
     /// Friction stress in E0*k²Λ²/2, positive against the motion: −Im[e^{−ie} ∫p e^{−iy}dy]/2π, of a parabola ∫p (y + e)dy/2π.
     #[must_use]
     pub fn friction_stress(&self) -> f64 {
-        let eccentricity = self.contact.eccentricity;
+        let eccentricity = self.edges.eccentricity;
         match self.indenter {
             Indenter::Wave => {
                 let (sin_e, cos_e) = eccentricity.sin_cos();
@@ -242,7 +253,7 @@ impl ContactState {
 
     /// ∫p h over the contact with the profile h measured from the crest.
     fn profile_work(&self) -> f64 {
-        let eccentricity = self.contact.eccentricity;
+        let eccentricity = self.edges.eccentricity;
         match self.indenter {
             Indenter::Wave => {
                 let (sin_e, cos_e) = eccentricity.sin_cos();
@@ -273,8 +284,8 @@ impl ContactState {
     /// Edge amplitudes (trailing, leading): p ~ k/√(2 sin a·d) at a distance d inside; negative where the edge is pulled.
     #[must_use]
     pub fn edge_amplitudes(&self) -> (f64, f64) {
-        let (sine, cosine) = self.indenter.half_sine_cosine(self.contact.half_width);
-        let (sin_e, _) = self.indenter.shift(self.contact.eccentricity);
+        let (sine, cosine) = self.arcs.half;
+        let (sin_e, _) = self.indenter.shift(self.edges.eccentricity);
         // f₀·X at ±a: −sin e·(±2 sin(a/2) cos²(a/2)) + D cos(a/2) − Σ loads·(2/π)(±O^c sin(a/2) + O^s cos(a/2)).
         let (mut odd, mut even) = (-2.0 * sin_e * cosine * cosine * sine, self.flat_strength * cosine);
         for (load, &(outside_cosine, outside_sine)) in self.loads.iter().zip(&self.outside) {
@@ -293,16 +304,16 @@ impl ContactState {
 }
 
 /// ln sin(a/2), ln(a/2) of a parabola.
-fn log_half_sine(indenter: Indenter, half_width: f64) -> f64 {
-    let (sine, cosine) = indenter.half_sine_cosine(half_width);
-    if indenter == Indenter::Wave && cosine * cosine < 0.5 { 0.5 * (-cosine * cosine).ln_1p() } else { sine.ln() }
+fn log_half_sine(arcs: &Arcs) -> f64 {
+    let (sine, cosine) = arcs.half;
+    if arcs.indenter == Indenter::Wave && cosine * cosine < 0.5 { 0.5 * (-cosine * cosine).ln_1p() } else { sine.ln() }
 }
 
 /// 1 − s² + 2s² ln s with s = sin(a/2), from x = cos²(a/2): x + (1 − x) ln(1 − x) = Σ_{k≥2} xᵏ/(k(k − 1)).
-fn separation_of_wave(half_width: f64) -> f64 {
-    let x = (0.5 * half_width).cos().powi(2);
+fn separation_of_wave(arcs: &Arcs) -> f64 {
+    let x = arcs.half.1.powi(2);
     if x > 0.25 {
-        return x + (1.0 - x) * 2.0 * (0.5 * half_width).sin().ln();
+        return x + (1.0 - x) * 2.0 * arcs.half.0.ln();
     }
     let (mut power, mut sum) = (x, 0.0);
     for k in 2..32 {
@@ -315,12 +326,11 @@ fn separation_of_wave(half_width: f64) -> f64 {
 /// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
 fn first_harmonic(
     memory: &ContactMemory,
-    WaveContact { half_width, eccentricity }: WaveContact,
+    (square, eccentricity): (f64, f64),
     flat_strength: f64,
     loads: &[f64],
     outside: &[OutsideIntegrals],
 ) -> (f64, f64) {
-    let square = (0.5 * half_width).sin().powi(2);
     let root = |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
     let (sin_e, cos_e) = eccentricity.sin_cos();
     let elastic = PI * square * (2.0 - square);
@@ -331,35 +341,4 @@ fn first_harmonic(
     let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
     let norm = real * real + imaginary * imaginary;
     ((effective.0 * real + effective.1 * imaginary) / norm, (effective.1 * real - effective.0 * imaginary) / norm)
-}
-
-/// M_ε at the trailing edge of H₀, H₁ and cos e W − sin e S.
-fn inside_integrals(indenter: Indenter, half_width: f64, ratio: f64, shift: (f64, f64), resolution: Resolution) -> [f64; 3] {
-    let gap = indenter.gap_width(half_width);
-    let arc = ArcRange { length: 2.0 * half_width, before: gap, behind: gap, starts_at_edge: true };
-    let arcs = Arcs::new(indenter, half_width);
-    memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
-        let Place { root, angle } = arcs.inside(ArcPoint { from_trailing, from_leading });
-        indenter.pressures(angle, root, shift).map(|value| value / ratio)
-    })
-}
-
-/// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.
-fn outside_integrals(indenter: Indenter, half_width: f64, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
-    let width = 2.0 * half_width;
-    let arc = ArcRange { length: indenter.gap_width(half_width), before: width, behind: width, starts_at_edge: true };
-    let arcs = Arcs::new(indenter, half_width);
-    let s = arcs.half.0;
-    let [cosine, sine, depth, root_cosine, root_sine] =
-        memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
-            let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
-            [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
-        });
-    OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
-}
-
-/// 1-norm condition number by the explicit inverse: n is at most some twenty.
-fn condition_number(matrix: &DMatrix<f64>) -> f64 {
-    let norm = |matrix: &DMatrix<f64>| matrix.column_iter().map(|column| column.lp_norm(1)).fold(0.0, f64::max);
-    if matrix.is_empty() { 1.0 } else { matrix.clone().try_inverse().map_or(f64::INFINITY, |inverse| norm(matrix) * norm(&inverse)) }
 }

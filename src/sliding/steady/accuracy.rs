@@ -9,15 +9,15 @@
 //! Where it is above the request, the next level follows.
 
 use super::path::Start;
+use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
 use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_two_by_two};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactMemory, Resolution};
+use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, WaveAdhesion};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Share of an error that the finer level may still have.
 const MARGIN: f64 = 0.3;
@@ -38,12 +38,12 @@ type Outputs = [f64; OUTPUTS];
 /// # Errors
 /// [`Refusal::NotConverged`] if no admissible root is near.
 pub(super) fn solved(
-    memory: &Arc<ContactMemory>,
+    prepared: &Prepared,
     problem: &SlidingProblem<'_>,
     start: &Start,
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
-    let balance_at = |resolution| EdgeBalance::new(Arc::clone(memory), problem.indenter, problem.adhesion, problem.control, resolution);
+    let balance_at = |resolution| prepared.balance(problem.control, resolution);
     let mut resolution = if problem.accuracy > 1e-4 {
         Resolution::Coarse
     } else if problem.accuracy > 1e-9 {
@@ -57,18 +57,20 @@ pub(super) fn solved(
         let Some(finer) = resolution.finer() else {
             return Err(Refusal::NotConverged { what: "the accuracy of a sliding contact", detail: "no finer level is left".into() });
         };
-        let count = |evaluations: u64, work: &mut SlidingWork| {
+        let count = |balance: &EdgeBalance, work: &mut SlidingWork| {
+            let evaluations = balance.take_evaluations();
             work.closure_evaluations += evaluations;
             work.contacts += balance.contacts_per_evaluation() * evaluations;
         };
-        let (found, admissibility) =
-            balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST))?;
-        count(u64::from(found.evaluations), work);
+        let found = balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST));
+        count(&balance, work);
+        let (found, admissibility) = found?;
         let (here, release_rounding) = outputs(&balance, &found.solution)?;
         let Sensitivity { jacobian, outputs: slopes } = sensitivity(&balance, found.unknowns, &found.solution, &here)?;
         let fine_balance = balance_at(finer);
         let fine = fine_balance.evaluate(found.unknowns)?;
-        count(3, work);
+        count(&balance, work);
+        count(&fine_balance, work);
         // Each set of release rates (here, at both differences, at the finer level) takes the reversed contact as well.
         work.contacts += if problem.adhesion.is_some() { 4 } else { 0 };
         let (fine_outputs, _) = outputs(&fine_balance, &fine)?;
@@ -127,12 +129,13 @@ fn sensitivity(balance: &EdgeBalance, unknowns: [f64; 2], states: &EdgeStates, h
     for index in 0..2 {
         let mut moved = unknowns;
         moved[index] += small[index];
+        let step = moved[index] - unknowns[index];
         let there = balance.evaluate(moved)?;
         for (row, entry) in jacobian.iter_mut().enumerate() {
-            entry[index] = (there.residual()[row] - states.residual()[row]) / small[index];
+            entry[index] = (there.residual()[row] - states.residual()[row]) / step;
         }
         for (slope, (after, before)) in slopes.iter_mut().zip(outputs(balance, &there)?.0.iter().zip(here)) {
-            slope[index] = (after - before) / small[index];
+            slope[index] = (after - before) / step;
         }
     }
     Ok(Sensitivity { jacobian, outputs: slopes })

@@ -39,7 +39,7 @@ const TOLERANCE: f64 = 1e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
     pub(in crate::sliding) unknowns: [f64; 2],
-    pub(super) jacobian: Option<Jacobian>,
+    pub(in crate::sliding) jacobian: Option<Jacobian>,
 }
 
 impl Start {
@@ -136,6 +136,15 @@ pub(in crate::sliding) fn start_at_rate(
     })
 }
 
+/// Whether the elastic contact at the slow or the fast end of all speeds bears what is prescribed; in closed form.
+pub(in crate::sliding) fn end_bears(material: &Material, problem: &SlidingProblem<'_>, from: From) -> bool {
+    let modulus = match from {
+        From::Slow => 1.0,
+        From::Fast => material.stiffening_ratio(),
+    };
+    elastic_unknowns(problem, problem.adhesion_at(problem.rate), modulus).is_ok()
+}
+
 /// The contact at a rate near an elastic one: itself where both edges take the same work. A process zone of any length moves a contact of uneven works far from
 /// its limit for short ones, the more the smaller the lesser work is; where Newton's method does not get there, the works are taken apart bit by bit.
 fn settled(
@@ -209,7 +218,7 @@ fn follow(
     let mut at = |parameter: f64, start: &Start| -> Result<(Start, EdgeBalance), Refusal> {
         let balance = balance_at(parameter)?;
         let found = balance.solve(start.unknowns, start.jacobian, TOLERANCE);
-        let evaluations = u64::from(found.as_ref().map_or(0, |found| found.evaluations));
+        let evaluations = balance.take_evaluations();
         work.closure_evaluations += evaluations;
         work.contacts += balance.contacts_per_evaluation() * evaluations;
         let found = found?;

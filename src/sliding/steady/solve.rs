@@ -5,14 +5,14 @@
 
 use super::accuracy::solved;
 use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
+use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::{ContactMemory, Indenter};
+use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-use std::sync::Arc;
 
 /// The steady contact of a material on a sliding indenter.
 ///
@@ -21,10 +21,10 @@ use std::sync::Arc;
 /// was narrowing; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
-    let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
+    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
     let mut not_converged = None;
-    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(&memory, problem, start, work) {
+    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(&prepared, problem, start, work) {
         Ok(contact) => Some(SlidingOutcome::Partial(Box::new(contact))),
         Err(refusal) => {
             not_converged = Some(refusal);
@@ -94,9 +94,19 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
 pub fn steady_sliding_near(material: &Material, problem: &SlidingProblem<'_>, start: &Start) -> Result<PartialContact, Refusal> {
+    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    near_counted(&prepared, problem, start, &mut SlidingWork::default())
+}
+
+/// The same from conditions that are prepared, adding to `work` whether there is a contact or not.
+pub(in crate::sliding) fn near_counted(
+    prepared: &Prepared,
+    problem: &SlidingProblem<'_>,
+    start: &Start,
+    work: &mut SlidingWork,
+) -> Result<PartialContact, Refusal> {
     problem.checked()?;
-    let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
-    solved(&memory, problem, start, &mut SlidingWork::default())
+    solved(prepared, problem, start, work)
 }
 
 /// Whether the limit that an elastic contact has passed is snap-in or full contact.

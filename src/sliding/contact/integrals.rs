@@ -1,0 +1,47 @@
+//! The integrals along both arcs that the linear system of a contact is made of.
+
+use super::arcs::{Arcs, Place};
+use super::edges::ContactEdges;
+use super::fields::ArcPoint;
+use super::indenter::inverse_hyperbolic_sine;
+use super::quadrature::{ArcRange, memory_integrals};
+use super::resolution::Resolution;
+use nalgebra::DMatrix;
+
+/// Integrals over the gap with the memory of one creep term.
+pub(super) struct OutsideIntegrals {
+    pub(super) cosine: f64,
+    pub(super) sine: f64,
+    pub(super) depth: f64,
+    pub(super) root_cosine: f64,
+    pub(super) root_sine: f64,
+}
+
+/// M_ε at the trailing edge of H₀, H₁ and cos e W − sin e S.
+pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, shift: (f64, f64), resolution: Resolution) -> [f64; 3] {
+    let (gap, indenter) = (2.0 * edges.half_gap, arcs.indenter);
+    let arc = ArcRange { length: 2.0 * edges.half_width, before: gap, behind: gap, starts_at_edge: true };
+    memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+        let Place { root, angle } = arcs.inside(ArcPoint { from_trailing, from_leading });
+        indenter.pressures(angle, root, shift).map(|value| value / ratio)
+    })
+}
+
+/// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.
+pub(super) fn outside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
+    let width = 2.0 * edges.half_width;
+    let arc = ArcRange { length: 2.0 * edges.half_gap, before: width, behind: width, starts_at_edge: true };
+    let s = arcs.half.0;
+    let [cosine, sine, depth, root_cosine, root_sine] =
+        memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+            let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
+            [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
+        });
+    OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
+}
+
+/// 1-norm condition number by the explicit inverse: n is at most some twenty.
+pub(super) fn condition_number(matrix: &DMatrix<f64>) -> f64 {
+    let norm = |matrix: &DMatrix<f64>| matrix.column_iter().map(|column| column.lp_norm(1)).fold(0.0, f64::max);
+    if matrix.is_empty() { 1.0 } else { matrix.clone().try_inverse().map_or(f64::INFINITY, |inverse| norm(matrix) * norm(&inverse)) }
+}
