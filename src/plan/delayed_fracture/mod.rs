@@ -39,8 +39,8 @@ pub(super) struct DelayedFracturePlan {
     examples: Vec<DelayedFracture>,
 }
 
-/// Lines per process zone at an accuracy of 1e-6, at least and at most.
-const LINES: f64 = 512.0;
+/// Lines per process zone at an accuracy of 1e-4, at least and at most.
+const LINES: f64 = 768.0;
 const FEWEST_LINES: f64 = 64.0;
 const MOST_LINES: f64 = 4096.0;
 /// Steps of one run before it is refused.
@@ -108,7 +108,7 @@ impl DelayedFracturePlan {
     /// How finely the history is stepped: extrapolated, the error falls with the fourth power of the lines for one term, with the second and
     /// more for many.
     fn resolution(&self) -> Resolution {
-        let finer = (1e-6 / self.accuracy).powf(1.0 / 3.0);
+        let finer = (1e-4 / self.accuracy).cbrt();
         let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
         Resolution { lines_per_zone: lines as u32, most_steps: MOST_STEPS }
     }

@@ -87,7 +87,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
-        Problem::Sliding(_) | Problem::DelayedFracture(_) => 1e-6,
+        Problem::Sliding(_) => 1e-6,
+        Problem::DelayedFracture(_) => 1e-4,
         Problem::Indentation(_) => 1e-3,
     };
     Ok(Scene {
