@@ -197,7 +197,7 @@ const IRREGULAR_PART: f64 = 4.0;
 
 /// With several times in the material some term has always answered within a step, at a place x_j = ẋ₀τ_j less than a line: its error goes
 /// by x_j/m, below the second order in size and above it in slope. The bar then holds the whole last difference: a quarter of it was too
-/// short for one value of 960 (tests/crack_sec_5_4_order_after_a_start.rs).
+/// short for one value in some hundreds (tests/crack_sec_5_4_order_after_a_start.rs).
 const FAST_TERMS_PART: f64 = 1.0;
 
 /// What is added to the bars of extrapolated values, over the last difference.
