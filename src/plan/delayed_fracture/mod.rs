@@ -39,7 +39,7 @@ pub(super) struct DelayedFracturePlan {
     examples: Vec<DelayedFracture>,
 }
 
-/// Lines per process zone at an accuracy of 1e-3, at least and at most.
+/// Lines per process zone at an accuracy of 1e-4, at least and at most.
 const LINES: f64 = 768.0;
 const FEWEST_LINES: f64 = 64.0;
 const MOST_LINES: f64 = 4096.0;
@@ -105,10 +105,10 @@ impl DelayedFracturePlan {
         squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
     }
 
-    /// How finely the history is stepped: the error falls with the fourth power of the lines under a constant load, with the second and less
-    /// where fast terms answer to a start within the first line.
+    /// How finely the history is stepped: extrapolated, the error falls with the fourth power of the lines for one term, with the second and
+    /// more for many.
     fn resolution(&self) -> Resolution {
-        let finer = (1e-3 / self.accuracy).powf(0.25);
+        let finer = (1e-4 / self.accuracy).cbrt();
         let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
         Resolution { lines_per_zone: lines as u32, most_steps: MOST_STEPS }
     }

@@ -88,7 +88,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
-        Problem::DelayedFracture(_) | Problem::Indentation(_) => 1e-3,
+        Problem::DelayedFracture(_) => 1e-4,
+        Problem::Indentation(_) => 1e-3,
     };
     Ok(Scene {
         // One line, whatever the text or the file's name holds.

@@ -1,0 +1,121 @@
+//! Growth: from one line to the next, from one time to the next, or an arrest.
+
+use super::super::memory::SAME_PLACE;
+use super::bracket::bracketed;
+use super::record::RawKind;
+use super::{Ahead, Stepper};
+
+impl Stepper<'_> {
+    /// Whether a place of rest is within the zone of a load.
+    pub(super) fn in_zone(&self, rest: f64, load: f64) -> bool {
+        rest + self.zone.at(load) > self.memory.place + SAME_PLACE
+    }
+
+    /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
+    pub(super) fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
+        let zone = ahead.zone.at(ahead.load);
+        let calm = !self.rests.iter().any(|rest| self.in_zone(*rest, ahead.load));
+        if self.uniform.1 > self.lines_per_zone + 2 && calm && ahead.slope == 0.0 {
+            // Steps agree to their own rounding, which is that of many lines: the steady motion is known better.
+            let stepped = self.uniform.0 * f64::from(self.lines_per_zone);
+            let steady = self.quasi_steady.motion(ahead.load, 0.0).map_or(stepped, |motion| motion.crossing_time);
+            self.count_quasi_steady();
+            let crossing = if (steady / stepped - 1.0).abs() < 1e-9 { steady } else { stepped };
+            let left = ahead.left.min(self.until - self.time());
+            if left > 4.0 * crossing {
+                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
+                let advance = zone * (left / crossing);
+                self.accept(ahead, left, advance, [zone / crossing; 2]);
+                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
+                return;
+            }
+        }
+        if calm
+            && ahead.slope != 0.0
+            && self.undisturbed >= 2 * self.lines_per_zone
+            && self.undisturbed.is_multiple_of(self.lines_per_zone)
+            && self.glide(ahead, breaks)
+        {
+            return;
+        }
+        let line = self.grid.next_line() - self.memory.place;
+        // The nearest place of rest at the far end of the zone: where it leaves, the speed jumps.
+        let rest = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).fold(f64::INFINITY, f64::min);
+        let place = self.memory.place;
+        let probe = *ahead;
+        let whole_at = |duration: f64| line.min((rest + probe.zone.at(probe.load_after(duration)) - place).max(0.0));
+        let longest = ahead.left.min(ahead.longest_step);
+        let mut duration = longest.min(2.0 * whole_at(0.0) / self.speed);
+        let usual = duration;
+        // Whether the closure is met at the grid line within the time, or short of it, or not even where the tip is.
+        loop {
+            if self.excess(&probe.step(duration, whole_at(duration))) >= 0.0 {
+                let guess = whole_at(0.0) / self.speed;
+                let time = bracketed(duration, guess, |time, this: &mut Self| this.excess(&probe.step(time, whole_at(time))), self);
+                let whole = whole_at(time);
+                self.advance(ahead, time, whole, whole >= line);
+                return;
+            }
+            if self.excess(&probe.step(duration, 0.0)) > 0.0 {
+                let whole = whole_at(duration);
+                let guess = (self.speed * duration).min(0.5 * whole);
+                let place = bracketed(whole, guess, |place, this: &mut Self| -this.excess(&probe.step(duration, place)), self);
+                self.advance(ahead, duration, place, false);
+                return;
+            }
+            duration *= 0.5;
+            if duration <= 1e-3 / f64::from(self.lines_per_zone) * usual.min(longest) || duration < 1e-15 * self.time() {
+                self.arrest(self.speed);
+                return;
+            }
+        }
+    }
+
+    fn advance(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, on_line: bool) {
+        let step = ahead.step(duration, advance);
+        let sums = self.sums(&step);
+        let load = step.loads[1];
+        self.run.residual = self.run.residual.max((load * (load + sums.memory) - 1.0).abs());
+        let before = self.speed_of(&sums, step.loads[1], ahead.slope);
+        if on_line {
+            if self.grid.is_even() {
+                self.undisturbed = self.undisturbed.saturating_add(1);
+            }
+            self.grid.pass_line();
+            // The way before was that of quasi-steady growth, until it is two zones behind.
+            if self.undisturbed > 2 * self.lines_per_zone {
+                self.doubts[1] = 0.0;
+            }
+        }
+        let within: Vec<f64> = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).collect();
+        self.accept(ahead, duration, advance, [self.speed, before]);
+        self.speed = before;
+        if within.iter().any(|rest| !self.in_zone(*rest, ahead.load)) {
+            // The lines of the zone behind leave as the tip goes on: none of those ahead is wider.
+            let layer = self.grid.layer();
+            self.restart_grid(ahead);
+            self.grid.refine(layer);
+            self.event(RawKind::Kinks, [before, self.speed], 0.0);
+            self.uniform = (0.0, 0);
+        }
+        // The greatest zone is 1.
+        let behind = self.memory.place - 1.0 + SAME_PLACE;
+        self.rests.retain(|rest| *rest > behind);
+        if on_line && ahead.zone_changes() {
+            self.grid.rescale(self.memory.place, step.zone);
+        }
+        // Rounding of one step: of the closure, over what the closure gains in it.
+        let noise = 1e-13 + 64.0 * f64::EPSILON * f64::from(self.lines_per_zone) / (ahead.load * sums.exposure);
+        if on_line && (duration - self.uniform.0).abs() <= noise * duration {
+            self.uniform.1 += 1;
+        } else {
+            self.uniform = (duration, 0);
+        }
+        if self.speed <= 0.0 {
+            self.arrest(before.max(0.0));
+        }
+        if self.memory.place > 4.0 {
+            self.rebase();
+        }
+    }
+}

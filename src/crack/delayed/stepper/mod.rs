@@ -1,0 +1,298 @@
+//! One run at one step size: rest, growth, arrest, restart, jump, kink.
+//!
+//! # What it does
+//! The trajectory is a chain of pieces, straight in time, whose ends satisfy the closure to rounding; each piece's memory is integrated
+//! exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown is the
+//! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
+//! or a new stretch of load starts, graded from the shortest time ([`grid`]), so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
+//! down, the time step is bounded (m/2 steps in a stretch of load) and the unknown is the place.
+//!
+//! # How good
+//! Second order in 1/m (a term that has answered within a step errs by its own place over m, below that in size), exact for uniform motion. An arrest is closed in on by halving until the step is 10⁻³/m of the usual one. When
+//! all steps of a window agree to rounding under a constant load, the motion is uniform from then on: the rest of the stretch is one piece.
+
+mod bracket;
+mod glide;
+mod grid;
+mod growth;
+mod record;
+mod rest;
+
+use super::load::LoadHistory;
+use super::memory::{Memory, Step, Sums, terms_of};
+use super::problem::GrowthProblem;
+use super::quasi_steady::QuasiSteady;
+use super::zone::RelativeZone;
+use crate::refusal::Refusal;
+use bracket::bracketed;
+use grid::Grid;
+pub use record::GrowthWork;
+pub(crate) use record::{RawEvent, RawKind, RawSample, Run};
+
+/// A start of growth right after an arrest must exceed the work of adhesion by this part, or rounding would start it.
+const RESTART_THRESHOLD: f64 = 1e-13;
+
+/// Zones per second from which on a speed counts as this: a start within an ulp of the glassy limit has no memory to divide by.
+const FASTEST: f64 = 1e150;
+
+/// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
+const NEAREST: f64 = 1e-8;
+
+struct Stepper<'a> {
+    memory: Memory,
+    lines_per_zone: u32,
+    outputs: &'a [f64],
+    most_steps: u64,
+    until: f64,
+    /// Time and place of the memory's own zero.
+    base: [f64; 2],
+    grid: Grid,
+    /// The shortest retardation time (s).
+    shortest_time: f64,
+    /// Places of rests that are, or may come, within the zone.
+    rests: Vec<f64>,
+    zone: RelativeZone,
+    quasi_steady: QuasiSteady,
+    /// Lines passed since the motion was last disturbed.
+    undisturbed: u32,
+    /// What is not known of place and speed after quasi-steady growth.
+    doubts: [f64; 2],
+    moving: bool,
+    ever_moved: bool,
+    speed: f64,
+    threshold: f64,
+    /// The step all steps of late agree with, and how many do.
+    uniform: (f64, u32),
+    /// Steps taken when the memory's zero was last moved.
+    rebased_at: u64,
+    run: Run,
+}
+
+/// The load over the rest of a stretch.
+#[derive(Clone, Copy)]
+struct Ahead {
+    load: f64,
+    slope: f64,
+    left: f64,
+    last: f64,
+    whole: f64,
+    /// When the stretch ends, by the clock of the history.
+    end: f64,
+    longest_step: f64,
+    zone: RelativeZone,
+}
+
+impl Ahead {
+    fn load_after(&self, duration: f64) -> f64 {
+        if duration >= self.left { self.last } else { self.load + self.slope * duration }
+    }
+
+    fn step(&self, duration: f64, advance: f64) -> Step {
+        let load = self.load_after(duration);
+        Step { duration, advance, loads: [self.load, load], zone: self.zone.at(load) }
+    }
+
+    /// Whether the zone changes in this stretch.
+    fn zone_changes(&self) -> bool {
+        self.zone.follows() && self.slope != 0.0
+    }
+
+    fn pass(&mut self, duration: f64) {
+        self.load = self.load_after(duration);
+        self.left = if duration >= self.left { 0.0 } else { self.left - duration };
+    }
+}
+
+/// Runs a history up to a time, with the tip's state at the `outputs` (times not decreasing, none after `until`).
+pub(crate) fn run(
+    problem: &GrowthProblem<'_>,
+    history: &LoadHistory,
+    outputs: &[f64],
+    until: f64,
+    lines_per_zone: u32,
+    most_steps: u64,
+) -> Result<Run, Refusal> {
+    let limit = problem.glassy_limit();
+    let zone = RelativeZone::new(problem, history.peak(), limit);
+    let mut stepper = Stepper {
+        memory: Memory::new(terms_of(problem.material), zone.at(0.0)),
+        lines_per_zone,
+        outputs,
+        most_steps,
+        until,
+        base: [0.0; 2],
+        grid: Grid::even(0.0, 1.0, lines_per_zone),
+        shortest_time: 1.0 / terms_of(problem.material).iter().map(|term| term.rate).fold(0.0, f64::max),
+        rests: Vec::new(),
+        zone,
+        quasi_steady: QuasiSteady::new(terms_of(problem.material), zone),
+        undisturbed: 0,
+        doubts: [0.0; 2],
+        moving: false,
+        ever_moved: false,
+        speed: 0.0,
+        threshold: 0.0,
+        uniform: (0.0, 0),
+        rebased_at: 0,
+        run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
+    };
+    for stretch in history.stretches() {
+        if stretch.start > until {
+            break;
+        }
+        let mut duration = stretch.duration;
+        let [first, mut last] = [stretch.from / limit, stretch.to / limit];
+        if first >= 1.0 {
+            stepper.unbounded(stretch.start);
+            return Ok(stepper.finished());
+        }
+        let breaks = last >= 1.0;
+        if breaks {
+            duration *= (1.0 - first) / (last - first);
+            last = 1.0;
+        }
+        let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
+        let longest_step = 2.0 * duration / f64::from(lines_per_zone);
+        let mut ahead =
+            Ahead { load: first, slope, left: duration, last, whole: duration, end: stretch.start + duration, longest_step, zone };
+        stepper.enter(&ahead);
+        stepper.pass(&mut ahead, breaks)?;
+        if stepper.is_over() {
+            break;
+        }
+        if breaks {
+            stepper.unbounded(stretch.start + duration);
+            return Ok(stepper.finished());
+        }
+        // The clock is that of the history, not a sum of steps.
+        if stretch.duration.is_finite() {
+            stepper.base[0] = stretch.start + duration - stepper.memory.clock;
+            if stepper.memory.clock > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
+                stepper.rebase();
+            }
+        }
+    }
+    Ok(stepper.finished())
+}
+
+impl Stepper<'_> {
+    fn time(&self) -> f64 {
+        self.base[0] + self.memory.clock
+    }
+
+    /// Whether the last output is reached, to the clock's rounding. A step of growth may end after it, so that no step depends on it.
+    fn is_over(&self) -> bool {
+        self.until - self.time() <= 4.0 * f64::EPSILON * self.until
+    }
+
+    fn place(&self) -> f64 {
+        self.base[1] + self.memory.place
+    }
+
+    fn rebase(&mut self) {
+        self.rebased_at = self.run.work.steps;
+        let [time, place] = self.memory.rebase();
+        self.base[0] += time;
+        self.base[1] += place;
+        self.grid.shift(place);
+        for rest in &mut self.rests {
+            *rest -= place;
+        }
+    }
+
+    fn sums(&mut self, step: &Step) -> Sums {
+        self.run.work.closure_evaluations += 1;
+        self.memory.after(step)
+    }
+
+    /// w/Δγ − 1 after a step.
+    fn excess(&mut self, step: &Step) -> f64 {
+        let load = step.loads[1];
+        let sums = self.sums(step);
+        load * (load + sums.memory) - 1.0
+    }
+
+    /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ.
+    fn speed_of(&self, sums: &Sums, load: f64, load_slope: f64) -> f64 {
+        let zone = self.zone.at(load);
+        let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
+        let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
+        let speed = zone * rate / (load * sums.exposure);
+        if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
+    }
+
+    /// A new stretch of load, possibly after a jump of the load.
+    fn enter(&mut self, ahead: &Ahead) {
+        let zone = ahead.zone.at(ahead.load);
+        let here = Step::none(ahead.load, zone);
+        let excess = self.excess(&here);
+        self.uniform = (0.0, 0);
+        self.threshold = if self.ever_moved { RESTART_THRESHOLD } else { 0.0 };
+        let before = if self.moving { self.speed } else { 0.0 };
+        if excess > 1e-12 {
+            // The tip jumps to where the work is Δγ again: within one process zone, beyond which there is no memory and κ < 1.
+            let advance = bracketed(zone, 0.5 * zone, |advance, this: &mut Self| -this.excess(&Step { advance, ..here }), self);
+            if !self.ever_moved {
+                self.event(RawKind::Begins, [0.0, 0.0], 0.0);
+            } else if !self.moving {
+                self.event(RawKind::Restarts, [0.0, 0.0], 0.0);
+            }
+            self.event(RawKind::Jumps, [before, before], advance);
+            self.rests.push(self.memory.place);
+            self.memory.take(&Step { advance, ..here });
+            self.moving = true;
+            self.ever_moved = true;
+        } else if self.moving && excess < -1e-12 {
+            self.arrest(before);
+        }
+        if self.moving {
+            self.restart_grid(ahead);
+            if self.speed <= 0.0 {
+                self.arrest(before);
+            }
+        }
+    }
+
+    /// The speed from here on, and lines for it.
+    fn restart_grid(&mut self, ahead: &Ahead) {
+        let zone = ahead.zone.at(ahead.load);
+        self.undisturbed = 0;
+        let sums = self.sums(&Step::none(ahead.load, zone));
+        self.speed = self.speed_of(&sums, ahead.load, ahead.slope);
+        let layer = self.speed * self.shortest_time / zone;
+        self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
+    }
+
+    /// Passes a stretch of load.
+    fn pass(&mut self, ahead: &mut Ahead, breaks: bool) -> Result<(), Refusal> {
+        while ahead.left > 0.0 && !self.is_over() {
+            if self.run.work.steps >= self.most_steps {
+                return Err(Refusal::NotConverged {
+                    what: "the growth of the crack",
+                    detail: format!(
+                        "{} steps were spent by time {:e}: fewer windows, or fewer lines per zone",
+                        self.most_steps,
+                        self.time()
+                    ),
+                });
+            }
+            if self.moving {
+                if breaks && (ahead.left <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
+                    break;
+                }
+                self.grow(ahead, breaks);
+            } else {
+                self.rest(ahead);
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a step and writes the outputs that lie in it.
+    fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2]) {
+        self.write_outputs(ahead, duration, advance, speeds);
+        self.memory.take(&ahead.step(duration, advance));
+        ahead.pass(duration);
+        self.run.work.steps += 1;
+    }
+}
