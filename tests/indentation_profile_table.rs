@@ -13,7 +13,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use support::reference_rows;
 use viscotack::Refusal;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Panel, Profile, Zone, elastic_contact, elastic_contact_of_radius, march, zone_work};
+use viscotack::indentation::{
+    Adhesion, History, IndentationProblem, Panel, Profile, Zone, elastic_contact, elastic_contact_of_radius, march, zone_work,
+};
 
 fn sampled(points: usize, end: f64, z: impl Fn(f64) -> f64) -> Profile {
     let last = points - 1;
@@ -81,7 +83,10 @@ fn sphere_and_power_converge() {
         let power = errors(&sampled(points, 1.0, |r| r.powf(2.7)), 1.0, |s| factor * s.powf(2.7), |s| 2.7 * factor * s.powf(1.7));
         last = [sphere[0], sphere[1], power[0], power[1]];
         let orders = before.map(|before| [0, 1, 2, 3].map(|k| (before[k] / last[k]).log2()));
-        println!("{points:4} points: sphere f {:.1e} f′ {:.1e}, power f {:.1e} f′ {:.1e}; orders {orders:.2?}", last[0], last[1], last[2], last[3]);
+        println!(
+            "{points:4} points: sphere f {:.1e} f′ {:.1e}, power f {:.1e} f′ {:.1e}; orders {orders:.2?}",
+            last[0], last[1], last[2], last[3]
+        );
         order = orders.unwrap_or_default();
         before = Some(last);
     }
@@ -105,7 +110,14 @@ fn a_march_with_points_is_that_of_the_paraboloid() {
         for (first, second) in own.kept.iter().zip(&other.kept) {
             worst = worst.max((own.path[*first].force - other.path[*second].force).abs() / largest);
         }
-        println!("adhesion {}: {} and {} steps, largest panels {} {}, worst force {worst:.1e}", adhesion.is_some(), own.work.steps, other.work.steps, own.work.most_panels, other.work.most_panels);
+        println!(
+            "adhesion {}: {} and {} steps, largest panels {} {}, worst force {worst:.1e}",
+            adhesion.is_some(),
+            own.work.steps,
+            other.work.steps,
+            own.work.most_panels,
+            other.work.most_panels
+        );
         assert_eq!(own.kept.len(), other.kept.len());
         assert!(own.kept.len() >= 15 && worst < 1e-6, "{worst:e}");
     }
@@ -135,7 +147,8 @@ fn elastic_contact_of_a_sphere_itself() {
         // At equal δ: the closure and the force of this state with the sphere's own f, which knows no points.
         let height = state.penetration;
         let kernel = Zone::new(a, zone).unwrap();
-        let inside: Vec<Panel> = (0..20).map(|k| Panel::sampled(a * f64::from(k) / 20.0, a * f64::from(k + 1) / 20.0, |s| height - line(s))).collect();
+        let inside: Vec<Panel> =
+            (0..20).map(|k| Panel::sampled(a * f64::from(k) / 20.0, a * f64::from(k + 1) / 20.0, |s| height - line(s))).collect();
         let outside = Panel::sampled(a, a + zone, |s| line(s) - height);
         let balance = zone_work(&kernel, &inside, &[outside]) / work - 1.0;
         let own_force = 2.0 * inside.iter().map(Panel::integral).sum::<f64>();
@@ -146,7 +159,8 @@ fn elastic_contact_of_a_sphere_itself() {
     }
     // Equal δ: paraboloid and its points, 1e-10.
     let points = sampled(31, 0.6, |r| 0.5 * r * r);
-    let (own, other) = (elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.032).unwrap(), elastic_contact(&points, 1.0, WORK, ZONE, 0.032).unwrap());
+    let (own, other) =
+        (elastic_contact(&SPHERE, 1.0, WORK, ZONE, 0.032).unwrap(), elastic_contact(&points, 1.0, WORK, ZONE, 0.032).unwrap());
     println!("point B: a {:.12} {:.12}, F {:.12e} {:.12e}", own.contact_radius, other.contact_radius, own.force, other.force);
     assert!((own.contact_radius / other.contact_radius - 1.0).abs() < 1e-10 && (own.force / other.force - 1.0).abs() < 1e-10);
 }
@@ -177,7 +191,15 @@ fn wrong_points_are_refused() {
     let good = [(0.0, 0.0), (1.0, 1.0), (2.0, 4.0), (3.0, 9.0), (4.0, 16.0)];
     assert!(Profile::table(&good).is_ok());
     let mut worse: Vec<Vec<(f64, f64)>> = vec![Vec::new(), good[..3].to_vec(), vec![(0.0, 0.0); 5]];
-    for (index, point) in [(0, (0.1, 0.0)), (0, (0.0, 0.1)), (2, (1.0, 4.0)), (2, (2.0, 1.0)), (2, (2.0, f64::NAN)), (2, (f64::INFINITY, 4.0)), (4, (4.0, f64::INFINITY))] {
+    for (index, point) in [
+        (0, (0.1, 0.0)),
+        (0, (0.0, 0.1)),
+        (2, (1.0, 4.0)),
+        (2, (2.0, 1.0)),
+        (2, (2.0, f64::NAN)),
+        (2, (f64::INFINITY, 4.0)),
+        (4, (4.0, f64::INFINITY)),
+    ] {
         let mut points = good.to_vec();
         points[index] = point;
         worse.push(points);
@@ -188,6 +210,7 @@ fn wrong_points_are_refused() {
         assert!(matches!(Profile::table(&points), Err(Refusal::OutOfRange { .. })), "{points:?}");
     }
     // A step with a plateau: its line profile falls behind the step.
-    let plateau: Vec<(f64, f64)> = (0..40).map(|k| f64::from(k) * 0.1).map(|r| (r, 1e-3 * r * r + (5.0 * (r - 1.0)).tanh() + 5.0f64.tanh())).collect();
+    let plateau: Vec<(f64, f64)> =
+        (0..40).map(|k| f64::from(k) * 0.1).map(|r| (r, 1e-3 * r * r + (5.0 * (r - 1.0)).tanh() + 5.0f64.tanh())).collect();
     assert!(matches!(Profile::table(&plateau), Err(Refusal::NoSuchState { .. })));
 }

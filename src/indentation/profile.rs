@@ -70,7 +70,10 @@ impl Profile {
     pub(super) fn holds(&self, contact_radius: f64, process_zone: f64) -> Result<(), Refusal> {
         match self {
             Self::Table(shape) if contact_radius > 0.0 && contact_radius + process_zone > shape.reach() => Err(Refusal::NoSuchState {
-                reason: format!("the contact and its process zone reach out to {:e}, where the table has no shape", contact_radius + process_zone),
+                reason: format!(
+                    "the contact and its process zone reach out to {:e}, where the table has no shape",
+                    contact_radius + process_zone
+                ),
                 limit_name: "the radius of its last point",
                 limit: shape.reach(),
             }),

@@ -77,7 +77,8 @@ impl Series {
 
     fn first_fall(&self) -> Option<f64> {
         let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
-        let places = self.stretches.iter().flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
+        let places =
+            self.stretches.iter().flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
         axis.chain(places).find(|s| !(self.slope(*s) > 0.0))
     }
 
@@ -107,7 +108,10 @@ impl Series {
 }
 
 fn unresolved(place: f64) -> Refusal {
-    Refusal::NotConverged { what: "the line profile of a shape", detail: format!("at {place:e} of its last radius: its points are too uneven") }
+    Refusal::NotConverged {
+        what: "the line profile of a shape",
+        detail: format!("at {place:e} of its last radius: its points are too uneven"),
+    }
 }
 
 impl Stretch {

@@ -27,7 +27,6 @@ pub(super) fn profile(shape: &IndentationShape) -> Result<Profile, Refusal> {
 }
 
 impl IndentationPlan {
-
     /// Δγ and δ, coherent.
     pub(super) fn adhesion(&self) -> Option<Adhesion> {
         let given = self.indentation.adhesion?;

@@ -190,8 +190,7 @@ pub(super) fn headers(
             }
             (Units::Si, unit) => {
                 let found = parse_quantity(&format!("1 {unit}")).map_err(|error| {
-                    SceneError::at(&place, format!("the unit of the column `{text}` cannot be read: {error}"), "here")
-                        .help(help)
+                    SceneError::at(&place, format!("the unit of the column `{text}` cannot be read: {error}"), "here").help(help)
                 })?;
                 if let Some(wanted) = wanted.filter(|wanted| !found.dimension.measures(*wanted)) {
                     let message = format!("the column `{text}` has the wrong unit: it is measured in {}", found.dimension.si_unit());

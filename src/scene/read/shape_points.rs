@@ -56,7 +56,8 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
             let (now, last) = (values.get(k).copied().unwrap_or_default(), before.and_then(|before| before.get(k).copied()));
             match last {
                 None if now != 0.0 => {
-                    let message = format!("`{name}` = {} in the first row: the shape starts on its axis, at its lowest point", written(cell));
+                    let message =
+                        format!("`{name}` = {} in the first row: the shape starts on its axis, at its lowest point", written(cell));
                     return Err(SceneError::at(cell, message, "must be 0"));
                 }
                 Some(last) if now <= last => {
