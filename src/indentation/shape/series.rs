@@ -66,6 +66,9 @@ impl Series {
             last: [value, slope, 0.5 * slope],
             falls_at: None,
         };
+        if !series.last.iter().chain(series.stretches.iter().flat_map(|stretch| &stretch.slope)).all(|number| number.is_finite()) {
+            return Err(unresolved(1.0));
+        }
         series.falls_at = series.first_fall();
         Ok(series)
     }
@@ -79,7 +82,7 @@ impl Series {
         let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
         let places =
             self.stretches.iter().flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
-        axis.chain(places).find(|s| !(self.slope(*s) > 0.0))
+        axis.chain(places).find(|s| self.slope(*s) <= 0.0)
     }
 
     fn stretch(&self, s: f64) -> Option<&Stretch> {
@@ -119,20 +122,17 @@ impl Stretch {
     fn sampled(pieces: &[Piece], low: f64, high: f64, rooted: bool) -> (Self, bool) {
         let width = high - low;
         let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
-        let mut samples = [[0.0; TERMS]; 2];
-        for k in 0..TERMS {
+        let samples: [[f64; 2]; TERMS] = std::array::from_fn(|k| {
             let x = 0.5 * (1.0 + angle(k).cos());
-            let [value, slope] = line_profile(pieces, low + width * if rooted { x * x } else { x });
-            samples[0][k] = value;
-            samples[1][k] = slope;
-        }
-        let transformed = |samples: &[f64; TERMS]| -> [f64; TERMS] {
+            line_profile(pieces, low + width * if rooted { x * x } else { x })
+        });
+        let transformed = |which: usize| -> [f64; TERMS] {
             std::array::from_fn(|j| {
                 let factor = if j == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-                factor * (0..TERMS).map(|k| samples[k] * (j as f64 * angle(k)).cos()).sum::<f64>()
+                factor * samples.iter().enumerate().map(|(k, sample)| sample[which] * (j as f64 * angle(k)).cos()).sum::<f64>()
             })
         };
-        let [value, slope] = [transformed(&samples[0]), transformed(&samples[1])];
+        let [value, slope] = [transformed(0), transformed(1)];
         let small = |series: &[f64; TERMS], scale: f64| series[TERMS - 3..].iter().all(|c| c.abs() <= SMALL * scale);
         // f′ is that of its own stretch, or of f over the place, whichever is larger: no more digits are there.
         let slope_scale = slope[0].abs().max(value[0].abs() / high);
