@@ -190,7 +190,7 @@ fn assert_finite(scene: &Scene) {
 static SLIDING_SOLVED: AtomicUsize = AtomicUsize::new(0);
 const MOST_SLIDING: usize = 600;
 /// The same of indentations.
-const MOST_INDENTATIONS: usize = 40;
+const MOST_INDENTATIONS: usize = 8;
 static INDENTATIONS_SOLVED: AtomicUsize = AtomicUsize::new(0);
 
 /// Takes a document through everything but the printing; gives whether it was accepted.
@@ -225,7 +225,7 @@ fn taken_through(mut document: Document) -> bool {
         // A history is dear: a few are marched, of those that are short.
         Problem::Indentation(indentation) => {
             indentation.fields.as_ref().is_none_or(|fields| fields.points <= 400)
-                && plan.predicted_work().closure_evaluations < 5000
+                && plan.predicted_work().closure_evaluations < 2000
                 && INDENTATIONS_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_INDENTATIONS
         }
     };

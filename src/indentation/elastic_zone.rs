@@ -103,14 +103,28 @@ pub fn elastic_contact(
             low = middle;
         }
     }
+    profile.holds(high, process_zone)?;
     Ok(state(profile, modulus, high, penetration, balance(high)?))
 }
 
 /// The equilibrium with a given contact radius (m): C is a quadratic in Δ, and tension picks its root.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`] for a radius not larger than the process zone; [`Refusal::NoSuchState`] when the quadratic has no root.
+/// [`Refusal::OutOfRange`] for a radius not larger than the process zone; [`Refusal::NoSuchState`] when the quadratic has no root, or beyond the
+/// last point of a table.
 pub fn elastic_contact_of_radius(
+    profile: &Profile,
+    modulus: f64,
+    work_of_adhesion: f64,
+    process_zone: f64,
+    contact_radius: f64,
+) -> Result<ElasticContact, Refusal> {
+    profile.holds(contact_radius, process_zone)?;
+    trial_of_radius(profile, modulus, work_of_adhesion, process_zone, contact_radius)
+}
+
+/// The same for a search, which may try radii beyond the last point of a table.
+pub(super) fn trial_of_radius(
     profile: &Profile,
     modulus: f64,
     work_of_adhesion: f64,

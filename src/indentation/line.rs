@@ -61,7 +61,7 @@ impl<'a> Contact<'a> {
     /// An indenter that has bonded, at once, a circle of an untouched surface (radius 0: touches it).
     ///
     /// # Errors
-    /// [`Refusal::OutOfRange`] for a negative radius or numbers that are not finite.
+    /// [`Refusal::OutOfRange`] for a negative radius or numbers that are not finite; [`Refusal::NoSuchState`] beyond the last point of a table.
     pub fn untouched(springs: &'a Springs, profile: Profile, radius: f64, penetration: f64) -> Result<Self, Refusal> {
         Self::bonded(springs, profile, radius, penetration, 0.0)
     }
@@ -78,6 +78,7 @@ impl<'a> Contact<'a> {
         require_non_negative("contact_radius", radius)?;
         require_finite("penetration", penetration)?;
         let profile = profile.checked()?;
+        profile.holds(radius, 0.0)?;
         let mut contact = Self { springs, profile, cells: Vec::new(), values: Vec::new(), radius, penetration, updates: 0 };
         if radius > 0.0 {
             let breaks = contact.profile.breaks(radius);

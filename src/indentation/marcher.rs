@@ -45,11 +45,14 @@ const PARTS: u32 = 16;
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
-/// [`Refusal::NoSuchState`] for a start without equilibrium; [`Refusal::NotConverged`].
+/// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
 pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
     problem.checked()?;
     let springs = Springs::new(material)?;
-    Marcher::new(&springs, problem, tolerance)?.through()
+    let trace = Marcher::new(&springs, problem, tolerance)?.through()?;
+    let zone = problem.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
+    trace.path.iter().try_for_each(|point| problem.profile.holds(point.contact_radius, zone))?;
+    Ok(trace)
 }
 
 pub(super) struct Marcher<'a> {

@@ -1,10 +1,14 @@
-//! The indenter as the line sees it: f(s) = s d/ds ∫₀^s z(r)/√(s² − r²) dr of a shape z(r).
+//! The indenter as the line sees it: f(s) = s∫₀^s z′(r)/√(s² − r²) dr = d/ds ∫₀^s r z(r)/√(s² − r²) dr of a shape z(r) with z(0) = 0.
+//!
+//! z = r²/(2R) gives s²/R, z = r·slope gives (π/2)·slope·s (Sneddon 1965, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4)).
 
+use super::shape::TabulatedShape;
 use crate::refusal::{Refusal, require_positive};
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 /// An axisymmetric indenter.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Profile {
     /// z = r²/(2R), a sphere of radius R ≫ a (m): f = s²/R.
     Paraboloid {
@@ -28,9 +32,19 @@ pub enum Profile {
         /// m > 0.
         exponent: f64,
     },
+    /// A shape through points, such as a measured one; it ends at its last point, which a contact and its process zone must not reach.
+    Table(Arc<TabulatedShape>),
 }
 
 impl Profile {
+    /// The shape through points (r, z) (m).
+    ///
+    /// # Errors
+    /// As [`TabulatedShape::through`].
+    pub fn table(points: &[(f64, f64)]) -> Result<Self, Refusal> {
+        Ok(Self::Table(Arc::new(TabulatedShape::through(points)?)))
+    }
+
     /// Passes a sound profile on.
     ///
     /// # Errors
@@ -43,29 +57,51 @@ impl Profile {
                 require_positive("coefficient", *coefficient)?;
                 require_positive("exponent", *exponent)?
             }
+            // Its points were checked when it was made, and cannot be changed.
+            Self::Table(shape) => require_positive("radius", shape.reach())?,
         };
         Ok(self)
+    }
+
+    /// Passes a contact of a radius with a process zone (m) on that the shape is known for.
+    ///
+    /// # Errors
+    /// [`Refusal::NoSuchState`] beyond the last point of a table.
+    pub(super) fn holds(&self, contact_radius: f64, process_zone: f64) -> Result<(), Refusal> {
+        match self {
+            Self::Table(shape) if contact_radius > 0.0 && contact_radius + process_zone > shape.reach() => Err(Refusal::NoSuchState {
+                reason: format!(
+                    "the contact and its process zone reach out to {:e}, where the table has no shape",
+                    contact_radius + process_zone
+                ),
+                limit_name: "the radius of its last point",
+                limit: shape.reach(),
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// f(s) (m) at s ≥ 0.
     #[must_use]
     pub fn line(&self, s: f64) -> f64 {
-        match *self {
+        match self {
             Self::Paraboloid { radius } => s / radius * s,
             Self::Cone { slope } => FRAC_PI_2 * slope * s,
             Self::FlatPunch { .. } => 0.0,
-            Self::PowerLaw { coefficient, exponent } => coefficient * s.powf(exponent),
+            Self::PowerLaw { coefficient, exponent } => coefficient * s.powf(*exponent),
+            Self::Table(shape) => shape.line(s),
         }
     }
 
     /// f′(s).
     #[must_use]
     pub fn line_slope(&self, s: f64) -> f64 {
-        match *self {
+        match self {
             Self::Paraboloid { radius } => 2.0 * s / radius,
             Self::Cone { slope } => FRAC_PI_2 * slope,
             Self::FlatPunch { .. } => 0.0,
             Self::PowerLaw { coefficient, exponent } => coefficient * exponent * s.powf(exponent - 1.0),
+            Self::Table(shape) => shape.line_slope(s),
         }
     }
 
@@ -81,25 +117,28 @@ impl Profile {
 
     /// s (m) of a coordinate between those of two places.
     pub(super) fn inverse_coordinate(&self, coordinate: f64, one: f64, other: f64) -> f64 {
-        match *self {
+        match self {
             Self::Paraboloid { radius } => (coordinate * radius).max(0.0).sqrt(),
             Self::Cone { slope } => coordinate / (FRAC_PI_2 * slope),
             Self::FlatPunch { .. } => coordinate,
             Self::PowerLaw { coefficient, exponent } => (coordinate / coefficient).max(0.0).powf(1.0 / exponent),
+            Self::Table(shape) => shape.inverse(coordinate, one, other),
         }
         .clamp(one.min(other), one.max(other))
     }
 
-    /// The radius beyond which there is no face to touch (m).
+    /// The radius beyond which there is no face to touch (m); infinite for a table, beyond whose last point nothing is known.
     #[must_use]
     pub const fn rim(&self) -> f64 {
         if let Self::FlatPunch { radius } = self { *radius } else { f64::INFINITY }
     }
 
-    /// Panel boundaries that make f smooth on 0…end: two numbers, or graded towards the axis for a power that is no polynomial.
+    /// Panel boundaries that make f smooth on 0…end: two numbers, graded towards the axis for a power that is no polynomial, or the points of
+    /// a table.
     #[must_use]
     pub fn breaks(&self, end: f64) -> Vec<f64> {
-        match *self {
+        match self {
+            Self::Table(shape) => shape.breaks(end),
             // Halving 26 times leaves a first panel of 1.5e-8 of the length, with a load of the same order of the whole or less.
             Self::PowerLaw { .. } => std::iter::once(0.0).chain((0..=26).rev().map(|k| end * 0.5f64.powi(k))).collect(),
             _ => vec![0.0, end],

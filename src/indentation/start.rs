@@ -1,6 +1,6 @@
 //! The first contact: relaxed or just touched, under any control.
 
-use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
+use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius, trial_of_radius};
 use super::history::Controlled;
 use super::line::Contact;
 use super::panel::Panel;
@@ -73,7 +73,7 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
                 (Controlled::Frame, Some(stiffness)) => state.penetration + state.force / stiffness,
                 _ => state.force,
             };
-            let by_radius = |a: f64| elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
+            let by_radius = |a: f64| trial_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
             // The largest contact in equilibrium: from far out, inwards, to the first value below the imposed one.
             let mut high = 1.01 * adhesion.process_zone;
             let mut beyond = 0;

@@ -50,7 +50,7 @@ impl IndentationPlan {
 
     /// The contact at a time, in about `moves` straight pieces of the path, which is a polynomial between its points; jumps stay jumps.
     fn walked<'s>(&self, springs: &'s Springs, path: &[PathPoint], time: f64, moves: usize) -> Result<Contact<'s>, Refusal> {
-        let profile = self.profile();
+        let profile = self.profile.clone();
         let problem = self.problem()?;
         let sweep = if problem.adhesion.is_some() { Sweep::Linear } else { Sweep::Profile };
         let Some(first) = path.first() else {

@@ -8,22 +8,25 @@ use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, I
 use spec_math::Gamma;
 use std::f64::consts::PI;
 
-impl IndentationPlan {
-    pub(super) fn profile(&self) -> Profile {
-        match self.indentation.shape {
-            IndentationShape::Sphere { radius } => Profile::Paraboloid { radius },
-            IndentationShape::Cone { slope } => Profile::Cone { slope },
-            IndentationShape::FlatPunch { radius } => Profile::FlatPunch { radius },
-            // z = c r^m has f = c (m + 1) s^m ∫₀¹ x^{m+1}/√(1 − x²) dx, and the integral is (√π/2) Γ(m/2 + 1)/Γ(m/2 + 3/2).
-            IndentationShape::PowerLaw { radius, exponent } => Profile::PowerLaw {
-                coefficient: (exponent + 1.0) * 0.5 * PI.sqrt() * Gamma::gamma(&(0.5 * exponent + 1.0))
-                    / Gamma::gamma(&(0.5 * exponent + 1.5))
-                    / (exponent * radius.powf(exponent - 1.0)),
-                exponent,
-            },
-        }
+/// The indenter of a scene.
+pub(super) fn profile(shape: &IndentationShape) -> Result<Profile, Refusal> {
+    match *shape {
+        IndentationShape::Sphere { radius } => Profile::Paraboloid { radius },
+        IndentationShape::Cone { slope } => Profile::Cone { slope },
+        IndentationShape::FlatPunch { radius } => Profile::FlatPunch { radius },
+        // z = c r^m has f = c (m + 1) s^m ∫₀¹ x^{m+1}/√(1 − x²) dx, and the integral is (√π/2) Γ(m/2 + 1)/Γ(m/2 + 3/2).
+        IndentationShape::PowerLaw { radius, exponent } => Profile::PowerLaw {
+            coefficient: (exponent + 1.0) * 0.5 * PI.sqrt() * Gamma::gamma(&(0.5 * exponent + 1.0))
+                / Gamma::gamma(&(0.5 * exponent + 1.5))
+                / (exponent * radius.powf(exponent - 1.0)),
+            exponent,
+        },
+        IndentationShape::Table { ref points } => Profile::table(points)?,
     }
+    .checked()
+}
 
+impl IndentationPlan {
     /// Δγ and δ, coherent.
     pub(super) fn adhesion(&self) -> Option<Adhesion> {
         let given = self.indentation.adhesion?;
@@ -44,7 +47,7 @@ impl IndentationPlan {
         let segment = |leg: &Leg| Segment { duration: leg.duration, end: leg.end, controlled: controlled(leg.quantity) };
         let history = History { start, controlled: controlled(quantity), segments: self.timeline.legs.iter().map(segment).collect() };
         let problem = IndentationProblem {
-            profile: self.profile().checked()?,
+            profile: self.profile.clone(),
             adhesion: self.adhesion(),
             history,
             frame_stiffness: self.indentation.frame_stiffness.map(|stiffness| stiffness * self.scale.force),

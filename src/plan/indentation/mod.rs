@@ -12,6 +12,7 @@ mod timeline;
 mod validity;
 
 use crate::elastic::PlaneState;
+use crate::indentation::Profile;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
@@ -37,6 +38,7 @@ pub(super) struct IndentationPlan {
     /// Whether a sweep follows.
     swept: bool,
     timeline: Timeline,
+    profile: Profile,
 }
 
 impl IndentationPlan {
@@ -60,6 +62,7 @@ impl IndentationPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
             timeline,
+            profile: march::profile(&indentation.shape)?,
         };
         plan.problem()?;
         if plan.characteristic_numbers().iter().all(|group| group.value.is_finite()) {

@@ -138,8 +138,8 @@ impl IndentationPlan {
 
     /// (3/2)πRΔγ, coherent: JKR's pull-off force does not feel the modulus.
     fn jkr_pull_off(&self) -> Option<f64> {
-        match (self.adhesion(), self.indentation.shape) {
-            (Some(adhesion), IndentationShape::Sphere { radius }) => {
+        match (self.adhesion(), &self.indentation.shape) {
+            (Some(adhesion), &IndentationShape::Sphere { radius }) => {
                 JkrSphere::new(radius, self.relaxed, adhesion.work_of_adhesion).ok().map(|sphere| sphere.pull_off_force().abs())
             }
             _ => None,

@@ -3,6 +3,7 @@
 use super::IndentationPlan;
 use super::columns::at;
 use crate::elastic::TaborNumber;
+use crate::indentation::Profile;
 use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
@@ -48,13 +49,20 @@ impl IndentationPlan {
         let si = (self.units == Units::Si).then_some(());
         let size = match self.indentation.shape {
             IndentationShape::Sphere { radius } => Some(radius),
-            IndentationShape::Cone { .. } | IndentationShape::FlatPunch { .. } | IndentationShape::PowerLaw { .. } => None,
+            IndentationShape::Cone { .. }
+            | IndentationShape::FlatPunch { .. }
+            | IndentationShape::PowerLaw { .. }
+            | IndentationShape::Table { .. } => None,
         };
         let slope = match self.indentation.shape {
             IndentationShape::Sphere { radius: size } => radius.map(|radius| radius / size),
             IndentationShape::Cone { slope } => Some(slope),
             IndentationShape::FlatPunch { .. } => None,
             IndentationShape::PowerLaw { radius: size, exponent } => radius.map(|radius| (radius / size).powf(exponent - 1.0)),
+            IndentationShape::Table { .. } => match &self.profile {
+                Profile::Table(shape) => radius.map(|radius| shape.slope(radius)),
+                _ => None,
+            },
         };
         let given = self.indentation.adhesion;
         let zone = self.adhesion().map(|adhesion| adhesion.process_zone);

@@ -47,6 +47,11 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "m of the shape.",
     },
     Key {
+        path: "indentation.profile",
+        kind: Kind::Text,
+        meaning: "A CSV file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row.",
+    },
+    Key {
         path: "indentation.start",
         kind: Kind::Choice(&[
             Word {

@@ -1,6 +1,7 @@
 //! The `[indentation]`, `[adhesion]` and `[[history]]` tables of an indenter.
 
 use super::section::Section;
+use super::shape_points::shape_points;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
@@ -27,7 +28,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         let message = "`fields` belongs to cracks and sliding contacts";
         return Err(top.wrong("fields", message, "write [indentation.fields] with its times"));
     }
-    let shape = shape(&table)?;
+    let shape = shape(&table, document)?;
     let adhesion = adhesion(top)?;
     let Some(history) = history::read(document, CONTROLLED, "an indentation")? else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
@@ -72,8 +73,11 @@ fn quantity(segment: &HistorySegment) -> Option<HistoryQuantity> {
     }
 }
 
-fn shape(table: &Section<'_>) -> Result<IndentationShape, SceneError> {
-    let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law"])?;
+fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, SceneError> {
+    let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law", "profile"])?;
+    if name == "profile" {
+        return Ok(IndentationShape::Table { points: shape_points(table, document, name)?.into() });
+    }
     let body = table.required_table(name, "it is the indenter")?;
     let radius = || match (body.units(), body.number("radius")?) {
         (Units::Si, _) => body.required_number("radius"),

@@ -1,4 +1,4 @@
-//! A CSV file that a history follows.
+//! A CSV file that a history follows; and the reading of such files, which [`super::shape_points`] shares.
 //!
 //! ```text
 //! # a comment
@@ -16,18 +16,19 @@ use crate::scene::document::{Document, Node, Value, read_text};
 use crate::scene::typed::{HistoryQuantity, MeasuredColumn, MeasuredTable};
 use crate::scene::units::{Dimension, parse_quantity};
 
-/// Reads the files that the history of a document names, so that the document holds all that its result depends on.
+/// Reads the files that the history and the indenter of a document name, so that the document holds all that its result depends on.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
-    let named: Vec<(String, Place)> = match document.root.get("history").map(|node| &node.value) {
-        Some(Value::List(items)) => items.iter().filter_map(file_of).collect(),
+    let mut named: Vec<(&str, String, Place)> = match document.root.get("history").map(|node| &node.value) {
+        Some(Value::List(items)) => items.iter().filter_map(|item| file_of("history.table", item.get("table")?)).collect(),
         _ => Vec::new(),
     };
-    for (name, place) in named {
+    named.extend(document.root.at("indentation.profile").and_then(|node| file_of("indentation.profile", node)));
+    for (key, name, place) in named {
         if document.attached(&name).is_some() {
             continue;
         }
         let text = read_text(&document.folder().join(&name)).map_err(|error| {
-            SceneError::at(&place, format!("`history.table` = {name:?} cannot be read: {error}"), "this file")
+            SceneError::at(&place, format!("`{key}` = {name:?} cannot be read: {error}"), "this file")
                 .help("relative paths start at the scene")
         })?;
         document.attach(&name, SourceText::new(&name, text));
@@ -35,17 +36,16 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     Ok(())
 }
 
-fn file_of(item: &Node) -> Option<(String, Place)> {
-    let node = item.get("table")?;
+fn file_of<'k>(key: &'k str, node: &Node) -> Option<(&'k str, String, Place)> {
     match &node.value {
-        Value::Text(name) => Some((name.clone(), node.place.clone())),
+        Value::Text(name) => Some((key, name.clone(), node.place.clone())),
         _ => None,
     }
 }
 
 /// A column of the header.
-struct Header {
-    name: String,
+pub(super) struct Header {
+    pub(super) name: String,
     dimension: Dimension,
     unit: String,
     place: Place,
@@ -63,7 +63,9 @@ pub(super) fn measured_table(item: &Section<'_>, document: &Document, quantity: 
         let place = Place { source: source.clone(), span: 0..0 };
         return Err(SceneError::at(&place, format!("{file:?} is empty"), "here").help(example(quantity)));
     };
-    let headers = headers(&first, item.units(), quantity)?;
+    let help = example(quantity);
+    let known = |name: &str| HistoryQuantity::of_word(name).map(HistoryQuantity::dimension);
+    let headers = headers(&first, item.units(), ("time", Dimension::TIME), known, &help)?;
     let Some(controlled) = headers.iter().position(|header| header.name == quantity.word()) else {
         let near = nearest(quantity.word(), headers.iter().map(|header| header.name.as_str()));
         let label = near.map_or_else(|| "no such column".to_owned(), |name| format!("did you mean `{name}` to be it?"));
@@ -120,7 +122,7 @@ fn example(quantity: HistoryQuantity) -> String {
 }
 
 /// The lines that say something.
-fn lines_of(source: &SourceText) -> impl Iterator<Item = Place> + '_ {
+pub(super) fn lines_of(source: &SourceText) -> impl Iterator<Item = Place> + '_ {
     let mut start = 0;
     source.text().split_inclusive('\n').filter_map(move |line| {
         let begin = start;
@@ -133,12 +135,12 @@ fn lines_of(source: &SourceText) -> impl Iterator<Item = Place> + '_ {
     })
 }
 
-fn written(place: &Place) -> &str {
+pub(super) fn written(place: &Place) -> &str {
     place.source.text().get(place.span.clone()).unwrap_or("")
 }
 
 /// The cells of a line, trimmed.
-fn cells_of(line: &Place) -> Vec<Place> {
+pub(super) fn cells_of(line: &Place) -> Vec<Place> {
     let mut start = line.span.start;
     written(line)
         .split(',')
@@ -150,26 +152,29 @@ fn cells_of(line: &Place) -> Vec<Place> {
         .collect()
 }
 
-fn headers(line: &Place, units: Units, quantity: HistoryQuantity) -> Result<Vec<Header>, SceneError> {
+/// The names of a header line: the first column is given, of the others some are known.
+pub(super) fn headers(
+    line: &Place,
+    units: Units,
+    (first, first_dimension): (&str, Dimension),
+    known: impl Fn(&str) -> Option<Dimension>,
+    help: &str,
+) -> Result<Vec<Header>, SceneError> {
     let mut headers: Vec<Header> = Vec::new();
     for (index, place) in cells_of(line).into_iter().enumerate() {
         let text = written(&place);
         let (name, unit) = match text.split_once('(') {
             Some((name, rest)) => match rest.strip_suffix(')') {
                 Some(unit) => (name.trim(), unit.trim()),
-                None => return Err(SceneError::at(&place, format!("the column `{text}` has no `)`"), "here").help(example(quantity))),
+                None => return Err(SceneError::at(&place, format!("the column `{text}` has no `)`"), "here").help(help)),
             },
             None => (text, ""),
         };
-        let wanted = match HistoryQuantity::of_word(name) {
-            _ if index == 0 => Some(Dimension::TIME),
-            Some(known) => Some(known.dimension()),
-            None => None,
-        };
-        if name.is_empty() || (index == 0) != (name == "time") {
+        let wanted = if index == 0 { Some(first_dimension) } else { known(name) };
+        if name.is_empty() || (index == 0) != (name == first) {
             let message =
-                if index == 0 { format!("the first column is `{name}`, not `time`") } else { format!("`{text}` names no column") };
-            return Err(SceneError::at(&place, message, "here").help(example(quantity)));
+                if index == 0 { format!("the first column is `{name}`, not `{first}`") } else { format!("`{text}` names no column") };
+            return Err(SceneError::at(&place, message, "here").help(help));
         }
         if headers.iter().any(|other| other.name == name) {
             return Err(SceneError::at(&place, format!("the column `{name}` stands twice"), "leave one out"));
@@ -181,12 +186,11 @@ fn headers(line: &Place, units: Units, quantity: HistoryQuantity) -> Result<Vec<
                 return Err(SceneError::at(&place, message, "leave the unit out"));
             }
             (Units::Si, "") if wanted.is_some() => {
-                return Err(SceneError::at(&place, format!("the column `{name}` has no unit"), "here").help(example(quantity)));
+                return Err(SceneError::at(&place, format!("the column `{name}` has no unit"), "here").help(help));
             }
             (Units::Si, unit) => {
                 let found = parse_quantity(&format!("1 {unit}")).map_err(|error| {
-                    SceneError::at(&place, format!("the unit of the column `{text}` cannot be read: {error}"), "here")
-                        .help(example(quantity))
+                    SceneError::at(&place, format!("the unit of the column `{text}` cannot be read: {error}"), "here").help(help)
                 })?;
                 if let Some(wanted) = wanted.filter(|wanted| !found.dimension.measures(*wanted)) {
                     let message = format!("the column `{text}` has the wrong unit: it is measured in {}", found.dimension.si_unit());
@@ -201,7 +205,7 @@ fn headers(line: &Place, units: Units, quantity: HistoryQuantity) -> Result<Vec<
 }
 
 /// A cell in coherent units.
-fn number(cell: &Place, header: &Header, must: bool) -> Result<Option<f64>, SceneError> {
+pub(super) fn number(cell: &Place, header: &Header, must: bool) -> Result<Option<f64>, SceneError> {
     let text = written(cell);
     if text.is_empty() && !must {
         return Ok(None);

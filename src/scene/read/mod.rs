@@ -8,6 +8,7 @@ mod indentation;
 mod material;
 mod measured_table;
 mod section;
+mod shape_points;
 mod sliding;
 mod sliding_branch;
 mod speed_table;

@@ -1,6 +1,7 @@
 //! An indenter in time, as a scene gives it.
 
 use super::history::{History, HistoryQuantity};
+use std::sync::Arc;
 
 /// A rigid round body pressed on, or pulled off, in time.
 ///
@@ -31,7 +32,7 @@ pub struct Indentation {
 }
 
 /// The shape of an indenter.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum IndentationShape {
     /// r²/2R.
     Sphere {
@@ -54,6 +55,11 @@ pub enum IndentationShape {
         radius: f64,
         /// m.
         exponent: f64,
+    },
+    /// Through points, such as a profilometer's.
+    Table {
+        /// (r, z) (m), both from 0 and rising.
+        points: Arc<[(f64, f64)]>,
     },
 }
 

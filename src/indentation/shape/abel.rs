@@ -1,0 +1,103 @@
+//! The exact line profile of one piece of a shape: f = s∫z′/√(s² − r²) dr and f′ = ∫(z′ + r z″)/√(s² − r²) dr.
+//!
+//! Every term of the sums is of one sign where z is convex, so that nothing cancels. With r = s sin θ the integrand is a polynomial of second degree in
+//! sin θ, which eight nodes integrate to rounding; far from s the root itself is smooth, and nodes in r do without the sines.
+
+use crate::special::gauss_legendre::UNIT_RULE_8;
+
+/// Widths of a piece between it and s beyond which nodes in r are exact to rounding: 8 nodes err as ρ^{−16}, ρ = 9.9.
+const FAR: f64 = 2.0;
+/// Widest stretch of θ for one rule.
+const WIDEST: f64 = 0.5;
+
+/// z = z₀ + c₀x + c₁x²/2 + c₂x³/3, x = r − low, of low ≤ r ≤ high.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Piece {
+    pub(super) low: f64,
+    pub(super) high: f64,
+    start: f64,
+    pub(super) coefficients: [f64; 3],
+    /// r, and weights times z′ and z′ + r z″, at the nodes.
+    nodes: [f64; 8],
+    weighted: [[f64; 8]; 2],
+}
+
+impl Piece {
+    /// The pieces between points with given slopes.
+    pub(super) fn all(x: &[f64], z: &[f64], slopes: &[f64]) -> Vec<Self> {
+        (1..x.len()).map(|i| Self::new((x[i - 1], x[i]), (z[i - 1], z[i]), (slopes[i - 1], slopes[i]))).collect()
+    }
+
+    fn new((low, high): (f64, f64), (from, to): (f64, f64), (first, last): (f64, f64)) -> Self {
+        let width = high - low;
+        let secant = (to - from) / width;
+        let coefficients =
+            [first, 2.0 * (3.0 * secant - 2.0 * first - last) / width, 3.0 * (first + last - 2.0 * secant) / (width * width)];
+        let mut piece = Self { low, high, start: from, coefficients, nodes: [0.0; 8], weighted: [[0.0; 8]; 2] };
+        for (g, (node, weight)) in UNIT_RULE_8.iter().enumerate().take(8) {
+            let r = low + width * node;
+            let [own, other] = piece.integrands(r);
+            piece.nodes[g] = r;
+            piece.weighted[0][g] = width * weight * own;
+            piece.weighted[1][g] = width * weight * other;
+        }
+        piece
+    }
+
+    pub(super) fn height(&self, r: f64) -> f64 {
+        let x = r - self.low;
+        let [a, b, c] = self.coefficients;
+        self.start + x * (a + x * (0.5 * b + x * c / 3.0))
+    }
+
+    pub(super) fn slope(&self, r: f64) -> f64 {
+        self.integrands(r)[0]
+    }
+
+    /// z′ and z′ + r z″.
+    fn integrands(&self, r: f64) -> [f64; 2] {
+        let x = r - self.low;
+        let [a, b, c] = self.coefficients;
+        let slope = a + x * (b + x * c);
+        [slope, slope + r * (b + 2.0 * x * c)]
+    }
+
+    /// ∫ of both over the part of the piece below s, over √(s² − r²).
+    fn integrals(&self, s: f64) -> [f64; 2] {
+        if s - self.high >= FAR * (self.high - self.low) {
+            let mut sums = [0.0; 2];
+            for g in 0..8 {
+                let r = self.nodes[g];
+                let root = ((s - r) * (s + r)).sqrt();
+                sums[0] += self.weighted[0][g] / root;
+                sums[1] += self.weighted[1][g] / root;
+            }
+            return sums;
+        }
+        let angle = |r: f64| r.atan2(((s - r) * (s + r)).max(0.0).sqrt());
+        let (low, high) = (angle(self.low), angle(self.high.min(s)));
+        let parts = ((high - low) / WIDEST).ceil().max(1.0);
+        let width = (high - low) / parts;
+        let mut sums = [0.0; 2];
+        for part in 0..parts as u32 {
+            for (node, weight) in UNIT_RULE_8.iter() {
+                let r = s * (low + width * (f64::from(part) + node)).sin();
+                for (sum, value) in sums.iter_mut().zip(self.integrands(r)) {
+                    *sum += width * weight * value;
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// f and f′ at s > 0 within the pieces.
+pub(super) fn line_profile(pieces: &[Piece], s: f64) -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    for piece in pieces.iter().take_while(|piece| piece.low < s) {
+        for (sum, value) in sums.iter_mut().zip(piece.integrals(s)) {
+            *sum += value;
+        }
+    }
+    [s * sums[0], sums[1]]
+}

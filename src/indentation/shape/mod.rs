@@ -1,0 +1,150 @@
+//! A shape given by points, as a profilometer measures it, and its line profile.
+//!
+//! | symbol | name | unit |
+//! |---|---|---|
+//! | r, z | distance from the axis, and height of the shape above its lowest point | m |
+//! | f(s) | line profile, s∫₀^s z′/√(s² − r²) dr | m |
+//!
+//! Between the points z is a cubic that rises; the slopes at the points are those of the spline with a continuous second derivative, cut back where
+//! they leave the range of the secants beside them, or are so steep that a cubic would not rise (Fritsch and Carlson, [10.1137/0717021](https://doi.org/10.1137/0717021)). On the axis the shape is even in r, z′ = 0, unless
+//! the first points say that it has a sharp tip. f and f′ are then exact integrals ([`abel`]); because f has a weak root singularity at each
+//! point, (s − r_i)^{5/2}, they are kept as Chebyshev series in √(s − r_i) from point to point ([`series`]), to rounding.
+
+mod abel;
+mod series;
+mod slopes;
+
+use crate::refusal::{Refusal, require_finite, require_positive};
+use abel::Piece;
+use series::Series;
+
+/// Fewer points have no smooth shape.
+const FEWEST: usize = 4;
+/// More points than these take more than a second to transform; a profile is smooth enough to be thinned.
+const MOST: usize = 2000;
+/// A break this near to an end of a panel, relative, is left out.
+const APART: f64 = 1e-9;
+
+/// An axisymmetric shape z(r) through points, and its line profile. Cheap to share in an `Arc`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TabulatedShape {
+    /// Of the last point (m): inside, all lengths are in it.
+    end: f64,
+    /// z of the last point (m).
+    height: f64,
+    /// r_i over `end`, from 0 to 1.
+    knots: Vec<f64>,
+    pieces: Vec<Piece>,
+    series: Series,
+}
+
+impl TabulatedShape {
+    /// The shape through points (r, z) (m): the first is (0, 0), both numbers rise from point to point, and there are 4 to 2000.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] for points that are not so; [`Refusal::NoSuchState`] for a shape that flattens outwards so much that its line profile
+    /// falls: its contact would not be one circle.
+    pub fn through(points: &[(f64, f64)]) -> Result<Self, Refusal> {
+        if points.len() < FEWEST || points.len() > MOST {
+            return Err(Refusal::out_of_range("number of points of a shape", points.len() as f64, "4 to 2000"));
+        }
+        let mut before: Option<(f64, f64)> = None;
+        for &(r, z) in points {
+            require_finite("radius of a point of a shape", r)?;
+            require_finite("height of a point of a shape", z)?;
+            match before {
+                None if r != 0.0 => return Err(Refusal::out_of_range("radius of the first point of a shape", r, "0")),
+                None if z != 0.0 => return Err(Refusal::out_of_range("height of the first point of a shape", z, "0")),
+                Some((last, _)) if r <= last => {
+                    return Err(Refusal::out_of_range("radius of a point of a shape", r, "larger than that of the point before"));
+                }
+                Some((_, last)) if z <= last => {
+                    return Err(Refusal::out_of_range("height of a point of a shape", z, "larger than that of the point before"));
+                }
+                _ => {}
+            }
+            before = Some((r, z));
+        }
+        let (end, height) = before.unwrap_or_default();
+        require_positive("mean slope of a shape", height / end)?;
+        let knots: Vec<f64> = points.iter().map(|point| point.0 / end).collect();
+        let heights: Vec<f64> = points.iter().map(|point| point.1 / height).collect();
+        let rises = |values: &[f64]| values.windows(2).all(|pair| pair[1] > pair[0]);
+        if !rises(&knots) || !rises(&heights) {
+            return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be told from one another"));
+        }
+        let slopes = slopes::rising(&knots, &heights);
+        let pieces = Piece::all(&knots, &heights, &slopes);
+        let series = Series::of(&pieces)?;
+        if let Some(place) = series.falls_at() {
+            return Err(Refusal::NoSuchState {
+                reason: "the shape flattens outwards so much that its contact would not be one circle".into(),
+                limit_name: "the radius at which its line profile falls",
+                limit: place * end,
+            });
+        }
+        Ok(Self { end, height, knots, pieces, series })
+    }
+
+    /// The radius of the last point (m): beyond it there is no shape.
+    #[must_use]
+    pub const fn reach(&self) -> f64 {
+        self.end
+    }
+
+    /// z (m) at a radius (m) within the shape; that of the last point beyond it.
+    #[must_use]
+    pub fn height(&self, r: f64) -> f64 {
+        let x = (r / self.end).clamp(0.0, 1.0);
+        self.piece(x).map_or(0.0, |piece| piece.height(x)) * self.height
+    }
+
+    /// z′ at a radius (m) within the shape; that of the last point beyond it.
+    #[must_use]
+    pub fn slope(&self, r: f64) -> f64 {
+        let x = (r / self.end).clamp(0.0, 1.0);
+        self.piece(x).map_or(0.0, |piece| piece.slope(x)) * (self.height / self.end)
+    }
+
+    fn piece(&self, x: f64) -> Option<&Piece> {
+        let index = self.knots.partition_point(|knot| *knot <= x).clamp(1, self.pieces.len());
+        self.pieces.get(index - 1)
+    }
+
+    /// f(s) (m). Beyond the last point f goes on as a parabola, for trials of a search only.
+    pub(super) fn line(&self, s: f64) -> f64 {
+        self.series.value(s / self.end) * self.height
+    }
+
+    /// f′(s).
+    pub(super) fn line_slope(&self, s: f64) -> f64 {
+        self.series.slope(s / self.end) * (self.height / self.end)
+    }
+
+    /// The s (m) between two places at which f has a value: Newton's steps, halved where they leave the bracket.
+    pub(super) fn inverse(&self, value: f64, one: f64, other: f64) -> f64 {
+        let (mut low, mut high) = (one.min(other), one.max(other));
+        let mut s = 0.5 * (low + high);
+        for _ in 0..100 {
+            let excess = self.line(s) - value;
+            if excess < 0.0 {
+                low = s
+            } else {
+                high = s
+            }
+            let newton = s - excess / self.line_slope(s);
+            let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+            if (next - s).abs() <= f64::EPSILON * high {
+                return next;
+            }
+            s = next;
+        }
+        s
+    }
+
+    /// 0, the points below a place (m), and the place: between them f is smooth.
+    pub(super) fn breaks(&self, end: f64) -> Vec<f64> {
+        let inner = self.knots.iter().map(|knot| knot * self.end).filter(|knot| *knot > 0.0 && *knot < end * (1.0 - APART));
+        std::iter::once(0.0).chain(inner).chain(std::iter::once(end)).collect()
+    }
+}

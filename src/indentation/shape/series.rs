@@ -1,0 +1,157 @@
+//! f and f′ as Chebyshev series, so that a value costs one search and one recursion, however many points the shape has.
+
+use super::abel::{Piece, line_profile};
+use crate::refusal::Refusal;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// Terms of a series.
+const TERMS: usize = 24;
+/// Last coefficients over the largest below which a series has converged.
+const SMALL: f64 = 2e-15;
+/// Halvings of a stretch.
+const DEEPEST: u32 = 40;
+
+/// f and f′ over low ≤ s ≤ high.
+#[derive(Debug, Clone, PartialEq)]
+struct Stretch {
+    low: f64,
+    width: f64,
+    /// Whether it starts at a point, where f is smooth in √(s − low).
+    rooted: bool,
+    value: [f64; TERMS],
+    slope: [f64; TERMS],
+}
+
+/// f and f′ from the axis on.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Series {
+    /// f = c₀s + c₁s² + c₂s³ up to the first point: there the shape is one polynomial.
+    axis: [f64; 3],
+    first: f64,
+    lows: Vec<f64>,
+    stretches: Vec<Stretch>,
+    /// f, f′ and half of f″ at the last point, of the parabola beyond.
+    last: [f64; 3],
+    falls_at: Option<f64>,
+}
+
+impl Series {
+    pub(super) fn of(pieces: &[Piece]) -> Result<Self, Refusal> {
+        let Some((axis, rest)) = pieces.split_first() else { return Err(unresolved(0.0)) };
+        let [a, b, c] = axis.coefficients;
+        let axis_terms = [FRAC_PI_2 * a, b, FRAC_PI_4 * c];
+        let mut stretches = Vec::with_capacity(rest.len());
+        for piece in rest {
+            // What is still to be covered, the nearest last.
+            let mut waiting = vec![(piece.low, piece.high, true, 0)];
+            while let Some((low, high, rooted, depth)) = waiting.pop() {
+                let (stretch, converged) = Stretch::sampled(pieces, low, high, rooted);
+                if converged {
+                    stretches.push(stretch);
+                } else if depth < DEEPEST {
+                    let middle = 0.5 * (low + high);
+                    waiting.push((middle, high, false, depth + 1));
+                    waiting.push((low, middle, rooted, depth + 1));
+                } else {
+                    return Err(unresolved(low));
+                }
+            }
+        }
+        let [value, slope] = line_profile(pieces, 1.0);
+        let mut series = Self {
+            axis: axis_terms,
+            first: axis.high,
+            lows: stretches.iter().map(|stretch| stretch.low).collect(),
+            stretches,
+            last: [value, slope, 0.5 * slope],
+            falls_at: None,
+        };
+        if !series.last.iter().chain(series.stretches.iter().flat_map(|stretch| &stretch.slope)).all(|number| number.is_finite()) {
+            return Err(unresolved(1.0));
+        }
+        series.falls_at = series.first_fall();
+        Ok(series)
+    }
+
+    /// The first place at which f does not rise.
+    pub(super) const fn falls_at(&self) -> Option<f64> {
+        self.falls_at
+    }
+
+    fn first_fall(&self) -> Option<f64> {
+        let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
+        let places =
+            self.stretches.iter().flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
+        axis.chain(places).find(|s| self.slope(*s) <= 0.0)
+    }
+
+    fn stretch(&self, s: f64) -> Option<&Stretch> {
+        self.stretches.get(self.lows.partition_point(|low| *low <= s).saturating_sub(1))
+    }
+
+    pub(super) fn value(&self, s: f64) -> f64 {
+        if s <= self.first {
+            return s * (self.axis[0] + s * (self.axis[1] + s * self.axis[2]));
+        }
+        if s > 1.0 {
+            return self.last[0] + (s - 1.0) * (self.last[1] + (s - 1.0) * self.last[2]);
+        }
+        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.value, stretch.variable(s)))
+    }
+
+    pub(super) fn slope(&self, s: f64) -> f64 {
+        if s <= self.first {
+            return self.axis[0] + s * (2.0 * self.axis[1] + s * 3.0 * self.axis[2]);
+        }
+        if s > 1.0 {
+            return self.last[1] + 2.0 * (s - 1.0) * self.last[2];
+        }
+        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.slope, stretch.variable(s)))
+    }
+}
+
+fn unresolved(place: f64) -> Refusal {
+    Refusal::NotConverged {
+        what: "the line profile of a shape",
+        detail: format!("at {place:e} of its last radius: its points are too uneven"),
+    }
+}
+
+impl Stretch {
+    /// The series through TERMS places, and whether they suffice.
+    fn sampled(pieces: &[Piece], low: f64, high: f64, rooted: bool) -> (Self, bool) {
+        let width = high - low;
+        let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
+        let samples: [[f64; 2]; TERMS] = std::array::from_fn(|k| {
+            let x = 0.5 * (1.0 + angle(k).cos());
+            line_profile(pieces, low + width * if rooted { x * x } else { x })
+        });
+        let transformed = |which: usize| -> [f64; TERMS] {
+            std::array::from_fn(|j| {
+                let factor = if j == 0 { 1.0 } else { 2.0 } / TERMS as f64;
+                factor * samples.iter().enumerate().map(|(k, sample)| sample[which] * (j as f64 * angle(k)).cos()).sum::<f64>()
+            })
+        };
+        let [value, slope] = [transformed(0), transformed(1)];
+        let small = |series: &[f64; TERMS], scale: f64| series[TERMS - 3..].iter().all(|c| c.abs() <= SMALL * scale);
+        // f′ is that of its own stretch, or of f over the place, whichever is larger: no more digits are there.
+        let slope_scale = slope[0].abs().max(value[0].abs() / high);
+        // A stretch as narrow as rounding is a line.
+        let converged = (small(&value, value[0].abs()) && small(&slope, 4.0 * slope_scale)) || width <= 1e-12 * high;
+        (Self { low, width, rooted, value, slope }, converged)
+    }
+
+    fn variable(&self, s: f64) -> f64 {
+        let x = ((s - self.low) / self.width).clamp(0.0, 1.0);
+        2.0 * (if self.rooted { x.sqrt() } else { x }) - 1.0
+    }
+}
+
+/// Σ c_j T_j(x), by Clenshaw's recursion.
+fn sum(series: &[f64; TERMS], x: f64) -> f64 {
+    let (mut next, mut after) = (0.0, 0.0);
+    for c in series.iter().skip(1).rev() {
+        (next, after) = (c + 2.0 * x * next - after, next);
+    }
+    series[0] + x * next - after
+}
