@@ -184,7 +184,7 @@ fn lee_radok_and_ting() {
         // The same under penetration: Δ = f(a) while advancing.
         let depth = a_m * a_m / RADIUS;
         let solved = problem(History::penetration(0.0).ramp(depth, up).ramp(0.3 * depth, down));
-        for tolerance in [1e-5, 1e-7] {
+        for tolerance in [1e-6, 1e-7] {
             let trace = march(&material, &solved, tolerance).unwrap();
             let mut worst: f64 = 0.0;
             let mut worst_down: f64 = 0.0;

@@ -15,7 +15,7 @@ use super::window::Window;
 use super::zone::{Zone, zone_work};
 use crate::refusal::Refusal;
 
-/// A window graded for one time serves times up to this factor from it.
+/// A window graded for one time serves shorter times, and longer ones up to this factor: within a search its grading must not go back and forth.
 const SAME_GRADING: f64 = 4.0;
 
 /// What is imposed at a time after the present instant.
@@ -62,6 +62,8 @@ pub(super) struct Edge {
     pub(super) depth_scale: f64,
     /// The kernel and the window of the last trial edge: many trials share one.
     kernel: Option<(f64, Zone)>,
+    /// Degree of the path in the search under way.
+    pub(super) held: Option<u32>,
     window: Option<Window>,
     pub(super) evaluations: u64,
     pub(super) updates: u64,
@@ -69,7 +71,7 @@ pub(super) struct Edge {
 
 impl Edge {
     pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64) -> Self {
-        Self { adhesion, load_scale, depth_scale, kernel: None, window: None, evaluations: 0, updates: 0 }
+        Self { adhesion, load_scale, depth_scale, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
     }
 
     pub(super) fn zone(&self) -> f64 {
@@ -88,7 +90,7 @@ impl Edge {
     }
 
     /// How the edge goes from here to a place in a time.
-    fn passage(&self, contact: &Contact<'_>, past: &Past, radius: f64, dt: f64, drive: Drive) -> (Passage, f64, u32) {
+    fn passage(&mut self, contact: &Contact<'_>, past: &Past, radius: f64, dt: f64, drive: Drive) -> (Passage, f64, u32) {
         let Some(&now) = past.nodes().first() else { return (Passage::Radius, 0.0, 1) };
         let way = contact.profile().coordinate(radius) - now.place;
         if dt == 0.0 || way == 0.0 {
@@ -98,14 +100,16 @@ impl Edge {
         let distance = (radius - contact.radius()).abs();
         match drive {
             Drive::Edge => {
-                let bridge = past.bridge(parts);
+                let bridge = past.bridge(self.held, parts);
+                self.held = Some(bridge.degree);
                 (Passage::TimeOfPlace(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
             Drive::Time => {
-                let bridge = past.bridge(|node| {
+                let bridge = past.bridge(self.held, |node| {
                     let (place, time) = parts(node);
                     (time, place)
                 });
+                self.held = Some(bridge.degree);
                 (Passage::PlaceOfTime(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
         }
@@ -150,12 +154,7 @@ impl Edge {
 
     fn prepare(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Window {
         match self.window.take() {
-            Some(window)
-                if window.radius.to_bits() == motion.to.to_bits()
-                    && (motion.time == 0.0 || (window.time <= SAME_GRADING * motion.time && motion.time <= SAME_GRADING * window.time)) =>
-            {
-                window
-            }
+            Some(window) if window.radius.to_bits() == motion.to.to_bits() && motion.time <= SAME_GRADING * window.time => window,
             _ => Window::new(contact, motion.to, motion.time, self.zone(), whole),
         }
     }

@@ -185,8 +185,9 @@ impl<'a> Contact<'a> {
         let cuts = self.cuts(radius, time);
         let outer = self.radius.max(radius);
         let end = self.cells.last().map_or(0.0, |cell| cell.high);
-        let virgin = (outer > end).then_some(Cell { low: end, high: outer, bonded: false });
         let narrow = NARROWEST * outer.max(end);
+        // Less than a narrowest panel beyond the last one is left for a later step.
+        let virgin = (outer > end + narrow).then_some(Cell { low: end, high: outer, bonded: false });
         let first_cell = self.cells.partition_point(|cell| cell.high < window.0);
         let (mut cells, mut values) = (Vec::new(), Vec::new());
         for (index, cell) in self.cells.iter().chain(&virgin).enumerate().skip(first_cell) {

@@ -27,9 +27,9 @@ const COARSENING_TOLERANCE: f64 = 1e-2;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
-const LARGEST_EDGE_TOLERANCE: f64 = 1e-10;
+const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
 /// Most steps of one stretch of a history.
-const MOST_STEPS: u64 = 30_000;
+const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Part of the largest force that is none.

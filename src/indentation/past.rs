@@ -61,14 +61,15 @@ impl Past {
     }
 
     /// v(x) through the past, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
-    pub(super) fn bridge(&self, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
+    /// `held`: the degree of an earlier trial of the same step, so that the trials are of one smooth function.
+    pub(super) fn bridge(&self, held: Option<u32>, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
         let mut sum = Newton::new(1.0);
         let mut bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 1 };
-        for node in self.nodes.iter().skip(1).take(DEGREE - 1) {
+        for node in self.nodes.iter().skip(1).take(held.map_or(DEGREE - 1, |degree| degree.saturating_sub(1) as usize)) {
             let (x, v) = of(node);
             let first = bridge.degree == 1;
             let Some(size) = sum.add(x, v) else { break };
-            if !first && size > FALLS * bridge.error {
+            if held.is_none() && !first && size > FALLS * bridge.error {
                 break;
             }
             if !rises(&sum.coefficients) {
@@ -190,7 +191,7 @@ mod tests {
             past.push(node(t(y), y));
         }
         let (y0, y1) = (1.1, 1.5);
-        let bridge = past.bridge(|node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
+        let bridge = past.bridge(None, |node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");

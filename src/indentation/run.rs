@@ -6,6 +6,7 @@ use super::solution::{Event, IndentationSolution, IndentationWork, Instant, Path
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
+use std::f64::consts::PI;
 
 /// Bound over the change between two marches, of which the finer is ten times tighter: changes may agree by chance, or fall slowly past a corner.
 const SAFETY: f64 = 3.0;
@@ -21,6 +22,8 @@ const FIRST: f64 = 30.0;
 const TIGHTER: f64 = 0.1;
 /// Marches at most.
 const MOST_MARCHES: u32 = 6;
+/// Evaluations of the edge condition after which no tighter march is begun.
+const MOST_EVALUATIONS: u64 = 200_000;
 /// No march is tighter than this: rounding of the edge condition takes over.
 const TIGHTEST: f64 = 1e-9;
 
@@ -41,7 +44,7 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
         let judged = judged(problem, &coarse, fine.clone(), work);
         let reached = judged.reached;
         solution = Some(judged);
-        if reached || tolerance <= TIGHTEST {
+        if reached || tolerance <= TIGHTEST || work.closure_evaluations > MOST_EVALUATIONS {
             break;
         }
         coarse = fine;
@@ -63,11 +66,16 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
     // The largest change so far: of the state over its scales, and of each energy.
     let (mut worst, mut largest) = (0.0_f64, [0.0_f64; 8]);
     let scale = |of: fn(&PathPoint) -> f64| fine.path.iter().fold(0.0, |most: f64, point| most.max(of(point).abs()));
+    let of_punch = {
+        let a = scale(|point| point.contact_radius);
+        if a > 0.0 { scale(|point| point.force) / (2.0 * a * (PI * a).sqrt()) } else { 0.0 }
+    };
     let scales = [
         scale(|point| point.penetration),
         scale(|point| point.force),
         scale(|point| point.contact_radius),
-        scale(|point| point.stress_intensity_factor),
+        // Without adhesion K is rounding; it is seen against the one that the force would have at the rim of a punch.
+        if problem.adhesion.is_some() { scale(|point| point.stress_intensity_factor) } else { of_punch },
     ];
     let mut reached = true;
     for (index, place) in fine.kept.iter().enumerate() {

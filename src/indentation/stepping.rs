@@ -13,6 +13,8 @@ const MOST_TRIALS: u32 = 300;
 /// Trials after which rounding is taken as reached, and the residual accepted then.
 const PATIENCE: u32 = 60;
 const LAST_RESORT: f64 = 1e-10;
+/// Residual at which a closed bracket is opened again.
+const REOPENED: f64 = 1e-9;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
@@ -88,7 +90,9 @@ impl Stepper<'_, '_> {
     pub(super) fn edge_driven(&mut self, target: f64, guess: f64, cap: f64, imposed: &Imposed<'_>) -> Result<EdgeStep, Refusal> {
         let sign = if target < self.contact.radius() { 1.0 } else { -1.0 };
         let mut search = Search { low: None, high: None, last: None };
+        self.edge.held = None;
         let mut time = guess.min(cap);
+        let mut reopened = 0;
         for count in 0..MOST_TRIALS {
             let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
             let value = sign * trial.residual;
@@ -103,6 +107,14 @@ impl Stepper<'_, '_> {
                 }
             }
             let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
+            if value.abs() > REOPENED && search.width() <= 64.0 * f64::EPSILON * time && reopened < 3 {
+                // The bracket closed upon a seam between two gradings of the window: once more, on this one.
+                reopened += 1;
+                self.edge.forget();
+                search = Search { low: None, high: None, last: None };
+                time *= 0.999;
+                continue;
+            }
             if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
                 // What is found must not have been there from the start.
                 let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
@@ -141,6 +153,7 @@ impl Stepper<'_, '_> {
 
     /// The edge after `dt`, probably near `guess`, at most `reach` from here.
     pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
+        self.edge.held = None;
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
         // A contact no larger than its process zone has no closure: further in is far.

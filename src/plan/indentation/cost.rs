@@ -2,19 +2,25 @@
 
 use super::IndentationPlan;
 use crate::outcome::Work;
+use crate::scene::typed::HistoryQuantity;
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
-const HISTORY: f64 = 400.0;
+const HISTORY: f64 = 600.0;
 const INSTANT: f64 = 7.0;
 /// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
 const DECADE: f64 = 0.35;
 /// Power of the accuracy that balances grow with.
 const ORDER: f64 = 0.25;
 /// Balances without adhesion, relative: steps are a part of the contact, not of a process zone.
-const ADHESIVELESS: f64 = 1.5;
+const ADHESIVELESS: f64 = 0.5;
 /// Points of the line updated for a balance, and relative growth with the square of the decades: the finer the layers behind the edge.
-const UPDATES: f64 = 110.0;
+const UPDATES: f64 = 95.0;
 const LAYERS: f64 = 0.12;
+
+/// The same where a force or a frame is imposed: Δ is found as well, from two loads.
+const LOADED: f64 = 2.0;
+/// Without adhesion only the swept stretch is updated.
+const NARROW: f64 = 0.5;
 
 /// No prediction is larger.
 const MOST: f64 = 1e11;
@@ -32,7 +38,9 @@ impl IndentationPlan {
             * adhesion;
         // More than any march may do; a product with the states of a sweep must stay a number.
         let balances = balances.min(MOST);
-        let updates = (balances * UPDATES * (1.0 + LAYERS * decades * decades)).min(MOST);
+        let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));
+        let each = UPDATES * if by_load { LOADED } else { 1.0 } * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
+        let updates = (balances * each * (1.0 + LAYERS * decades * decades)).min(MOST);
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
         Work {
             closure_evaluations: balances.ceil() as u64,
