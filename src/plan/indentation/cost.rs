@@ -14,7 +14,7 @@ const ORDER: f64 = 0.25;
 /// Balances without adhesion, relative: steps are a part of the contact, not of a process zone.
 const ADHESIVELESS: f64 = 0.5;
 /// Points of the line updated for a balance, and relative growth with the square of the decades: the finer the layers behind the edge.
-const UPDATES: f64 = 95.0;
+const UPDATES: f64 = 125.0;
 const LAYERS: f64 = 0.12;
 
 /// The same where a force or a frame is imposed: Δ is found as well, from two loads.
