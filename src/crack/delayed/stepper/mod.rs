@@ -4,7 +4,7 @@
 //! The trajectory is a chain of pieces, straight in time, whose ends satisfy the closure to rounding; each piece's memory is integrated
 //! exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown is the
 //! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
-//! or a new stretch of load starts, graded from the shortest time ([`grid`]), so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
+//! or a new stretch of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
 //! down, the time step is bounded (m/2 steps in a stretch of load) and the unknown is the place.
 //!
 //! # How good
