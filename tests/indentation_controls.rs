@@ -17,7 +17,7 @@ use viscotack::indentation::{EventKind, History, Start, elastic_contact};
 /// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
 #[test]
 fn unloaded_contact_grows_from_glassy_to_soft() {
-    let trace = marched(&rubber(), History::force(0.0).hold(2000.0), Start::Untouched, 1e-4);
+    let trace = marched(&rubber(), History::force(0.0).hold(2000.0), Start::Untouched, 1e-5);
     let end = trace.path.last().unwrap();
     let soft = elastic_contact(&SPHERE, 1.0, WORK, ZONE, end.penetration).unwrap();
     println!(
