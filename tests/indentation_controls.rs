@@ -12,7 +12,7 @@
 mod support;
 
 use support::indentation::{SPHERE, WORK, ZONE, marched, rubber, three_terms};
-use viscotack::indentation::{EventKind, History, Start, elastic_contact};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Start, elastic_contact, march};
 
 /// No load after first touch: the contact creeps from the glassy to the soft unloaded one.
 #[test]
@@ -71,4 +71,24 @@ fn radius_and_penetration_tell_one_story() {
     let (last, twin) = (radius.path.last().unwrap(), penetration.path.last().unwrap());
     println!("a {} {} F {} {}", last.contact_radius, twin.contact_radius, last.force, twin.force);
     assert!((last.contact_radius / twin.contact_radius - 1.0).abs() < 1e-3);
+}
+
+/// When a contact held by a spring opens, the spring gives what it stored, F²/(2k_f), once; what the solid then no longer stores is lost.
+#[test]
+fn a_frame_gives_its_energy_when_the_contact_opens() {
+    for stiffness in [0.03, 0.3] {
+        let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
+        let mut problem = IndentationProblem::new(SPHERE, adhesion, History::frame(0.02).at_speed(-1.0, 0.02)).relaxed();
+        (problem.frame_stiffness, problem.energies) = (Some(stiffness), true);
+        let trace = march(&rubber(), &problem, 1e-5).unwrap();
+        let index = trace.path.iter().position(|point| point.contact_radius.abs() < f64::MIN_POSITIVE).unwrap();
+        let (before, after) = (trace.path[index - 1], trace.path[index]);
+        let (first, second) = (before.energies.unwrap(), after.energies.unwrap());
+        let given = second.external_work - first.external_work;
+        let exact = before.force * before.force / (2.0 * stiffness);
+        println!("k_f = {stiffness}: the frame gives {given:e}, F²/2k {exact:e}");
+        assert!((given / exact - 1.0).abs() < 1e-9);
+        let lost = second.dissipated - first.dissipated;
+        assert!(lost > 0.0 && (lost - (given + first.stored - second.stored)).abs() < 1e-12 * lost);
+    }
 }

@@ -110,10 +110,9 @@ impl<'a> Record<'a> {
         let Some(before) = self.trace.path.last().and_then(|point| point.energies) else { return now };
         let [mut external, tip, lost] = std::mem::take(&mut self.turned_over);
         if std::mem::take(&mut self.sudden) {
-            // At once: the work of the force over the change of Δ, glassy and so linear, and the rest is lost.
-            if let Some(last) = &self.last {
-                external += 0.5 * (last.force() + force) * (contact.penetration() - last.penetration());
-            }
+            // At once: what acts from outside, a held force or the spring of a frame, is linear in Δ; the rest is lost. The edge's own way there,
+            // along which nothing is in equilibrium, tells nothing.
+            external = self.last.as_ref().map_or(0.0, |last| 0.5 * (last.force() + force) * (contact.penetration() - last.penetration()));
             now.external_work = before.external_work + external;
             now.tip_work = before.tip_work;
             now.dissipated = before.dissipated + external + before.stored - stored;
