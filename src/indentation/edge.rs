@@ -100,12 +100,12 @@ impl Edge {
         let distance = (radius - contact.radius()).abs();
         match drive {
             Drive::Edge => {
-                let bridge = past.bridge(self.held, parts);
+                let bridge = past.bridge(self.held, false, parts);
                 self.held = Some(bridge.degree);
                 (Passage::TimeOfPlace(bridge.coefficients), bridge.error * distance, bridge.degree)
             }
             Drive::Time => {
-                let bridge = past.bridge(self.held, |node| {
+                let bridge = past.bridge(self.held, true, |node| {
                     let (place, time) = parts(node);
                     (time, place)
                 });

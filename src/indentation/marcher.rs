@@ -36,6 +36,9 @@ const LARGEST_REACH: f64 = 0.5;
 const NO_FORCE: f64 = 1e-12;
 /// Overlap at which a contact without adhesion begins, over its depth.
 const FIRST_OVERLAP: f64 = 1e-9;
+/// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
+const MOST_TURNS: usize = 4;
+const SAME_TURN: f64 = 1e-2;
 /// Tolerance at which steps are as large as they may be.
 const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
@@ -79,6 +82,8 @@ pub(super) struct Marcher<'a> {
     pace: Option<(Controlled, f64)>,
     /// F(t) has a corner when the edge has left the place of its last corner by one process zone: a step ends there.
     pub(super) landmarks: Vec<f64>,
+    /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
+    pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
     /// Largest force imposed.
     force_scale: f64,
@@ -141,6 +146,7 @@ impl<'a> Marcher<'a> {
             first: 0.0,
             pace: None,
             landmarks: Vec::new(),
+            turns: Vec::new(),
             slopes: (0.0, 0.0),
             force_scale: largest(Controlled::Force),
         })
@@ -205,6 +211,22 @@ impl<'a> Marcher<'a> {
         let (a, zone) = (self.contact.radius(), self.edge.zone());
         if zone > 0.0 && a > 0.0 {
             self.landmarks.extend([a - zone, a + zone]);
+        }
+    }
+
+    /// The same where the edge turns: it starts from rest.
+    pub(super) fn restart_at_turn(&mut self) {
+        self.restart();
+        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
+        self.past.restart_at_turn(node);
+        self.remember_turn(self.contact.radius());
+    }
+
+    pub(super) fn remember_turn(&mut self, place: f64) {
+        self.turns.retain(|turn| (turn - place).abs() > SAME_TURN * self.length);
+        self.turns.push(place);
+        if self.turns.len() > MOST_TURNS {
+            self.turns.remove(0);
         }
     }
 
