@@ -34,6 +34,7 @@
 
 mod advance;
 mod coarsening;
+mod cycle;
 mod edge;
 mod elastic_zone;
 mod elliptic;
@@ -44,6 +45,7 @@ mod jumps;
 mod line;
 mod marcher;
 mod motion;
+mod oscillation;
 mod panel;
 mod passing;
 mod past;
@@ -59,12 +61,14 @@ mod stepping;
 mod window;
 mod zone;
 
+pub use cycle::Cycle;
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
 pub use history::{Controlled, History, Segment};
 pub use line::{Contact, Sweep};
 pub use marcher::march;
+pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};
 pub use profile::Profile;

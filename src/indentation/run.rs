@@ -153,6 +153,7 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
     IndentationSolution {
         instants,
         events,
+        cycles: Vec::new(),
         largest_tension,
         balance_defect: fine.balance_defect(),
         smallest_stress_intensity_factor: fine.smallest_stress_intensity_factor,

@@ -1,5 +1,6 @@
 //! What a history of contact turns out to be.
 
+use super::cycle::Cycle;
 use crate::estimate::Estimate;
 
 /// A step of the march, as computed.
@@ -92,6 +93,8 @@ pub struct Trace {
     pub kept: Vec<usize>,
     /// Events in order.
     pub events: Vec<Event<f64>>,
+    /// Whole cycles of stretches that oscillate, in order.
+    pub cycles: Vec<Cycle<f64>>,
     /// Counters.
     pub work: IndentationWork,
     /// Smallest K_I in contact (Pa√m).
@@ -175,6 +178,8 @@ pub struct IndentationSolution {
     pub instants: Vec<Instant>,
     /// Events of the finer march; errors by the same event of the coarser one, infinite if it has none.
     pub events: Vec<Event<Estimate>>,
+    /// Whole cycles of stretches that oscillate.
+    pub cycles: Vec<Cycle<Estimate>>,
     /// The largest tension of the history (N); none if nothing pulled.
     pub largest_tension: Option<Estimate>,
     /// Defect of the power balance over the energy turned over, where energies were asked for.
