@@ -77,11 +77,27 @@ def delayed(harness, solids):
                                                lines_per_zone=256)
             # The place is exact; the time is its reference. Convergence is algebraic: 1e-10.
             place = float(row["place"])
-            yield Value("delayed", "delayed_fracture.csv", f"{row['case']} {row['place']}", "place_at", found["growth"][0] / zone, row["place"], place,
-                        1e-10, 1e-11, state=row["case"], independent=made_apart(row))
+            yield Value("cracks, late", "delayed_fracture.csv", f"{row['case']} {row['place']}", "place_at", found["growth"][0] / zone, row["place"], place,
+                        1e-10, 1e-12, state=row["case"], independent=made_apart(row))
+
+
+def stepped(harness, solids):
+    """The thesis's own stepping of (5.54) with (5.67), at its finest: second order in the steps, so some 1e-5 of a zone are its own."""
+    file = "delayed_fracture_raw.csv"
+    finest = [row for row in rows(file) if row["steps"] == "192" and not row["load"].startswith("follow")]
+    for case in dict.fromkeys(row["case"] for row in finest):
+        own = [row for row in finest if row["case"] == case]
+        first, last, end = map(float, own[0]["load"].split()[1:])
+        zone = float(own[0]["process_zone"])
+        found = harness.delayed_trajectory(solids[own[0]["material"]], float(own[0]["work_of_adhesion"]), "constant", [zone], [first, end, last],
+                                           [float(row["time"]) for row in own], reference=last, lines_per_zone=128)
+        for row, growth in zip(own, found["growth"]):
+            yield Value("cracks, stepped", file, f"{case} {row['time']}", "place", growth / zone, row["place"], 1.0, 1e-4, 1e-9, state=case,
+                        independent=made_apart(row))
 
 
 def values(harness):
     solids = materials(harness)
     yield from steady(harness, solids)
+    yield from stepped(harness, solids)
     yield from delayed(harness, solids)

@@ -7,6 +7,9 @@ use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::westergaard_wave::WaveState;
 use viscotack::elastic::{Control, EquilibriumBranch, HertzSphere, JkrSphere, JohnsonWave, KendallPunch, WestergaardWave};
 
+/// Half-width and gap half-width, each with its bound, mean pressure, penetration.
+type WaveNumbers = ((f64, f64), (f64, f64), f64, f64);
+
 fn branch(word: &str) -> PyResult<EquilibriumBranch> {
     match word {
         "stable" => Ok(EquilibriumBranch::Stable),
@@ -54,7 +57,7 @@ fn johnson_wave(
     asked: &str,
     value: f64,
     branch_word: &str,
-) -> PyResult<((f64, f64), (f64, f64), f64, f64)> {
+) -> PyResult<WaveNumbers> {
     let wave =
         WestergaardWave::new(modulus, wavelength, amplitude).and_then(|wave| JohnsonWave::new(wave, work_of_adhesion)).map_err(refused)?;
     let state: WaveState = match asked {

@@ -179,6 +179,7 @@ fn put_values(out: &Bound<'_, PyDict>, values: &PartialValues) -> PyResult<()> {
 /// The adhesive contact near given edges, or near the given eccentricity and mean pressure if the half-width is held; to rounding, checked to be admissible.
 #[pyfunction]
 #[pyo3(signature = (material, rate, edges, held, value, start, tolerance = 1e-12))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 fn sliding_equilibrium<'py>(
     py: Python<'py>,
     material: &PyMaterial,
@@ -215,6 +216,7 @@ fn sliding_equilibrium<'py>(
 /// A steady contact by the path that the program takes; `state` is `partial` or `full`.
 #[pyfunction]
 #[pyo3(signature = (material, rate, held, value, edges = None, accuracy = 1e-9, indenter = "wave"))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 fn sliding_steady<'py>(
     py: Python<'py>,
     material: &PyMaterial,
