@@ -42,6 +42,27 @@ def test_special_functions_by_definition(harness, need, draw):
                 assert abs(value - expected) <= 1e-13 * scale, (name, argument)
 
 
+def test_functions_that_no_file_holds(harness, need, draw):
+    mp = need("mpmath").mp
+    with mp.workdps(40):
+        for _ in range(12):
+            b, z, y = decade(draw, -3, 3), decade(draw, 0.0, 2.5), decade(draw, 0.0, 1.5)
+            n, s = draw.randrange(1, 40), draw.randrange(2, 12)
+            harmonic = mp.re(mp.digamma(1 + 1j * mp.mpf(b))) + mp.euler
+            # W of int e^-t log|z + t| dt = log|z| + W(z), by its definition on both sides of the zero.
+            behind = mp.quad(lambda t: mp.exp(-t) / (z + t), [0, 1, 10, mp.inf])
+            ahead = mp.quad(lambda t: mp.exp(-t) * mp.log(abs(t - y)), [0, y, y + 1, y + 10, mp.inf]) - mp.log(y)
+            tail = mp.zeta(s, n + 1)
+            assert abs(harness.special("harmonic_on_imaginary_axis", b)[0] / harmonic - 1) < 1e-13, b
+            assert abs(harness.special("memory_of_logarithm", z)[0] / behind - 1) < 1e-13, z
+            assert abs(harness.special("memory_of_logarithm", -y)[0] - ahead) < 1e-13, y
+            assert abs(harness.zeta_tail(s, n) / tail - 1) < 1e-13, (s, n)
+            moments = harness.fading_moments(b)[0]
+            for k in range(3):
+                expected = mp.quad(lambda v: mp.exp(-b * v) * v ** k, [0, min(1.0, 5.0 / b), 1]) if b < 50 else mp.gammainc(k + 1, 0, b) / mp.mpf(b) ** (k + 1)
+                assert abs(moments[k] / expected - 1) < 1e-13, (b, k)
+
+
 def test_layer_factors_as_printed(harness, need, draw):
     mp = need("mpmath").mp
     with mp.workdps(80):

@@ -55,3 +55,21 @@ def test_a_scene_gives_what_the_solver_gives(harness):
     assert abs(ratio / direct - 1.0) < 1e-12
     with pytest.raises(ValueError, match="no_such_key"):
         harness.run_scene(SCENE + "no_such_key = 1")
+
+
+def test_one_state_by_several_doors(harness):
+    """A contact in balance is found again by its half-width alone; the elastic doors agree with one another."""
+    material = harness.Material.from_creep(10.0, [0.9], [1.0])
+    edges = [0.003, 0.003, 0.005, 0.005]
+    found = harness.sliding_equilibrium(material, 0.6, edges, "half_width", 1.0, [0.25, 0.0])
+    rows = harness.sliding_contacts_of_width(material, 0.6, edges, 1.0)
+    assert min(abs(row[1] - found["eccentricity"]) + abs(row[2] - found["mean_pressure"]) for row in rows) < 1e-4
+    branches = harness.sliding_every_branch(material, 0.6, edges, 1e-6)
+    assert branches and branches[0][0] > 10
+    strength = harness.sliding_strength(material, 0.6, edges, 1e-6)
+    turns = [value for quantity, value, _ in harness.sliding_branch(material, 0.6, edges, 1e-6)["folds"] if quantity == "MeanPressure"]
+    assert any(abs(strength["pull_off"][0] - value) < 1e-6 for value in turns)
+    half_width, penetration = harness.westergaard_wave(1.0, 6.283185307179586, 0.1, 0.02)
+    held = harness.johnson_wave(1.0, 6.283185307179586, 0.1, 1e-16, "half_width", half_width)
+    assert abs(held[2] / 0.02 - 1.0) < 1e-5 and abs(held[3] / penetration - 1.0) < 1e-5
+    assert harness.tabor_number(1.0, 1.0, 1.0, 0.5) == pytest.approx(2.0)

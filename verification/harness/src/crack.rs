@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use viscotack::closure::{EdgeFields, process_zone_work};
 use viscotack::crack::cohesive_zone::CohesiveZone;
+use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, LoadSegment, Onset, Resolution, TipState, onset, trajectory};
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
 use viscotack::crack::persson_brener::PerssonBrener;
@@ -157,6 +158,19 @@ fn delayed_onset(
     })
 }
 
+/// (speed, bound) of the steady motion to which growth under a constant load tends.
+#[pyfunction]
+fn delayed_tends_to(
+    material: &PyMaterial,
+    work_of_adhesion: f64,
+    zone_kind: &str,
+    zone_numbers: Numbers,
+    intensity: f64,
+) -> PyResult<(f64, f64)> {
+    let problem = growth(material, work_of_adhesion, zone_kind, &zone_numbers, Some(intensity))?;
+    tends_to(&problem, intensity, 1e-15).map(|state| pair(state.speed)).map_err(refused)
+}
+
 /// Places and speeds of a tip at output times, under ramps: `loads` holds the load at time zero, then pairs (duration, load at its end), zero for a step.
 #[pyfunction]
 #[pyo3(signature = (material, work_of_adhesion, zone_kind, zone_numbers, loads, outputs, reference = None, lines_per_zone = 64))]
@@ -235,5 +249,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(closing_stress, module)?)?;
     module.add_function(wrap_pyfunction!(delayed_onset, module)?)?;
     module.add_function(wrap_pyfunction!(delayed_trajectory, module)?)?;
+    module.add_function(wrap_pyfunction!(delayed_tends_to, module)?)?;
     module.add_function(wrap_pyfunction!(closure, module)?)
 }

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use viscotack::Estimate;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::westergaard_wave::WaveState;
-use viscotack::elastic::{Control, EquilibriumBranch, HertzSphere, JkrSphere, JohnsonWave, KendallPunch, WestergaardWave};
+use viscotack::elastic::{Control, EquilibriumBranch, HertzSphere, JkrSphere, JohnsonWave, KendallPunch, TaborNumber, WestergaardWave};
 
 /// Half-width and gap half-width, each with its bound, mean pressure, penetration.
 type WaveNumbers = ((f64, f64), (f64, f64), f64, f64);
@@ -86,6 +86,19 @@ fn johnson_wave(
     ))
 }
 
+/// (half-width, penetration) of a wave without adhesion under a mean pressure.
+#[pyfunction]
+fn westergaard_wave(modulus: f64, wavelength: f64, amplitude: f64, mean_pressure: f64) -> PyResult<(f64, f64)> {
+    let state = WestergaardWave::new(modulus, wavelength, amplitude).and_then(|wave| wave.state_by_mean_pressure(mean_pressure));
+    state.map(|state| (state.contact_half_width, state.penetration)).map_err(refused)
+}
+
+/// Tabor's number.
+#[pyfunction]
+fn tabor_number(radius: f64, modulus: f64, work_of_adhesion: f64, interaction_range: f64) -> PyResult<f64> {
+    TaborNumber::new(radius, modulus, work_of_adhesion, interaction_range).map(TaborNumber::value).map_err(refused)
+}
+
 /// Gap of an adhesive wave of a contact half-width at a position.
 #[pyfunction]
 fn johnson_wave_gap(modulus: f64, wavelength: f64, amplitude: f64, work_of_adhesion: f64, half_width: f64, position: f64) -> PyResult<f64> {
@@ -99,5 +112,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(hertz, module)?)?;
     module.add_function(wrap_pyfunction!(kendall_pull_off, module)?)?;
     module.add_function(wrap_pyfunction!(johnson_wave, module)?)?;
-    module.add_function(wrap_pyfunction!(johnson_wave_gap, module)?)
+    module.add_function(wrap_pyfunction!(johnson_wave_gap, module)?)?;
+    module.add_function(wrap_pyfunction!(westergaard_wave, module)?)?;
+    module.add_function(wrap_pyfunction!(tabor_number, module)?)
 }

@@ -5,7 +5,7 @@ use crate::material::PyMaterial;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
-use viscotack::sliding::branch::{BranchProblem, strength, trace};
+use viscotack::sliding::branch::{BranchProblem, Scan, contacts_of_width, every_branch, strength, trace};
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, Resolution, WaveContact, edge_work};
 use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{
@@ -274,6 +274,28 @@ fn sliding_strength<'py>(py: Python<'py>, material: &PyMaterial, rate: f64, edge
     Ok(out)
 }
 
+/// Every contact of a half-width, without a start: half-width, eccentricity, mean pressure, penetration row by row.
+#[pyfunction]
+fn sliding_contacts_of_width<'py>(
+    py: Python<'py>,
+    material: &PyMaterial,
+    rate: f64,
+    edges: Edges,
+    half_width: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    let found = contacts_of_width(&material.0, &BranchProblem::loads(rate, adhesion(edges), 1e-6), half_width).map_err(refused)?;
+    let rows: Vec<f64> = found.iter().flat_map(|one| [one.half_width, one.eccentricity, one.mean_pressure, one.penetration]).collect();
+    array(py, &rows)?.call_method1("reshape", (-1, 4))
+}
+
+/// Every branch of loads at a rate: the number of points of the outline and of turns of each.
+#[pyfunction]
+fn sliding_every_branch(material: &PyMaterial, rate: f64, edges: Edges, accuracy: f64) -> PyResult<Vec<(usize, usize)>> {
+    let problem = BranchProblem::loads(rate, adhesion(edges), accuracy);
+    let found = every_branch(&material.0, &problem, Scan::of(&problem)).map_err(refused)?;
+    Ok(found.branches.iter().map(|branch| (branch.outline().len(), branch.folds.len())).collect())
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<SlidingContact>()?;
     module.add_function(wrap_pyfunction!(layer_factors, module)?)?;
@@ -282,5 +304,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(sliding_equilibrium, module)?)?;
     module.add_function(wrap_pyfunction!(sliding_steady, module)?)?;
     module.add_function(wrap_pyfunction!(sliding_branch, module)?)?;
-    module.add_function(wrap_pyfunction!(sliding_strength, module)?)
+    module.add_function(wrap_pyfunction!(sliding_strength, module)?)?;
+    module.add_function(wrap_pyfunction!(sliding_contacts_of_width, module)?)?;
+    module.add_function(wrap_pyfunction!(sliding_every_branch, module)?)
 }

@@ -1,6 +1,6 @@
 //! Special functions, element by element.
 
-use crate::arrays::{Numbers, mapped};
+use crate::arrays::{Numbers, array, mapped};
 use pyo3::prelude::*;
 use pyo3::types::PyModule;
 use viscotack::Refusal;
@@ -60,7 +60,22 @@ fn memory_clausen<'py>(py: Python<'py>, angles: Numbers, ratio: f64) -> PyResult
     ])
 }
 
+/// Σ_{n>last} n^{−exponent}.
+#[pyfunction]
+fn zeta_tail(exponent: u32, last_left_out: u32) -> f64 {
+    viscotack::special::even_zeta::zeta_tail(exponent, last_left_out)
+}
+
+/// ∫₀¹ e^{−zv} v^k dv, k = 0, 1, 2, row by row.
+#[pyfunction]
+fn fading_moments<'py>(py: Python<'py>, arguments: Numbers) -> PyResult<Bound<'py, PyAny>> {
+    let rows: Vec<f64> = arguments.0.iter().flat_map(|&z| viscotack::crack::delayed::moments::fading_moments(z).1).collect();
+    array(py, &rows)?.call_method1("reshape", (arguments.0.len(), 3))
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(zeta_tail, module)?)?;
+    module.add_function(wrap_pyfunction!(fading_moments, module)?)?;
     module.add_function(wrap_pyfunction!(special, module)?)?;
     module.add_function(wrap_pyfunction!(memory_clausen, module)?)
 }
