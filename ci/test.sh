@@ -48,7 +48,7 @@ if [ -z "$python" ]; then
   echo "SKIPPED: no python3 (3.11 or later) with NumPy, SciPy, mpmath and pytest; to install: apt-get install $packages"
 else
   verification/harness/build.sh --with-tests
-  PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest -p no:cacheprovider verification/crosscheck
+  PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest verification/crosscheck
   if [ "$full" = --full ]; then ci/references.sh "$python"; fi
 fi
 step "all passed"
