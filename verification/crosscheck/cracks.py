@@ -57,7 +57,7 @@ def steady(harness, solids):
         if scale is None:
             yield relative("cracks", "steady_crack.csv", place, quantity, value, text, TARGET, condition, **common)
         else:
-            yield Value("cracks", "steady_crack.csv", place, quantity, float(value), text, scale, TARGET, 2.0 * EPS, **common)
+            yield Value("cracks", "steady_crack.csv", place, quantity, float(value), text, scale, TARGET, 4.0 * EPS, **common)
 
 
 def delayed(harness, solids):

@@ -5,7 +5,7 @@ from values import Value, rows
 RELAXED, RATE = 2.3e6, 7.0
 LOADS, WORKS = 1e-6, 1e-4
 # A few eps of the linear systems; of edges that are found; of releases, which are differences of energies over a short zone.
-NOISE, FOUND, RELEASES = 2e-15, 1e-14, 1e-12
+NOISE, FOUND, RELEASES = 4e-15, 2e-14, 1e-12
 
 
 def material(harness, text):

@@ -6,7 +6,7 @@ TARGET = 1e-13
 
 
 def absolute(file, row, quantity, value, reference, scale, condition=1.0):
-    return Value("special", file, row, quantity, float(value), reference, scale, TARGET, 2.0 * EPS * condition)
+    return Value("special", file, row, quantity, float(value), reference, scale, TARGET, 4.0 * EPS * condition)
 
 
 def one_argument(harness):

@@ -47,7 +47,7 @@ class Value:
 def relative(group, file, row, quantity, value, reference, target, condition=1.0, **more):
     """A value judged against itself: the usual case."""
     size = abs(float(Decimal(reference)))
-    return Value(group, file, row, quantity, float(value), reference, size if size > 0.0 else 1.0, target, 2.0 * EPS * condition, **more)
+    return Value(group, file, row, quantity, float(value), reference, size if size > 0.0 else 1.0, target, 4.0 * EPS * condition, **more)
 
 
 def rows(name):
