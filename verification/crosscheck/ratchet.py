@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The ratchet: today's error of every value, and the budget that it may not outgrow.
 
     python3 verification/crosscheck/ratchet.py                      compare; exit 1 where an error outgrew its budget
@@ -144,7 +144,11 @@ def main():
     arguments = parsed()
     import collect
     import tools
-    code, lines = run(collect.everything(tools.harness()), arguments)
+    try:
+        harness = tools.harness()
+    except tools.Missing as missing:
+        sys.exit(str(missing))
+    code, lines = run(collect.everything(harness), arguments)
     print("\n".join(lines))
     sys.exit(code)
 
