@@ -27,7 +27,8 @@ if [ -z "$python" ] && command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || 
   find_python
 fi
 if [ -n "$python" ]; then
-  "$python" -c 'import mpmath, numpy, pytest, scipy, sys; print("python", sys.version.split()[0], "numpy", numpy.__version__, "scipy", scipy.__version__, "mpmath", mpmath.__version__, "pytest", pytest.__version__)'
+  "$python" -c 'import mpmath, numpy, pytest, scipy, sys
+print("python", sys.version.split()[0], *(f"{m.__name__} {m.__version__}" for m in (numpy, scipy, mpmath, pytest)))'
 else
   echo "missing; to install: apt-get install $packages"
   [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }

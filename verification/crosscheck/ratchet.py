@@ -85,14 +85,12 @@ def recorded(values, table, worse):
     """The new table: budgets only fall, unless `worse`."""
     out = {}
     for value in values:
-        old, budget = table.get(value.key), budget_of(value)
-        error = value.error
-        if old is not None and not (worse and error > float(old["budget"])):
-            if budget < BETTER * float(old["budget"]):
-                pass
-            else:
-                budget, error = float(old["budget"]), float(old["error"])
-        # What has been a target stays one: nothing is recorded that misses it.
+        error, budget = value.error, budget_of(value)
+        if value.key in table:
+            old_error, old_budget = float(table[value.key]["error"]), float(table[value.key]["budget"])
+            improved, raised = budget < BETTER * old_budget, worse and error > old_budget
+            if not improved and not raised:
+                error, budget = old_error, old_budget
         out[value.key] = dict(group=value.group, file=value.file, row=value.row, quantity=value.quantity, reference=f"{float(value.reference):.17g}", error=f"{error:.2e}",
                               budget=f"{budget:.3e}")
     return out
@@ -112,13 +110,12 @@ def run(values, arguments, path=TABLE):
     """The command on given values: (exit code, lines to print)."""
     table, remarks = read(path)
     verdict = judge(values, table)
-    lines = list(verdict.sentences()) if not arguments.record else list(
-        line for line in verdict.sentences() if "no row in the ratchet" not in line)
+    lines = [line for line in verdict.sentences() if not (arguments.record and "no row in the ratchet" in line)]
     late = [f"{v.file}: {v.row} {v.quantity}: error {v.error:.2e} misses its target {v.target:.0e}" for v in values if not v.error <= v.target]
     lines += late
     if not arguments.record:
-        return (0 if verdict.passes and not late else 1), lines + [f"{len(values)} values, {len(verdict.worse)} worse, {len(verdict.better)} better, "
-                                                                  f"{len(verdict.unguarded)} unguarded, {len(verdict.gone)} gone"]
+        counts = f"{len(values)} values, {len(verdict.worse)} worse, {len(verdict.better)} better, {len(verdict.unguarded)} unguarded, {len(verdict.gone)} gone"
+        return (0 if verdict.passes and not late else 1), [*lines, counts]
     if late:
         return 1, lines + ["nothing was recorded: a value misses its target"]
     if (verdict.worse or verdict.gone) and not arguments.worse:

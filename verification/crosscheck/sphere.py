@@ -93,14 +93,16 @@ def line(harness):
                     return total
                 return at
 
-            value = harness.sphere_closure(float(given["a"]), float(given["zone"]), ends[0], polynomial(pieces[0][1]), ends[1], polynomial(pieces[1][1]))
+            load, factor = (polynomial(parts) for _, parts in pieces)
+            value = harness.sphere_closure(float(given["a"]), float(given["zone"]), ends[0], load, ends[1], factor)
             yield relative("sphere line", file, row["case"], "closure", value, row["value"], 1e-12, 50.0, state=row["case"])
         elif row["case"] == "elastic":
             numbers = [float(given[k]) for k in ("modulus", "work", "zone", "penetration")]
             state = harness.elastic_indentation(given["shape"], float(given["size"]), *numbers)
-            # The force passes through zero: its scale is the modulus times the squared radius times the slope, here E a f(a).
+            # The force passes through zero: its scale is E a f(a).
             a, value = state[0], state[0] if row["quantity"] == "contact_radius" else state[2]
-            scale = a if row["quantity"] == "contact_radius" else numbers[0] * a * harness.line_profile(given["shape"], float(given["size"]), a)[0]
+            depth = harness.line_profile(given["shape"], float(given["size"]), a)[0]
+            scale = a if row["quantity"] == "contact_radius" else numbers[0] * a * depth
             yield Value("sphere line", file, row["inputs"], row["quantity"], value, row["value"], scale, 1e-10, 1e-12, state=row["inputs"], independent=made_apart(row))
     for row in rows("indentation_shape.csv"):
         points = [number for pair in row["points"].split(";") for number in floats(pair, ",")]

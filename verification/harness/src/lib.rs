@@ -7,6 +7,7 @@ mod arrays;
 mod crack;
 mod elastic;
 mod indentation;
+mod kernels;
 mod material;
 mod scene;
 mod sliding;
@@ -20,6 +21,7 @@ fn viscotack_harness(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<material::PyMaterial>()?;
     special::register(module)?;
     crack::register(module)?;
+    kernels::register(module)?;
     sliding::register(module)?;
     indentation::register(module)?;
     elastic::register(module)?;

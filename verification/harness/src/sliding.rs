@@ -1,6 +1,6 @@
-//! Steady sliding: kernels, layers, contacts with given edges, contacts in equilibrium, branches. Reduced units.
+//! Steady sliding: contacts with given edges, contacts in equilibrium, branches. Reduced units.
 
-use crate::arrays::{Numbers, array, mapped, mapped_estimates, pair, refused, unknown};
+use crate::arrays::{Numbers, array, mapped, pair, refused, unknown};
 use crate::material::PyMaterial;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -11,16 +11,6 @@ use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{
     PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, full_contact_friction, steady_sliding,
 };
-use viscotack::sliding::{Backing, HalfPlaneGreen, Layer, LayerGreen, MemoryTerm, SlidingMemory};
-
-fn layer(backing: &str, poisson_ratio: f64, thickness: f64) -> PyResult<Layer> {
-    let backing = match backing {
-        "confined" => Backing::Confined,
-        "free" => Backing::Free,
-        _ => return Err(unknown("backing", backing)),
-    };
-    Layer::new(backing, poisson_ratio, thickness).map_err(refused)
-}
 
 fn control(word: &str, value: f64) -> PyResult<SlidingControl> {
     match word {
@@ -36,46 +26,6 @@ type Edges = [f64; 4];
 
 const fn adhesion([trailing_work, leading_work, trailing_zone, leading_zone]: Edges) -> WaveAdhesion {
     WaveAdhesion { trailing_work, leading_work, trailing_zone, leading_zone }
-}
-
-/// A and S = 1 − A of a layer at harmonics.
-#[pyfunction]
-fn layer_factors<'py>(
-    py: Python<'py>,
-    backing: &str,
-    poisson_ratio: f64,
-    thickness: f64,
-    harmonics: Numbers,
-) -> PyResult<[Bound<'py, PyAny>; 2]> {
-    let layer = layer(backing, poisson_ratio, thickness)?;
-    Ok([mapped(py, &harmonics, |m| Ok(layer.correction(m)))?, mapped(py, &harmonics, |m| Ok(layer.compliance_factor(m)))?])
-}
-
-/// The sliding kernel of a half-plane, or of a `layer` (backing, Poisson ratio, kd): value, its bound, antiderivative, its bound.
-#[pyfunction]
-#[pyo3(signature = (glassy_compliance, compliances, ratios, positions, layer_of = None))]
-fn sliding_green<'py>(
-    py: Python<'py>,
-    glassy_compliance: f64,
-    compliances: Numbers,
-    ratios: Numbers,
-    positions: Numbers,
-    layer_of: Option<(String, f64, f64)>,
-) -> PyResult<[Bound<'py, PyAny>; 4]> {
-    let terms: Vec<MemoryTerm> =
-        compliances.0.iter().zip(&ratios.0).map(|(&compliance, &ratio)| MemoryTerm { compliance, ratio }).collect();
-    let half_plane = HalfPlaneGreen::new(SlidingMemory::new(glassy_compliance, &terms).map_err(refused)?).map_err(refused)?;
-    let ((value, value_error), (antiderivative, antiderivative_error)) = match layer_of {
-        None => (
-            mapped_estimates(py, &positions, |x| half_plane.value(x))?,
-            mapped_estimates(py, &positions, |x| half_plane.antiderivative(x))?,
-        ),
-        Some((backing, poisson_ratio, thickness)) => {
-            let green = LayerGreen::new(half_plane, layer(&backing, poisson_ratio, thickness)?);
-            (mapped_estimates(py, &positions, |x| green.value(x))?, mapped_estimates(py, &positions, |x| green.antiderivative(x))?)
-        }
-    };
-    Ok([value, value_error, antiderivative, antiderivative_error])
 }
 
 /// Friction stress of full contact, ½Im E(kv)/E0.
@@ -298,8 +248,6 @@ fn sliding_every_branch(material: &PyMaterial, rate: f64, edges: Edges, accuracy
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<SlidingContact>()?;
-    module.add_function(wrap_pyfunction!(layer_factors, module)?)?;
-    module.add_function(wrap_pyfunction!(sliding_green, module)?)?;
     module.add_function(wrap_pyfunction!(full_contact, module)?)?;
     module.add_function(wrap_pyfunction!(sliding_equilibrium, module)?)?;
     module.add_function(wrap_pyfunction!(sliding_steady, module)?)?;
