@@ -68,3 +68,10 @@ fn no_plan_picks_a_rival() {
         &["crate::rivals"],
     );
 }
+
+#[test]
+fn the_solver_needs_no_python() {
+    let manifest = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).unwrap();
+    assert!(manifest.contains("default-members = [\".\"]"), "the harness is built by name only");
+    assert!(!manifest.contains("pyo3") && !manifest.contains("viscotack-harness ="), "nothing depends on the harness or on Python");
+}
