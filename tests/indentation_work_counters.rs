@@ -4,9 +4,8 @@
 //! Parameters: the thesis's Fig 4.3 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10, V·ρ/R = 2e-3), one cycle and many, one term and sixteen.
 //! Oracle: none; counters are bounded by a tenth more than they were when this was written, and what grows is compared with what it should grow with.
 //! Never a time.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
+#![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
-#[allow(dead_code)]
 mod support;
 
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
