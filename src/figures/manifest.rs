@@ -171,6 +171,9 @@ pub(super) struct AxisEntry {
 #[serde(deny_unknown_fields)]
 pub(super) struct CurveEntry {
     pub(super) source: String,
+    /// Further sources with the same columns: their rows follow.
+    #[serde(default)]
+    pub(super) also: Vec<String>,
     /// Its name in tables and features; `{}` stands for the value of `each`.
     pub(super) name: String,
     /// Its line in the legend; `{}` as above. None: not in the legend.

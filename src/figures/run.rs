@@ -10,6 +10,7 @@ use super::report::{FigureReport, PanelReport, Report};
 use super::source::{Source, SourceError};
 use super::store::Store;
 use super::{draw, sheet};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -110,7 +111,7 @@ fn program() -> String {
 
 fn uses(panel: &PanelEntry, source: &str) -> bool {
     let inset = panel.inset.iter().flat_map(|inset| &inset.curves);
-    panel.curves.iter().chain(inset).any(|curve| curve.source == source)
+    panel.curves.iter().chain(inset).any(|curve| curve.source == source || curve.also.iter().any(|also| also == source))
 }
 
 /// The figures asked for, each with its panels.
@@ -186,14 +187,20 @@ fn all_curves(
 ) -> Result<Vec<Curve>, ManifestError> {
     let mut all: Vec<Curve> = Vec::new();
     for entry in entries {
-        let table = computed.get(entry.source.as_str()).ok_or_else(|| ManifestError::Unknown {
-            place: place.to_owned(),
-            what: "source",
-            name: entry.source.clone(),
-            known: computed.keys().copied().collect::<Vec<_>>().join(", "),
-        })?;
+        let find = |name: &String| {
+            computed.get(name.as_str()).map(|computed| &computed.table).ok_or_else(|| ManifestError::Unknown {
+                place: place.to_owned(),
+                what: "source",
+                name: name.clone(),
+                known: computed.keys().copied().collect::<Vec<_>>().join(", "),
+            })
+        };
+        let mut table = Cow::Borrowed(find(&entry.source)?);
+        for name in &entry.also {
+            table.to_mut().append(find(name)?);
+        }
         let colour = all.iter().map(|curve| curve.colour + 1).max().unwrap_or(0);
-        for curve in curves(place, entry, &table.table, axes, colour)? {
+        for curve in curves(place, entry, &table, axes, colour)? {
             if all.iter().any(|other| other.name == curve.name) {
                 let problem = format!("two curves are named `{}`", curve.name);
                 return Err(ManifestError::Contradiction { place: place.to_owned(), problem });

@@ -95,6 +95,24 @@ impl Table {
         column.errors.push(estimate.map(|(_, error)| error));
     }
 
+    /// The rows of another table of the same columns; a column that only one of them has is left out.
+    pub(super) fn append(&mut self, other: &Self) {
+        self.numbers.retain(|name, _| other.numbers.contains_key(name));
+        self.words.retain(|name, _| other.words.contains_key(name));
+        for (name, column) in &mut self.numbers {
+            if let Some(more) = other.numbers.get(name) {
+                column.values.resize(self.rows, None);
+                column.errors.resize(self.rows, None);
+                column.values.extend(&more.values);
+                column.errors.extend(&more.errors);
+            }
+        }
+        for (name, words) in &mut self.words {
+            words.extend(other.words.get(name).into_iter().flatten().cloned());
+        }
+        self.rows += other.rows;
+    }
+
     /// A number and its error bound.
     pub(super) fn number(&self, column: &str, row: usize) -> Option<(f64, f64)> {
         let column = self.numbers.get(column)?;
