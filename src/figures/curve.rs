@@ -88,7 +88,7 @@ pub(super) fn curves(
         }
         Curve {
             name: entry.name.replace("{}", &value.map_or_else(String::new, plain)),
-            label: entry.label.as_ref().map(|label| label.replace("{}", &value.map_or_else(String::new, short_number))),
+            label: entry.label.as_ref().map(|label| label.replace("{}", &value.map_or_else(String::new, |value| short_number(entry.shown_times * value)))),
             points,
             dashed: entry.dashed,
             dotted: entry.dotted,

@@ -59,7 +59,10 @@ pub(super) fn checked(place: &str, entry: &FeatureEntry, curves: &[Curve], scale
     if entry.order.is_some() != (count > 1) {
         return Err(contradiction("an `order` needs several `curves`, and several curves an `order`"));
     }
-    names.extend(entry.per.iter().map(|per| per.curve.as_str()).chain(entry.than.as_deref()));
+    // First the curves themselves, then what they are divided by, last the one they are compared with.
+    names.extend(entry.per.iter().flat_map(|per| std::iter::once(per.curve.as_str()).chain(per.plus.as_deref())));
+    names.extend(entry.than.as_deref());
+    let scales = if entry.log { Scales { x_log: true, y_log: true } } else { scales };
     let named: Vec<Curve> = names
         .iter()
         .map(|name| {
@@ -96,7 +99,6 @@ pub(super) fn checked(place: &str, entry: &FeatureEntry, curves: &[Curve], scale
 
 /// One number a curve, divided where asked.
 fn numbers(entry: &FeatureEntry, named: &[Curve], count: usize, scales: Scales) -> Result<Vec<f64>, String> {
-    let per = entry.per.as_ref().map(|_| named.get(count)).and_then(|curve| curve);
     let than = entry.than.as_ref().and_then(|_| named.last());
     let place = Where { at: entry.at, over: entry.over, level: entry.level, than };
     named
@@ -104,15 +106,12 @@ fn numbers(entry: &FeatureEntry, named: &[Curve], count: usize, scales: Scales) 
         .take(count)
         .map(|curve| {
             let number = measured(entry.take, curve, place, scales)?;
-            match (&entry.per, per) {
-                (Some(other), Some(curve)) => {
-                    let place = Where { at: other.at.or(entry.at), over: other.over.or(entry.over), ..place };
-                    let below = measured(other.take.unwrap_or(entry.take), curve, place, scales)?;
-                    let ratio = number / below;
-                    if ratio.is_finite() { Ok(ratio) } else { Err(format!("`{}` is zero there", curve.name)) }
-                }
-                _ => Ok(number),
-            }
+            let Some(other) = &entry.per else { return Ok(number) };
+            let place = Where { at: other.at.or(entry.at), over: other.over.or(entry.over), ..place };
+            let terms = named.iter().skip(count).take(1 + usize::from(other.plus.is_some()));
+            let below = terms.map(|curve| measured(other.take.unwrap_or(entry.take), curve, place, scales)).sum::<Result<f64, String>>()?;
+            let ratio = number / below;
+            if ratio.is_finite() { Ok(ratio) } else { Err(format!("what `{}` is divided by is zero", curve.name)) }
         })
         .collect()
 }

@@ -85,6 +85,10 @@ pub(super) struct FigureEntry {
     pub(super) panel: Vec<PanelEntry>,
 }
 
+fn one() -> f64 {
+    1.0
+}
+
 fn default_drift() -> f64 {
     1e-6
 }
@@ -210,6 +214,9 @@ pub(super) struct CurveEntry {
     /// All in that colour.
     #[serde(default)]
     pub(super) one_colour: bool,
+    /// Values of `each` are shown times this in labels, for a handier unit.
+    #[serde(default = "one")]
+    pub(super) shown_times: f64,
     /// Measured, not drawn.
     #[serde(default)]
     pub(super) hidden: bool,
@@ -256,6 +263,9 @@ pub(super) struct FeatureEntry {
     pub(super) at: Option<f64>,
     /// In this part of the x axis.
     pub(super) over: Option<[f64; 2]>,
+    /// Measured as on logarithmic axes, whatever those of the panel.
+    #[serde(default)]
+    pub(super) log: bool,
     /// The y that is crossed.
     pub(super) level: Option<f64>,
     /// Divided by the same of another curve.
@@ -276,6 +286,8 @@ pub(super) struct FeatureEntry {
 #[serde(deny_unknown_fields)]
 pub(super) struct Other {
     pub(super) curve: String,
+    /// Plus the same of this one.
+    pub(super) plus: Option<String>,
     /// Measured in the same way unless said.
     pub(super) take: Option<Take>,
     pub(super) at: Option<f64>,

@@ -13,6 +13,8 @@ pub(super) enum Take {
     First,
     /// y of the last point.
     Last,
+    /// x of the first point.
+    FirstPlace,
     /// x of the last point.
     LastPlace,
     /// Largest y.
@@ -78,6 +80,7 @@ pub(super) fn measured(take: Take, curve: &Curve, place: Where<'_>, scales: Scal
         }
         Take::First => first.1,
         Take::Last => last.1,
+        Take::FirstPlace => first.0,
         Take::LastPlace => last.0,
         Take::Largest => largest.1,
         Take::Smallest => smallest.1,
