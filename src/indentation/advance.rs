@@ -36,6 +36,14 @@ const AT_REST: f64 = 1e-9;
 /// Halvings of the time at which a rim gives way.
 const RIM_HALVINGS: u32 = 50;
 
+/// Distance to a corner of the path, over the process zone, that is none.
+const AT_MARK: f64 = 1e-6;
+/// Motion of a step, over the tolerance of the path, whose turn does not count.
+const STILL: f64 = 1e-2;
+/// Accuracy of the instant at which the edge turns, over the step that leads there, and attempts at it.
+const AT_TURN: f64 = 3e-3;
+const MOST_TURNINGS: u32 = 8;
+
 /// What drives the next attempt.
 enum Choice {
     Edge { inwards: bool, guess: f64 },
@@ -56,6 +64,7 @@ impl Marcher<'_> {
         }
         let mut forced: Option<Choice> = None;
         let mut was_far = false;
+        let mut turnings = 0;
         for _ in 0..MOST_ATTEMPTS {
             if let Some(distance) = self.fold_ahead() {
                 if distance < AT_FOLD * self.length && self.is_unstable(imposed)? {
@@ -75,7 +84,17 @@ impl Marcher<'_> {
                             if trial.motion.to < a && self.leave_rim(cap, left, target, imposed)? {
                                 return Ok(());
                             }
-                            Some((trial, false))
+                            match self.mark_within(trial.motion.to - a) {
+                                // Not over a corner: to it.
+                                Some(mark) if !was_far => {
+                                    was_far = true;
+                                    reach = (mark - a).abs();
+                                    let guess = cap * reach / (trial.motion.to - a).abs();
+                                    forced = Some(Choice::Edge { inwards: mark < a, guess });
+                                    None
+                                }
+                                _ => Some((trial, false)),
+                            }
                         }
                         TimeStep::Far(inwards) => {
                             if inwards && self.leave_rim(cap, left, target, imposed)? {
@@ -90,9 +109,7 @@ impl Marcher<'_> {
                 Choice::Edge { inwards, guess } => {
                     let mut way = if inwards { -reach } else { reach.min(self.contact.profile().rim() - a) };
                     landing = false;
-                    if let Some(mark) =
-                        self.landmarks.iter().copied().find(|mark| (mark - a) * way > 0.0 && (mark - a).abs() <= 1.2 * way.abs())
-                    {
+                    if let Some(mark) = self.mark_within(1.2 * way) {
                         way = mark - a;
                         landing = true;
                     }
@@ -128,6 +145,25 @@ impl Marcher<'_> {
                 }
             };
             let Some((trial, by_edge)) = found else { continue };
+            // The edge turns: a step ends there, and the path starts anew.
+            let mut turned = false;
+            if !by_edge && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
+                let place = self.contact.profile().coordinate(trial.motion.to);
+                if let Some(time) = self.past.turn((trial.motion.time, place)) {
+                    let part = time / trial.motion.time;
+                    if part < AT_TURN {
+                        self.restart_at_turn();
+                        cap = cap.min(self.dt);
+                        continue;
+                    }
+                    if part < 1.0 - AT_TURN {
+                        turnings += 1;
+                        cap = time;
+                        continue;
+                    }
+                    turned = part < 1.0 + AT_TURN;
+                }
+            }
             // Places are only known to the narrowest panel, and to what the accepted residual leaves: below that a path has no shape.
             let (by_time, by_place) = self.slopes;
             let slack = if by_edge { (trial.motion.to - a).abs() / by_time } else { 1.0 / by_place };
@@ -149,9 +185,30 @@ impl Marcher<'_> {
                     continue;
                 }
             }
-            return self.accept(&trial, by_edge, (reach, cap, factor), (left, target), landing && by_edge);
+            self.accept(&trial, by_edge, (reach, cap, factor), (left, target), landing && by_edge)?;
+            if turned {
+                self.restart_at_turn();
+            }
+            return Ok(());
         }
         Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
+    }
+
+    /// Whether a step to a place, or the one before, is more than the path is known to.
+    fn moves(&self, to: f64) -> bool {
+        let a = self.contact.radius();
+        let last = self.past.nodes().get(1).map_or(0.0, |node| (a - node.radius).abs());
+        (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
+    }
+
+    /// The nearest corner of the path within a way of the edge.
+    fn mark_within(&self, way: f64) -> Option<f64> {
+        let a = self.contact.radius();
+        let distance = |mark: &f64| (mark - a) * way.signum();
+        let marks = self.landmarks.iter().chain(&self.turns).copied();
+        marks
+            .filter(|mark| distance(mark) > AT_MARK * self.length && distance(mark) <= way.abs())
+            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
     }
 
     /// The rim holds the edge for a while yet: goes to the instant at which it gives way, and starts anew from there.

@@ -1,5 +1,6 @@
-//! What is imposed in time: a quantity that goes from value to value, linearly, or at once; each stretch names its quantity.
+//! What is imposed in time: a quantity that goes from value to value, linearly, oscillating, or at once; each stretch names its quantity.
 
+use super::oscillation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative};
 
 /// What a stretch of a history controls.
@@ -24,9 +25,21 @@ pub struct Segment {
     pub end: f64,
     /// Of what.
     pub controlled: Controlled,
+    /// An oscillation about the straight way; it starts at its mean.
+    pub oscillation: Option<Oscillation>,
 }
 
-/// A piecewise linear history.
+impl Segment {
+    /// The way from a value, at a time since its start.
+    #[must_use]
+    pub fn value(&self, from: f64, time: f64) -> f64 {
+        let part = time / self.duration;
+        let mean = if part >= 1.0 || self.duration == 0.0 { self.end } else { from + (self.end - from) * part };
+        mean + self.oscillation.map_or(0.0, |oscillation| oscillation.deviation(time.min(self.duration), self.duration))
+    }
+}
+
+/// A history of stretches, straight or with an oscillation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
     /// The value at time zero.
@@ -71,7 +84,22 @@ impl History {
     /// Followed by a ramp of a quantity, from its value by then, to `end` in `duration`.
     #[must_use]
     pub fn then(mut self, controlled: Controlled, end: f64, duration: f64) -> Self {
-        self.segments.push(Segment { duration, end, controlled });
+        self.segments.push(Segment { duration, end, controlled, oscillation: None });
+        self
+    }
+
+    /// Followed by an oscillation about the present value of the same quantity, for a duration.
+    #[must_use]
+    pub fn oscillate(self, oscillation: Oscillation, duration: f64) -> Self {
+        let end = self.end();
+        self.ramp_oscillating(end, oscillation, duration)
+    }
+
+    /// Followed by a ramp of the same quantity to `end` in `duration` with an oscillation upon it.
+    #[must_use]
+    pub fn ramp_oscillating(mut self, end: f64, oscillation: Oscillation, duration: f64) -> Self {
+        let controlled = self.controlled();
+        self.segments.push(Segment { duration, end, controlled, oscillation: Some(oscillation) });
         self
     }
 
@@ -102,10 +130,10 @@ impl History {
         self.ramp(end, 0.0)
     }
 
-    /// The value at the end.
+    /// The value at the end; after an oscillation, what it has reached.
     #[must_use]
     pub fn end(&self) -> f64 {
-        self.segments.last().map_or(self.start, |segment| segment.end)
+        self.segments.last().map_or(self.start, |segment| segment.value(segment.end, segment.duration))
     }
 
     /// What is controlled at the end.
@@ -123,12 +151,21 @@ impl History {
     /// Checks every number.
     ///
     /// # Errors
-    /// [`Refusal::OutOfRange`] for a value that is not finite or a negative duration.
+    /// [`Refusal::OutOfRange`] for a value that is not finite or a negative duration; [`Refusal::Undefined`] for a contact radius that oscillates.
     pub fn checked(&self) -> Result<(), Refusal> {
         require_finite("start", self.start)?;
         for segment in &self.segments {
             require_non_negative("duration", segment.duration)?;
             require_finite("end", segment.end)?;
+            if let Some(oscillation) = segment.oscillation {
+                oscillation.checked()?;
+                if segment.controlled == Controlled::ContactRadius {
+                    return Err(Refusal::Undefined {
+                        quantity: "an oscillating contact radius",
+                        reason: "oscillations are of the penetration, the force or the frame".into(),
+                    });
+                }
+            }
         }
         Ok(())
     }

@@ -27,6 +27,8 @@ pub(super) struct Node {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Past {
     nodes: Vec<Node>,
+    /// Whether the edge was at rest, turning, at the oldest node: its speed is a condition too, then.
+    turned: bool,
 }
 
 /// A polynomial from (0, 0) to (1, 1) as monomials, with the size of its last term within the step.
@@ -46,6 +48,13 @@ impl Past {
     pub(super) fn restart(&mut self, node: Node) {
         self.nodes.clear();
         self.nodes.push(node);
+        self.turned = false;
+    }
+
+    /// Starts again where the edge turns.
+    pub(super) fn restart_at_turn(&mut self, node: Node) {
+        self.restart(node);
+        self.turned = true;
     }
 
     /// The clock starts again: every point was earlier by so much.
@@ -57,18 +66,39 @@ impl Past {
 
     pub(super) fn push(&mut self, node: Node) {
         self.nodes.insert(0, node);
+        self.turned &= self.nodes.len() <= KEPT;
         self.nodes.truncate(KEPT);
     }
 
     /// v(x) through the past, with x and v of a node relative to the step: x = 0, v = 0 is now, x = 1, v = 1 its end. Of as high a degree as helps.
-    /// `held`: the degree of an earlier trial of the same step, so that the trials are of one smooth function.
-    pub(super) fn bridge(&self, held: Option<u32>, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
+    /// `held`: the degree of an earlier trial of the same step, so that the trials are of one smooth function. `rest`: whether v(x) has slope zero
+    /// where the edge turned; its inverse has none.
+    pub(super) fn bridge(&self, held: Option<u32>, rest: bool, of: impl Fn(&Node) -> (f64, f64)) -> Bridge {
         let mut sum = Newton::new(1.0);
         let mut bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 1 };
-        for node in self.nodes.iter().skip(1).take(held.map_or(DEGREE - 1, |degree| degree.saturating_sub(1) as usize)) {
+        let most = held.map_or(DEGREE - 1, |degree| degree.saturating_sub(1) as usize);
+        if self.turned && self.nodes.len() == 1 && rest {
+            // From rest: v = x², which nothing judges yet.
+            if most > 0 && sum.add_rest(0.0, 0.0).is_some() {
+                bridge = Bridge { coefficients: sum.coefficients, error: 0.0, degree: 2 };
+            }
+            return bridge;
+        }
+        let mut conditions: Vec<(bool, &Node)> = self.nodes.iter().skip(1).map(|node| (false, node)).collect();
+        if self.turned {
+            let turn = conditions.last().copied();
+            if rest {
+                conditions.extend(turn.map(|(_, node)| (true, node)));
+            } else {
+                // t(y) has an infinite slope there.
+                conditions.pop();
+            }
+        }
+        for (at_rest, node) in conditions.into_iter().take(most) {
             let (x, v) = of(node);
             let first = bridge.degree == 1;
-            let Some(size) = sum.add(x, v) else { break };
+            let added = if at_rest { sum.add_rest(x, v) } else { sum.add(x, v) };
+            let Some(size) = added else { break };
             if held.is_none() && !first && size > FALLS * bridge.error {
                 break;
             }
@@ -95,6 +125,47 @@ impl Past {
             }
         }
         (sum.coefficients, last)
+    }
+
+    /// When the edge stands still between the newest node, or a little before it, and a trial node: time since the newest node.
+    /// By the polynomial through the trial and up to three nodes.
+    pub(super) fn turn(&self, trial: (f64, f64)) -> Option<f64> {
+        let now = self.nodes.first()?;
+        let mut points = vec![trial];
+        points.extend(self.nodes.iter().take(3).map(|node| (node.time - now.time, node.place)));
+        if points.len() < 3 {
+            return None;
+        }
+        let span = trial.0;
+        // Derivative of the Lagrange form.
+        let speed = |t: f64| {
+            points
+                .iter()
+                .enumerate()
+                .map(|(k, (own, y))| {
+                    let others = || points.iter().enumerate().filter(move |(l, _)| *l != k).map(|(l, point)| (l, point.0));
+                    let scale: f64 = others().map(|(_, other)| own - other).product();
+                    let slope: f64 = others()
+                        .map(|(skipped, _)| others().filter(|(l, _)| *l != skipped).map(|(_, other)| t - other).product::<f64>())
+                        .sum();
+                    (y - now.place) * slope / scale
+                })
+                .sum::<f64>()
+        };
+        let before = self.nodes.get(1)?;
+        let reversed = (trial.1 - now.place) * (now.place - before.place) < 0.0;
+        let (mut low, mut high) = (-0.02 * span, 1.02 * span);
+        let first = speed(low);
+        let crosses = first * speed(high) < 0.0;
+        if !crosses {
+            // So far beyond the turn that the polynomial tells nothing: nearer.
+            return reversed.then_some(0.5 * span);
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if first * speed(middle) > 0.0 { low = middle } else { high = middle }
+        }
+        Some(0.5 * (low + high))
     }
 
     /// The value at the place 0 of the polynomial through at most `count` points.
@@ -145,6 +216,30 @@ impl Newton {
         for j in (0..k).rev() {
             self.divided[j] = (self.divided[j + 1] - self.divided[j]) / (x - self.places[j]);
         }
+        self.next(x)
+    }
+
+    /// Adds that the slope is zero at the point that was added last, or at the origin.
+    fn add_rest(&mut self, x: f64, v: f64) -> Option<f64> {
+        let k = self.count;
+        if k + 1 >= DEGREE || !v.is_finite() {
+            return None;
+        }
+        self.places[k] = x;
+        if x == 0.0 {
+            self.divided[k] = self.rise;
+        } else {
+            let q = (v / x - self.rise) / (x - 1.0);
+            self.divided[k] = q;
+            let slope = -(self.rise + (2.0 * x - 1.0) * q) / (x * (x - 1.0));
+            for j in (0..k).rev() {
+                self.divided[j] = if j + 1 == k { slope } else { (self.divided[j + 1] - self.divided[j]) / (x - self.places[j]) };
+            }
+        }
+        self.next(x)
+    }
+
+    fn next(&mut self, x: f64) -> Option<f64> {
         let factor = self.divided[0];
         let size = [0.2, 0.5, 0.8].iter().fold(0.0, |most: f64, x| most.max((factor * polynomial(&self.product, *x)).abs()));
         if !size.is_finite() {
@@ -176,10 +271,30 @@ fn rises(coefficients: &[f64; DEGREE]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::float_cmp)]
     use super::*;
 
     fn node(time: f64, place: f64) -> Node {
         Node { time, place, penetration: 0.0, force: 0.0, radius: place }
+    }
+
+    #[test]
+    fn a_turn_is_at_rest() {
+        // y = −t² + t³/8 from a turn at t = 0.
+        let y = |t: f64| -t * t + t * t * t / 8.0;
+        let mut past = Past::default();
+        past.restart_at_turn(node(0.0, 0.0));
+        let first = past.bridge(None, true, |_| (0.0, 0.0));
+        assert_eq!((first.coefficients[0], first.coefficients[1]), (0.0, 1.0));
+        for t in [0.1, 0.3] {
+            past.push(node(t, y(t)));
+        }
+        let (t0, t1) = (0.3, 0.5);
+        let bridge = past.bridge(None, true, |node| ((node.time - t0) / (t1 - t0), (node.place - y(t0)) / (y(t1) - y(t0))));
+        for x in [0.1, 0.4, 0.77] {
+            let exact = (y(t0 + (t1 - t0) * x) - y(t0)) / (y(t1) - y(t0));
+            assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");
+        }
     }
 
     #[test]
@@ -191,7 +306,7 @@ mod tests {
             past.push(node(t(y), y));
         }
         let (y0, y1) = (1.1, 1.5);
-        let bridge = past.bridge(None, |node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
+        let bridge = past.bridge(None, true, |node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");

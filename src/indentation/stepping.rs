@@ -55,6 +55,10 @@ struct Search {
 }
 
 impl Search {
+    const fn new() -> Self {
+        Self { low: None, high: None, last: None }
+    }
+
     /// Takes a value in; the point that the last two suggest.
     fn narrowed(&mut self, point: f64, value: f64) -> Option<f64> {
         let before = self.last.replace((point, value));
@@ -89,13 +93,17 @@ impl Stepper<'_, '_> {
     /// The edge to `target` in at most `cap`, probably in about `guess`.
     pub(super) fn edge_driven(&mut self, target: f64, guess: f64, cap: f64, imposed: &Imposed<'_>) -> Result<EdgeStep, Refusal> {
         let sign = if target < self.contact.radius() { 1.0 } else { -1.0 };
-        let mut search = Search { low: None, high: None, last: None };
+        let mut search = Search::new();
         self.edge.held = None;
         let mut time = guess.min(cap);
-        let mut reopened = 0;
+        let (mut reopened, mut degree) = (0, 0);
         for count in 0..MOST_TRIALS {
             let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
             let value = sign * trial.residual;
+            if count > 0 && trial.degree < degree {
+                search = Search::new();
+            }
+            degree = trial.degree;
             let before = search.last;
             let secant = search.narrowed(time, value);
             if let Some((other, other_value)) = before
@@ -111,7 +119,7 @@ impl Stepper<'_, '_> {
                 // The bracket closed upon a seam between two gradings of the window: once more, on this one.
                 reopened += 1;
                 self.edge.forget();
-                search = Search { low: None, high: None, last: None };
+                search = Search::new();
                 time *= 0.999;
                 continue;
             }
@@ -159,9 +167,10 @@ impl Stepper<'_, '_> {
         // A contact no larger than its process zone has no closure: further in is far.
         let inner = (here - reach).max(1.001 * self.edge.zone());
         let outer = (here + reach).min(rim);
-        let mut search = Search { low: None, high: None, last: None };
+        let mut search = Search::new();
         // Without a past, a little to either side of the edge tells which way it goes.
         let mut stride = 1e-3 * reach;
+        let mut degree = 0;
         let mut place = guess.clamp(inner, outer);
         if here == 0.0 {
             // A contact about to grow from a point: no contact is too little.
@@ -171,6 +180,11 @@ impl Stepper<'_, '_> {
         for count in 0..MOST_TRIALS {
             let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
             let value = trial.residual;
+            if count > 0 && trial.degree < degree {
+                // A polynomial that ceased to rise: what was found of a higher degree is of another function.
+                search = Search::new();
+            }
+            degree = trial.degree;
             let before = search.last;
             let secant = search.narrowed(place, value);
             if let Some((other, other_value)) = before
@@ -187,7 +201,8 @@ impl Stepper<'_, '_> {
                 return Ok(TimeStep::Found(trial));
             }
             let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
-            if value.abs() <= accepted || search.width() <= 16.0 * f64::EPSILON * here.max(place) {
+            let closed = search.width() <= 16.0 * f64::EPSILON * here.max(place);
+            if value.abs() <= accepted || closed {
                 return Ok(TimeStep::Found(trial));
             }
             let newton = if self.slopes.1 > 0.0 { Some(place - value / self.slopes.1) } else { None };
