@@ -54,7 +54,8 @@ pub(super) fn curves(
     if let Some(name) = entry.when.keys().find(|name| !table.numbers.contains_key(*name) && !table.words.contains_key(*name)) {
         return Err(unknown(place, name, table));
     }
-    let rows: Vec<usize> = (0..table.rows).filter(|row| entry.when.iter().all(|(name, condition)| condition.holds(table, name, *row))).collect();
+    let rows: Vec<usize> =
+        (0..table.rows).filter(|row| entry.when.iter().all(|(name, condition)| condition.holds(table, name, *row))).collect();
     let families: Vec<(Option<f64>, Vec<usize>)> = match &entry.each {
         None => vec![(None, rows)],
         Some(each) => {
@@ -65,12 +66,16 @@ pub(super) fn curves(
                     values.push(value);
                 }
             }
-            let of = |value: f64| rows.iter().copied().filter(|row| table.number(each, *row).is_some_and(|(own, _)| near(own, value))).collect();
+            let of =
+                |value: f64| rows.iter().copied().filter(|row| table.number(each, *row).is_some_and(|(own, _)| near(own, value))).collect();
             values.into_iter().map(|value| (Some(value), of(value))).collect()
         }
     };
     if families.iter().all(|(_, rows)| rows.is_empty()) {
-        return Err(ManifestError::Contradiction { place: place.to_owned(), problem: format!("the curve `{}` selects no row", entry.name) });
+        return Err(ManifestError::Contradiction {
+            place: place.to_owned(),
+            problem: format!("the curve `{}` selects no row", entry.name),
+        });
     }
     let made = families.into_iter().enumerate().map(|(index, (value, rows))| {
         let rows = part(entry, table, rows);
@@ -88,7 +93,10 @@ pub(super) fn curves(
         }
         Curve {
             name: entry.name.replace("{}", &value.map_or_else(String::new, plain)),
-            label: entry.label.as_ref().map(|label| label.replace("{}", &value.map_or_else(String::new, |value| short_number(entry.shown_times * value)))),
+            label: entry
+                .label
+                .as_ref()
+                .map(|label| label.replace("{}", &value.map_or_else(String::new, |value| short_number(entry.shown_times * value)))),
             points,
             dashed: entry.dashed,
             dotted: entry.dotted,

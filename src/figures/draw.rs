@@ -34,13 +34,7 @@ fn table(panel: &PanelReport) -> Result<Vec<u8>, csv::Error> {
     for curve in panel.curves.iter() {
         let number = |value: f64| Cell::Number(value.is_finite().then_some(value));
         for point in &curve.points {
-            rows.push(vec![
-                Cell::Word(curve.name.clone()),
-                number(point.x),
-                number(point.x_error),
-                number(point.y),
-                number(point.y_error),
-            ]);
+            rows.push(vec![Cell::Word(curve.name.clone()), number(point.x), number(point.x_error), number(point.y), number(point.y_error)]);
         }
     }
     csv_table::records(&header, &rows)

@@ -325,10 +325,10 @@ impl Manifest {
         self.figure.iter().map(|figure| figure.id.as_str()).collect()
     }
 
-    /// Number of panels.
+    /// The names of all panels, as `3.2a`.
     #[must_use]
-    pub fn panels(&self) -> usize {
-        self.figure.iter().map(|figure| figure.panel.len()).sum()
+    pub fn panel_ids(&self) -> Vec<String> {
+        self.figure.iter().flat_map(|figure| figure.panel.iter().map(move |panel| format!("{}{}", figure.id, panel.id))).collect()
     }
 
     /// Number of features of each figure.

@@ -96,7 +96,8 @@ pub(super) fn measured(take: Take, curve: &Curve, place: Where<'_>, scales: Scal
         Take::Crossings => crossings(&points, level()?, scales).len() as f64,
         Take::Apart => {
             let other = than()?.solved();
-            let range = points.iter().chain(&other).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (_, y)| [low.min(*y), high.max(*y)]);
+            let range =
+                points.iter().chain(&other).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (_, y)| [low.min(*y), high.max(*y)]);
             compared(&points, &other, scales, |own, other| {
                 if scales.y_log { (own / other).ln().abs() } else { (own - other).abs() / (range[1] - range[0]) }
             })
@@ -148,9 +149,9 @@ fn slope(points: &[(f64, f64)], scales: Scales) -> f64 {
     let count = signed.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| signed.iter().map(of).sum::<f64>() / count;
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-    let (above, below) = signed.iter().fold((0.0, 0.0), |(above, below), point| {
-        (above + (point.0 - x) * (point.1 - y), below + (point.0 - x) * (point.0 - x))
-    });
+    let (above, below) = signed
+        .iter()
+        .fold((0.0, 0.0), |(above, below), point| (above + (point.0 - x) * (point.1 - y), below + (point.0 - x) * (point.0 - x)));
     above / below
 }
 

@@ -5,7 +5,7 @@ use super::curve::Curve;
 /// A change of the data that leaves it a curve and makes it another one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mutation {
-    /// y half as large again.
+    /// y three times as large.
     Scaled,
     /// y of the opposite sign.
     Negated,
@@ -15,6 +15,8 @@ pub enum Mutation {
     Flat,
     /// x three times as large.
     Stretched,
+    /// x of the opposite sign.
+    Mirrored,
     /// Every other curve that the feature names is the first one.
     Merged,
     /// The curves that the feature names, in the opposite order.
@@ -23,7 +25,8 @@ pub enum Mutation {
 
 impl Mutation {
     /// All of them.
-    pub const ALL: [Self; 7] = [Self::Scaled, Self::Negated, Self::Flipped, Self::Flat, Self::Stretched, Self::Merged, Self::Swapped];
+    pub const ALL: [Self; 8] =
+        [Self::Scaled, Self::Negated, Self::Flipped, Self::Flat, Self::Stretched, Self::Mirrored, Self::Merged, Self::Swapped];
 
     /// Its word in tables.
     #[must_use]
@@ -34,6 +37,7 @@ impl Mutation {
             Self::Flipped => "flipped",
             Self::Flat => "flat",
             Self::Stretched => "stretched",
+            Self::Mirrored => "mirrored",
             Self::Merged => "merged",
             Self::Swapped => "swapped",
         }
@@ -53,7 +57,7 @@ impl Mutation {
         let solved = first.solved();
         let (low, high) = solved.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, y)| (low.min(*y), high.max(*y)));
         match self {
-            Self::Scaled => change(&|x, y| (x, 1.5 * y)),
+            Self::Scaled => change(&|x, y| (x, 3.0 * y)),
             Self::Negated => change(&|x, y| (x, -y)),
             Self::Flipped => change(&|x, y| (x, low + (high - y))),
             Self::Flat => {
@@ -61,6 +65,7 @@ impl Mutation {
                 change(&|x, y| (x, if y.is_finite() { level } else { y }));
             }
             Self::Stretched => change(&|x, y| (3.0 * x, y)),
+            Self::Mirrored => change(&|x, y| (-x, y)),
             Self::Merged => {
                 for own in mutated.iter_mut().skip(1) {
                     own.points.clone_from(&first.points);

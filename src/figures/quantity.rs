@@ -44,7 +44,11 @@ impl Quantity {
     pub(super) fn columns(&self) -> Vec<&str> {
         match self {
             Self::Column(name) => vec![name],
-            Self::Form(form) => std::iter::once(form.column.as_str()).chain(form.per.as_deref()).chain(form.by.as_deref()).chain(form.minus.iter().map(String::as_str)).collect(),
+            Self::Form(form) => std::iter::once(form.column.as_str())
+                .chain(form.per.as_deref())
+                .chain(form.by.as_deref())
+                .chain(form.minus.iter().map(String::as_str))
+                .collect(),
         }
     }
 

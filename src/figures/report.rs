@@ -61,7 +61,8 @@ impl Report {
     /// The table: figure, passed, not confirmed, failed, seconds; then every feature that failed.
     #[must_use]
     pub fn table(&self) -> String {
-        let mut text = format!("{:<8} {:>6} {:>8} {:>13} {:>6} {:>8}\n", "figure", "panels", "passed", "not confirmed", "failed", "seconds");
+        let mut text =
+            format!("{:<8} {:>6} {:>8} {:>13} {:>6} {:>8}\n", "figure", "panels", "passed", "not confirmed", "failed", "seconds");
         let line = |name: &str, panels: usize, [passed, open, failed]: [usize; 3], seconds: String| {
             format!("{name:<8} {panels:>6} {passed:>8} {open:>13} {failed:>6} {seconds:>8}\n")
         };
@@ -79,7 +80,10 @@ impl Report {
         for panel in self.figures.iter().flat_map(|figure| &figure.panels) {
             for feature in panel.features.iter().filter(|feature| feature.verdict == Verdict::Failed) {
                 let numbers = feature.measured.iter().map(|number| format!("{number:.6e}")).collect::<Vec<_>>().join(", ");
-                text.push_str(&format!("FAILED {}: {} (expected {}, measured {numbers}: {})\n", panel.id, feature.claim, feature.expected, feature.why));
+                text.push_str(&format!(
+                    "FAILED {}: {} (expected {}, measured {numbers}: {})\n",
+                    panel.id, feature.claim, feature.expected, feature.why
+                ));
             }
         }
         text

@@ -88,7 +88,11 @@ pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usi
         figures.push(figure_report(figure, panels, sources, &tables)?);
     }
     let whole = options.ids.is_empty() && !options.reduced;
-    let not_reproduced = if whole { manifest.not_reproduced().into_iter().map(|(id, reason)| (id.to_owned(), reason.to_owned())).collect() } else { Vec::new() };
+    let not_reproduced = if whole {
+        manifest.not_reproduced().into_iter().map(|(id, reason)| (id.to_owned(), reason.to_owned())).collect()
+    } else {
+        Vec::new()
+    };
     let report = Report { figures, not_reproduced, program };
     if let Some(out) = &options.out {
         draw::write(&report, out)?;

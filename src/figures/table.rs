@@ -44,14 +44,19 @@ impl Table {
         let mut table = Self::default();
         for row in &outcome.rows {
             if !row.status.has_values() {
-                let swept: Vec<String> = outcome.swept.iter().zip(&row.swept).map(|(swept, value)| format!("{} = {value}", swept.key)).collect();
+                let swept: Vec<String> =
+                    outcome.swept.iter().zip(&row.swept).map(|(swept, value)| format!("{} = {value}", swept.key)).collect();
                 table.remarks.push(format!("{} {}: {}", row.label(0), swept.join(", "), row.reason.as_deref().unwrap_or("no value")));
             }
             if fields {
                 for point in &row.fields {
                     table.push_row(outcome, row);
                     for (index, column) in outcome.field_columns.iter().enumerate() {
-                        let estimate = if index == 0 { Some((point.place, 0.0)) } else { point.values.get(index - 1).map(|value| (value.value, value.error)) };
+                        let estimate = if index == 0 {
+                            Some((point.place, 0.0))
+                        } else {
+                            point.values.get(index - 1).map(|value| (value.value, value.error))
+                        };
                         table.put(column.name, estimate);
                     }
                     table.rows += 1;

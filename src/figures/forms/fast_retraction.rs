@@ -23,7 +23,7 @@ pub(in crate::figures) struct FastRetraction {
     stiffening_ratio: f64,
     /// Δ_B of each retraction.
     starts: Vec<f64>,
-    /// Points of each after the contact lets go.
+    /// Points of each before and after the contact lets go.
     points: usize,
 }
 
@@ -40,7 +40,11 @@ impl FastRetraction {
             let force = |a: f64| 4.0 / 3.0 * a.powi(3) - 2.0 * (2.0 * PI * beta * work).sqrt() * a * a.sqrt();
             // Under a held penetration it lets go where the penetration turns, dΔ/da = 0.
             let turn = (PI * work * beta / 8.0).cbrt().min(first);
-            let mut path = vec![(relaxed.penetration, relaxed.force, first)];
+            let straight = spaced([0.0, 1.0], self.points, false).into_iter().map(|part| {
+                let on = |from: f64, to: f64| from + (to - from) * part;
+                (on(relaxed.penetration, penetration(first)), on(relaxed.force, force(first)), first)
+            });
+            let mut path: Vec<(f64, f64, f64)> = straight.collect();
             path.extend(spaced([first, turn], self.points, false).into_iter().map(|a| (penetration(a), force(a), a)));
             let largest = path.iter().fold(0.0, |most: f64, (_, force, _)| most.max(-force));
             // Between the points the largest tension is at a³ = πβΔγ·9/8, where that is inside the contact.

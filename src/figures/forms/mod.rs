@@ -6,6 +6,7 @@ mod green;
 mod jkr;
 mod johnson_wave;
 mod line;
+mod sphere_oscillation;
 mod sphere_release;
 
 use super::table::Table;
@@ -22,6 +23,7 @@ pub(super) enum Form {
     JohnsonWave(johnson_wave::JohnsonCurve),
     FastRetraction(fast_retraction::FastRetraction),
     Line(line::Line),
+    SphereOscillation(sphere_oscillation::SphereOscillation),
     SphereRelease(sphere_release::SphereRelease),
 }
 
@@ -34,6 +36,7 @@ impl Form {
             Self::JohnsonWave(form) => form.table(),
             Self::FastRetraction(form) => form.table(),
             Self::Line(form) => form.table(),
+            Self::SphereOscillation(form) => form.table(),
             Self::SphereRelease(form) => form.table(),
         }
     }
