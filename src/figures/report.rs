@@ -72,7 +72,8 @@ impl Report {
             text.push_str(&line(&figure.id, figure.panels.len(), VERDICTS.map(|verdict| figure.count(verdict)), seconds));
         }
         let panels = self.figures.iter().map(|figure| figure.panels.len()).sum();
-        let seconds = self.figures.iter().filter(|figure| figure.fresh).map(|figure| figure.seconds).sum::<f64>();
+        let seconds =
+            self.figures.iter().filter(|figure| figure.fresh).map(|figure| figure.seconds).fold(0.0, |sum, seconds| sum + seconds);
         text.push_str(&line("all", panels, VERDICTS.map(|verdict| self.count(verdict)), format!("{seconds:.2}")));
         for (id, reason) in &self.not_reproduced {
             text.push_str(&format!("{id:<8} not reproduced: {reason}\n"));
