@@ -191,7 +191,7 @@ fn what_was_computed_is_kept_and_what_changed_is_not() {
 #[test]
 fn the_command_names_what_is_not_there_and_fails_with_a_feature() {
     let command = |arguments: &[&str]| {
-        let output = assert_cmd::Command::cargo_bin("viscotack").unwrap().args(arguments).output().unwrap();
+        let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_viscotack")).args(arguments).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr))
     };
     let (code, text) = command(&["figures", "3.99"]);
