@@ -48,7 +48,7 @@ pub(super) fn curves(
     let (x, y) = (entry.x.as_ref().unwrap_or(x), entry.y.as_ref().unwrap_or(y));
     let named = entry.each.iter().chain(&entry.solid_where).chain(&entry.until_largest).chain(&entry.from_largest).map(String::as_str);
     let columns: Vec<&str> = x.columns().into_iter().chain(y.columns()).chain(named).collect();
-    for name in columns.into_iter().filter(|name| !table.numbers.contains_key(*name)) {
+    if let Some(name) = columns.into_iter().find(|name| !table.numbers.contains_key(*name)) {
         return Err(unknown(place, name, table));
     }
     if let Some(name) = entry.when.keys().find(|name| !table.numbers.contains_key(*name) && !table.words.contains_key(*name)) {

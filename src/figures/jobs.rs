@@ -17,7 +17,7 @@ pub(super) struct Computed {
 /// What stopped it.
 #[derive(Debug)]
 pub(super) enum JobError {
-    Source(String, SourceError),
+    Source(String, Box<SourceError>),
     Store(std::io::Error),
 }
 
@@ -50,7 +50,7 @@ pub(super) fn tables(
                 Ok(pool) => pool.install(|| source.compute()),
                 Err(_) => source.compute(),
             };
-            let result = computed.map_err(|error| JobError::Source(source.place.clone(), error)).and_then(|table| {
+            let result = computed.map_err(|error| JobError::Source(source.place.clone(), Box::new(error))).and_then(|table| {
                 if let Some(store) = store {
                     store.keep(&source.key, &table).map_err(JobError::Store)?;
                 }

@@ -46,7 +46,7 @@ pub enum FiguresError {
         /// Figure and source.
         place: String,
         /// Why.
-        error: SourceError,
+        error: Box<SourceError>,
     },
     /// A file cannot be written.
     #[error("{0}")]
