@@ -31,7 +31,7 @@ pub(in crate::figures) struct SphereOscillation {
     amplitude: f64,
     /// ωρ at the start and at the end; none: no oscillation.
     frequencies: Option<[f64; 2]>,
-    /// Of one march, as of [`march`]: a tenth of it moves no number of the figure by more than the tolerance of its features.
+    /// Of one march, as of [`march`]; no second march judges it.
     tolerance: f64,
 }
 
