@@ -46,6 +46,8 @@ fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
     assert_free_of(&["scene"], &["crate::plan", "crate::outcome", "crate::cli"]);
     assert_free_of(&["outcome"], &["crate::plan", "crate::cli", "crate::scene"]);
     assert_free_of(&["plan"], &["crate::cli"]);
+    assert_free_of(&["scene", "plan", "outcome"], &["crate::figures"]);
+    assert_free_of(&["figures"], &["crate::cli"]);
 }
 
 #[test]
@@ -63,6 +65,7 @@ fn no_plan_picks_a_rival() {
             "scene",
             "plan",
             "outcome",
+            "figures",
             "cli",
         ],
         &["crate::rivals"],
