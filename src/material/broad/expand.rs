@@ -88,7 +88,12 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     }
     let terms: Vec<RelaxationTerm> =
         best.terms().iter().map(|&(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
-    Ok(Expansion { material: Material::from_relaxation(law.relaxed_modulus, &terms)?, error, terms_by_rate: by_rate, met: error <= accuracy })
+    Ok(Expansion {
+        material: Material::from_relaxation(law.relaxed_modulus, &terms)?,
+        error,
+        terms_by_rate: by_rate,
+        met: error <= accuracy,
+    })
 }
 
 /// E(ω) at log-spaced frequencies, and both limits.

@@ -32,10 +32,7 @@ impl Band {
         let gradient = self.series.jacobian(&place, self.window);
         let scatter = self.spread.as_ref().map_or(f64::INFINITY, |spread| {
             let columns = gradient.ncols();
-            (0..columns)
-                .map(|j| (0..=j).map(|k| gradient[(0, k)] * spread[(k, j)]).sum::<f64>().powi(2))
-                .sum::<f64>()
-                .sqrt()
+            (0..columns).map(|j| (0..=j).map(|k| gradient[(0, k)] * spread[(k, j)]).sum::<f64>().powi(2)).sum::<f64>().sqrt()
         });
         let [observation] = &place;
         let bias = self.series.value(observation) - self.best.value(observation);

@@ -88,6 +88,9 @@ fn slope(points: &[(f64, f64)], at: f64) -> Option<f64> {
 pub fn widest_gap(data: &[Observation]) -> Option<[f64; 2]> {
     let mut places: Vec<f64> = data.iter().map(|one| one.at).collect();
     places.sort_by(f64::total_cmp);
-    let widest = places.windows(2).filter_map(|pair| <[f64; 2]>::try_from(pair).ok()).max_by(|left, right| (left[1] / left[0]).total_cmp(&(right[1] / right[0])))?;
+    let widest = places
+        .windows(2)
+        .filter_map(|pair| <[f64; 2]>::try_from(pair).ok())
+        .max_by(|left, right| (left[1] / left[0]).total_cmp(&(right[1] / right[0])))?;
     (widest[1] / widest[0] > 10.0).then_some(widest)
 }

@@ -14,6 +14,7 @@ mod choose;
 pub mod consistency;
 mod least_squares;
 mod observation;
+pub mod overlap;
 mod series;
 mod shape;
 

@@ -14,7 +14,8 @@ pub(super) struct Series {
 
 impl Series {
     pub(super) fn value(&self, observation: &Observation) -> f64 {
-        let terms: f64 = self.terms.iter().map(|&(strength, time)| strength * observation.quantity.kernel(observation.argument(time)).0).sum();
+        let terms: f64 =
+            self.terms.iter().map(|&(strength, time)| strength * observation.quantity.kernel(observation.argument(time)).0).sum();
         self.constant * observation.quantity.constant() + terms
     }
 

@@ -75,8 +75,7 @@ fn cubic(points: &[(f64, f64)], place: f64) -> (f64, f64) {
     let first = (place.floor() as usize).saturating_sub(1).min(points.len() - width);
     let mut sum = (0.0, 0.0);
     for (i, point) in points.iter().enumerate().skip(first).take(width) {
-        let weight: f64 =
-            (first..first + width).filter(|&j| j != i).map(|j| (place - j as f64) / (i as f64 - j as f64)).product();
+        let weight: f64 = (first..first + width).filter(|&j| j != i).map(|j| (place - j as f64) / (i as f64 - j as f64)).product();
         sum = (sum.0 + weight * point.0, sum.1 + weight * point.1);
     }
     sum
