@@ -64,6 +64,19 @@ pub fn fields(outcome: &Outcome) -> Result<Option<Vec<u8>>, csv::Error> {
     finished(writer).map(Some)
 }
 
+/// A table of plain numbers: names and units of the columns, then the rows; empty cells where there is no number.
+///
+/// # Errors
+/// Only what the CSV writer itself reports.
+pub fn plain(columns: &[(&str, &str)], rows: &[Vec<Option<f64>>]) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(columns.iter().map(|(name, unit)| headed(name, unit)))?;
+    for row in rows {
+        writer.write_record(row.iter().map(|cell| cell.map_or_else(String::new, number)))?;
+    }
+    finished(writer)
+}
+
 fn finished(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| csv::Error::from(std::io::Error::other(error.to_string())))
 }

@@ -10,6 +10,7 @@ pub mod citations;
 mod curves;
 mod delayed_fracture;
 mod indentation;
+pub mod material;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -19,7 +20,7 @@ pub use run::{Progress, RunError, journal_header, run};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
 use crate::refusal::Refusal;
 use crate::scene::sweep;
-use crate::scene::typed::{Problem, Scene};
+use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use indentation::IndentationPlan;
@@ -64,6 +65,7 @@ trait ProblemPlan: Debug + Send + Sync {
 #[derive(Debug, Clone)]
 pub struct Plan {
     problem: Arc<dyn ProblemPlan>,
+    material: SceneMaterial,
     states: usize,
 }
 
@@ -79,7 +81,7 @@ impl Plan {
             Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
             Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
         };
-        Ok(Self { problem, states: sweep::states(&scene.sweeps) })
+        Ok(Self { problem, material: scene.material.clone(), states: sweep::states(&scene.sweeps) })
     }
 
     /// The problem's name.
@@ -97,7 +99,9 @@ impl Plan {
     /// Effects on and off, and why.
     #[must_use]
     pub fn effects(&self) -> Vec<Effect> {
-        self.problem.effects()
+        let mut effects = self.problem.effects();
+        effects.extend(material::effects(&self.material));
+        effects
     }
 
     /// The method, a sentence each.
@@ -151,7 +155,9 @@ impl Plan {
     /// The model's assumptions held against the rows.
     #[must_use]
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.problem.validity(rows)
+        let mut validity = self.problem.validity(rows);
+        validity.extend(material::validity(&self.material));
+        validity
     }
 
     /// Plots of the rows, by file stem.

@@ -279,7 +279,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, String> {
 }
 
 /// A text as a TOML basic string.
-fn toml_text(text: &str) -> String {
+pub(crate) fn toml_text(text: &str) -> String {
     let mut quoted = String::from("\"");
     for character in text.chars() {
         match character {

@@ -39,10 +39,18 @@ const DEFAULT_FIELD_POINTS: f64 = 200.0;
 /// # Errors
 /// A file that cannot be read, or a key that is given twice.
 pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
-    include::resolve(document)?;
-    material_table::resolve(document)?;
+    resolve_material(document)?;
     speed_table::resolve(document)?;
     measured_table::resolve(document)
+}
+
+/// Replaces a material file by its content and reads what the material names: all that [`read_material`] needs.
+///
+/// # Errors
+/// A file that cannot be read, or a key that is given twice.
+pub fn resolve_material(document: &mut Document) -> Result<(), SceneError> {
+    include::resolve(document)?;
+    material_table::resolve(document)
 }
 
 /// States of a sweep that are tried before a scene is called wrong.
