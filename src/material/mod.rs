@@ -22,6 +22,7 @@
 pub mod broad;
 mod complex_modulus;
 pub mod conversion;
+pub mod felt;
 pub mod fit;
 mod running_mean;
 pub mod shift;

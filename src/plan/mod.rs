@@ -43,6 +43,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn groups(&self) -> Vec<Group>;
     /// Predicted work of the whole sweep of so many states.
     fn predicted_work(&self, states: u64) -> Work;
+    /// The times (from, to) that the state visits, if they are known before it is solved: 0 and ∞ are open ends.
+    fn visited_times(&self) -> Option<[f64; 2]> {
+        None
+    }
     /// The columns of the result.
     fn columns(&self) -> Vec<Column>;
     /// The columns that a table on the screen has room for; none: the first ones.
@@ -61,11 +65,24 @@ trait ProblemPlan: Debug + Send + Sync {
     fn citations(&self) -> Vec<&'static Citation>;
 }
 
+/// The plan of a scene's problem.
+fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
+    Ok(match &scene.problem {
+        Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
+        Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
+        Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+    })
+}
+
 /// What will be done about a scene.
 #[derive(Debug, Clone)]
 pub struct Plan {
     problem: Arc<dyn ProblemPlan>,
     material: SceneMaterial,
+    unfelt: Option<material::Unfelt>,
+    /// Predicted work with all terms, and without the unfelt ones.
+    saved: Option<[Work; 2]>,
     states: usize,
 }
 
@@ -75,13 +92,18 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let problem: Arc<dyn ProblemPlan> = match &scene.problem {
-            Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
-            Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
-            Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
-            Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        let full = problem_plan(scene)?;
+        let states = sweep::states(&scene.sweeps);
+        let unfelt = material::Unfelt::new(scene, full.visited_times())?;
+        let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
+            Some(shorter) => {
+                let problem = problem_plan(&shorter)?;
+                let saved = [full.predicted_work(states as u64), problem.predicted_work(states as u64)];
+                (problem, Some(saved))
+            }
+            None => (full, None),
         };
-        Ok(Self { problem, material: scene.material.clone(), states: sweep::states(&scene.sweeps) })
+        Ok(Self { problem, material: scene.material.clone(), unfelt, saved, states })
     }
 
     /// The problem's name.
@@ -101,6 +123,7 @@ impl Plan {
     pub fn effects(&self) -> Vec<Effect> {
         let mut effects = self.problem.effects();
         effects.extend(material::effects(&self.material));
+        effects.extend(self.unfelt.as_ref().map(|unfelt| unfelt.effect(self.saved)));
         effects
     }
 
@@ -149,7 +172,11 @@ impl Plan {
     /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.problem.solve(state, swept)
+        let mut rows = self.problem.solve(state, swept);
+        if let Some(unfelt) = &self.unfelt {
+            unfelt.widen(&mut rows);
+        }
+        rows
     }
 
     /// The model's assumptions held against the rows.

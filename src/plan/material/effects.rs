@@ -35,7 +35,7 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
     if let Some(climate) = &material.climate {
         effects.push(Effect {
             name: "temperature",
-            on: climate.factor.to_bits() != 1.0_f64.to_bits(),
+            on: true,
             why: format!(
                 "at {:.2} K every time is multiplied by a_T = {:.4e}; reference {:.2} K",
                 climate.temperature, climate.factor, climate.reference

@@ -5,6 +5,7 @@ mod figures;
 mod file;
 mod screen;
 mod tables;
+mod unfelt;
 
 pub use file::material_file;
 pub use screen::{screen, summary};
@@ -16,6 +17,7 @@ use crate::outcome::plot::Figure;
 use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
 
 pub(super) use effects::{effects, validity};
+pub(super) use unfelt::Unfelt;
 
 /// A material to report on.
 #[derive(Debug, Clone)]

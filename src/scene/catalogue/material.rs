@@ -153,6 +153,11 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "α, below 1.",
     },
     Key { path: "material.fractional_zener.time", kind: TIME, meaning: "τ." },
+    Key {
+        path: "material.leave_out",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::NonNegative, reduced: "1" },
+        meaning: "Terms far slower or faster than all times that the scene visits are left out, their sums kept, as long as no result changes by more than this part of itself; 0 keeps all. Default: a twentieth of the accuracy for data and laws, 0 for given terms.",
+    },
     Key { path: "material.expansion", kind: Kind::Table, meaning: "How a law is expanded into terms." },
     Key {
         path: "material.expansion.accuracy",
