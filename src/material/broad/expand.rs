@@ -23,13 +23,15 @@ pub struct Expansion {
     pub met: bool,
 }
 
+/// Part of the accuracy below which a term does not count.
+const WEAK: f64 = 0.01;
 /// Frequencies a decade in the fit.
 const PER_DECADE: f64 = 7.0;
 /// Most terms.
 const MOST_TERMS: usize = 200;
 /// Steps of a refinement, and how often weights are raised.
 const STEPS: usize = 60;
-const RAISED: usize = 4;
+const RAISED: usize = 3;
 /// Cells beyond each end of the range, and how they grow.
 const END_CELLS: usize = 8;
 const END_GROWTH: f64 = 1.4;
@@ -85,6 +87,27 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
                 (best, error) = (shape, reached);
             }
         }
+    }
+    // Where the spectrum is weak, two neighbours may be one.
+    while error <= accuracy && best.count() > 1 {
+        let shape = minimax(
+            &best.weakest_joined(|time| law.complex_modulus(1.0 / time).map_or(f64::INFINITY, |modulus| modulus.magnitude())),
+            &data,
+            window,
+            accuracy,
+        );
+        let reached = largest_error(&shape, &test);
+        if reached > accuracy {
+            break;
+        }
+        (best, error) = (shape, reached);
+    }
+    // Terms far weaker than the accuracy at their own frequency are nothing but work.
+    let stronger = best
+        .without(|strength, time| law.complex_modulus(1.0 / time).is_ok_and(|modulus| strength < WEAK * accuracy * modulus.magnitude()));
+    let reached = largest_error(&stronger, &test);
+    if reached <= error.max(accuracy) {
+        (best, error) = (stronger, reached);
     }
     let terms: Vec<RelaxationTerm> =
         best.terms().iter().map(|&(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
@@ -165,7 +188,7 @@ fn minimax(start: &SeriesShape, data: &[Observation], window: [f64; 2], accuracy
     let mut current = best.clone();
     for _ in 0..RAISED {
         // Far off, weights do not help; near enough, they are not needed.
-        if reached <= accuracy || reached > 6.0 * accuracy {
+        if reached <= accuracy || reached > 3.0 * accuracy {
             break;
         }
         let errors = current.complex_errors(data);

@@ -44,6 +44,8 @@ const BEYOND: f64 = 3.0;
 const LEAST_DATA: usize = 3;
 /// Double precision ends here: smaller residuals say nothing.
 const ROUNDING: f64 = 1e-14;
+/// A further term is worth its while if it lowers the misfit by this part: of noise, a thousandth is nothing.
+const WORTH: f64 = 1e-3;
 /// Most terms of a series.
 const MOST_TERMS: usize = 120;
 
@@ -150,12 +152,14 @@ pub(super) fn best_fit(data: &[Observation], window: [f64; 2]) -> Series {
         let Some(time) = steepest(&series, data, &fine) else { break };
         let mut times: Vec<f64> = series.terms.iter().map(|term| term.1).collect();
         times.push(time);
-        let trial = joined_close(&Series::at_times(&times, data)).refined(data, window, 60);
+        let trial = joined_close(&Series::at_times(&times, data)).refined(data, window, 30);
         let reached = trial.misfit(data);
-        if reached >= misfit * (1.0 - 1e-4) {
+        if reached < misfit {
+            series = trial;
+        }
+        if reached > misfit * (1.0 - WORTH) {
             break;
         }
-        series = trial;
     }
     series
 }
@@ -204,7 +208,7 @@ fn join(series: &Series, ratio: f64) -> Series {
 }
 
 /// One term with the strength of two, at the mean of the logarithms of their times.
-fn one_of_two(left: (f64, f64), right: (f64, f64)) -> (f64, f64) {
+pub(super) fn one_of_two(left: (f64, f64), right: (f64, f64)) -> (f64, f64) {
     let strength = left.0 + right.0;
     (strength, left.1 * (right.1 / left.1).powf(right.0 / strength))
 }

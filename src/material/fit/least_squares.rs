@@ -18,8 +18,17 @@ pub(super) fn free(matrix: &Mat<f64>, right: &[f64]) -> Option<Vec<f64>> {
         return None;
     }
     let column = Mat::from_fn(right.len(), 1, |row, _| right[row]);
-    let solution = matrix.col_piv_qr().solve_lstsq(&column);
-    let answer: Vec<f64> = (0..matrix.ncols()).map(|row| solution[(row, 0)]).collect();
+    finite(&matrix.col_piv_qr().solve_lstsq(&column), matrix.ncols())
+}
+
+/// The same without pivoting: for columns that are independent by their making, as damped ones are.
+pub(super) fn damped(matrix: &Mat<f64>, right: &[f64]) -> Option<Vec<f64>> {
+    let column = Mat::from_fn(right.len(), 1, |row, _| right[row]);
+    finite(&matrix.qr().solve_lstsq(&column), matrix.ncols())
+}
+
+fn finite(solution: &Mat<f64>, rows: usize) -> Option<Vec<f64>> {
+    let answer: Vec<f64> = (0..rows).map(|row| solution[(row, 0)]).collect();
     answer.iter().all(|value| value.is_finite()).then_some(answer)
 }
 

@@ -118,7 +118,7 @@ impl Series {
                     }
                 });
                 let right: Vec<f64> = (0..small + columns).map(|i| if i < small { -triangle[(i, columns)] } else { 0.0 }).collect();
-                let Some(step) = least_squares::free(&damped, &right) else { break };
+                let Some(step) = least_squares::damped(&damped, &right) else { break };
                 let trial = self.moved(&step, window);
                 let reached = trial.misfit(data);
                 if reached < misfit {
@@ -135,7 +135,8 @@ impl Series {
             let gained = (misfit - reached) / misfit;
             self = trial;
             misfit = reached;
-            if gained < 1e-9 {
+            // A descent this slow is at its end, or in a valley that leads nowhere.
+            if gained < 1e-6 {
                 break;
             }
         }

@@ -1,5 +1,6 @@
 //! A series of moduli without the promise to be a material: what expansions of laws refine and spread.
 
+use super::choose::one_of_two;
 use super::observation::{Observation, Quantity};
 use super::series::Series;
 
@@ -25,6 +26,25 @@ impl SeriesShape {
     #[must_use]
     pub fn count(&self) -> usize {
         self.0.terms.len()
+    }
+
+    /// The series without the terms of which a strength and a time say so.
+    #[must_use]
+    pub fn without(&self, leave: impl Fn(f64, f64) -> bool) -> Self {
+        Self::new(self.0.constant, self.0.terms.iter().copied().filter(|&(strength, time)| !leave(strength, time)).collect())
+    }
+
+    /// The series with the two neighbours in one that count least beside a modulus at their time.
+    #[must_use]
+    pub fn weakest_joined(&self, beside: impl Fn(f64) -> f64) -> Self {
+        let mut terms = self.0.terms.clone();
+        let counts = |pair: &[(f64, f64)]| pair.iter().map(|&(strength, time)| strength / beside(time)).sum::<f64>();
+        let weakest = terms.windows(2).map(counts).enumerate().min_by(|left, right| left.1.total_cmp(&right.1));
+        if let Some((index, _)) = weakest {
+            let one = one_of_two(terms[index], terms[index + 1]);
+            terms.splice(index..index + 2, [one]);
+        }
+        Self::new(self.0.constant, terms)
     }
 
     /// Strengths and times refined together.

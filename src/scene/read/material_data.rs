@@ -52,7 +52,7 @@ fn shifted(
             && let Some(reference) = reference
             && (only - reference).abs() > 0.5
         {
-            let message = format!("the data were measured at {only} K, and `material.reference_temperature` is {reference} K");
+            let message = format!("the data were measured at {only:.2} K, and `material.reference_temperature` is {reference:.2} K");
             return Err(table.wrong("reference_temperature", message, "give material.shift to go from one to the other"));
         }
         if temperatures.len() > 1 {
@@ -66,7 +66,7 @@ fn shifted(
     for row in &mut data.rows {
         let Some(temperature) = row.temperature else { continue };
         let factor = shift.factor(temperature).map_err(|refusal| {
-            table.wrong("shift", format!("no shift factor for {temperature} K, a temperature of the data: {refusal}"), "this shift")
+            table.wrong("shift", format!("no shift factor for {temperature:.2} K, a temperature of the data: {refusal}"), "this shift")
         })?;
         row.at *= if data.sort == MeasuredSort::Moduli { factor } else { 1.0 / factor };
     }
