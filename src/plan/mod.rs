@@ -80,6 +80,8 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
 pub struct Plan {
     problem: Arc<dyn ProblemPlan>,
     material: SceneMaterial,
+    /// The times that the state visits, if they are known.
+    visited: Option<[f64; 2]>,
     unfelt: Option<material::Unfelt>,
     /// Predicted work with all terms, and without the unfelt ones.
     saved: Option<[Work; 2]>,
@@ -94,7 +96,8 @@ impl Plan {
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
         let full = problem_plan(scene)?;
         let states = sweep::states(&scene.sweeps);
-        let unfelt = material::Unfelt::new(scene, full.visited_times())?;
+        let visited = full.visited_times();
+        let unfelt = material::Unfelt::new(scene, visited)?;
         let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
             Some(shorter) => {
                 let problem = problem_plan(&shorter)?;
@@ -103,7 +106,7 @@ impl Plan {
             }
             None => (full, None),
         };
-        Ok(Self { problem, material: scene.material.clone(), unfelt, saved, states })
+        Ok(Self { problem, material: scene.material.clone(), visited, unfelt, saved, states })
     }
 
     /// The problem's name.
@@ -183,7 +186,7 @@ impl Plan {
     #[must_use]
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
         let mut validity = self.problem.validity(rows);
-        validity.extend(material::validity(&self.material));
+        validity.extend(material::validity(&self.material, self.visited));
         validity
     }
 

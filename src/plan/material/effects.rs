@@ -46,7 +46,7 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
 }
 
 /// What is doubtful about the material.
-pub(in crate::plan) fn validity(material: &SceneMaterial) -> Vec<Validity> {
+pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 2]>) -> Vec<Validity> {
     let caution =
         |name: &str, value: Option<f64>, meaning: String| Validity { name: name.into(), value, verdict: Verdict::Caution, meaning };
     match &material.origin {
@@ -61,11 +61,26 @@ pub(in crate::plan) fn validity(material: &SceneMaterial) -> Vec<Validity> {
             entries.extend(fitted.warnings.iter().map(|warning| caution("material data", None, warning.clone())));
             entries
         }
-        MaterialOrigin::Law(law) => vec![Validity {
-            name: "expansion of the material".into(),
-            value: Some(law.expansion.error),
-            verdict: if law.expansion.met { Verdict::Good } else { Verdict::Caution },
-            meaning: format!("largest relative error of the complex modulus; wanted {:.0e}", law.accuracy),
-        }],
+        MaterialOrigin::Law(law) => {
+            let mut entries = vec![Validity {
+                name: "expansion of the material".into(),
+                value: Some(law.expansion.error),
+                verdict: if law.expansion.met { Verdict::Good } else { Verdict::Caution },
+                meaning: format!("largest relative error of the complex modulus; wanted {:.0e}", law.accuracy),
+            }];
+            // The temperature moves the range with the material; an open end is kept by both limits of the law.
+            let factor = material.climate.as_ref().map_or(1.0, |climate| climate.factor);
+            let [fastest, slowest] = [factor / law.range[1], factor / law.range[0]];
+            if let Some([from, to]) = visited.filter(|[from, to]| (*from > 0.0 && *from < fastest) || (to.is_finite() && *to > slowest)) {
+                entries.push(caution(
+                    "range of the expansion",
+                    None,
+                    format!(
+                        "times from {from:.1e} to {to:.1e} are visited, and the law is expanded from {fastest:.1e} to {slowest:.1e}: widen material.expansion"
+                    ),
+                ));
+            }
+            entries
+        }
     }
 }
