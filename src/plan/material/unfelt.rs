@@ -56,7 +56,15 @@ impl Unfelt {
             (Some(felt), Some(_)) => {
                 let parts = [(felt.slow, "slow"), (felt.fast, "fast")];
                 let left: Vec<String> = parts.iter().filter(|part| part.0 > 0).map(|(count, which)| format!("{count} {which}")).collect();
-                let saving = saved.map_or_else(String::new, |[all, fewer]| format!("; predicted work {fewer} instead of {all}"));
+                let carried = self.terms.saturating_sub(felt.slow + felt.fast);
+                let saving = match saved {
+                    Some([all, fewer]) if all.linear_solves == 0 => {
+                        format!("; predicted {} kernel evaluations instead of {}", fewer.kernel_evaluations, all.kernel_evaluations)
+                    }
+                    // A contact with given edges has two unknowns a term, and two.
+                    Some(_) => format!("; each linear system has {} unknowns instead of {}", 2 * carried + 2, 2 * self.terms + 2),
+                    None => String::new(),
+                };
                 format!(
                     "{over}: {} of {} terms left out, their sums kept; a result changes by less than {:.0e} of itself{saving}",
                     left.join(" and "),
