@@ -137,7 +137,7 @@ fn data_give_the_results_of_the_terms_they_were_made_of() {
     // And the material file that the command writes gives them, too, with its shift factors.
     let out = folder.call(&["material", "scene.toml", "--out", "out"]);
     out.ended(0);
-    folder.write("mat.toml", &scene(&data, ""));
+    folder.write("mat.toml", scene(&data, ""));
     folder.call(&["material", "mat.toml", "--out", "fitted"]).ended(0);
     let file = "file = \"fitted/material.toml\"\ntemperature = \"35 °C\"\n";
     let (by_file, by_data) = (

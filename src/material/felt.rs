@@ -37,7 +37,7 @@ pub struct Felt {
 /// Only those of making a material.
 pub fn felt(material: &Material, visited: [f64; 2], granted: f64) -> Result<Option<Felt>, Refusal> {
     let terms = pairs(material);
-    if material.steady_viscosity.is_some() || terms.len() < 3 || !(granted > 0.0) {
+    if material.steady_viscosity.is_some() || terms.len() < 3 || granted.is_nan() || granted <= 0.0 {
         return Ok(None);
     }
     let total: f64 = terms.iter().map(|term| term.0).sum();
