@@ -16,6 +16,8 @@ use crate::refusal::Refusal;
 const GRANTED: f64 = 10.0;
 /// Samples a decade.
 const PER_DECADE: f64 = 6.0;
+/// Most samples: over more decades than these take, nothing is put together.
+const MOST_SAMPLES: f64 = 1000.0;
 
 /// A material with fewer terms that a problem cannot tell from the full one.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,6 +127,10 @@ fn change(full: &Material, fewer: &Material, visited: [f64; 2], [slow, fast]: [b
         (10.0 * slowest).max(if visited[1].is_finite() { visited[1] } else { 0.0 })
     };
     let steps = ((high / low).log10() * PER_DECADE).ceil().max(1.0);
+    // Numbers so far apart that they overflow: nothing is granted then.
+    if !steps.is_finite() || steps > MOST_SAMPLES {
+        return f64::INFINITY;
+    }
     let relative = |new: f64, old: f64| (new / old - 1.0).abs();
     let mut largest = 0.0_f64;
     for index in 0..=steps as usize {

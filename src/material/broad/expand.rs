@@ -27,6 +27,8 @@ pub struct Expansion {
 const WEAK: f64 = 0.01;
 /// Frequencies a decade in the fit.
 const PER_DECADE: f64 = 7.0;
+/// Longest range: 40 decades.
+const MOST_LENGTH: f64 = 92.2;
 /// Most terms.
 const MOST_TERMS: usize = 200;
 /// Steps of a refinement, and how often weights are raised.
@@ -46,8 +48,8 @@ const LIMITS: f64 = 0.01;
 /// [`Refusal::OutOfRange`] for a range or an accuracy (1e-10 to 0.5) that is none.
 pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansion, Refusal> {
     let [low, high] = [require_positive("the lowest frequency", range[0])?, require_positive("the highest frequency", range[1])?];
-    if high <= low {
-        return Err(Refusal::out_of_range("the highest frequency", high, "above the lowest frequency"));
+    if high <= low || (high / low).ln() > MOST_LENGTH {
+        return Err(Refusal::out_of_range("the highest frequency", high, "above the lowest frequency, by at most 40 decades"));
     }
     if !(1e-10..=0.5).contains(&accuracy) {
         return Err(Refusal::out_of_range("the accuracy of an expansion", accuracy, "from 1e-10 to 0.5"));

@@ -46,6 +46,8 @@ const LEAST_DATA: usize = 3;
 const ROUNDING: f64 = 1e-14;
 /// A further term is worth its while if it lowers the misfit by this part: of noise, a thousandth is nothing.
 const WORTH: f64 = 1e-3;
+/// Data over more decades than these are none: each decade is a number of columns.
+const MOST_DECADES: f64 = 61.0;
 /// Most terms of a series.
 const MOST_TERMS: usize = 120;
 
@@ -104,6 +106,10 @@ fn check(data: &[Observation], wanted: Wanted) -> Result<(), Refusal> {
     let undefined = |reason: &str| Err(Refusal::Undefined { quantity: "a fitted series", reason: reason.to_owned() });
     if data.len() < LEAST_DATA {
         return undefined("there are fewer than three data");
+    }
+    let [low, high] = window(data);
+    if !(high / low).is_finite() || (high / low).log10() > MOST_DECADES {
+        return undefined("the data span more than 60 decades of frequency or time: a shift factor or a unit is wrong");
     }
     if is_creep(data) && data.iter().any(|observation| observation.quantity != Quantity::Creep) {
         return undefined("creep and moduli are mixed: they are linear in different series");

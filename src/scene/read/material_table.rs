@@ -8,12 +8,13 @@
 //! Cells are separated by commas, semicolons or tabs. A unit stands in the header after the name, in (…) or […], or in a line of its own
 //! below the names, or in `material.columns` of the scene. Other columns are passed over.
 
+use super::material_columns::{Column, EXAMPLE, Role, column, stated_columns, word};
 use super::measured_table::{lines_of, written};
 use super::section::Section;
 use crate::scene::diagnostic::{Place, SceneError, SourceText, nearest};
 use crate::scene::document::{Document, Value, read_text};
 use crate::scene::typed::{MaterialData, MeasuredRow, MeasuredSort};
-use crate::scene::units::{Dimension, parse_quantity};
+use crate::scene::units::parse_quantity;
 
 /// Reads the files that the material of a document names.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
@@ -31,61 +32,6 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     }
     Ok(())
 }
-
-/// What a column holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Frequency,
-    AngularFrequency,
-    Time,
-    Temperature,
-    Storage,
-    Loss,
-    LossTangent,
-    Relaxation,
-    Creep,
-    Factor,
-    LogFactor,
-}
-
-/// Role, key in `material.columns`, dimension, and headers that mean it (small letters, without spaces and strokes).
-const ROLES: [(Role, &str, Dimension, &[&str]); 11] = [
-    (Role::Frequency, "frequency", Dimension::FREQUENCY, &["frequency", "freq", "f"]),
-    (Role::AngularFrequency, "angular_frequency", Dimension::FREQUENCY, &["angularfrequency", "angfrequency", "omega", "ω", "w"]),
-    (Role::Time, "time", Dimension::TIME, &["time", "t", "steptime"]),
-    (Role::Temperature, "temperature", Dimension::TEMPERATURE, &["temperature", "temp"]),
-    (
-        Role::Storage,
-        "storage_modulus",
-        Dimension::PRESSURE,
-        &["storagemodulus", "storage", "e'", "e′", "estor", "estorage", "g'", "g′", "gstor", "gstorage"],
-    ),
-    (Role::Loss, "loss_modulus", Dimension::PRESSURE, &["lossmodulus", "loss", "e''", "e″", "e\"", "eloss", "g''", "g″", "g\"", "gloss"]),
-    (Role::LossTangent, "loss_tangent", Dimension::NUMBER, &["losstangent", "tandelta", "tanδ", "tan(δ)", "tan(delta)", "lossfactor"]),
-    (Role::Relaxation, "relaxation_modulus", Dimension::PRESSURE, &["relaxationmodulus", "r", "e(t)", "erelax", "g(t)", "grelax"]),
-    (Role::Creep, "creep_compliance", Dimension::COMPLIANCE, &["creepcompliance", "compliance", "j", "j(t)", "d(t)"]),
-    (Role::Factor, "factor", Dimension::NUMBER, &["factor", "shiftfactor", "at"]),
-    (Role::LogFactor, "log10_factor", Dimension::NUMBER, &["log10factor", "log10at", "logat"]),
-];
-
-struct Column {
-    role: Role,
-    unit: String,
-    /// Shear moduli: their header begins with G.
-    shear: bool,
-    place: Place,
-}
-
-/// The word of a role in messages and in `material.columns`.
-fn word(role: Role) -> &'static str {
-    ROLES.iter().find(|entry| entry.0 == role).map_or("", |entry| entry.1)
-}
-
-fn dimension(role: Role) -> Dimension {
-    ROLES.iter().find(|entry| entry.0 == role).map_or(Dimension::NUMBER, |entry| entry.2)
-}
-
-const EXAMPLE: &str = "the header is such as: frequency (Hz), storage modulus (MPa), loss modulus (MPa); or time (s), relaxation modulus (MPa); or name the columns in [material.columns]";
 
 /// Rows of a table with the columns that have a role.
 struct Rows {
@@ -200,6 +146,10 @@ pub(super) fn material_data(table: &Section<'_>, document: &Document, poisson_ra
             "needs at least four below this line",
         ));
     }
+    if data.rows.len() > MOST_ROWS {
+        let message = format!("{file:?} has {} rows", data.rows.len());
+        return Err(SceneError::at(&header, message, format!("at most {MOST_ROWS}: leave every other one out")));
+    }
     data.warnings = oddities(&data);
     Ok(data)
 }
@@ -296,108 +246,6 @@ fn read(table: &Section<'_>, document: &Document, key: &str, file: &str) -> Resu
     Ok((Rows { columns: columns.into_iter().flatten().collect(), rows }, header))
 }
 
-/// Roles with their headers and units, as `material.columns` states them.
-fn stated_columns(table: &Section<'_>) -> Result<Vec<(Role, String, Option<String>)>, SceneError> {
-    let Some(columns) = table.table("columns") else { return Ok(Vec::new()) };
-    let mut stated: Vec<(Role, String, Option<String>)> = Vec::new();
-    for (role, key, ..) in ROLES {
-        if let Some(text) = columns.text(key) {
-            let (name, unit) = match text.rsplit_once(" in ") {
-                Some((name, unit)) => (name.trim().to_owned(), Some(unit.trim().to_owned())),
-                None => (text.trim().to_owned(), None),
-            };
-            if stated.iter().any(|other| other.1 == name) {
-                return Err(columns.wrong(
-                    key,
-                    format!("`{}` names a header that another key names, too", columns.full(key)),
-                    "one of the two",
-                ));
-            }
-            stated.push((role, name, unit));
-        }
-    }
-    Ok(stated)
-}
-
-/// A header's name and its unit.
-fn split(header: &str) -> (String, Option<String>) {
-    for (open, close) in [('(', ')'), ('[', ']')] {
-        if let Some((name, rest)) = header.rsplit_once(open)
-            && let Some(unit) = rest.trim_end().strip_suffix(close)
-            && !name.trim().is_empty()
-            && parse_quantity(&format!("1 {unit}")).is_ok()
-        {
-            return (name.trim().to_owned(), Some(unit.trim().to_owned()));
-        }
-    }
-    match header.rsplit_once(" / ") {
-        Some((name, unit)) => (name.trim().to_owned(), Some(unit.trim().to_owned())),
-        None => (header.trim().to_owned(), None),
-    }
-}
-
-/// What a column holds; none for one that has no role.
-fn column(place: &Place, unit_below: Option<String>, stated: &[(Role, String, Option<String>)]) -> Result<Option<Column>, SceneError> {
-    let text = written(place);
-    let (name, own_unit) = split(text);
-    let plain: String = name.to_lowercase().chars().filter(|c| !matches!(c, ' ' | '_' | '-')).collect();
-    let by_scene = stated.iter().find(|(_, header, _)| header == text || *header == name);
-    let by_name = || ROLES.iter().find(|entry| entry.3.contains(&plain.as_str())).map(|entry| entry.0);
-    let Some(mut role) = by_scene.map(|entry| entry.0).or_else(by_name) else { return Ok(None) };
-    // A role that the scene gives to another header is taken.
-    if by_scene.is_none() && stated.iter().any(|entry| entry.0 == role) {
-        return Ok(None);
-    }
-    let unit = by_scene.and_then(|entry| entry.2.clone()).or(own_unit).or(unit_below).unwrap_or_default();
-    let quantity = parse_quantity(&format!("1 {unit}"))
-        .map_err(|error| SceneError::at(place, format!("the unit of the column `{text}` cannot be read: {error}"), "here").help(EXAMPLE))?;
-    // `T` with a unit of temperature is no time.
-    if role == Role::Time && by_scene.is_none() && quantity.dimension.measures(Dimension::TEMPERATURE) {
-        role = Role::Temperature;
-    }
-    let wanted = dimension(role);
-    if unit.is_empty() && wanted != Dimension::NUMBER {
-        let message = format!("the column `{text}` has no unit");
-        return Err(SceneError::at(place, message, "here").help(format!(
-            "write it into the header, or into [material.columns]: {} = \"{text} in {}\"",
-            word(role),
-            if matches!(role, Role::Frequency) { "Hz".to_owned() } else { wanted.si_unit() }
-        )));
-    }
-    if !quantity.dimension.measures(wanted) {
-        let message = format!(
-            "the column `{text}` is taken as the {}, and has the wrong unit: it is measured in {}",
-            word(role).replace('_', " "),
-            quantity.dimension.si_unit()
-        );
-        return Err(SceneError::at(place, message, format!("must be {}", wanted.example())));
-    }
-    // Cycles or radians: the unit decides, and may not contradict the name.
-    let radians = unit.contains("rad");
-    let cycles = unit.contains("Hz");
-    match role {
-        Role::Frequency if radians => role = Role::AngularFrequency,
-        Role::AngularFrequency if cycles => {
-            return Err(SceneError::at(
-                place,
-                format!("the column `{text}` is an angular frequency in Hz"),
-                "rad/s, or a frequency in Hz?",
-            )
-            .help("name it frequency if it counts cycles; write rad/s if it counts radians"));
-        }
-        Role::Frequency if !cycles => {
-            return Err(SceneError::at(
-                place,
-                format!("the column `{text}` does not say whether it counts cycles or radians"),
-                "Hz or rad/s?",
-            ));
-        }
-        _ => {}
-    }
-    let shear = by_scene.is_none() && plain.starts_with('g');
-    Ok(Some(Column { role, unit, shear, place: place.clone() }))
-}
-
 /// The cells of a line, without spaces and quotation marks around them.
 fn cells(line: &Place, separator: char) -> Vec<Place> {
     let mut start = line.span.start;
@@ -428,6 +276,8 @@ fn number(cell: &Place, column: &Column) -> Result<f64, SceneError> {
     })
 }
 
+/// More rows than these are a recording, not a table.
+const MOST_ROWS: usize = 20_000;
 /// Moduli outside are no solid's: a unit is wrong.
 const USUAL_MODULI: [f64; 2] = [10.0, 1e12];
 /// Frequencies and times outside are no instrument's (a factor 2π and a few decades granted).

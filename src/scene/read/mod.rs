@@ -6,6 +6,7 @@ pub mod history;
 mod include;
 mod indentation;
 mod material;
+mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
 mod material_source;
