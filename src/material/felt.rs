@@ -7,7 +7,7 @@
 //! ```
 //! so that E0 and E∞ stay exactly, and what is left is of second order in the ratio of the times. The bound is not that order but a
 //! measurement: the largest relative change of E(ω), J, R and of their running means over the visited range and a decade beyond on both
-//! sides, times [`GRANTED`]. Every problem of this crate is determined by these functions over the times it visits.
+//! sides, times ten. Every problem of this crate is determined by these functions over the times it visits.
 
 use super::{CreepTerm, GivenSeries, Material, RelaxationTerm};
 use crate::refusal::Refusal;
