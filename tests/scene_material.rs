@@ -327,7 +327,8 @@ fn laws_run_and_unfelt_terms_change_results_within_the_bound() {
     for (problem, shortens) in [(CRACK, true), (SLIDING, true), (SPHERE, true), (DELAYED, false)] {
         let at = |leave_out: &str| scene(&format!("{law}leave_out = {leave_out}\n"), problem);
         let sphere = problem == SPHERE;
-        let sets: &[&str] = if sphere { &["accuracy=1e-2", "history.0.rate=\"10 mm/s\""] } else { &["accuracy=1e-4"] };
+        let sets: &[&str] =
+            if sphere { &["accuracy=1e-2", "history.0.rate=\"10 mm/s\"", "history.0.penetration=\"1.6 µm\""] } else { &["accuracy=1e-4"] };
         folder.write("scene.toml", at("1e-5"));
         let mut arguments = vec!["explain", "scene.toml", "--json"];
         for set in sets {
