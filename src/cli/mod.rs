@@ -5,6 +5,7 @@
 mod cite;
 mod explain;
 mod figures;
+mod material;
 mod new;
 mod run;
 mod scene_source;
@@ -67,6 +68,26 @@ enum Command {
         /// Another manifest of figures than the thesis's
         #[arg(long, value_name = "FILE")]
         manifest: Option<PathBuf>,
+    },
+    /// Fit or expand a material: table, curves, plots, and a material file that scenes include
+    Material {
+        /// A CSV file of measured data, or a TOML file with a [material] table
+        file: PathBuf,
+        /// Put a value into the material, as in --set material.reference_temperature='"20 °C"'; may be repeated
+        #[arg(long = "set", value_name = "KEY=VALUE")]
+        sets: Vec<String>,
+        /// Wanted relative error: of a fit its root mean square, of a law the largest
+        #[arg(long)]
+        accuracy: Option<String>,
+        /// Write material.toml, tables and plots to this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Replace the folder if it exists
+        #[arg(long, requires = "out")]
+        force: bool,
+        /// Print JSON instead of the table
+        #[arg(long)]
+        json: bool,
     },
     /// Print the JSON schema of a scene, for editors
     Schema,
@@ -134,6 +155,10 @@ pub fn main() -> ExitCode {
         Command::Explain { scene, json } => explain::explain(&scene, json),
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())
+        }
+        Command::Material { file, sets, accuracy, out, force, json } => {
+            let accuracy = accuracy.as_deref();
+            material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })
         }
         Command::Schema => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),

@@ -19,7 +19,7 @@ impl SceneSource {
         text.push_str(document.root.place.source.text());
         // Another material file is named before files are read, any other key is set after.
         let (files, others): (Vec<&String>, Vec<&String>) =
-            arguments.sets.iter().partition(|set| set.trim_start().starts_with("material.file"));
+            arguments.sets.iter().partition(|set| ["material.file", "material.data"].iter().any(|key| set.trim_start().starts_with(key)));
         for set in files {
             document.set(set)?;
         }

@@ -19,9 +19,13 @@
 //! The rates interlace, 0 < 1/τ_1 < 1/ρ_1 < 1/τ_2 < … (thesis Sec 2.1; Gross, 1953), so a relaxation time is always shorter than the
 //! retardation time it belongs to: for one term ρ = τ E0/E∞.
 
+pub mod broad;
 mod complex_modulus;
 pub mod conversion;
+pub mod felt;
+pub mod fit;
 mod running_mean;
+pub mod shift;
 mod time_functions;
 
 pub use complex_modulus::ComplexModulus;

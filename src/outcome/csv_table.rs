@@ -89,6 +89,16 @@ pub fn records(header: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, csv::Er
     finished(writer)
 }
 
+/// A table of plain numbers: names and units of the columns, then the rows; empty cells where there is no number.
+///
+/// # Errors
+/// Only what the CSV writer itself reports.
+pub fn plain(columns: &[(&str, &str)], rows: &[Vec<Option<f64>>]) -> Result<Vec<u8>, csv::Error> {
+    let header: Vec<String> = columns.iter().map(|(name, unit)| headed(name, unit)).collect();
+    let rows: Vec<Vec<Cell>> = rows.iter().map(|row| row.iter().map(|value| Cell::Number(*value)).collect()).collect();
+    records(&header, &rows)
+}
+
 fn finished(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| csv::Error::from(std::io::Error::other(error.to_string())))
 }

@@ -151,17 +151,42 @@ impl RunFolder {
             }
         }
         // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a spare file.
-        if force && target.exists() {
-            let aside = beside(&target, &format!(".replaced-{}", std::process::id()));
-            std::fs::rename(&target, &aside).map_err(io(&target))?;
-            std::fs::rename(&partial, &target).map_err(io(&target))?;
-            std::fs::remove_dir_all(&aside).map_err(io(&aside))?;
-        } else {
-            std::fs::rename(&partial, &target).map_err(io(&target))?;
-        }
+        moved(&partial, &target, force)?;
         drop(journal);
         let spare = target.join(JOURNAL);
         std::fs::remove_file(&spare).map_err(io(&spare))?;
         Ok(names)
+    }
+}
+
+/// Writes files that are all there already: beside the place of the folder, then moved there in one step.
+///
+/// # Errors
+/// A folder that exists (without `force`) or was not written by a run, or a file system that refuses.
+pub fn write_whole(target: &Path, force: bool, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
+    if target.exists() && !force {
+        return Err(FolderError::Exists(target.display().to_string()));
+    }
+    if target.exists() && !replaceable(target) {
+        return Err(FolderError::NotARun(target.display().to_string()));
+    }
+    let partial = beside(target, &format!(".partial-{}", std::process::id()));
+    std::fs::create_dir_all(&partial).map_err(io(&partial))?;
+    for (name, bytes) in files {
+        let path = partial.join(name);
+        std::fs::write(&path, bytes).map_err(io(&path))?;
+    }
+    moved(&partial, target, force)
+}
+
+/// Moves a finished folder to its place; one that is there steps aside first and is deleted last.
+fn moved(partial: &Path, target: &Path, force: bool) -> Result<(), FolderError> {
+    if force && target.exists() {
+        let aside = beside(target, &format!(".replaced-{}", std::process::id()));
+        std::fs::rename(target, &aside).map_err(io(target))?;
+        std::fs::rename(partial, target).map_err(io(target))?;
+        std::fs::remove_dir_all(&aside).map_err(io(&aside))
+    } else {
+        std::fs::rename(partial, target).map_err(io(target))
     }
 }

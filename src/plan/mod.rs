@@ -10,6 +10,7 @@ pub mod citations;
 mod curves;
 mod delayed_fracture;
 mod indentation;
+pub mod material;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -20,7 +21,7 @@ pub use run::{Progress, RunError, journal_header, run};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
 use crate::refusal::Refusal;
 use crate::scene::sweep;
-use crate::scene::typed::{Problem, Scene};
+use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use indentation::IndentationPlan;
@@ -43,6 +44,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn groups(&self) -> Vec<Group>;
     /// Predicted work of the whole sweep of so many states.
     fn predicted_work(&self, states: u64) -> Work;
+    /// The times (from, to) that the state visits, if they are known before it is solved: 0 and ∞ are open ends.
+    fn visited_times(&self) -> Option<[f64; 2]> {
+        None
+    }
     /// The columns of the result.
     fn columns(&self) -> Vec<Column>;
     /// The columns that a table on the screen has room for; none: the first ones.
@@ -61,10 +66,26 @@ trait ProblemPlan: Debug + Send + Sync {
     fn citations(&self) -> Vec<&'static Citation>;
 }
 
+/// The plan of a scene's problem.
+fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
+    Ok(match &scene.problem {
+        Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
+        Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
+        Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+    })
+}
+
 /// What will be done about a scene.
 #[derive(Debug, Clone)]
 pub struct Plan {
     problem: Arc<dyn ProblemPlan>,
+    material: SceneMaterial,
+    /// The times that the state visits, if they are known.
+    visited: Option<[f64; 2]>,
+    unfelt: Option<material::Unfelt>,
+    /// Predicted work with all terms, and without the unfelt ones.
+    saved: Option<[Work; 2]>,
     states: usize,
 }
 
@@ -74,13 +95,19 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let problem: Arc<dyn ProblemPlan> = match &scene.problem {
-            Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
-            Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
-            Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
-            Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        let full = problem_plan(scene)?;
+        let states = sweep::states(&scene.sweeps);
+        let visited = full.visited_times();
+        let unfelt = material::Unfelt::new(scene, visited)?;
+        let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
+            Some(shorter) => {
+                let problem = problem_plan(&shorter)?;
+                let saved = [full.predicted_work(states as u64), problem.predicted_work(states as u64)];
+                (problem, Some(saved))
+            }
+            None => (full, None),
         };
-        Ok(Self { problem, states: sweep::states(&scene.sweeps) })
+        Ok(Self { problem, material: scene.material.clone(), visited, unfelt, saved, states })
     }
 
     /// The problem's name.
@@ -98,7 +125,10 @@ impl Plan {
     /// Effects on and off, and why.
     #[must_use]
     pub fn effects(&self) -> Vec<Effect> {
-        self.problem.effects()
+        let mut effects = self.problem.effects();
+        effects.extend(material::effects(&self.material));
+        effects.extend(self.unfelt.as_ref().map(|unfelt| unfelt.effect(self.saved)));
+        effects
     }
 
     /// The method, a sentence each.
@@ -146,13 +176,19 @@ impl Plan {
     /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.problem.solve(state, swept)
+        let mut rows = self.problem.solve(state, swept);
+        if let Some(unfelt) = &self.unfelt {
+            unfelt.widen(&mut rows);
+        }
+        rows
     }
 
     /// The model's assumptions held against the rows.
     #[must_use]
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
-        self.problem.validity(rows)
+        let mut validity = self.problem.validity(rows);
+        validity.extend(material::validity(&self.material, self.visited));
+        validity
     }
 
     /// Plots of the rows, by file stem.

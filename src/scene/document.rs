@@ -1,6 +1,7 @@
 //! A TOML text as a tree whose every key and value knows its place, open to replacement by `--set` and by sweeps.
 
 use super::diagnostic::{Place, SceneError, SourceText};
+use super::read::material_memo::MaterialMemo;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::fs::File;
@@ -100,6 +101,8 @@ pub struct Document {
     hash: String,
     /// Further files that the scene names, by the names it gives them.
     attached: Vec<(String, SourceText)>,
+    /// What was made of the material's data or law, so that states of a sweep do not make it again.
+    materials: MaterialMemo,
 }
 
 /// No scene that a person writes is larger (bytes).
@@ -127,7 +130,8 @@ impl Document {
     pub fn parse(name: &str, text: String, folder: &Path) -> Result<Self, SceneError> {
         let source = SourceText::new(name, text);
         let root = parse_tree(&source)?;
-        let mut document = Self { root, folder: folder.to_owned(), hash: String::new(), attached: Vec::new() };
+        let mut document =
+            Self { root, folder: folder.to_owned(), hash: String::new(), attached: Vec::new(), materials: MaterialMemo::default() };
         document.add_to_hash(&source);
         Ok(document)
     }
@@ -148,6 +152,11 @@ impl Document {
     pub fn attach(&mut self, name: &str, source: SourceText) {
         self.add_to_hash(&source);
         self.attached.push((name.to_owned(), source));
+    }
+
+    /// Materials made before from the same data, shared by all copies of the document.
+    pub(super) const fn materials(&self) -> &MaterialMemo {
+        &self.materials
     }
 
     /// SHA-256 of everything that was read: the scene, included files, and `--set`s, in order.
@@ -270,7 +279,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, String> {
 }
 
 /// A text as a TOML basic string.
-fn toml_text(text: &str) -> String {
+pub(crate) fn toml_text(text: &str) -> String {
     let mut quoted = String::from("\"");
     for character in text.chars() {
         match character {

@@ -3,6 +3,7 @@
 mod delayed;
 mod history;
 mod indentation;
+mod material;
 
 use super::sweep::Sweep;
 use crate::closure::work_by_speed::WorkBySpeed;
@@ -15,6 +16,7 @@ pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
 pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
+pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +45,12 @@ pub struct SceneMaterial {
     pub series: Material,
     /// Constant Poisson ratio, if given.
     pub poisson_ratio: Option<f64>,
+    /// What the series was made of.
+    pub origin: MaterialOrigin,
+    /// Temperature and shift factors, if given.
+    pub climate: Option<Climate>,
+    /// Relative change of a result that leaving unfelt terms out may make, if given.
+    pub leave_out: Option<f64>,
 }
 
 /// What a scene asks for.

@@ -6,10 +6,10 @@
 
 use std::fmt;
 
-/// Exponents of metre, kilogram, second and kelvin, counted in halves (a stress intensity has Pa √m).
+/// Exponents of metre, kilogram, second, kelvin and mole, counted in halves (a stress intensity has Pa √m).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
-    halves: [i8; 4],
+    halves: [i8; 5],
     /// What one dimension is called in three places.
     sense: Sense,
 }
@@ -23,12 +23,16 @@ enum Sense {
     Load,
     /// A stiffness.
     Stiffness,
+    /// A temperature, not a difference of two.
+    Temperature,
+    /// A temperature that was given in °C: no difference of two can be meant.
+    Celsius,
 }
 
 impl Dimension {
     /// A dimension from its whole exponents of metre, kilogram, second and kelvin.
     const fn new([metre, kilogram, second, kelvin]: [i8; 4]) -> Self {
-        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin], sense: Sense::Plain }
+        Self { halves: [2 * metre, 2 * kilogram, 2 * second, 2 * kelvin, 0], sense: Sense::Plain }
     }
 
     /// A pure number.
@@ -58,13 +62,21 @@ impl Dimension {
     /// Pa/s.
     pub const PRESSURE_RATE: Self = Self::new([-1, 1, -3, 0]);
     /// Pa √m/s.
-    pub const STRESS_INTENSITY_RATE: Self = Self { halves: [-1, 2, -6, 0], sense: Sense::Plain };
+    pub const STRESS_INTENSITY_RATE: Self = Self { halves: [-1, 2, -6, 0, 0], sense: Sense::Plain };
     /// Pa √m.
-    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0], sense: Sense::Plain };
+    pub const STRESS_INTENSITY: Self = Self { halves: [-1, 2, -4, 0, 0], sense: Sense::Plain };
     /// Pa/m.
     pub const STIFFNESS_PER_AREA: Self = Self::new([-2, 1, -2, 0]);
+    /// K of a temperature, which may be given in °C.
+    pub const TEMPERATURE: Self = Self { sense: Sense::Temperature, ..Self::TEMPERATURE_DIFFERENCE };
+    /// K of a difference of temperatures.
+    pub const TEMPERATURE_DIFFERENCE: Self = Self::new([0, 0, 0, 1]);
+    /// 1/s.
+    pub const FREQUENCY: Self = Self::new([0, 0, -1, 0]);
+    /// J/mol.
+    pub const ENERGY_PER_MOLE: Self = Self { halves: [4, 2, -4, 0, -2], sense: Sense::Plain };
     /// √m.
-    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0], sense: Sense::Plain };
+    pub const ROOT_LENGTH: Self = Self { halves: [1, 0, 0, 0, 0], sense: Sense::Plain };
 
     /// What a value of this dimension looks like, for messages and documentation.
     #[must_use]
@@ -86,6 +98,10 @@ impl Dimension {
             Self::PRESSURE_RATE => "a rate such as \"2 kPa/s\"",
             Self::FORCE => "a force such as \"20 mN\"",
             Self::FORCE_RATE => "a rate such as \"1 mN/s\"",
+            Self::TEMPERATURE => "a temperature such as \"20 °C\" or \"293.15 K\"",
+            Self::TEMPERATURE_DIFFERENCE => "a temperature difference such as \"51.6 K\"",
+            Self::FREQUENCY => "a frequency such as \"10 Hz\"",
+            Self::ENERGY_PER_MOLE => "an energy per mole such as \"120 kJ/mol\"",
             _ => "a number with the unit named in the documentation of the key",
         }
     }
@@ -106,6 +122,8 @@ impl Dimension {
             Self::FORCE => "N".into(),
             Self::FORCE_RATE => "N/s".into(),
             Self::STIFFNESS_PER_AREA => "Pa/m".into(),
+            Self::ENERGY_PER_MOLE => "J/mol".into(),
+            Self { sense: Sense::Celsius, .. } => "°C".into(),
             other => written_out(other.halves),
         }
     }
@@ -113,11 +131,11 @@ impl Dimension {
     /// Whether both are the same powers of the base units.
     #[must_use]
     pub fn measures(self, other: Self) -> bool {
-        self.halves == other.halves
+        self.halves == other.halves && (self.sense != Sense::Celsius || other.sense == Sense::Temperature)
     }
 
     /// self·(whole exponents)^(halves/2).
-    fn times(self, exponents: [i8; 4], halves: i8) -> Option<Self> {
+    fn times(self, exponents: [i8; 5], halves: i8) -> Option<Self> {
         let mut product = self.halves;
         for (exponent, step) in product.iter_mut().zip(exponents) {
             *exponent = exponent.checked_add(step.checked_mul(halves)?)?;
@@ -127,11 +145,11 @@ impl Dimension {
 }
 
 /// m s⁻¹ as `m/s`, and so on; exponents in halves.
-fn written_out(halves: [i8; 4]) -> String {
+fn written_out(halves: [i8; 5]) -> String {
     let part = |sign: i8| {
         halves
             .iter()
-            .zip(["m", "kg", "s", "K"])
+            .zip(["m", "kg", "s", "K", "mol"])
             .filter(|(half, _)| half.signum() == sign)
             .map(|(half, symbol)| match half.unsigned_abs() {
                 1 => format!("√{symbol}"),
@@ -171,24 +189,25 @@ impl fmt::Display for UnitError {
     }
 }
 
-/// Symbol, factor to SI, exponents of metre, kilogram, second and kelvin, and whether a prefix may stand before it.
-const SYMBOLS: [(&str, f64, [i8; 4], bool); 16] = [
-    ("m", 1.0, [1, 0, 0, 0], true),
-    ("g", 1e-3, [0, 1, 0, 0], true),
-    ("s", 1.0, [0, 0, 1, 0], true),
-    ("K", 1.0, [0, 0, 0, 1], true),
-    ("N", 1.0, [1, 1, -2, 0], true),
-    ("Pa", 1.0, [-1, 1, -2, 0], true),
-    ("bar", 1e5, [-1, 1, -2, 0], true),
-    ("J", 1.0, [2, 1, -2, 0], true),
-    ("W", 1.0, [2, 1, -3, 0], true),
-    ("Hz", 1.0, [0, 0, -1, 0], true),
-    ("P", 0.1, [-1, 1, -1, 0], true),
-    ("min", 60.0, [0, 0, 1, 0], false),
-    ("h", 3600.0, [0, 0, 1, 0], false),
-    ("Å", 1e-10, [1, 0, 0, 0], false),
-    ("%", 1e-2, [0, 0, 0, 0], false),
-    ("rad", 1.0, [0, 0, 0, 0], true),
+/// Symbol, factor to SI, exponents of metre, kilogram, second, kelvin and mole, and whether a prefix may stand before it.
+const SYMBOLS: [(&str, f64, [i8; 5], bool); 17] = [
+    ("m", 1.0, [1, 0, 0, 0, 0], true),
+    ("g", 1e-3, [0, 1, 0, 0, 0], true),
+    ("s", 1.0, [0, 0, 1, 0, 0], true),
+    ("K", 1.0, [0, 0, 0, 1, 0], true),
+    ("N", 1.0, [1, 1, -2, 0, 0], true),
+    ("Pa", 1.0, [-1, 1, -2, 0, 0], true),
+    ("bar", 1e5, [-1, 1, -2, 0, 0], true),
+    ("J", 1.0, [2, 1, -2, 0, 0], true),
+    ("W", 1.0, [2, 1, -3, 0, 0], true),
+    ("Hz", 1.0, [0, 0, -1, 0, 0], true),
+    ("P", 0.1, [-1, 1, -1, 0, 0], true),
+    ("min", 60.0, [0, 0, 1, 0, 0], false),
+    ("h", 3600.0, [0, 0, 1, 0, 0], false),
+    ("Å", 1e-10, [1, 0, 0, 0, 0], false),
+    ("%", 1e-2, [0, 0, 0, 0, 0], false),
+    ("rad", 1.0, [0, 0, 0, 0, 0], true),
+    ("mol", 1.0, [0, 0, 0, 0, 1], true),
 ];
 
 /// Decimal exponents, so that `"0.7 MPa"` is the double nearest to 7e5 and not 0.7 times a rounded factor.
@@ -214,6 +233,9 @@ pub fn parse_quantity(text: &str) -> Result<Quantity, UnitError> {
     let (number, unit) = text.split_at(end);
     let cleaned: String = number.chars().filter(|&c| c != '_').collect();
     let value: f64 = cleaned.parse().map_err(|_| UnitError::NoNumber)?;
+    if matches!(unit.trim(), "°C" | "degC" | "deg C") {
+        return Ok(Quantity { value: value + 273.15, dimension: Dimension { sense: Sense::Celsius, ..Dimension::TEMPERATURE } });
+    }
     let unit = parse_unit(unit)?;
     // Powers of ten are folded into the decimal text, so that no second rounding happens.
     let exponent = unit.decimal_halves.div_euclid(2);

@@ -101,6 +101,11 @@ impl ProblemPlan for IndentationPlan {
         self.work_of_a_state() * states
     }
 
+    fn visited_times(&self) -> Option<[f64; 2]> {
+        // A jump of the edge takes no time: nothing is too fast.
+        Some([0.0, self.timeline.duration()]).filter(|visited| visited[1] > 0.0)
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(&self.indentation, self.units)
     }

@@ -192,6 +192,27 @@ impl ProblemPlan for SlidingPlan {
         self.work_of_states(states)
     }
 
+    fn visited_times(&self) -> Option<[f64; 2]> {
+        let speed = self.sliding.speed.abs();
+        if self.sliding.task != SlidingTask::State || speed == 0.0 {
+            return None;
+        }
+        let length = match self.sliding.indenter {
+            SlidingIndenter::Wave { wavelength, .. } => wavelength,
+            SlidingIndenter::Cylinder { radius } => radius,
+        };
+        // Without adhesion nothing is sharper than the root of the distance to an edge.
+        let zone = match self.sliding.adhesion.map(|adhesion| (adhesion.process_zone, adhesion.works)) {
+            Some((SlidingZone::Lengths { trailing, leading }, _)) => trailing.min(leading),
+            Some((SlidingZone::Cohesive { cohesive_stress, factor }, works)) => {
+                let work = works[0].min(works[1]);
+                factor * self.material.relaxed_modulus() * work / (std::f64::consts::PI * cohesive_stress * cohesive_stress)
+            }
+            None => 1e-4 * length,
+        };
+        Some([0.1 * zone.min(1e-2 * length) / speed, 10.0 * length / speed])
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(&self.sliding, self.units)
     }

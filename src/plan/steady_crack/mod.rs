@@ -225,6 +225,26 @@ impl ProblemPlan for SteadyCrackPlan {
         self.work_of_a_state() * states
     }
 
+    fn visited_times(&self) -> Option<[f64; 2]> {
+        let CrackControl::Speed(speed) = self.crack.control else { return None };
+        let beta = self.plane_material.stiffening_ratio();
+        if speed <= 0.0 || !beta.is_finite() {
+            return None;
+        }
+        // The zone of each theory is within a factor of this range; fields lie at their own distances.
+        let [mut from, mut to] = match self.crack.process_zone {
+            ProcessZoneLaw::Length(length) => [length, length],
+            ProcessZoneLaw::Cohesive { cohesive_stress, factor, .. } => {
+                let zone = self.relaxed_zone(cohesive_stress);
+                [zone * factor.min(1.0) / beta, zone * factor.max(1.0) * beta]
+            }
+        };
+        if let Some(fields) = self.crack.fields {
+            (from, to) = (from.min(fields.from), to.max(fields.to));
+        }
+        Some([0.1 * from / speed, 10.0 * to / speed])
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(self.units)
     }

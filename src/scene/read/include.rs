@@ -2,6 +2,7 @@
 
 use crate::scene::diagnostic::{SceneError, SourceText};
 use crate::scene::document::{Document, Entry, Node, Value, parse_tree, read_text};
+use std::path::Path;
 
 /// Replaces `material.file` by the content of that file's [material] table.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
@@ -22,7 +23,16 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
         return Err(SceneError::at(&stray.key_place, format!("`{}` does not belong in a material file", stray.key), "unknown key")
             .help("a material file holds one table, [material]"));
     }
-    let included: Vec<Entry> = included.clone();
+    let mut included: Vec<Entry> = included.clone();
+    // What a material file names lies beside it.
+    for path in ["data", "shift.table"] {
+        if let Some(node) = entry_at(&mut included, path)
+            && let Value::Text(own) = &mut node.value
+            && let Some(folder) = Path::new(&name).parent()
+        {
+            *own = folder.join(&*own).display().to_string();
+        }
+    }
     document.add_to_hash(&source);
     if let Some(Entry { node: Node { value: Value::Table(given), .. }, .. }) = entry_of(&mut document.root, "material") {
         given.retain(|entry| entry.key != "file");
@@ -38,6 +48,16 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
         }
     }
     Ok(())
+}
+
+fn entry_at<'a>(entries: &'a mut [Entry], path: &str) -> Option<&'a mut Node> {
+    let (head, tail) = path.split_once('.').map_or((path, None), |(head, tail)| (head, Some(tail)));
+    let node = &mut entries.iter_mut().find(|entry| entry.key == head)?.node;
+    let Some(tail) = tail else { return Some(node) };
+    match &mut node.value {
+        Value::Table(entries) => entry_at(entries, tail),
+        _ => None,
+    }
 }
 
 fn entry_of<'a>(node: &'a mut Node, key: &str) -> Option<&'a mut Entry> {

@@ -1,22 +1,38 @@
-//! The [material] table: moduli, creep or relaxation terms, and what must fit together.
+//! The [material] table: moduli, creep or relaxation terms, data or a law, and what must fit together.
 
 use super::section::Section;
+use super::{material_data, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::SceneMaterial;
+use crate::scene::document::Document;
+use crate::scene::typed::{MaterialOrigin, SceneMaterial};
 
 /// How far fractions may be from summing to one: the rounding of two-digit tables is more, so they are meant to be exact.
 const FRACTION_SLACK: f64 = 1e-9;
 
-pub(super) fn read(top: &Section<'_>) -> Result<SceneMaterial, SceneError> {
+pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMaterial, SceneError> {
     let table = top.required_table("material", "every problem has a deformable solid")?;
     let poisson_ratio = table.number("poisson_ratio")?;
-    let series = match table.at_most_one(&["creep", "relaxation"])? {
-        Some("creep") => from_creep(&table)?,
-        Some(_) => from_relaxation(&table)?,
-        None => elastic(&table)?,
+    let shift = material_source::shift(&table, document)?;
+    let reference = table.number("reference_temperature")?;
+    let way = table.at_most_one(&["creep", "relaxation", "data", "power_law", "fractional_zener"])?;
+    belonging(&table, way)?;
+    let origin = match way {
+        Some("data") => material_data::from_data(&table, document, poisson_ratio, shift.as_ref(), reference)?,
+        Some(law @ ("power_law" | "fractional_zener")) => {
+            let moduli = (relaxed(&table)?.or((table.units() == Units::Reduced).then_some(1.0)), table.number("glassy_modulus")?);
+            material_source::from_law(&table, document, law, moduli)?
+        }
+        _ => MaterialOrigin::Terms,
+    };
+    let series = match (&origin, way) {
+        (MaterialOrigin::Data(fitted), _) => fitted.fit.material.clone(),
+        (MaterialOrigin::Law(law), _) => law.expansion.material.clone(),
+        (MaterialOrigin::Terms, Some("creep")) => from_creep(&table)?,
+        (MaterialOrigin::Terms, Some(_)) => from_relaxation(&table)?,
+        (MaterialOrigin::Terms, None) => elastic(&table)?,
     };
     if table.units() == Units::Reduced && (series.relaxed_modulus() - 1.0).abs() > 1e-9 {
         let message = format!(
@@ -25,7 +41,42 @@ pub(super) fn read(top: &Section<'_>) -> Result<SceneMaterial, SceneError> {
         );
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
-    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio })
+    let (series, climate) = material_source::at_temperature(&table, shift, reference, series)?;
+    Ok(SceneMaterial {
+        name: table.text("name").map(str::to_owned),
+        series,
+        poisson_ratio,
+        origin,
+        climate,
+        leave_out: table.number("leave_out")?,
+    })
+}
+
+/// Refuses keys that belong to data or to a law where there is none, and moduli beside data.
+fn belonging(table: &Section<'_>, way: Option<&str>) -> Result<(), SceneError> {
+    let data = way == Some("data");
+    if data && table.units() == Units::Reduced {
+        return Err(table.wrong("data", "`material.data` is measured in SI units, and the scene is in reduced ones", "this file"));
+    }
+    let of_data: &[&str] = &["fit_error", "columns"];
+    let of_terms: &[&str] = &["relaxed_modulus", "glassy_modulus", "viscosity"];
+    let law = matches!(way, Some("power_law" | "fractional_zener"));
+    for (keys, stray, owner) in [
+        (of_data, !data, "belongs to material.data, and there is none"),
+        (of_terms, data, "follows from material.data"),
+        (&["viscosity"], law, "belongs to a creep series"),
+        (&["expansion"], !law, "belongs to material.power_law or material.fractional_zener, and there is none"),
+    ] {
+        if let Some(key) = keys.iter().find(|key| stray && table.node().get(key).is_some()) {
+            return Err(table.wrong(key, format!("`material.{key}` {owner}"), "leave it out"));
+        }
+    }
+    if table.units() == Units::Reduced
+        && let Some(key) = ["temperature", "reference_temperature"].iter().find(|key| table.node().get(key).is_some())
+    {
+        return Err(table.wrong(key, format!("`material.{key}` means nothing in a scene in reduced units"), "leave it out"));
+    }
+    Ok(())
 }
 
 /// The relaxed modulus: in reduced units 1 unless given.

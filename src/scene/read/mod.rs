@@ -6,6 +6,11 @@ pub mod history;
 mod include;
 mod indentation;
 mod material;
+mod material_columns;
+mod material_data;
+pub(super) mod material_memo;
+mod material_source;
+mod material_table;
 mod measured_table;
 mod section;
 mod shape_points;
@@ -19,7 +24,7 @@ use super::check::{Units, check};
 use super::diagnostic::{Place, SceneError, nearest};
 use super::document::{Document, Value};
 use super::sweep;
-use super::typed::{Problem, Scene};
+use super::typed::{Problem, Scene, SceneMaterial};
 use section::Section;
 
 /// Tables that name a problem; a scene holds exactly one of them.
@@ -35,9 +40,18 @@ const DEFAULT_FIELD_POINTS: f64 = 200.0;
 /// # Errors
 /// A file that cannot be read, or a key that is given twice.
 pub fn resolve_includes(document: &mut Document) -> Result<(), SceneError> {
-    include::resolve(document)?;
+    resolve_material(document)?;
     speed_table::resolve(document)?;
     measured_table::resolve(document)
+}
+
+/// Replaces a material file by its content and reads what the material names: all that [`read_material`] needs.
+///
+/// # Errors
+/// A file that cannot be read, or a key that is given twice.
+pub fn resolve_material(document: &mut Document) -> Result<(), SceneError> {
+    include::resolve(document)?;
+    material_table::resolve(document)
 }
 
 /// States of a sweep that are tried before a scene is called wrong.
@@ -75,7 +89,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let top = Section::top(root, units);
     let file = std::path::Path::new(root.place.source.name());
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let material = material::read(&top)?;
+    let material = material::read(&top, document)?;
     let problem = match the_problem(&top)? {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
@@ -101,6 +115,15 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         problem,
         sweeps: Vec::new(),
     })
+}
+
+/// Reads the material alone, of a scene or of a material file.
+///
+/// # Errors
+/// The first thing that is wrong with it.
+pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
+    check(&document.root)?;
+    material::read(&Section::top(&document.root, Units::of(&document.root)), document)
 }
 
 /// The one problem table of a scene.

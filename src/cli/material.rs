@@ -1,0 +1,95 @@
+//! `viscotack material`: a material by itself, its fit, curves, and the file that scenes include.
+
+use super::{Failure, print};
+use crate::outcome::folder::write_whole;
+use crate::outcome::plot;
+use crate::plan::material::{MaterialReport, material_file, screen, summary, tables};
+use crate::scene::typed::Units;
+use crate::scene::{Document, SceneError, read};
+use std::path::Path;
+
+/// What the command is asked.
+pub(super) struct Asked<'a> {
+    pub(super) file: &'a Path,
+    pub(super) sets: &'a [String],
+    pub(super) accuracy: Option<&'a str>,
+    pub(super) out: Option<&'a Path>,
+    pub(super) force: bool,
+    pub(super) json: bool,
+}
+
+pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
+    let report = report(asked)?;
+    let code = if report.met() { 0 } else { 4 };
+    let written = asked.out.map(|target| write(&report, target, asked.force).map(|names| (target, names))).transpose()?;
+    if asked.json {
+        print(&format!("{:#}\n", summary(&report)))?;
+    } else {
+        print(&screen(&report))?;
+        print(&match written {
+            Some((target, names)) => format!("\nwrote      {}: {}\n", target.display(), names.join(", ")),
+            None => "\n(nothing written; add --out DIR for material.toml, tables and plots)\n".to_owned(),
+        })?;
+    }
+    Ok(code)
+}
+
+fn report(asked: &Asked<'_>) -> Result<MaterialReport, SceneError> {
+    let is_data = asked.file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    let mut document = if is_data {
+        let name = asked.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let text = format!("[material]\ndata = {}\n", crate::scene::document::toml_text(&name));
+        Document::parse(&asked.file.display().to_string(), text, asked.file.parent().unwrap_or_else(|| Path::new(".")))?
+    } else {
+        Document::load(asked.file)?
+    };
+    // A file is named before files are read, any other key is set after.
+    let named = |set: &&String| ["material.file", "material.data", "material.shift"].iter().any(|key| set.trim_start().starts_with(key));
+    for set in asked.sets.iter().filter(named) {
+        document.set(set)?;
+    }
+    read::resolve_material(&mut document)?;
+    for set in asked.sets.iter().filter(|set| !named(set)) {
+        document.set(set)?;
+    }
+    if let Some(accuracy) = asked.accuracy {
+        let of = |path: &str| document.root.at(path).is_some();
+        let key = if of("material.data") {
+            "material.fit_error"
+        } else if of("material.power_law") || of("material.fractional_zener") {
+            "material.expansion.accuracy"
+        } else {
+            return Err(SceneError::general(
+                "`--accuracy` belongs to data or to a law; this material is given by its terms, which are exact",
+            ));
+        };
+        document.set(&format!("{key}={accuracy}"))?;
+    }
+    read::resolve_material(&mut document)?;
+    let material = read::read_material(&document)?;
+    let stem = asked.file.file_stem().map_or_else(|| "material".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let title = material.name.clone().unwrap_or(stem).replace(char::is_control, " ");
+    Ok(MaterialReport { material, units: Units::of(&document.root), title })
+}
+
+/// Writes all files in one step; gives their names.
+fn write(report: &MaterialReport, target: &Path, force: bool) -> Result<Vec<String>, Failure> {
+    let wrong = |what: &str, error: &dyn std::fmt::Display| Failure::Wrong(format!("error: {what} cannot be written: {error}\n"));
+    let mut files = vec![
+        ("summary.json".to_owned(), format!("{:#}\n", summary(report)).into_bytes()),
+        ("material.toml".to_owned(), material_file(report).into_bytes()),
+    ];
+    files.extend(tables(report).map_err(|error| wrong("a table", &error))?);
+    for (stem, figure) in report.figures() {
+        match plot::svg(&figure) {
+            Ok(svg) => {
+                files.push((format!("{stem}.svg"), svg.into_bytes()));
+                files.push((format!("{stem}.png"), plot::png(&figure).map_err(|error| wrong(&stem, &error))?));
+            }
+            Err(plot::PlotError::NotBuilt) => {}
+            Err(error) => return Err(wrong(&stem, &error)),
+        }
+    }
+    write_whole(target, force, &files)?;
+    Ok(files.into_iter().map(|(name, _)| name).collect())
+}

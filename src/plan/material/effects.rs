@@ -1,0 +1,86 @@
+//! What a scene's plan says of its material.
+
+use crate::outcome::{Effect, Validity, Verdict};
+use crate::scene::typed::{MaterialOrigin, SceneMaterial};
+
+/// The material's effects: where its terms come from, and its temperature.
+pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match &material.origin {
+        MaterialOrigin::Terms => {}
+        MaterialOrigin::Data(fitted) => effects.push(Effect {
+            name: "material from data",
+            on: true,
+            why: format!(
+                "{} terms fitted to {} numbers of {:?} within {:.1e} (root mean square)",
+                material.series.relaxation_terms().len(),
+                fitted.fit.observations,
+                fitted.data.file,
+                fitted.fit.rms_error
+            ),
+        }),
+        MaterialOrigin::Law(law) => effects.push(Effect {
+            name: "material from a law",
+            on: true,
+            why: format!(
+                "{}: {} terms follow its complex modulus within {:.1e} from {:.1e} to {:.1e} rad/s",
+                law.name,
+                material.series.relaxation_terms().len(),
+                law.expansion.error,
+                law.range[0],
+                law.range[1]
+            ),
+        }),
+    }
+    if let Some(climate) = &material.climate {
+        effects.push(Effect {
+            name: "temperature",
+            on: true,
+            why: format!(
+                "at {:.2} K every time is multiplied by a_T = {:.4e}; reference {:.2} K",
+                climate.temperature, climate.factor, climate.reference
+            ),
+        });
+    }
+    effects
+}
+
+/// What is doubtful about the material.
+pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 2]>) -> Vec<Validity> {
+    let caution =
+        |name: &str, value: Option<f64>, meaning: String| Validity { name: name.into(), value, verdict: Verdict::Caution, meaning };
+    match &material.origin {
+        MaterialOrigin::Terms => Vec::new(),
+        MaterialOrigin::Data(fitted) => {
+            let mut entries = vec![Validity {
+                name: "fit of the material".into(),
+                value: Some(fitted.fit.rms_error),
+                verdict: if fitted.warnings.is_empty() { Verdict::Good } else { Verdict::Caution },
+                meaning: "relative misfit of the series to its data (root mean square)".into(),
+            }];
+            entries.extend(fitted.warnings.iter().map(|warning| caution("material data", None, warning.clone())));
+            entries
+        }
+        MaterialOrigin::Law(law) => {
+            let mut entries = vec![Validity {
+                name: "expansion of the material".into(),
+                value: Some(law.expansion.error),
+                verdict: if law.expansion.met { Verdict::Good } else { Verdict::Caution },
+                meaning: format!("largest relative error of the complex modulus; wanted {:.0e}", law.accuracy),
+            }];
+            // The temperature moves the range with the material; an open end is kept by both limits of the law.
+            let factor = material.climate.as_ref().map_or(1.0, |climate| climate.factor);
+            let [fastest, slowest] = [factor / law.range[1], factor / law.range[0]];
+            if let Some([from, to]) = visited.filter(|[from, to]| (*from > 0.0 && *from < fastest) || (to.is_finite() && *to > slowest)) {
+                entries.push(caution(
+                    "range of the expansion",
+                    None,
+                    format!(
+                        "times from {from:.1e} to {to:.1e} are visited, and the law is expanded from {fastest:.1e} to {slowest:.1e}: widen material.expansion"
+                    ),
+                ));
+            }
+            entries
+        }
+    }
+}

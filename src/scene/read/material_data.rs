@@ -1,0 +1,160 @@
+//! From a measured table to a series: shifted to one temperature, fitted, checked.
+
+use super::material_table::material_data;
+use super::section::Section;
+use crate::material::fit::consistency::{check, widest_gap};
+use crate::material::fit::overlap::{LogCurve, mismatch};
+use crate::material::fit::{Observation, Quantity, Wanted, complex_modulus, fit};
+use crate::material::shift::ShiftFactors;
+use crate::scene::diagnostic::SceneError;
+use crate::scene::document::Document;
+use crate::scene::typed::{FittedData, MaterialData, MaterialOrigin, MeasuredSort, Overlap};
+use std::sync::Arc;
+
+/// Curves of neighbouring temperatures that differ by more than this where they meet do not lie on each other.
+const OVERLAP: f64 = 0.1;
+
+/// The series of `material.data`.
+pub(super) fn from_data(
+    table: &Section<'_>,
+    document: &Document,
+    poisson_ratio: Option<f64>,
+    shift: Option<&ShiftFactors>,
+    reference: Option<f64>,
+) -> Result<MaterialOrigin, SceneError> {
+    let wanted = table.number("fit_error")?.map_or(Wanted::Scatter, Wanted::Error);
+    let columns = table.node().get("columns").map_or("", |node| node.written());
+    let words = format!("{:?} {columns} {wanted:?} {poisson_ratio:?} {shift:?} {reference:?}", table.text("data"));
+    document.materials().get(&words, || {
+        let mut data = material_data(table, document, poisson_ratio)?;
+        let overlap = shifted(table, &mut data, shift, reference)?;
+        let observations = observations(&data);
+        let refused = |refusal| table.wrong("data", format!("no series can be fitted to the data: {refusal}"), "this file");
+        let fit = fit(&observations, wanted).map_err(refused)?;
+        let consistency = check(&observations);
+        let warnings = warnings(&data, &observations, wanted, &fit, consistency.as_ref(), overlap.as_ref());
+        Ok(MaterialOrigin::Data(Arc::new(FittedData { data, fit, consistency, overlap, warnings })))
+    })
+}
+
+/// Brings all rows to the reference temperature; gives how well the curves of the temperatures meet.
+fn shifted(
+    table: &Section<'_>,
+    data: &mut MaterialData,
+    shift: Option<&ShiftFactors>,
+    reference: Option<f64>,
+) -> Result<Option<Overlap>, SceneError> {
+    let mut temperatures: Vec<f64> = data.rows.iter().filter_map(|row| row.temperature).collect();
+    temperatures.sort_by(f64::total_cmp);
+    temperatures.dedup();
+    let Some(shift) = shift else {
+        if let [only] = temperatures.as_slice()
+            && let Some(reference) = reference
+            && (only - reference).abs() > 0.5
+        {
+            let message = format!("the data were measured at {only:.2} K, and `material.reference_temperature` is {reference:.2} K");
+            return Err(table.wrong("reference_temperature", message, "give material.shift to go from one to the other"));
+        }
+        if temperatures.len() > 1 {
+            let message = format!("the data were measured at {} temperatures", temperatures.len());
+            return Err(table
+                .wrong("data", message, "this file")
+                .help("give material.shift and material.reference_temperature, so that they make one curve"));
+        }
+        return Ok(None);
+    };
+    for row in &mut data.rows {
+        let Some(temperature) = row.temperature else { continue };
+        let factor = shift.factor(temperature).map_err(|refusal| {
+            table.wrong("shift", format!("no shift factor for {temperature:.2} K, a temperature of the data: {refusal}"), "this shift")
+        })?;
+        row.at *= if data.sort == MeasuredSort::Moduli { factor } else { 1.0 / factor };
+    }
+    if temperatures.len() < 2 {
+        return Ok(None);
+    }
+    let curve = |temperature: f64, value: &dyn Fn(&crate::scene::typed::MeasuredRow) -> Option<f64>| -> LogCurve {
+        let mut points: LogCurve = data
+            .rows
+            .iter()
+            .filter(|row| row.temperature == Some(temperature))
+            .filter_map(|row| Some((row.at.ln(), value(row).filter(|value| *value > 0.0)?.ln())))
+            .collect();
+        points.sort_by(|left, right| left.0.total_cmp(&right.0));
+        points
+    };
+    let (mut meeting, mut worst) = (0, 0.0_f64);
+    for pair in temperatures.windows(2) {
+        let of =
+            |value: &dyn Fn(&crate::scene::typed::MeasuredRow) -> Option<f64>| mismatch(&curve(pair[0], value), &curve(pair[1], value));
+        let differences: Vec<f64> = of(&|row| Some(row.value)).into_iter().chain(of(&|row| row.loss)).collect();
+        meeting += usize::from(!differences.is_empty());
+        worst = differences.into_iter().fold(worst, f64::max);
+    }
+    Ok(Some(Overlap { temperatures: temperatures.len(), meeting, worst }))
+}
+
+/// The rows as observations, each relative to itself.
+fn observations(data: &MaterialData) -> Vec<Observation> {
+    let mut rows: Vec<_> = data.rows.iter().collect();
+    rows.sort_by(|left, right| left.at.total_cmp(&right.at));
+    rows.into_iter()
+        .flat_map(|row| {
+            let one = |quantity| vec![Observation { quantity, at: row.at, value: row.value, scale: row.value }];
+            match (data.sort, row.loss) {
+                (MeasuredSort::Moduli, Some(loss)) => complex_modulus(row.at, row.value, loss).to_vec(),
+                (MeasuredSort::Moduli, None) => one(Quantity::Storage),
+                (MeasuredSort::Relaxation, _) => one(Quantity::Relaxation),
+                (MeasuredSort::Creep, _) => one(Quantity::Creep),
+            }
+        })
+        .collect()
+}
+
+fn warnings(
+    data: &MaterialData,
+    observations: &[Observation],
+    wanted: Wanted,
+    fit: &crate::material::fit::SeriesFit,
+    consistency: Option<&crate::material::fit::consistency::Consistency>,
+    overlap: Option<&Overlap>,
+) -> Vec<String> {
+    let mut odd = data.warnings.clone();
+    if let Some([from, to]) = widest_gap(observations) {
+        let unit = if data.sort == MeasuredSort::Moduli { "rad/s" } else { "s" };
+        odd.push(format!("the data leave a gap from {from:.2e} to {to:.2e} {unit}: the fit there is interpolation"));
+    }
+    if let Some(overlap) = overlap {
+        if overlap.meeting + 1 < overlap.temperatures {
+            odd.push(format!(
+                "{} of {} neighbouring temperatures do not meet after the shift",
+                overlap.temperatures - 1 - overlap.meeting,
+                overlap.temperatures - 1
+            ));
+        }
+        if overlap.worst > OVERLAP {
+            odd.push(format!(
+                "curves of neighbouring temperatures differ by {:.0} % where they meet: the shift factors do not fit the data",
+                100.0 * overlap.worst
+            ));
+        }
+    }
+    if let Some(consistency) = consistency.filter(|consistency| !consistency.holds()) {
+        odd.push(format!(
+            "E′ and E″ are not those of one passive solid (Kramers and Kronig): alone they are followed within {:.1} % and {:.1} %, together within {:.1} %",
+            100.0 * consistency.storage_alone,
+            100.0 * consistency.loss_alone,
+            100.0 * consistency.together
+        ));
+    }
+    if let (Wanted::Error(error), false) = (wanted, fit.met) {
+        odd.push(format!(
+            "the wanted error {error:.1e} is not met: positive strengths follow the data within {:.1e} at best",
+            fit.best_rms_error
+        ));
+    }
+    if fit.rms_error > 0.2 {
+        odd.push(format!("the fit misses the data by {:.0} %: they are not those of a passive solid", 100.0 * fit.rms_error));
+    }
+    odd
+}
