@@ -13,7 +13,9 @@ use crate::material::Material;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
-pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
+pub use history::{
+    CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
+};
 pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 
 /// A whole scene at one point of its sweep.
