@@ -36,9 +36,13 @@ pub struct Cycle<T> {
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of each quantity of this cycle and of the same one of another march.
-    pub(super) fn judged(&self, other: Option<&Self>, estimate: impl Fn(f64, Option<f64>) -> Estimate) -> Cycle<Estimate> {
-        let one = |of: fn(&Self) -> f64| estimate(of(self), other.map(of));
+    /// With errors by a function of the place of a quantity among ten, its value and that of another march.
+    pub(super) fn judged(&self, other: Option<&Self>, mut estimate: impl FnMut(usize, f64, Option<f64>) -> Estimate) -> Cycle<Estimate> {
+        let mut place = 0;
+        let mut one = |of: fn(&Self) -> f64| {
+            place += 1;
+            estimate(place - 1, of(self), other.map(of))
+        };
         Cycle {
             segment: self.segment,
             number: self.number,

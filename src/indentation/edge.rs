@@ -18,6 +18,17 @@ use crate::refusal::Refusal;
 /// A window graded for one time serves shorter times, and longer ones up to this factor: within a search its grading must not go back and forth.
 const SAME_GRADING: f64 = 4.0;
 
+/// Deviation from a straight way, over the depth, that is rounding.
+const STRAIGHT_TO: f64 = 8.0 * f64::EPSILON;
+/// Powers 1 to 5 of the polynomials of degree five that are zero at 0 and at all fifths but one.
+const THROUGH_FIFTHS: [[f64; DEGREE]; DEGREE] = [
+    [25.0, -1925.0 / 12.0, 8875.0 / 24.0, -4375.0 / 12.0, 3125.0 / 24.0],
+    [-25.0, 2675.0 / 12.0, -7375.0 / 12.0, 8125.0 / 12.0, -3125.0 / 12.0],
+    [50.0 / 3.0, -325.0 / 2.0, 6125.0 / 12.0, -625.0, 3125.0 / 12.0],
+    [-25.0 / 4.0, 1525.0 / 24.0, -5125.0 / 24.0, 6875.0 / 24.0, -3125.0 / 24.0],
+    [1.0, -125.0 / 12.0, 875.0 / 24.0, -625.0 / 12.0, 625.0 / 24.0],
+];
+
 /// What is imposed at a time after the present instant.
 #[derive(Clone, Copy)]
 pub(super) enum Imposed<'h> {
@@ -128,14 +139,15 @@ impl Edge {
         let here = contact.penetration();
         let motion_of = |powers: [f64; DEGREE]| Motion::new(contact.profile(), (contact.radius(), radius), dt, passage, here, powers);
         let (motion, depth_error) = match imposed {
-            Imposed::Penetration(history) => {
-                let mut powers = [0.0; DEGREE];
-                powers[0] = history(dt) - here;
-                (motion_of(powers), 0.0)
-            }
+            Imposed::Penetration(history) => (motion_of(course(dt, here, self.depth_scale, history)), 0.0),
             Imposed::Load { value, stiffness } => {
+                // An edge at rest says nothing about how smoothly Δ goes.
+                let rests = radius.to_bits() == contact.radius().to_bits();
+                let depth_degree = if rests { past.nodes().len().clamp(1, DEGREE) as u32 } else { degree };
                 let depths = |rise: f64| match past.nodes().first() {
-                    Some(&now) if dt > 0.0 => past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
+                    Some(&now) if dt > 0.0 => {
+                        past.powers(rise, depth_degree, |node| ((node.time - now.time) / dt, node.penetration - here))
+                    }
                     _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
                 };
                 // F is affine in Δ; a unit of its own size keeps the digits of a contact that grows from a point.
@@ -234,6 +246,21 @@ impl Edge {
         };
         Ok((next, finite(g, radius)?))
     }
+}
+
+/// Powers of the part of a time of an imposed Δ, less Δ now: straight if it is to rounding, else through five equal parts.
+fn course(dt: f64, here: f64, scale: f64, history: &dyn Fn(f64) -> f64) -> [f64; DEGREE] {
+    let end = history(dt) - here;
+    let straight = [end, 0.0, 0.0, 0.0, 0.0];
+    if dt == 0.0 {
+        return straight;
+    }
+    let rises: [f64; DEGREE] = std::array::from_fn(|k| if k + 1 == DEGREE { end } else { history(0.2 * (k as f64 + 1.0) * dt) - here });
+    let bent = rises.iter().enumerate().any(|(k, rise)| (rise - 0.2 * (k as f64 + 1.0) * end).abs() > STRAIGHT_TO * (scale + here.abs()));
+    if !bent {
+        return straight;
+    }
+    std::array::from_fn(|power| rises.iter().zip(&THROUGH_FIFTHS).map(|(rise, row)| rise * row[power]).sum())
 }
 
 /// A point of the march.

@@ -3,6 +3,7 @@
 use super::edge::{Edge, Imposed, node_of};
 use super::history::{Controlled, Segment};
 use super::line::{Contact, Sweep};
+use super::meter::Meter;
 use super::motion::{Motion, Passage};
 use super::past::Past;
 use super::problem::{IndentationProblem, Start};
@@ -12,7 +13,7 @@ use super::springs::{DEGREE, Springs};
 use super::start::{size_of, started};
 use crate::material::Material;
 use crate::refusal::Refusal;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// First time step of a segment, over the shortest relaxation time and over the segment, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_TIME: f64 = 0.1;
@@ -36,6 +37,10 @@ const LARGEST_REACH: f64 = 0.5;
 const NO_FORCE: f64 = 1e-12;
 /// Overlap at which a contact without adhesion begins, over its depth.
 const FIRST_OVERLAP: f64 = 1e-9;
+/// Most that an oscillation goes on within a step (rad), at the loosest tolerance: the work of a cycle is taken through the last six points.
+const ANGLE: f64 = 0.4;
+/// Most further steps for each cycle of a stretch.
+const STEPS_OF_A_CYCLE: u64 = 2_000;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
 const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
@@ -50,9 +55,21 @@ const PARTS: u32 = 16;
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
 pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
+    march_to(material, problem, tolerance, &[])
+}
+
+/// The same with stretches that end early: which, and how long they take (s).
+pub(super) fn march_to(
+    material: &Material,
+    problem: &IndentationProblem,
+    tolerance: f64,
+    stops: &[(usize, f64)],
+) -> Result<Trace, Refusal> {
     problem.checked()?;
     let springs = Springs::new(material)?;
-    let trace = Marcher::new(&springs, problem, tolerance)?.through()?;
+    let mut marcher = Marcher::new(&springs, problem, tolerance)?;
+    marcher.record.trace.shortened = stops.to_vec();
+    let trace = marcher.through()?;
     let zone = problem.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
     trace.path.iter().try_for_each(|point| problem.profile.holds(point.contact_radius, zone))?;
     Ok(trace)
@@ -87,6 +104,8 @@ pub(super) struct Marcher<'a> {
     pub(super) slopes: (f64, f64),
     /// Largest force imposed.
     force_scale: f64,
+    /// What is added up over the cycle under way.
+    meter: Option<Meter>,
     pub(super) record: Record<'a>,
 }
 
@@ -98,8 +117,22 @@ pub(super) struct Stretch {
 
 impl Stretch {
     pub(super) fn value(&self, time: f64) -> f64 {
-        let part = time / self.segment.duration;
-        if part >= 1.0 || self.segment.duration == 0.0 { self.segment.end } else { self.from + (self.segment.end - self.from) * part }
+        self.segment.value(self.from, time)
+    }
+
+    /// Where the next whole cycle ends after so many, if the stretch oscillates and holds another.
+    fn end_of_cycle(&self, number: u64) -> Option<f64> {
+        self.segment.oscillation.and_then(|oscillation| oscillation.time_of(number as f64, self.segment.duration))
+    }
+
+    /// Longest step that an oscillation allows at a time.
+    fn longest_step(&self, time: f64) -> f64 {
+        self.segment.oscillation.map_or(f64::INFINITY, |oscillation| {
+            let duration = self.segment.duration;
+            let now = oscillation.frequency_at(time, duration);
+            let soon = oscillation.frequency_at((time + 1.0 / now).min(duration), duration);
+            ANGLE / (TAU * now.max(soon))
+        })
     }
 }
 
@@ -111,7 +144,7 @@ impl<'a> Marcher<'a> {
         let largest = |controlled: Controlled| {
             let start = if problem.history.controlled == controlled { problem.history.start } else { 0.0 };
             let segments = problem.history.segments.iter().filter(|segment| segment.controlled == controlled);
-            segments.fold(start.abs(), |most, segment| most.max(segment.end.abs()))
+            segments.fold(start.abs(), |most, segment| most.max(segment.end.abs() + segment.oscillation.map_or(0.0, |it| it.amplitude)))
         };
         let deepest = largest(Controlled::Penetration).max(largest(Controlled::Frame));
         // The smallest contact under the largest force: the glassy one.
@@ -132,6 +165,7 @@ impl<'a> Marcher<'a> {
             springs,
             problem,
             tolerance,
+            meter: None,
             record: Record::new(&contact, problem.energies),
             contact,
             edge,
@@ -170,10 +204,10 @@ impl<'a> Marcher<'a> {
         self.record.keep();
         let history = &self.problem.history;
         let mut last = (history.controlled, history.start);
-        for segment in &history.segments {
+        for (index, segment) in history.segments.iter().enumerate() {
             let from = if segment.controlled == last.0 { last.1 } else { self.present(segment.controlled) };
-            self.segment(&Stretch { from, segment: *segment })?;
-            last = (segment.controlled, segment.end);
+            let duration = self.segment(index, &Stretch { from, segment: *segment })?;
+            last = (segment.controlled, segment.value(from, duration));
         }
         let mut trace = self.record.finished();
         trace.work.closure_evaluations = self.edge.evaluations;
@@ -240,46 +274,79 @@ impl<'a> Marcher<'a> {
         self.landmarks.clear();
     }
 
-    /// A stretch of the history, landing on each kept instant.
-    fn segment(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
+    /// A stretch of the history, landing on each kept instant and at the end of each cycle. How long it took: one that oscillates may end early.
+    fn segment(&mut self, index: usize, stretch: &Stretch) -> Result<f64, Refusal> {
         let segment = stretch.segment;
         if segment.duration == 0.0 {
             self.at_once(stretch)?;
             self.pace = None;
             self.record.keep();
-            return Ok(());
+            return Ok(0.0);
         }
         let rate = (segment.end - stretch.from) / segment.duration;
-        let same =
-            self.pace.is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
-        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration);
+        let same = segment.oscillation.is_none()
+            && self
+                .pace
+                .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
+        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(stretch.longest_step(0.0));
         if !same {
             self.restart();
         }
-        let instants = self.problem.instants_per_segment.max(1);
-        let budget = self.record.trace.work.steps + MOST_STEPS;
-        for instant in 1..=instants {
-            let target = segment.duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
-            while self.time < target {
-                self.record.trace.work.steps += 1;
-                if self.record.trace.work.steps > budget {
-                    return Err(Refusal::NotConverged {
-                        what: "the march",
-                        detail: format!("{MOST_STEPS} steps of one stretch reached t = {:e}", self.now()),
-                    });
-                }
-                self.step(stretch, target)?;
-                if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) {
-                    self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
+        let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+        // Instants of a stretch whose end is not known are its end alone.
+        let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
+        self.meter = segment.oscillation.map(|oscillation| {
+            let longest = self.springs.longest_retardation_time();
+            Meter::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
+        });
+        let mut budget = self.record.trace.work.steps + MOST_STEPS;
+        let stop = self.record.trace.shortened.iter().find(|stop| stop.0 == index).map(|stop| stop.1);
+        let mut duration = stop.unwrap_or(segment.duration);
+        let (mut instant, mut cycle) = (1, 1);
+        while self.time < duration {
+            let next_instant = duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
+            let end_of_cycle = stretch.end_of_cycle(cycle);
+            let target = end_of_cycle.map_or(next_instant, |end| end.min(next_instant));
+            self.go_to(stretch, target, budget)?;
+            if end_of_cycle.is_some_and(|end| end <= target) {
+                cycle += 1;
+                budget += STEPS_OF_A_CYCLE;
+                let stationary =
+                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                if until_stationary && stop.is_none() && stationary == Some(true) {
+                    duration = target;
+                    self.record.trace.shortened.push((index, duration));
                 }
             }
-            self.record.keep();
+            if self.time >= next_instant || self.time >= duration {
+                self.record.keep();
+                instant += 1;
+            }
         }
-        self.pace = Some((segment.controlled, rate));
-        self.origin += segment.duration;
+        self.record.last_cycle();
+        self.meter = None;
+        self.pace = segment.oscillation.is_none().then_some((segment.controlled, rate));
+        self.origin += duration;
         self.time = 0.0;
-        self.corner -= segment.duration;
-        self.past.earlier(segment.duration);
+        self.corner -= duration;
+        self.past.earlier(duration);
+        Ok(duration)
+    }
+
+    fn go_to(&mut self, stretch: &Stretch, target: f64, budget: u64) -> Result<(), Refusal> {
+        while self.time < target {
+            self.record.trace.work.steps += 1;
+            if self.record.trace.work.steps > budget {
+                return Err(Refusal::NotConverged {
+                    what: "the march",
+                    detail: format!("{MOST_STEPS} steps of one stretch reached t = {:e}", self.now()),
+                });
+            }
+            self.step(stretch, target)?;
+            if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) {
+                self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
+            }
+        }
         Ok(())
     }
 
@@ -287,7 +354,7 @@ impl<'a> Marcher<'a> {
     fn step(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
         let grown = (self.first * self.tolerance.sqrt()).max(self.stride() * (self.time - self.corner));
-        let cap = self.dt.min(grown);
+        let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
         let cap = if cap >= 0.999 * left { left } else { cap };
         let now = self.time;
         let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
@@ -333,6 +400,9 @@ impl<'a> Marcher<'a> {
         let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
         self.past.push(node);
         self.edge.forget();
+        if let (Some(meter), Some(point)) = (&mut self.meter, self.record.trace.path.last()) {
+            meter.step(point);
+        }
     }
 
     /// W on the axis of an open contact, which the indenter touches first.

@@ -1,11 +1,20 @@
 //! The record of a march: points of its path, kept instants, events, the account of energies.
 
+use super::cycle::Cycle;
 use super::line::Contact;
+use super::meter::Meter;
 use super::motion::Motion;
 use super::panel::RULE;
 use super::past::Node;
 use super::solution::{Energies, Event, EventKind, IndentationWork, PathPoint, Trace};
+use super::summary::Summary;
 use std::f64::consts::PI;
+
+/// Most points of a path, and most cycles, that are held; kept instants come on top.
+const MOST_POINTS: usize = 40_000;
+const MOST_CYCLES: usize = 4_096;
+/// Newest points that are never dropped: what is continued from them.
+const NEWEST: usize = 8;
 
 pub(super) struct Record<'a> {
     pub(super) trace: Trace,
@@ -17,6 +26,9 @@ pub(super) struct Record<'a> {
     sudden: bool,
     /// The contact at the last point, for what a sudden change sets free.
     last: Option<Contact<'a>>,
+    /// Every so many cycles are kept, and the newest until its stretch ends.
+    cycle_stride: u64,
+    newest_cycle: Option<Cycle<f64>>,
 }
 
 impl<'a> Record<'a> {
@@ -26,11 +38,22 @@ impl<'a> Record<'a> {
             kept: Vec::new(),
             events: Vec::new(),
             cycles: Vec::new(),
+            shortened: Vec::new(),
+            summary: Summary::default(),
             work: IndentationWork::default(),
             smallest_stress_intensity_factor: f64::INFINITY,
             smallest_gap_factor: f64::INFINITY,
         };
-        Self { trace, piece: 0, energies, turned_over: [0.0; 3], sudden: false, last: energies.then(|| contact.clone()) }
+        Self {
+            trace,
+            piece: 0,
+            energies,
+            turned_over: [0.0; 3],
+            sudden: false,
+            last: energies.then(|| contact.clone()),
+            cycle_stride: 1,
+            newest_cycle: None,
+        }
     }
 
     pub(super) fn force(&self) -> f64 {
@@ -78,7 +101,7 @@ impl<'a> Record<'a> {
         let a = contact.radius();
         let intensity = if a > 0.0 { -super::panel::value_at(&loads, a) / (PI * a).sqrt() } else { 0.0 };
         let energies = self.energies.then(|| self.account(contact, force));
-        self.trace.path.push(PathPoint {
+        self.push(PathPoint {
             time,
             penetration: contact.penetration(),
             force,
@@ -124,6 +147,54 @@ impl<'a> Record<'a> {
             now.balance_defect = external + tip - (stored - before.stored) - lost;
         }
         now
+    }
+
+    /// A whole cycle has gone by: whether cycles are stationary. Of many cycles only every so many are kept.
+    pub(super) fn cycle(&mut self, meter: &mut Meter, end: f64, tolerance: f64) -> Option<bool> {
+        let (cycle, stationary) = meter.finished(end, tolerance);
+        if (cycle.number - 1).is_multiple_of(self.cycle_stride) || stationary {
+            self.trace.cycles.push(cycle);
+        }
+        self.newest_cycle = Some(cycle);
+        if self.trace.cycles.len() > MOST_CYCLES {
+            self.cycle_stride *= 2;
+            let stride = self.cycle_stride;
+            self.trace.cycles.retain(|cycle| (cycle.number - 1).is_multiple_of(stride));
+        }
+        Some(stationary)
+    }
+
+    /// A stretch that oscillates has ended: its last cycle is kept.
+    pub(super) fn last_cycle(&mut self) {
+        if let Some(newest) = self.newest_cycle.take() {
+            let there = self.trace.cycles.last().is_some_and(|cycle| (cycle.segment, cycle.number) == (newest.segment, newest.number));
+            if !there {
+                self.trace.cycles.push(newest);
+            }
+        }
+    }
+
+    /// Adds a point to the path; of a long path every second point is dropped, but for kept ones and the newest.
+    fn push(&mut self, point: PathPoint) {
+        self.trace.summary.add(&point, self.trace.path.last());
+        self.trace.path.push(point);
+        if self.trace.path.len() > MOST_POINTS + self.trace.kept.len() {
+            let newest = self.trace.path.len().saturating_sub(NEWEST);
+            let mut kept = self.trace.kept.iter().copied().peekable();
+            let (mut path, mut places) = (Vec::with_capacity(MOST_POINTS), Vec::with_capacity(self.trace.kept.len()));
+            for (index, point) in self.trace.path.iter().enumerate() {
+                let mut stays = index >= newest || index.is_multiple_of(2);
+                while kept.peek() == Some(&index) {
+                    kept.next();
+                    places.push(path.len());
+                    stays = true;
+                }
+                if stays {
+                    path.push(*point);
+                }
+            }
+            (self.trace.path, self.trace.kept) = (path, places);
+        }
     }
 
     pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
@@ -175,6 +246,8 @@ impl<'a> Record<'a> {
                 kept: Vec::new(),
                 events: Vec::new(),
                 cycles: Vec::new(),
+                shortened: Vec::new(),
+                summary: Summary::default(),
                 work: IndentationWork::default(),
                 smallest_stress_intensity_factor: 0.0,
                 smallest_gap_factor: 0.0,

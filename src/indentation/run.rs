@@ -1,6 +1,7 @@
 //! A history of contact from a problem to numbers with errors: marches, each tighter than the one before, until the errors meet the accuracy.
 
-use super::marcher::march;
+use super::cycle::Cycle;
+use super::marcher::{march, march_to};
 use super::problem::IndentationProblem;
 use super::solution::{Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::estimate::Estimate;
@@ -24,6 +25,8 @@ const TIGHTER: f64 = 0.1;
 const MOST_MARCHES: u32 = 6;
 /// Evaluations of the edge condition after which no tighter march is begun.
 const MOST_EVALUATIONS: u64 = 200_000;
+/// The same for each cycle of an oscillation.
+const EVALUATIONS_OF_A_CYCLE: u64 = 2_000;
 /// No march is tighter than this: rounding of the edge condition takes over.
 const TIGHTEST: f64 = 1e-9;
 
@@ -39,12 +42,14 @@ pub fn run(material: &Material, problem: &IndentationProblem) -> Result<Indentat
     let mut solution = None;
     for _ in 0..MOST_MARCHES {
         tolerance = (TIGHTER * tolerance).max(TIGHTEST);
-        let fine = march(material, problem, tolerance)?;
+        // Stretches that were stationary early are as long for every tighter march.
+        let fine = march_to(material, problem, tolerance, &coarse.shortened)?;
         work.add(&fine.work);
         let judged = judged(problem, &coarse, fine.clone(), work);
         let reached = judged.reached;
         solution = Some(judged);
-        if reached || tolerance <= TIGHTEST || work.closure_evaluations > MOST_EVALUATIONS {
+        let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * fine.cycles.last().map_or(0, |cycle| cycle.number);
+        if reached || tolerance <= TIGHTEST || work.closure_evaluations > most {
             break;
         }
         coarse = fine;
@@ -65,18 +70,12 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
     let mut instants = Vec::with_capacity(fine.kept.len());
     // The largest change so far: of the state over its scales, and of each energy.
     let (mut worst, mut largest) = (0.0_f64, [0.0_f64; 8]);
-    let scale = |of: fn(&PathPoint) -> f64| fine.path.iter().fold(0.0, |most: f64, point| most.max(of(point).abs()));
-    let of_punch = {
-        let a = scale(|point| point.contact_radius);
-        if a > 0.0 { scale(|point| point.force) / (2.0 * a * (PI * a).sqrt()) } else { 0.0 }
-    };
-    let scales = [
-        scale(|point| point.penetration),
-        scale(|point| point.force),
-        scale(|point| point.contact_radius),
+    let mut scales = fine.summary.scales;
+    let [_, force, a, _] = scales;
+    if problem.adhesion.is_none() {
         // Without adhesion K is rounding; it is seen against the one that the force would have at the rim of a punch.
-        if problem.adhesion.is_some() { scale(|point| point.stress_intensity_factor) } else { of_punch },
-    ];
+        scales[3] = if a > 0.0 { force / (2.0 * a * (PI * a).sqrt()) } else { 0.0 };
+    }
     let mut reached = true;
     for (index, place) in fine.kept.iter().enumerate() {
         let Some(point) = fine.path.get(*place) else { continue };
@@ -149,11 +148,12 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
     for event in &events {
         reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE) * 10.0;
     }
-    let residual = fine.path.iter().fold(0.0, |most: f64, point| most.max(point.residual.abs()));
+    let cycles = judged_cycles(problem, coarse, &fine, &mut reached);
+    let residual = fine.summary.residual;
     IndentationSolution {
         instants,
         events,
-        cycles: Vec::new(),
+        cycles,
         largest_tension,
         balance_defect: fine.balance_defect(),
         smallest_stress_intensity_factor: fine.smallest_stress_intensity_factor,
@@ -163,4 +163,34 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
         fine,
         work,
     }
+}
+
+/// Cycles with errors: the change between marches, over the scales of all cycles.
+fn judged_cycles(problem: &IndentationProblem, coarse: &Trace, fine: &Trace, reached: &mut bool) -> Vec<Cycle<Estimate>> {
+    let largest = |of: fn(&Cycle<f64>) -> f64| fine.cycles.iter().fold(0.0, |most: f64, cycle| most.max(of(cycle).abs()));
+    let stiffness = largest(|cycle| cycle.storage_stiffness.hypot(cycle.loss_stiffness));
+    let scales = [
+        largest(|cycle| cycle.work.abs().max(0.25 * (cycle.force[1] - cycle.force[0]) * (cycle.penetration[1] - cycle.penetration[0]))),
+        stiffness,
+        stiffness,
+        1.0,
+        fine.summary.scales[0],
+        fine.summary.scales[0],
+        fine.summary.scales[1],
+        fine.summary.scales[1],
+        fine.summary.scales[2],
+        fine.summary.scales[2],
+    ];
+    let mut cycles = Vec::with_capacity(fine.cycles.len());
+    for (index, cycle) in fine.cycles.iter().enumerate() {
+        let other = coarse.cycles.get(index).filter(|other| (other.segment, other.number) == (cycle.segment, cycle.number));
+        cycles.push(cycle.judged(other, |place, value, other| {
+            let scale = scales.get(place).copied().unwrap_or(0.0);
+            let change = other.map_or(f64::INFINITY, |other| (value - other).abs());
+            let error = (SAFETY * change).max(FLOOR * problem.accuracy * scale) + ROUNDING * value.abs();
+            *reached &= error <= problem.accuracy * scale;
+            Estimate::new(value, error)
+        }));
+    }
+    cycles
 }

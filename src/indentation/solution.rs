@@ -1,6 +1,7 @@
 //! What a history of contact turns out to be.
 
 use super::cycle::Cycle;
+use super::summary::Summary;
 use crate::estimate::Estimate;
 
 /// A step of the march, as computed.
@@ -87,7 +88,7 @@ pub struct IndentationWork {
 /// One march.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
-    /// Every step, the start included.
+    /// Every step, the start included; of more than 40 000 every second one again and again, but for kept instants.
     pub path: Vec<PathPoint>,
     /// Places in the path of the instants to keep.
     pub kept: Vec<usize>,
@@ -95,6 +96,10 @@ pub struct Trace {
     pub events: Vec<Event<f64>>,
     /// Whole cycles of stretches that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
+    /// Stretches that ended early, stationary: which, and how long they took (s).
+    pub shortened: Vec<(usize, f64)>,
+    /// What is told of every point, of those as well that a long path no longer holds.
+    pub summary: Summary,
     /// Counters.
     pub work: IndentationWork,
     /// Smallest K_I in contact (Pa√m).
@@ -107,48 +112,14 @@ impl Trace {
     /// The largest tension −F of the path (N), between its points by the polynomial through five; none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
-        let (index, top) = self.path.iter().enumerate().max_by(|one, other| other.1.force.total_cmp(&one.1.force))?;
-        // A peak at a corner, or at an end, is the point itself.
-        let near: Vec<&PathPoint> = (index.saturating_sub(2)..=index + 2)
-            .filter_map(|k| self.path.get(k))
-            .filter(|point| point.piece == top.piece && point.contact_radius > 0.0)
-            .collect();
-        let position = near.iter().position(|point| std::ptr::eq(*point, top))?;
-        let mut peak = -top.force;
-        if position > 0 && position + 1 < near.len() {
-            let at = |time: f64| {
-                near.iter()
-                    .enumerate()
-                    .map(|(k, one)| {
-                        let others = near.iter().enumerate().filter(|(l, _)| *l != k);
-                        -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
-                    })
-                    .sum::<f64>()
-            };
-            let (mut low, mut high) = (near[position - 1].time, near[position + 1].time);
-            for _ in 0..60 {
-                let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
-                if at(first) < at(second) { low = first } else { high = second }
-            }
-            let refined = at(0.5 * (low + high));
-            let steps = (near[position - 1].force - top.force).abs().max((near[position + 1].force - top.force).abs());
-            if refined > peak && refined - peak <= steps {
-                peak = refined;
-            }
-        }
-        (peak > 0.0).then_some(peak)
+        self.summary.largest_tension()
     }
 
     /// Σ|defect| of the power balance over the energy turned over; none without energies.
     #[must_use]
     pub fn balance_defect(&self) -> Option<f64> {
-        let (mut defect, mut turned) = (0.0, 0.0);
-        for pair in self.path.windows(2) {
-            let (before, after) = (pair[0].energies?, pair[1].energies?);
-            defect += after.balance_defect.abs();
-            turned += (after.external_work - before.external_work).abs() + (after.tip_work - before.tip_work).abs();
-        }
-        Some(if turned > 0.0 { defect / turned } else { 0.0 })
+        self.path.last()?.energies?;
+        Some(self.summary.balance_defect())
     }
 }
 

@@ -1,0 +1,248 @@
+//! What is added up over each cycle of an oscillation, from the points of the march alone.
+//!
+//! Within a step Δ(t), F(t) and a(t) go along the polynomial through the last six points since a corner of the path, which is of the order of the
+//! march itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
+//! phase over 0.4 rad, to rounding.
+
+use super::cycle::Cycle;
+use super::oscillation::Oscillation;
+use super::panel::RULE;
+use super::solution::PathPoint;
+use std::f64::consts::{PI, TAU};
+
+/// Points behind a polynomial.
+const POINTS_BEHIND: usize = 6;
+/// Halvings of a place of an extreme.
+const HALVINGS: u32 = 40;
+/// Cycles in a row without drift that are stationary.
+const IN_A_ROW: u32 = 2;
+
+/// Adds up one cycle after the other.
+pub(super) struct Meter {
+    segment: usize,
+    oscillation: Oscillation,
+    duration: f64,
+    origin: f64,
+    /// Longest retardation time.
+    longest: f64,
+    /// The newest last, of one stretch of the path between corners.
+    points: Vec<PathPoint>,
+    number: u64,
+    sums: Sums,
+    last: Option<Cycle<f64>>,
+    still: u32,
+}
+
+/// Of the cycle under way.
+#[derive(Debug, Clone, Copy)]
+struct Sums {
+    start: f64,
+    /// Δ and F at its start.
+    first: [f64; 2],
+    work: f64,
+    /// ∫x dφ, ∫x sin φ dφ, ∫x cos φ dφ of Δ and of F.
+    moments: [[f64; 3]; 2],
+    /// Smallest and largest Δ, F and a.
+    extremes: [[f64; 2]; 3],
+}
+
+impl Sums {
+    const fn new(point: &PathPoint) -> Self {
+        let [depth, force, radius] = [point.penetration, point.force, point.contact_radius];
+        Self {
+            start: point.time,
+            first: [depth, force],
+            work: 0.0,
+            moments: [[0.0; 3]; 2],
+            extremes: [[depth, depth], [force, force], [radius, radius]],
+        }
+    }
+
+    fn extend(&mut self, quantity: usize, value: f64) {
+        if let Some([least, most]) = self.extremes.get_mut(quantity) {
+            *least = least.min(value);
+            *most = most.max(value);
+        }
+    }
+}
+
+/// A polynomial by Newton's divided differences, in times relative to the last point.
+struct Course {
+    times: Vec<f64>,
+    divided: Vec<f64>,
+}
+
+impl Course {
+    fn through(points: &[PathPoint], of: fn(&PathPoint) -> f64) -> Self {
+        let zero = points.last().map_or(0.0, |point| point.time);
+        let times: Vec<f64> = points.iter().rev().map(|point| point.time - zero).collect();
+        let mut divided: Vec<f64> = points.iter().rev().map(of).collect();
+        for order in 1..times.len() {
+            for k in (order..times.len()).rev() {
+                divided[k] = (divided[k] - divided[k - 1]) / (times[k] - times[k - order]);
+            }
+        }
+        Self { times, divided }
+    }
+
+    /// Value and slope.
+    fn at(&self, time: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for (node, factor) in self.times.iter().zip(&self.divided).rev() {
+            slope = slope * (time - node) + value;
+            value = value * (time - node) + factor;
+        }
+        (value, slope)
+    }
+}
+
+impl Meter {
+    pub(super) fn new(
+        segment: usize,
+        (oscillation, duration): (Oscillation, f64),
+        origin: f64,
+        longest: f64,
+        now: Option<&PathPoint>,
+    ) -> Self {
+        let nothing = PathPoint {
+            time: origin,
+            penetration: 0.0,
+            force: 0.0,
+            contact_radius: 0.0,
+            stress_intensity_factor: 0.0,
+            residual: 0.0,
+            piece: 0,
+            energies: None,
+        };
+        let now = now.unwrap_or(&nothing);
+        let sums = Sums::new(now);
+        Self { segment, oscillation, duration, origin, longest, points: vec![*now], number: 0, sums, last: None, still: 0 }
+    }
+
+    /// A step has been taken to a point.
+    pub(super) fn step(&mut self, point: &PathPoint) {
+        let Some(last) = self.points.last().copied() else { return };
+        if point.time <= last.time {
+            // At once: between the two forces.
+            self.sums.work += 0.5 * (last.force + point.force) * (point.penetration - last.penetration);
+            self.points.clear();
+            self.points.push(*point);
+        } else {
+            if point.piece != last.piece {
+                // The first point of a stretch ends the one before.
+                self.points.clear();
+                self.points.push(last);
+            }
+            self.points.push(*point);
+            let spare = self.points.len().saturating_sub(POINTS_BEHIND);
+            self.points.drain(..spare);
+            self.add(last.time - point.time);
+        }
+        for (quantity, value) in [point.penetration, point.force, point.contact_radius].into_iter().enumerate() {
+            self.sums.extend(quantity, value);
+        }
+    }
+
+    /// Adds the last step, which began at a (negative) time before the last point.
+    fn add(&mut self, begin: f64) {
+        let now = self.points.last().map_or(0.0, |point| point.time);
+        let courses = [
+            Course::through(&self.points, |point| point.penetration),
+            Course::through(&self.points, |point| point.force),
+            Course::through(&self.points, |point| point.contact_radius),
+        ];
+        for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
+            let time = begin * (1.0 - x);
+            let width = -begin * weight;
+            let [(depth, depth_rate), (force, _), _] = [courses[0].at(time), courses[1].at(time), (0.0, 0.0)];
+            self.sums.work += width * force * depth_rate;
+            let since = (now + time - self.origin).clamp(0.0, self.duration);
+            let cycles = self.oscillation.cycles_at(since, self.duration);
+            let (sin, cos) = (TAU * (cycles - cycles.round())).sin_cos();
+            let pace = TAU * self.oscillation.frequency_at(since, self.duration) * width;
+            for (moments, value) in self.sums.moments.iter_mut().zip([depth, force]) {
+                for (moment, factor) in moments.iter_mut().zip([1.0, sin, cos]) {
+                    *moment += pace * factor * value;
+                }
+            }
+        }
+        for (quantity, course) in courses.iter().enumerate() {
+            let (mut low, mut high) = (begin, 0.0);
+            let slope = course.at(low).1;
+            if slope * course.at(high).1 < 0.0 {
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (low + high);
+                    if slope * course.at(middle).1 > 0.0 { low = middle } else { high = middle }
+                }
+                self.sums.extend(quantity, course.at(low).0);
+            }
+        }
+    }
+
+    /// The cycle that ends now, and whether cycles have become stationary, to a tolerance.
+    pub(super) fn finished(&mut self, end: f64, tolerance: f64) -> (Cycle<f64>, bool) {
+        let now = self.points.last().copied();
+        let at_end = now.map_or(self.sums.first, |point| [point.penetration, point.force]);
+        let sums = self.sums;
+        // The straight line from end to end has ∫φ sin φ dφ = −2π, and no cosine.
+        let amplitude = |quantity: usize| {
+            let moments = sums.moments.get(quantity).copied().unwrap_or_default();
+            let rise = at_end.get(quantity).copied().unwrap_or(0.0) - sums.first.get(quantity).copied().unwrap_or(0.0);
+            ((moments[1] + rise) / PI, moments[2] / PI)
+        };
+        let ((depth, depth_behind), (force, force_behind)) = (amplitude(0), amplitude(1));
+        let square = depth * depth + depth_behind * depth_behind;
+        let (storage, loss) = if square > 0.0 {
+            ((force * depth + force_behind * depth_behind) / square, (force_behind * depth - force * depth_behind) / square)
+        } else {
+            (0.0, 0.0)
+        };
+        self.number += 1;
+        let mut cycle = Cycle {
+            segment: self.segment,
+            number: self.number,
+            start: sums.start,
+            end,
+            work: sums.work,
+            storage_stiffness: storage,
+            loss_stiffness: loss,
+            phase: loss.atan2(storage),
+            penetration: sums.extremes[0],
+            force: sums.extremes[1],
+            contact_radius: sums.extremes[2],
+            drift: f64::INFINITY,
+        };
+        if let Some(before) = &self.last {
+            cycle.drift = change(before, &cycle) * (self.longest / (cycle.end - cycle.start)).max(1.0);
+        }
+        self.still = if cycle.drift <= tolerance { self.still + 1 } else { 0 };
+        self.last = Some(cycle);
+        if let Some(point) = now {
+            self.sums = Sums::new(&point);
+        }
+        (cycle, self.still >= IN_A_ROW)
+    }
+}
+
+/// Largest change of work and extremes from one cycle to the next, over their scales.
+fn change(before: &Cycle<f64>, after: &Cycle<f64>) -> f64 {
+    let swing = |range: [f64; 2]| range[1] - range[0];
+    let largest = |range: [f64; 2]| range[0].abs().max(range[1].abs());
+    let work = after.work.abs().max(0.25 * swing(after.force) * swing(after.penetration));
+    let mut most: f64 = 0.0;
+    let mut add = |one: f64, other: f64, scale: f64| {
+        if one.to_bits() != other.to_bits() {
+            most = most.max((one - other).abs() / scale);
+        }
+    };
+    add(before.work, after.work, work);
+    for (one, other, scale) in [
+        (before.penetration, after.penetration, swing(after.penetration)),
+        (before.force, after.force, largest(after.force)),
+        (before.contact_radius, after.contact_radius, largest(after.contact_radius)),
+    ] {
+        add(one[0], other[0], scale);
+        add(one[1], other[1], scale);
+    }
+    most
+}
