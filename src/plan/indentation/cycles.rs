@@ -4,13 +4,13 @@ use super::IndentationPlan;
 use super::columns::{COLUMNS, at};
 use super::rows::Values;
 use crate::estimate::Estimate;
-use crate::indentation::{Cycle, IndentationSolution};
+use crate::indentation::{Cycle, IndentationSolution, PathPoint};
 use crate::plan::curves::thinned;
 use std::f64::consts::FRAC_PI_4;
 
 /// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
 const MOST_ROWS: usize = 2000;
-/// Fewer instants than these draw no cycle.
+/// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
 
 impl IndentationPlan {
@@ -32,17 +32,27 @@ impl IndentationPlan {
         stretches.into_iter().flat_map(|stretch| thinned(stretch, share.max(2))).collect()
     }
 
-    /// When points of the path are instants: all through an oscillation for which the scene asks for enough of them, else in its last cycle.
-    pub(super) fn spans_of_oscillations(&self, solution: &IndentationSolution) -> Vec<(f64, f64)> {
+    /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its
+    /// last cycle.
+    pub(super) fn in_oscillations<'s>(&self, solution: &'s IndentationSolution) -> Vec<&'s PathPoint> {
         let instants = f64::from(self.indentation.instants);
-        let stretches = solution.cycles.chunk_by(|one, other| one.segment == other.segment);
-        stretches
-            .filter_map(|stretch| {
-                let (first, last) = (stretch.first()?, stretch.last()?);
-                let all = instants >= INSTANTS_PER_CYCLE * stretch.len() as f64;
-                Some((if all { first.start } else { last.start }, last.end))
-            })
-            .collect()
+        if instants < INSTANTS_PER_CYCLE {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for stretch in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
+            let (Some(first), Some(last)) = (stretch.first(), stretch.last()) else { continue };
+            let all = instants >= INSTANTS_PER_CYCLE * last.number as f64;
+            let (from, to) = (if all { first.start } else { last.start }, last.end);
+            let mut next = from;
+            for point in solution.fine.path.iter().filter(|point| point.time >= from && point.time < to) {
+                if point.time >= next {
+                    found.push(point);
+                    next = point.time.max(next + (to - from) / instants);
+                }
+            }
+        }
+        found
     }
 
     pub(super) fn of_cycle(&self, cycle: &Cycle<Estimate>, scales: &[f64]) -> Values {

@@ -200,13 +200,13 @@ impl IndentationPlan {
         values
     }
 
-    /// Points of the path inside ramps that begin where only the march knows, and of oscillations.
+    /// Points of the path inside ramps that begin where only the march knows, and inside oscillations.
     fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
         let inside = |&(from, to): &(f64, f64)| {
             let points: Vec<&PathPoint> = solution.fine.path.iter().filter(|point| point.time > from && point.time < to).collect();
             thinned(points, self.indentation.instants as usize)
         };
-        self.timeline.open_ramps.iter().chain(&self.spans_of_oscillations(solution)).flat_map(inside).collect()
+        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).collect()
     }
 
     /// A point between two kept instants, known as well as the worse of them.
