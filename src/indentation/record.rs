@@ -22,6 +22,8 @@ pub(super) struct Record<'a> {
     energies: bool,
     /// ∫F dΔ, ∫G_tip dA and ∫P_d dt since the last point.
     turned_over: [f64; 3],
+    /// dA/dt at the end of the last motion.
+    area_rate: f64,
     /// Whether the next point follows at once: what is set free then is dissipated.
     sudden: bool,
     /// The contact at the last point, for what a sudden change sets free.
@@ -49,6 +51,7 @@ impl<'a> Record<'a> {
             piece: 0,
             energies,
             turned_over: [0.0; 3],
+            area_rate: 0.0,
             sudden: false,
             last: energies.then(|| contact.clone()),
             cycle_stride: 1,
@@ -79,6 +82,7 @@ impl<'a> Record<'a> {
         if !self.energies {
             return;
         }
+        self.area_rate = if motion.time > 0.0 { motion.area_rate(from.profile(), 1.0) / motion.time } else { 0.0 };
         let mut sums = [0.0; 3];
         let profile = from.profile();
         for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
@@ -130,7 +134,10 @@ impl<'a> Record<'a> {
 
     fn account(&mut self, contact: &Contact<'a>, force: f64) -> Energies {
         let stored = contact.stored_energy();
-        let mut now = Energies { stored, dissipated_power: contact.dissipated_power(), ..Energies::default() };
+        let (dissipated_power, tip_release_rate) = (contact.dissipated_power(), contact.tip_release_rate());
+        let release = tip_release_rate - dissipated_power / self.area_rate;
+        let energy_release_rate = (self.area_rate != 0.0 && release.is_finite()).then_some(release);
+        let mut now = Energies { stored, dissipated_power, tip_release_rate, energy_release_rate, ..Energies::default() };
         let Some(before) = self.trace.path.last().and_then(|point| point.energies) else { return now };
         let [mut external, tip, lost] = std::mem::take(&mut self.turned_over);
         if std::mem::take(&mut self.sudden) {

@@ -3,7 +3,7 @@
 use super::cycle::Cycle;
 use super::marcher::{march, march_to};
 use super::problem::IndentationProblem;
-use super::solution::{Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -120,6 +120,8 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
                 .energies
                 .is_some()
                 .then(|| [estimate(4, &energy(0)), estimate(5, &energy(1)), estimate(6, &energy(2)), estimate(7, &energy(3))]),
+            tip_release_rate: release(point, other, |energies| Some(energies.tip_release_rate)),
+            energy_release_rate: release(point, other, |energies| energies.energy_release_rate),
             residual: point.residual,
         });
     }
@@ -163,6 +165,14 @@ fn judged(problem: &IndentationProblem, coarse: &Trace, fine: Trace, work: Inden
         fine,
         work,
     }
+}
+
+/// A release rate with its error; none where nothing of it is known.
+fn release(fine: &PathPoint, coarse: Option<&PathPoint>, of: impl Fn(&Energies) -> Option<f64>) -> Option<Estimate> {
+    let value = of(&fine.energies?)?;
+    let other = of(&coarse?.energies?)?;
+    let error = SAFETY * (value - other).abs() + ROUNDING * value.abs();
+    (error <= value.abs()).then(|| Estimate::new(value, error))
 }
 
 /// Cycles with errors: the change between marches, over the scales of all cycles.

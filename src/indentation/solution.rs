@@ -3,6 +3,7 @@
 use super::cycle::Cycle;
 use super::summary::Summary;
 use crate::estimate::Estimate;
+use std::f64::consts::PI;
 
 /// A step of the march, as computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,10 @@ pub struct Energies {
     pub dissipated: f64,
     /// Defect of the power balance F dΔ + G_tip dA = dU + P_d dt over this step (J).
     pub balance_defect: f64,
+    /// G_tip = K_I²/(2E∞*) (J/m²).
+    pub tip_release_rate: f64,
+    /// G = G_tip − P_d/(dA/dt) (J/m²), what the whole contact releases for each area; none where the edge is at rest.
+    pub energy_release_rate: Option<f64>,
 }
 
 /// What happened.
@@ -115,6 +120,19 @@ impl Trace {
         self.summary.largest_tension()
     }
 
+    /// G (J/m²) as a mean over the step that leads to a point, by two accounts: of the energies, (dU − F dΔ)/dA, and of the tip and what is
+    /// dissipated, (G_tip dA − P_d dt)/dA. None without energies, or where the area stays the same.
+    #[must_use]
+    pub fn release_rates(&self, place: usize) -> Option<(f64, f64)> {
+        let (before, after) = (self.path.get(place.checked_sub(1)?)?, self.path.get(place)?);
+        let (then, now) = (before.energies?, after.energies?);
+        let (inner, outer) = (before.contact_radius, after.contact_radius);
+        let area = PI * (outer - inner) * (outer + inner);
+        let by_energy = now.stored - then.stored - (now.external_work - then.external_work);
+        let by_tip = now.tip_work - then.tip_work - (now.dissipated - then.dissipated);
+        (area != 0.0).then_some((by_energy / area, by_tip / area))
+    }
+
     /// Σ|defect| of the power balance over the energy turned over; none without energies.
     #[must_use]
     pub fn balance_defect(&self) -> Option<f64> {
@@ -138,6 +156,10 @@ pub struct Instant {
     pub stress_intensity_factor: Estimate,
     /// Energies, where asked for: U (J), P_d (W), ∫F dΔ (J) and ∫P_d dt (J) since the start.
     pub energies: Option<[Estimate; 4]>,
+    /// G_tip = K_I²/(2E∞*) (J/m²), with the energies.
+    pub tip_release_rate: Option<Estimate>,
+    /// G = dU/dA − F dΔ/dA = G_tip − P_d/(dA/dt) (J/m²), with the energies; none where the edge stands, or turns so near that nothing of it is known.
+    pub energy_release_rate: Option<Estimate>,
     /// Defect of the edge condition.
     pub residual: f64,
 }
