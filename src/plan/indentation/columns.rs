@@ -12,6 +12,7 @@ pub(super) enum Measure {
     Intensity,
     Energy,
     Power,
+    EnergyPerArea,
     Stiffness,
     Frequency,
     Angle,
@@ -42,23 +43,25 @@ pub(super) mod at {
     pub(crate) const BALANCE_DEFECT: usize = 11;
     pub(crate) const FRAME: usize = 12;
     pub(crate) const MEASURED_FORCE: usize = 13;
-    pub(crate) const SEGMENT: usize = 14;
-    pub(crate) const CYCLE: usize = 15;
-    pub(crate) const CYCLE_START: usize = 16;
-    pub(crate) const FREQUENCY: usize = 17;
-    pub(crate) const WORK_PER_CYCLE: usize = 18;
-    pub(crate) const STORAGE_STIFFNESS: usize = 19;
-    pub(crate) const LOSS_STIFFNESS: usize = 20;
-    pub(crate) const PHASE: usize = 21;
-    pub(crate) const SMALLEST_PENETRATION: usize = 22;
-    pub(crate) const LARGEST_PENETRATION: usize = 23;
-    pub(crate) const SMALLEST_FORCE: usize = 24;
-    pub(crate) const LARGEST_FORCE: usize = 25;
-    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 26;
-    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 27;
-    pub(crate) const DRIFT: usize = 28;
+    pub(crate) const TIP_RELEASE_RATE: usize = 14;
+    pub(crate) const ENERGY_RELEASE_RATE: usize = 15;
+    pub(crate) const SEGMENT: usize = 16;
+    pub(crate) const CYCLE: usize = 17;
+    pub(crate) const CYCLE_START: usize = 18;
+    pub(crate) const FREQUENCY: usize = 19;
+    pub(crate) const WORK_PER_CYCLE: usize = 20;
+    pub(crate) const STORAGE_STIFFNESS: usize = 21;
+    pub(crate) const LOSS_STIFFNESS: usize = 22;
+    pub(crate) const PHASE: usize = 23;
+    pub(crate) const SMALLEST_PENETRATION: usize = 24;
+    pub(crate) const LARGEST_PENETRATION: usize = 25;
+    pub(crate) const SMALLEST_FORCE: usize = 26;
+    pub(crate) const LARGEST_FORCE: usize = 27;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 28;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 29;
+    pub(crate) const DRIFT: usize = 30;
     /// How many there are.
-    pub(crate) const ALL: usize = 29;
+    pub(crate) const ALL: usize = 31;
 }
 
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
@@ -96,6 +99,16 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         "measured_force",
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
+    ),
+    column(
+        "tip_release_rate",
+        Measure::EnergyPerArea,
+        "G_tip = K_I²/2E∞*, what the edge itself releases for each area (with [indentation.energies]).",
+    ),
+    column(
+        "energy_release_rate",
+        Measure::EnergyPerArea,
+        "G = dU/dA − F dΔ/dA, the same less what the memory dissipates for each area; empty where the edge rests or turns.",
     ),
     column("segment", Measure::Number, "In rows of cycles: which segment of the history oscillates, from 0."),
     column(
@@ -144,6 +157,7 @@ pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE => has_measured_force(indentation),
+        at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
         place => place < at::SEGMENT || oscillates(indentation),
     };
     (0..at::ALL).filter(has).collect()
@@ -162,6 +176,7 @@ fn unit(measure: Measure, units: Units) -> &'static str {
         (Measure::Intensity, Units::Si) => "Pa √m",
         (Measure::Energy, Units::Si) => "J",
         (Measure::Power, Units::Si) => "W",
+        (Measure::EnergyPerArea, Units::Si) => "J/m²",
         (Measure::Stiffness, Units::Si) => "N/m",
         (Measure::Frequency, Units::Si) => "1/s",
         (Measure::Angle, _) => "rad",
@@ -172,7 +187,7 @@ fn unit(measure: Measure, units: Units) -> &'static str {
         (Measure::Intensity, Units::Reduced) => "E0*√R",
         (Measure::Energy, Units::Reduced) => "πE0*R³",
         (Measure::Power, Units::Reduced) => "πE0*R³/reference time",
-        (Measure::Stiffness, Units::Reduced) => "πE0*R",
+        (Measure::EnergyPerArea | Measure::Stiffness, Units::Reduced) => "πE0*R",
         (Measure::Frequency, Units::Reduced) => "1/reference time",
     }
 }

@@ -5,7 +5,7 @@ use super::columns::{at, position};
 use super::figures::State;
 use super::rows::{CYCLE, INSTANT};
 use crate::outcome::Row;
-use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
+use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker, Scale};
 use crate::plan::curves::value;
 use crate::scene::typed::{Scene, Units};
 
@@ -27,14 +27,16 @@ impl IndentationPlan {
         state.cycles.get(after).is_some_and(|row| self.of(row, at::CYCLE_START) >= from && value(row, at::TIME) <= to)
     }
 
-    /// The smallest and the largest value in each cycle against its middle; nothing without an oscillation.
+    /// The smallest and the largest value in each cycle against its middle, where not all cycles are drawn.
     pub(super) fn envelope(&self, state: &State<'_>, column: usize) -> Vec<Curve> {
         let ends = match column {
             at::FORCE => [at::SMALLEST_FORCE, at::LARGEST_FORCE],
             at::CONTACT_RADIUS => [at::SMALLEST_CONTACT_RADIUS, at::LARGEST_CONTACT_RADIUS],
             _ => [at::SMALLEST_PENETRATION, at::LARGEST_PENETRATION],
         };
-        if state.cycles.is_empty() {
+        // A way that is drawn itself needs none.
+        let times: Vec<f64> = state.rows.iter().map(|row| value(row, at::TIME)).collect();
+        if !times.windows(2).any(|pair| self.whole_cycles_between(state, pair[0], pair[1])) {
             return Vec::new();
         }
         ends.into_iter()
@@ -100,7 +102,10 @@ impl IndentationPlan {
     /// Stiffness and work against a column.
     fn against(&self, axis: &Axis, name: &str, horizontal: usize, sets: &[Set<'_>]) -> Vec<(String, Figure)> {
         let stiffness = self.label("stiffness", "", "(N/m)", r"$k/\pi E_0^* R$");
-        let mut first = Figure::new(axis.clone(), Axis::linear(stiffness));
+        let columns = [at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS];
+        let values = || sets.iter().flat_map(|set| &set.rows).flat_map(|row| columns.map(|column| self.of(row, column)));
+        let decades = axis.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;
+        let mut first = Figure::new(axis.clone(), if decades { Axis::logarithmic(stiffness) } else { Axis::linear(stiffness) });
         let mut second = Figure::new(axis.clone(), Axis::linear(self.label("work per cycle", "$w$", " (J)", r"$w/\pi E_0^* R^3$")));
         for set in sets {
             let curve = |label: &str, column: usize, line: Line| {

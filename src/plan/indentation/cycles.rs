@@ -43,7 +43,9 @@ impl IndentationPlan {
         for stretch in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
             let (Some(first), Some(last)) = (stretch.first(), stretch.last()) else { continue };
             let all = instants >= INSTANTS_PER_CYCLE * last.number as f64;
-            let (from, to) = (if all { first.start } else { last.start }, last.end);
+            // What follows the last whole cycle belongs to all.
+            let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
+            let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
             let mut next = from;
             for point in solution.fine.path.iter().filter(|point| point.time >= from && point.time < to) {
                 if point.time >= next {

@@ -133,6 +133,14 @@ impl IndentationPlan {
         if let Some(adhesion) = self.adhesion() {
             at_least(at::STRESS_INTENSITY, (2.0 * self.material.glassy_modulus() * adhesion.work_of_adhesion).sqrt());
         }
+        // Release rates by the larger of both, and at least by what the interface takes.
+        let release = [at::TIP_RELEASE_RATE, at::ENERGY_RELEASE_RATE].iter().filter_map(|&place| scales.get(place));
+        let release = release.fold(self.adhesion().map_or(0.0, |adhesion| adhesion.work_of_adhesion), |most: f64, scale| most.max(*scale));
+        for place in [at::TIP_RELEASE_RATE, at::ENERGY_RELEASE_RATE] {
+            if let Some(scale) = scales.get_mut(place) {
+                *scale = release;
+            }
+        }
         // Energies turn into each other: all are judged by the largest.
         let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY]
             .iter()
@@ -191,6 +199,8 @@ impl IndentationPlan {
             (at::DISSIPATED_POWER, energy(1)),
             (at::EXTERNAL_WORK, energy(2)),
             (at::DISSIPATED_ENERGY, energy(3)),
+            (at::TIP_RELEASE_RATE, instant.tip_release_rate),
+            (at::ENERGY_RELEASE_RATE, instant.energy_release_rate),
             (at::RESIDUAL, Some(Estimate::exact(instant.residual))),
         ] {
             if let Some(cell) = values.get_mut(place) {
@@ -301,7 +311,7 @@ impl IndentationPlan {
     /// A coherent value in the units of the scene.
     pub(super) fn in_units(&self, estimate: Estimate, measure: Measure) -> Estimate {
         let converted = match measure {
-            Measure::Force | Measure::Energy | Measure::Power | Measure::Stiffness => {
+            Measure::Force | Measure::Energy | Measure::Power | Measure::EnergyPerArea | Measure::Stiffness => {
                 let scaled = estimate.scaled(1.0 / self.scale.force);
                 Estimate::new(scaled.value, scaled.error + if scaled.error > 0.0 { CONVERSION * scaled.value.abs() } else { 0.0 })
             }
