@@ -15,6 +15,8 @@ const PATIENCE: u32 = 60;
 const LAST_RESORT: f64 = 1e-10;
 /// Residual at which a closed bracket is opened again.
 const REOPENED: f64 = 1e-9;
+/// Residual from which secants go straight to the root.
+const NEAR: f64 = 0.05;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
@@ -89,11 +91,39 @@ impl Search {
     }
 }
 
+/// How quickly a search converges.
+#[derive(Default)]
+struct Pace {
+    before: Option<f64>,
+    slow: u32,
+}
+
+impl Pace {
+    /// Whether two values in a row did not fall to a tenth: halving is due, then.
+    fn is_slow(&mut self, value: f64) -> bool {
+        let fell = self.before.is_none_or(|before| value.abs() < 0.1 * before);
+        self.before = Some(value.abs());
+        self.slow = if fell { 0 } else { self.slow + 1 };
+        let due = self.slow >= 2;
+        if due {
+            self.slow = 0;
+        }
+        due
+    }
+
+    /// Part of the way to a suggested root: a little beyond it, for a bracket, unless it is near.
+    fn overshoot(&mut self, value: f64) -> f64 {
+        let near = value.abs() < NEAR && self.before.is_none_or(|before| value.abs() < before);
+        self.before = Some(value.abs());
+        if near { 1.0 } else { 1.1 }
+    }
+}
+
 impl Stepper<'_, '_> {
     /// The edge to `target` in at most `cap`, probably in about `guess`.
     pub(super) fn edge_driven(&mut self, target: f64, guess: f64, cap: f64, imposed: &Imposed<'_>) -> Result<EdgeStep, Refusal> {
         let sign = if target < self.contact.radius() { 1.0 } else { -1.0 };
-        let mut search = Search::new();
+        let (mut search, mut pace) = (Search::new(), Pace::default());
         self.edge.held = None;
         let mut time = guess.min(cap);
         let (mut reopened, mut degree) = (0, 0);
@@ -135,14 +165,14 @@ impl Stepper<'_, '_> {
             let suggestion = secant.or(newton);
             time = match (search.low, search.high) {
                 (Some(_), Some(_)) => {
-                    if count % 4 == 3 {
+                    if pace.is_slow(value) {
                         0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
                     } else {
                         search.inside(suggestion).unwrap_or(time)
                     }
                 }
                 (Some((low, _)), None) => match suggestion.filter(|point| *point > low) {
-                    Some(point) => (low + 1.1 * (point - low)).clamp(low * (1.0 + 1e-9), STRIDE * low).min(cap),
+                    Some(point) => (low + pace.overshoot(value) * (point - low)).clamp(low * (1.0 + 1e-9), STRIDE * low).min(cap),
                     None => (STRIDE * low).min(cap),
                 },
                 _ => {
@@ -167,7 +197,7 @@ impl Stepper<'_, '_> {
         // A contact no larger than its process zone has no closure: further in is far.
         let inner = (here - reach).max(1.001 * self.edge.zone());
         let outer = (here + reach).min(rim);
-        let mut search = Search::new();
+        let (mut search, mut pace) = (Search::new(), Pace::default());
         // Without a past, a little to either side of the edge tells which way it goes.
         let mut stride = 1e-3 * reach;
         let mut degree = 0;
@@ -208,7 +238,7 @@ impl Stepper<'_, '_> {
             let newton = if self.slopes.1 > 0.0 { Some(place - value / self.slopes.1) } else { None };
             let suggestion = secant.or(newton);
             place = if search.low.is_some() && search.high.is_some() {
-                if count % 4 == 3 {
+                if pace.is_slow(value) {
                     0.5 * (search.low.map_or(0.0, |low| low.0) + search.high.map_or(0.0, |high| high.0))
                 } else {
                     search.inside(suggestion).unwrap_or(place)
@@ -222,7 +252,7 @@ impl Stepper<'_, '_> {
                 let least = if outwards { place + stride } else { place - stride };
                 stride *= STRIDE;
                 let next = ahead.map_or(least, |point| {
-                    let past_it = place + 1.1 * (point - place);
+                    let past_it = place + pace.overshoot(value) * (point - place);
                     // Never further than the stride allows: a flat slope points anywhere.
                     if outwards { past_it.min(place + 10.0 * stride) } else { past_it.max(place - 10.0 * stride) }
                 });
