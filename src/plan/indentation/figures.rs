@@ -91,6 +91,10 @@ impl IndentationPlan {
             let (x, time) = (value(row, horizontal), value(row, at::TIME));
             // Cycles of which no instant is a row are a gap.
             if self.whole_cycles_between(state, before, time) {
+                // A point alone is no curve.
+                if row.label(1) == LARGEST_TENSION {
+                    continue;
+                }
                 points.push((f64::NAN, f64::NAN));
             }
             before = time;
