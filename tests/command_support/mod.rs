@@ -193,7 +193,6 @@ fn files_of(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// Every shipped scene, the templates among them; files with materials only are none.
 /// What is put into a long scene, so that a test of it takes seconds: fewer cycles of the same kind.
 pub fn shortened(path: &Path) -> &'static [&'static str] {
     match path.file_stem().and_then(|stem| stem.to_str()) {
@@ -205,6 +204,7 @@ pub fn shortened(path: &Path) -> &'static [&'static str] {
     }
 }
 
+/// Every shipped scene, the templates among them; files with materials only are none.
 pub fn shipped_scenes() -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")];

@@ -28,6 +28,8 @@ const CYCLE: f64 = 1700.0;
 const CYCLE_ORDER: f64 = 0.25;
 /// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
 const CYCLE_UPDATES: f64 = 140.0;
+/// The same without adhesion, where turns leave no layer of their own.
+const SWEPT_UPDATES: f64 = 35.0;
 /// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
 const HELD_CYCLE: f64 = 45.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
@@ -56,9 +58,12 @@ impl IndentationPlan {
             let balances = cycles * HELD_CYCLE * finer.powf(HELD_CYCLE_ORDER);
             return (balances, balances * HELD_UPDATES * if adhesive { 2.0 } else { 1.0 });
         }
-        let (part, narrow) = if adhesive { (1.0, 1.0) } else { (ADHESIVELESS, NARROW) };
-        let balances = cycles * CYCLE * finer.powf(CYCLE_ORDER) * part;
-        (balances, balances * CYCLE_UPDATES * cycles.sqrt() * narrow)
+        let balances = cycles * CYCLE * finer.powf(CYCLE_ORDER);
+        if adhesive {
+            (balances, balances * CYCLE_UPDATES * cycles.sqrt())
+        } else {
+            (balances * ADHESIVELESS, balances * ADHESIVELESS * SWEPT_UPDATES)
+        }
     }
 
     /// Expected work of one state.
