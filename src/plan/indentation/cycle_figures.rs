@@ -41,11 +41,11 @@ impl IndentationPlan {
         }
         ends.into_iter()
             .map(|end| {
-                let mut segment = f64::NAN;
+                let mut segment = f64::INFINITY;
                 let mut points = Vec::with_capacity(state.cycles.len());
                 for row in &state.cycles {
                     let own = self.of(row, at::SEGMENT);
-                    if own != segment && !segment.is_nan() {
+                    if own > segment {
                         points.push((f64::NAN, f64::NAN));
                     }
                     segment = own;

@@ -121,7 +121,7 @@ impl IndentationPlan {
             let unit = pick("1/s", "1/reference time");
             let (from, to) = (oscillation.frequency, oscillation.end_frequency);
             groups.push(group(&format!("frequency of history.{}", leg.segment), from, unit));
-            if to != from {
+            if to.to_bits() != from.to_bits() {
                 groups.push(group(&format!("frequency of history.{} at its end", leg.segment), to, unit));
             }
             if let Some(longest) = self.material.longest_relaxation_time() {

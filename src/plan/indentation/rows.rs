@@ -229,7 +229,7 @@ impl IndentationPlan {
         // Within a cycle not better than its extremes.
         let cycle = solution.cycles.iter().find(|cycle| cycle.start <= point.time && point.time <= cycle.end);
         let within = |estimate: Estimate, of: fn(&Cycle<Estimate>) -> &[Estimate; 2]| {
-            let errors = cycle.into_iter().flat_map(|cycle| of(cycle)).map(|extreme| extreme.error).filter(|error| error.is_finite());
+            let errors = cycle.into_iter().flat_map(of).map(|extreme| extreme.error).filter(|error| error.is_finite());
             Estimate::new(estimate.value, errors.fold(estimate.error, f64::max))
         };
         let mut values = self.basic(
