@@ -1,33 +1,55 @@
 #!/usr/bin/env bash
-# Everything that must pass: format, lints, documentation, tests, the reduced cross-check of the references.
+# Everything that must pass: format, lints, documentation, tests, cross-checks against references.
 #   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
 #   ci/test.sh --full    also regenerates every reference at full precision and compares (about an hour)
-# Needs Rust. The cross-check needs python3 with mpmath: without it, it is skipped in plain words, and fails where CI=true.
+# Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest: as root, or where CI=true, they are installed;
+# otherwise, if they are missing, the line to run is printed and the cross-checks are skipped in plain words, which is a failure where CI=true.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 full=${1:-}
+packages="python3 python3-numpy python3-scipy python3-mpmath python3-pytest"
 
 step() { printf '\n== %s\n' "$*"; }
 
+# A python3 that has everything, Debian's first.
+find_python() {
+  python=""
+  for candidate in /usr/bin/python3 python3; do
+    if "$candidate" -c 'import mpmath, numpy, scipy, pytest, sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then python=$candidate; break; fi
+  done
+}
+
+step "tools of the cross-checks"
+find_python
+if [ -z "$python" ] && command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || [ "${CI:-}" = true ]; }; then
+  apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $packages >/dev/null
+  find_python
+fi
+if [ -n "$python" ]; then
+  "$python" -c 'import mpmath, numpy, pytest, scipy, sys
+print("python", sys.version.split()[0], *(f"{m.__name__} {m.__version__}" for m in (numpy, scipy, mpmath, pytest)))'
+else
+  echo "missing; to install: apt-get install $packages"
+  [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
+fi
+
 step "format"
-cargo fmt --check
+cargo fmt --all --check
 step "lints: warnings are errors"
-cargo clippy --release --locked --all-targets -- -D warnings
+cargo clippy --release --locked --all-targets -p viscotack -p viscotack-harness -- -D warnings
 cargo clippy --release --locked --lib --bins --no-default-features -- -D warnings
 step "documentation: warnings are errors"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
 step "tests"
-cargo test --release --locked
+cargo test --release --locked -p viscotack -p viscotack-harness
 
-step "cross-check of the references"
-python=""
-for candidate in /usr/bin/python3 python3; do
-  if "$candidate" -c 'import mpmath' 2>/dev/null; then python=$candidate; break; fi
-done
+step "cross-checks against references"
 if [ -z "$python" ]; then
-  echo "SKIPPED: no python3 with mpmath (Debian: apt-get install python3-mpmath)"
-  [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
+  echo "SKIPPED: no python3 (3.11 or later) with NumPy, SciPy, mpmath and pytest; to install: apt-get install $packages"
 else
-  if [ "$full" = --full ]; then ci/references.sh "$python"; else ci/references.sh "$python" --reduced; fi
+  verification/harness/build.sh --with-tests
+  PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest verification/crosscheck
+  if [ "$full" = --full ]; then ci/references.sh "$python"; fi
 fi
 step "all passed"

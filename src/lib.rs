@@ -6,6 +6,7 @@ pub mod continuation;
 pub mod crack;
 pub mod elastic;
 pub mod estimate;
+pub mod figures;
 pub mod indentation;
 pub mod material;
 pub mod outcome;

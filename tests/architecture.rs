@@ -46,6 +46,8 @@ fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
     assert_free_of(&["scene"], &["crate::plan", "crate::outcome", "crate::cli"]);
     assert_free_of(&["outcome"], &["crate::plan", "crate::cli", "crate::scene"]);
     assert_free_of(&["plan"], &["crate::cli"]);
+    assert_free_of(&["scene", "plan", "outcome"], &["crate::figures"]);
+    assert_free_of(&["figures"], &["crate::cli"]);
 }
 
 #[test]
@@ -63,8 +65,16 @@ fn no_plan_picks_a_rival() {
             "scene",
             "plan",
             "outcome",
+            "figures",
             "cli",
         ],
         &["crate::rivals"],
     );
+}
+
+#[test]
+fn the_solver_needs_no_python() {
+    let manifest = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).unwrap();
+    assert!(manifest.contains("default-members = [\".\"]"), "the harness is built by name only");
+    assert!(!manifest.contains("pyo3") && !manifest.contains("viscotack-harness ="), "nothing depends on the harness or on Python");
 }

@@ -6,9 +6,8 @@
 //!
 //! Parameters: one term, β = 10, γ̃ = 1.6e-4, δ̃ = 0.013, relaxed at Δ̃ = 0.032 (thesis Fig 4.8), speeds 1e-6 to 1e2 R/ρ.
 //! Tolerance: 1e-5 of G, as asked of two accounts; sums to the tolerance of the march.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
+#![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
-#[allow(dead_code)]
 mod support;
 
 use std::f64::consts::{PI, TAU};

@@ -5,9 +5,8 @@
 //! Goal: work, stiffness, phase and extremes of cycles, sweeps, ramps beneath, stationarity, and the bound on memory.
 //! Oracle: E*(ω) from the sums of the relaxation terms, written out here; elementary integrals.
 //! Tolerance: 1e-8 of the stiffness asked of the march (its order is six in the step; a tolerance of 1e-9 takes about 300 steps a cycle).
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
+#![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
-#[allow(dead_code)]
 mod support;
 
 use std::f64::consts::{PI, TAU};

@@ -1,9 +1,10 @@
 //! The commands, and nothing else: each reads a scene, asks the plan, and prints.
 //!
-//! Exit codes: 0 solved, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
+//! Exit codes: 0 solved, 1 a feature of a figure failed, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
 
 mod cite;
 mod explain;
+mod figures;
 mod new;
 mod run;
 mod scene_source;
@@ -52,6 +53,20 @@ enum Command {
         /// Print JSON
         #[arg(long)]
         json: bool,
+    },
+    /// Compute, draw and check the figures of the thesis
+    Figures {
+        /// Figures (3.2), panels (3.2a) or chapters (3); without any, all
+        ids: Vec<String>,
+        /// Write tables, plots and a contact sheet to this folder; what it holds already is not computed again
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Only the figures that take little time
+        #[arg(long)]
+        reduced: bool,
+        /// Another manifest of figures than the thesis's
+        #[arg(long, value_name = "FILE")]
+        manifest: Option<PathBuf>,
     },
     /// Print the JSON schema of a scene, for editors
     Schema,
@@ -117,6 +132,9 @@ pub fn main() -> ExitCode {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
         Command::Run { scene, out, force, json } => run::run(&scene, out.as_deref(), force, json),
         Command::Explain { scene, json } => explain::explain(&scene, json),
+        Command::Figures { ids, out, reduced, manifest } => {
+            figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())
+        }
         Command::Schema => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),
         Command::Completions { shell } => {

@@ -101,7 +101,8 @@ impl Marcher<'_> {
             Imposed::Penetration(history) => history(0.0),
             // Without a force a frame's end is where the indenter is; a force lets it fly.
             Imposed::Load { value, stiffness } if *stiffness > 0.0 => value(0.0) / stiffness,
-            Imposed::Load { .. } => self.contact.penetration(),
+            // from where the event found it: a fold a little ahead of the last step.
+            Imposed::Load { .. } => self.record.trace.events.last().map_or(self.contact.penetration(), |event| event.penetration),
         };
         self.record.sudden();
         self.glide(0.0, depth, 0.0);

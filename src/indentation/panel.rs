@@ -6,41 +6,41 @@ use std::sync::LazyLock;
 /// Nodes of a panel: polynomials up to degree 7 are kept exactly, their squares are integrated exactly.
 pub const POINTS: usize = 8;
 
-/// Nodes on 0…1, weights, barycentric weights, and running[g][l] = ∫₀^{x_g} of the l-th Lagrange polynomial.
+/// Nodes on 0…1, weights, factors of Lagrange's polynomials, and running[g][l] = ∫₀^{x_g} of the l-th Lagrange polynomial.
 pub(super) struct Rule {
     pub(super) nodes: [f64; POINTS],
     pub(super) weights: [f64; POINTS],
-    barycentric: [f64; POINTS],
+    /// 1/Π(x_i − x_k).
+    lagrange: [f64; POINTS],
     pub(super) running: [[f64; POINTS]; POINTS],
 }
 
 pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
     let nodes: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.0));
     let weights: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.1));
-    let barycentric = std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 0.25 / (nodes[i] - nodes[k])).product::<f64>());
+    let factors = std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 1.0 / (nodes[i] - nodes[k])).product::<f64>());
     let lagrange = |l: usize, x: f64| (0..POINTS).filter(|&k| k != l).map(|k| (x - nodes[k]) / (nodes[l] - nodes[k])).product::<f64>();
     let running = std::array::from_fn(|g| {
         std::array::from_fn(|l| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())
     });
-    Rule { nodes, weights, barycentric, running }
+    Rule { nodes, weights, lagrange: factors, running }
 });
 
 impl Rule {
-    /// Factors of the values at the nodes that give the interpolant at x (0…1 inside).
+    /// Factors of the values at the nodes that give the interpolant at x (0…1 inside): Lagrange's products, without a division.
     pub(super) fn interpolation(&self, x: f64) -> [f64; POINTS] {
-        let mut factors = [0.0; POINTS];
-        let mut sum = 0.0;
-        for i in 0..POINTS {
-            let distance = x - self.nodes[i];
-            if distance == 0.0 {
-                factors = [0.0; POINTS];
-                factors[i] = 1.0;
-                return factors;
-            }
-            factors[i] = self.barycentric[i] / distance;
-            sum += factors[i];
+        let mut factors = self.lagrange;
+        let mut product = 1.0;
+        for (factor, node) in factors.iter_mut().zip(&self.nodes) {
+            *factor *= product;
+            product *= x - node;
         }
-        factors.map(|factor| factor / sum)
+        product = 1.0;
+        for (factor, node) in factors.iter_mut().zip(&self.nodes).rev() {
+            *factor *= product;
+            product *= x - node;
+        }
+        factors
     }
 }
 

@@ -44,7 +44,7 @@ impl Zone {
         }
         // The nearest singularity is s = 0, at ξ = a/δ: Chebyshev coefficients fall like (z + √(z² − 1))^{−p}, z = 2a/δ − 1.
         let z = 2.0 * ratio - 1.0;
-        let terms = ((34.0 / z.acosh()).ceil() as usize + 2).clamp(TERMS.0, TERMS.1);
+        let terms = ((32.0 / z.acosh()).ceil() as usize + 1).clamp(TERMS.0, TERMS.1);
         let count = terms as f64;
         let angle = |i: usize| PI * (i as f64 + 0.5) / count;
         let mut nodes = [0.0; TERMS.1];

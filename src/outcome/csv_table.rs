@@ -64,6 +64,31 @@ pub fn fields(outcome: &Outcome) -> Result<Option<Vec<u8>>, csv::Error> {
     finished(writer).map(Some)
 }
 
+/// A cell of a plain table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A word.
+    Word(String),
+    /// A number; none is an empty cell.
+    Number(Option<f64>),
+}
+
+/// A plain table under a header.
+///
+/// # Errors
+/// Only what the CSV writer itself reports.
+pub fn records(header: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(header)?;
+    for row in rows {
+        writer.write_record(row.iter().map(|cell| match cell {
+            Cell::Word(word) => word.clone(),
+            Cell::Number(value) => value.map_or_else(String::new, number),
+        }))?;
+    }
+    finished(writer)
+}
+
 fn finished(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| csv::Error::from(std::io::Error::other(error.to_string())))
 }

@@ -134,7 +134,7 @@ pub(super) fn swept_label(scene: &Scene, values: &[f64]) -> String {
 }
 
 /// Three digits, as `2.5` or `$3.2\cdot10^{-7}$`.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     if value == 0.0 || (1e-2..1e4).contains(&value.abs()) {
         let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
         return format!("{rounded}");

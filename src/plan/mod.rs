@@ -14,6 +14,7 @@ mod run;
 mod sliding;
 mod steady_crack;
 
+pub(crate) use curves::short as short_number;
 pub use run::{Progress, RunError, journal_header, run};
 
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};

@@ -124,12 +124,16 @@ def table(columns, rows):
     return text.getvalue()
 
 
-def write(name, command, about, columns, rows, precision=None):
+def write(name, command, about, columns, rows, precision=None, tool=None):
+    """Where no row says otherwise, its values are independent of the solver's reductions."""
+    if "independence" not in columns:
+        columns = [*columns, "independence"]
+    rows = [{"independence": "independent", **row} for row in rows]
     body = table(columns, rows)
     header = [
         ("file", name),
         ("about", about),
-        ("tool", f"mpmath {mpmath.__version__}, generator version {VERSION}"),
+        ("tool", tool or f"mpmath {mpmath.__version__}, generator version {VERSION}"),
         ("precision", precision or f"{FINE.dps} digits, {FINE.nodes} nodes a panel; confirmed against {COARSE.dps} digits, "
                                    f"{COARSE.nodes} nodes; {DIGITS} digits printed"),
         ("command", command),
@@ -166,7 +170,7 @@ def differences(name, stored, fresh, keys):
             continue
         for column, text in old.items():
             new = str(row.get(column, ""))
-            if new == text or column == "confirmed_digits":
+            if new == text or column == "confirmed_digits" or (column == "independence" and column not in row):
                 continue
             digits = int(old.get("confirmed_digits") or DIGITS)
             try:

@@ -15,6 +15,7 @@ delayed_fracture.csv, one value a row (key: case, quantity, place)
                    w(q) = sum_n (-a)^n {W e_n(q - n) - a [s_n(q - n) - s_n(q - n - 1)]},  a = 1/c, W = a,
                    e_n(x) = x^n e^{ax}/n!, s_n(x) = int_0^x e_n, both 0 for x < 0
     speed_at       speed over process zone there, before the kink at place 1 if any (1/s)
+    independence   delays are independent; all else rests on the delay equation to which the solver, too, reduces (5.67): `fallback`
 
 delayed_fracture_raw.csv (key: case, steps, time): the tip as the thesis steps it, nothing reduced
     (5.54) with (5.53) as printed but for the root over the distance: displacement on M points of the zone as a sum over all earlier
@@ -36,7 +37,7 @@ from common import COARSE, FINE, arguments, confirmed, differences, double, exac
 from materials import MATERIALS
 
 COMMAND = "python3 verification/references/delayed_fracture.py"
-COLUMNS = ["case", "material", "work_of_adhesion", "intensity", "quantity", "place", "value", "confirmed_digits"]
+COLUMNS = ["case", "material", "work_of_adhesion", "intensity", "quantity", "place", "value", "confirmed_digits", "independence"]
 RAW_COLUMNS = ["case", "material", "work_of_adhesion", "process_zone", "load", "steps", "time", "place"]
 POSITIONS = [1e-12, 1e-8, 1e-4, 0.03, 0.3, 0.6, 0.9, 1 - 1e-4, 1 - 1e-8, 1 - 1e-11]
 RISE = 0.08
@@ -141,7 +142,8 @@ def rows_of(case, name, intensity, with_series):
                         values["speed_at", double(place)] = w / (slope * tau)
             found.append(values)
     return [dict(head, quantity=quantity, place=place, value=number(found[1][quantity, place]),
-                 confirmed_digits=confirmed(found[0][quantity, place], found[1][quantity, place])) for quantity, place in found[1]]
+                 confirmed_digits=confirmed(found[0][quantity, place], found[1][quantity, place]),
+                 independence="independent" if quantity == "delay" else "fallback") for quantity, place in found[1]]
 
 
 def rows(reduced):

@@ -14,6 +14,7 @@ Routes (column `route`)
               Independent of the inverses and of the closed form of the extrema, not of the relation itself.
     kernel    displacement by quadrature of the logarithmic kernel of the half-plane over the printed pressure. Independent of the
               printed gap and penetration.
+Column `independence`: route raw is a `fallback`, as it takes the solver's relation for granted.
 
 Command: python3 verification/references/elastic.py [--check]
 """
@@ -26,7 +27,7 @@ from mpmath import mp, mpf
 from common import COARSE, FINE, arguments, confirmed, differences, double, exact, finish, number, read, write
 
 NAME = "elastic.csv"
-COLUMNS = ["problem", "asked", "branch", "x1", "x2", "x3", "x4", "x5", "value", "route", "confirmed_digits"]
+COLUMNS = ["problem", "asked", "branch", "x1", "x2", "x3", "x4", "x5", "value", "route", "confirmed_digits", "independence"]
 SPHERES = [(0.0137, 2.6e6, 0.083), (3.1, 0.47, 2.9e-4)]
 WAVES = [(1.7e6, 2.3e-5, 1.9e-7, 2.1e-4), (1.7e6, 2.3e-5, 1.9e-7, 7.3e-3), (5.3, 0.71, 0.033, 3.7e-7), (0.9, 4.4, 0.21, 0.031)]
 
@@ -247,7 +248,7 @@ def make(problem, asked, branch, inputs, route, compute):
     for setting in (COARSE, FINE):
         with mp.workdps(setting.dps):
             values.append(compute())
-    row = {"problem": problem, "asked": asked, "branch": branch, "route": route}
+    row = {"problem": problem, "asked": asked, "branch": branch, "route": route, "independence": "fallback" if route == "raw" else "independent"}
     row.update({f"x{i + 1}": double(x) for i, x in enumerate(inputs)})
     with mp.workdps(60):
         row["value"] = number(values[1])

@@ -20,6 +20,9 @@ indentation_march.csv (key: case, time): an adhesive contact in time, double pre
     follows in closed form from its own past (Maxwell branches while bonded; a matrix exponential while free). At each place the time is found
     by secants from the closure with the complete elliptic kernel. Values at given times by a polynomial through 6 places.
     `digits` is the agreement of the two finest grids.
+
+independence: `fallback` where the reduction to a line is shared with the solver (elastic contacts, marches), `independent` elsewhere; marches and contacts
+on the raw equation are in sphere_annuli.py.
 """
 
 import sys
@@ -33,8 +36,8 @@ from mpmath import mp, mpf
 from common import COARSE, FINE, arguments, confirmed, differences, double, exact, finish, gauss, number, panels, read, write
 
 COMMAND = "python3 verification/references/indentation.py"
-COLUMNS = ["case", "inputs", "quantity", "place", "value", "confirmed_digits"]
-MARCH_COLUMNS = ["case", "inputs", "time", "penetration", "force", "contact_radius", "digits"]
+COLUMNS = ["case", "inputs", "quantity", "place", "value", "confirmed_digits", "independence"]
+MARCH_COLUMNS = ["case", "inputs", "time", "penetration", "force", "contact_radius", "digits", "independence"]
 
 SHAPES = {"paraboloid": lambda p, s: s * s / p, "cone": lambda p, s: mp.pi / 2 * p * s}
 ONE_TERM = (1.0, ((9.0, 1.0),))
@@ -596,7 +599,7 @@ def march_rows():
             now = end * (k + 1) / 4
             there = depth - speed * now if kind == "retraction" else speed * now
             out.append(dict(case=name, inputs=inputs, time=double(now), penetration=double(there), force=f"{f:.12e}",
-                            contact_radius=f"{a:.12e}", digits=int(-march.np.log10(difference))))
+                            contact_radius=f"{a:.12e}", digits=int(-march.np.log10(difference)), independence="fallback"))
     return out
 
 
@@ -611,7 +614,8 @@ def rows(reduced):
                 with mp.workdps(setting.dps):
                     values.append(compute(setting))
             with mp.workdps(60):
-                out.append(dict(case=case, inputs=inputs, quantity=quantity, place=place, value=number(values[1]), confirmed_digits=confirmed(*values)))
+                out.append(dict(case=case, inputs=inputs, quantity=quantity, place=place, value=number(values[1]), confirmed_digits=confirmed(*values),
+                                independence="fallback" if source is elastic_rows else "independent"))
     return out
 
 

@@ -31,6 +31,7 @@ import sys
 sys.dont_write_bytecode = True
 
 import math
+import multiprocessing
 import time
 
 from common import arguments, differences, double, finish, read, write
@@ -73,6 +74,12 @@ SMOOTH = [("one", 0.8, 60), ("two", 1.1, 70), ("six", 0.6, 90), ("twelve", 1.0, 
 # name, a, mean pressure, zone, eccentricities to start from, N, additional nodes in the window (where a layer is thinner than it)
 ADHESIVE = [("one", 1.0, 0.25, 0.005, (0.06, 0.07), 60, 0), ("two", 0.9, 0.2, 0.002, (-0.05, -0.04), 66, 0),
             ("one, slow", 0.7, 0.05, 0.02, (-0.1, -0.08), 110, 18), ("twelve", 0.9, 0.2, 0.003, (-0.05, -0.04), 96, 0)]
+# The same, of further states; their cases are told apart by the half-width.
+MORE = [("one", 0.5, 0.02, 0.02, (-0.07, -0.055), 60, 0), ("one", 0.7, 0.12, 0.01, (0.03, 0.042), 60, 0), ("one", 1.0, -0.05, 0.005, (-0.37, -0.356), 70, 0),
+        ("one", 1.5, 0.3, 0.005, (-0.17, -0.157), 80, 0), ("one", 2.0, 0.7, 0.01, (0.02, 0.03), 90, 0), ("one, fast", 1.2, 0.2, 0.01, (0.004, 0.011), 60, 0),
+        ("one, fast", 0.9, 0.1, 0.05, (0.002, 0.007), 60, 0), ("two", 0.6, 0.05, 0.01, (-0.1, -0.088), 66, 0), ("two", 1.3, 0.3, 0.005, (-0.17, -0.157), 76, 0),
+        ("two", 1.7, 0.5, 0.01, (-0.21, -0.196), 84, 0), ("six", 0.9, 0.15, 0.01, (-0.16, -0.149), 100, 6), ("twelve", 1.3, 0.35, 0.01, (-0.14, -0.128), 110, 6),
+        ("twelve, wide", 0.9, 0.15, 0.01, (-0.21, -0.2), 80, 0)]
 INSIDE = [-0.95, -0.3, 0.4, 0.98]
 OUTSIDE = [0.03, 0.5, 0.95]
 
@@ -449,16 +456,16 @@ def job(task):
         coarse, fine = (smooth_values(terms, a, n, q) for n, q in ((count, 10), (count + count // 3, 14)))
         return rows_of(asked, solid, terms, a, None, None, coarse, fine)
     if asked == "equilibrium":
-        a, mean, zone, starts, count, more = task[2:]
+        a, mean, zone, starts, count, more = task[2:8]
         coarse, fine = (equilibrium_values(terms, a, mean, zone, starts, n, q, more) for n, q in ((count, 10), (count + count // 4, 14)))
-        return rows_of(asked, solid, terms, a, None, mean, coarse, fine, zone)
+        return rows_of(asked, f"{solid}, a = {a}" if len(task) > 8 else solid, terms, a, None, mean, coarse, fine, zone)
     values = full_values(terms)
     return rows_of(asked, solid, terms, None, None, None, values, values)
 
 
 def tasks(reduced):
     given, smooth = (GIVEN[2:5], SMOOTH[:2]) if reduced else (GIVEN, SMOOTH)
-    adhesive = [] if reduced else [("equilibrium", *case) for case in ADHESIVE]
+    adhesive = [] if reduced else [("equilibrium", *case) for case in ADHESIVE] + [("equilibrium", *case, "more") for case in MORE]
     return [("given_edges", *case) for case in given] + [("adhesiveless", *case) for case in smooth] + adhesive + [("full", name) for name in SOLIDS]
 
 
@@ -496,7 +503,12 @@ def main():
     start = time.time()
     if options.self_check:
         finish(self_check(), start, "self-check")
-    rows = [row for task in tasks(options.reduced) for row in job(task)]
+    todo = tasks(options.reduced)
+    if options.jobs > 1:
+        with multiprocessing.Pool(options.jobs) as pool:
+            rows = [row for part in pool.map(job, todo, chunksize=1) for row in part]
+    else:
+        rows = [row for task in todo for row in job(task)]
     if options.check:
         wrong = differences(FILE, read(FILE), rows, ["asked", "case", "quantity", "position"])
         finish(wrong, start, f"check of {len(rows)} rows")

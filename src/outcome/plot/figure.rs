@@ -15,13 +15,28 @@ pub struct Figure {
     pub legend: LegendPlace,
     /// How wide the picture is on paper.
     pub width: Width,
+    /// A smaller picture in a corner of the frame.
+    pub inset: Option<Box<Inset>>,
+}
+
+/// A smaller picture in a corner of the frame of a figure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inset {
+    /// The axis along its bottom.
+    pub horizontal: Axis,
+    /// The axis along its left.
+    pub vertical: Axis,
+    /// Its curves; their labels are not shown.
+    pub curves: Vec<Curve>,
+    /// Its corner; other places mean the upper right one.
+    pub place: LegendPlace,
 }
 
 impl Figure {
     /// A figure without curves, one column wide, its legend placed automatically.
     #[must_use]
     pub fn new(horizontal: Axis, vertical: Axis) -> Self {
-        Self { title: None, horizontal, vertical, curves: Vec::new(), legend: LegendPlace::Auto, width: Width::OneColumn }
+        Self { title: None, horizontal, vertical, curves: Vec::new(), legend: LegendPlace::Auto, width: Width::OneColumn, inset: None }
     }
 
     /// Puts a title above the frame.

@@ -35,6 +35,8 @@ mod figure;
 #[cfg(feature = "plots")]
 mod canvas;
 #[cfg(feature = "plots")]
+mod inset;
+#[cfg(feature = "plots")]
 mod interval;
 #[cfg(feature = "plots")]
 mod label;
@@ -51,7 +53,7 @@ mod ticks;
 #[cfg(feature = "plots")]
 mod typeface;
 
-pub use figure::{Axis, Colour, Curve, Figure, LegendPlace, Line, Marker, MarkerSpacing, Scale, Width};
+pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Marker, MarkerSpacing, Scale, Width};
 
 use thiserror::Error;
 

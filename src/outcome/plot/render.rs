@@ -7,6 +7,7 @@ use super::{
     PlotError,
     canvas::{Anchor, Area, Canvas, Point, Target},
     figure::{Axis, Curve, Figure, Marker, MarkerSpacing},
+    inset,
     interval::{Interval, has_place},
     label::{self, Run},
     legend, style,
@@ -14,7 +15,7 @@ use super::{
 };
 
 /// From the frame to the text at the ticks.
-const TICK_GAP: f64 = 3.2;
+pub(super) const TICK_GAP: f64 = 3.2;
 /// From the text at the ticks to the label of the axis.
 const LABEL_GAP: f64 = 4.0;
 /// Part of the length left free at both ends of an axis whose range is not given.
@@ -35,14 +36,14 @@ pub(super) fn png(figure: &Figure) -> Result<Vec<u8>, PlotError> {
 }
 
 /// An axis with everything about it decided.
-struct Measured {
+pub(super) struct Measured {
     interval: Option<Interval>,
     ticks: Ticks,
     label: Vec<Vec<Run>>,
 }
 
 impl Measured {
-    fn new(axis: &Axis, interval: Option<Interval>, length: f64, direction: Direction) -> Self {
+    pub(super) fn new(axis: &Axis, interval: Option<Interval>, length: f64, direction: Direction) -> Self {
         Self {
             interval,
             ticks: interval.map_or_else(Ticks::default, |interval| ticks::ticks(interval, length, direction)),
@@ -50,16 +51,20 @@ impl Measured {
         }
     }
 
-    fn label_depth(&self) -> f64 {
+    pub(super) fn label_depth(&self) -> f64 {
         if self.label.iter().all(Vec::is_empty) { 0.0 } else { LABEL_GAP + self.label.len() as f64 * style::LEADING * style::LABEL_SIZE }
     }
 
-    fn widest_tick(&self) -> f64 {
+    pub(super) fn widest_tick(&self) -> f64 {
         self.ticks.major.iter().map(|(_, runs)| label::width(runs, style::TICK_SIZE)).fold(0.0, f64::max)
     }
 
+    pub(super) const fn has_note(&self) -> bool {
+        self.ticks.note.is_some()
+    }
+
     /// How far the last label sticks out beyond the end of an axis of this length.
-    fn overhang(&self, length: f64) -> f64 {
+    pub(super) fn overhang(&self, length: f64) -> f64 {
         let beyond = |(place, runs): &(f64, Vec<Run>)| 0.5 * label::width(runs, style::TICK_SIZE) - (1.0 - place) * length;
         self.ticks.major.iter().map(beyond).fold(0.0, f64::max)
     }
@@ -67,7 +72,7 @@ impl Measured {
 
 /// One curve on the page.
 #[derive(Default)]
-struct Trace {
+pub(super) struct Trace {
     strokes: Vec<Vec<Point>>,
     /// Points that no stroke reaches.
     lonely: Vec<Point>,
@@ -101,10 +106,8 @@ fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotEr
     let mut canvas = Canvas::new(target);
     draw_title(&mut canvas, &title, page_width);
     draw_frame(&mut canvas, frame);
-    draw_horizontal_ticks(&mut canvas, frame, &horizontal.ticks);
-    draw_vertical_ticks(&mut canvas, frame, &vertical.ticks);
-    let mut bottom = draw_horizontal_label(&mut canvas, frame, &horizontal);
-    draw_vertical_label(&mut canvas, frame, &vertical);
+    draw_ticks(&mut canvas, frame, (&horizontal, &vertical));
+    let mut bottom = draw_labels(&mut canvas, frame, (&horizontal, &vertical), style::PAGE_MARGIN);
 
     let traces: Vec<Trace> = match (horizontal.interval, vertical.interval) {
         (Some(across), Some(up)) => figure.curves.iter().map(|curve| trace(curve, across, up, frame)).collect(),
@@ -115,7 +118,10 @@ fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotEr
     }
     draw_curves(&mut canvas, figure, &traces);
 
-    let strokes: Vec<Vec<Point>> = traces.iter().flat_map(|trace| trace.strokes.iter().cloned()).collect();
+    let mut strokes: Vec<Vec<Point>> = traces.iter().flat_map(|trace| trace.strokes.iter().cloned()).collect();
+    if let Some(inset) = &figure.inset {
+        strokes.push(inset::draw(&mut canvas, inset, frame)?);
+    }
     let signs: Vec<Point> = traces.iter().flat_map(|trace| trace.signs.iter().chain(&trace.lonely).copied()).collect();
     let obstacles = legend::Obstacles { strokes: &strokes, signs: &signs };
     bottom += legend::draw(&mut canvas, &legend_entries(figure, &traces), figure.legend, frame, (page_width, bottom), &obstacles);
@@ -123,7 +129,7 @@ fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotEr
 }
 
 /// The two intervals shown; `None` where there is nothing to show and no range given.
-fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Interval>), PlotError> {
+pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Interval>), PlotError> {
     let shown: Vec<Point> = figure
         .curves
         .iter()
@@ -152,7 +158,7 @@ fn may_touch_the_sides(curve: &Curve) -> bool {
 }
 
 /// The curve on the page: cut at the frame, broken at gaps.
-fn trace(curve: &Curve, across: Interval, up: Interval, frame: Area) -> Trace {
+pub(super) fn trace(curve: &Curve, across: Interval, up: Interval, frame: Area) -> Trace {
     let place = |(x, y): &Point| {
         let (right, above) = (across.fraction(*x)?, up.fraction(*y)?);
         Some((frame.left + right * (frame.right - frame.left), frame.bottom - above * (frame.bottom - frame.top)))
@@ -241,7 +247,7 @@ fn spread(stroke: &[Point]) -> Vec<Point> {
     places
 }
 
-fn draw_curves(canvas: &mut Canvas, figure: &Figure, traces: &[Trace]) {
+pub(super) fn draw_curves(canvas: &mut Canvas, figure: &Figure, traces: &[Trace]) {
     for (place, (curve, trace)) in figure.curves.iter().zip(traces).enumerate() {
         let colour = style::colour(curve.colour, place);
         canvas.open_group("curve");
@@ -281,13 +287,24 @@ fn draw_title(canvas: &mut Canvas, title: &[Vec<Run>], page_width: f64) {
     }
 }
 
-fn draw_frame(canvas: &mut Canvas, frame: Area) {
+pub(super) fn draw_frame(canvas: &mut Canvas, frame: Area) {
     canvas.open_group("frame");
     let corners = [(frame.left, frame.top), (frame.right, frame.top), (frame.right, frame.bottom), (frame.left, frame.bottom)];
     for (index, corner) in corners.into_iter().enumerate() {
         canvas.stroke(&[corner, corners[(index + 1) % 4]], style::INK, style::FRAME_WIDTH, &[]);
     }
     canvas.close_group();
+}
+
+pub(super) fn draw_ticks(canvas: &mut Canvas, frame: Area, (horizontal, vertical): (&Measured, &Measured)) {
+    draw_horizontal_ticks(canvas, frame, &horizontal.ticks);
+    draw_vertical_ticks(canvas, frame, &vertical.ticks);
+}
+
+/// Writes the labels of both axes, that of the vertical one from `left` on, and returns where the page ends below them.
+pub(super) fn draw_labels(canvas: &mut Canvas, frame: Area, (horizontal, vertical): (&Measured, &Measured), left: f64) -> f64 {
+    draw_vertical_label(canvas, frame, vertical, left);
+    draw_horizontal_label(canvas, frame, horizontal)
 }
 
 fn draw_horizontal_ticks(canvas: &mut Canvas, frame: Area, ticks: &Ticks) {
@@ -359,10 +376,10 @@ fn draw_horizontal_label(canvas: &mut Canvas, frame: Area, axis: &Measured) -> f
     bottom + 0.3 * style::LABEL_SIZE
 }
 
-fn draw_vertical_label(canvas: &mut Canvas, frame: Area, axis: &Measured) {
+fn draw_vertical_label(canvas: &mut Canvas, frame: Area, axis: &Measured, left: f64) {
     let middle = 0.5 * (frame.top + frame.bottom);
     for (index, line) in axis.label.iter().enumerate() {
-        let baseline = style::PAGE_MARGIN + (0.95 + index as f64 * style::LEADING) * style::LABEL_SIZE;
+        let baseline = left + (0.95 + index as f64 * style::LEADING) * style::LABEL_SIZE;
         canvas.turned_text(line, (baseline, middle), style::LABEL_SIZE);
     }
 }

@@ -1,0 +1,39 @@
+//! `viscotack figures`: the thesis's figures, computed, drawn and checked.
+
+use super::{Failure, print};
+use crate::figures::{Manifest, Options, Verdict, run};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::path::Path;
+use std::time::Duration;
+
+/// A feature failed.
+const FAILED: u8 = 1;
+
+pub(super) fn figures(options: &Options, manifest: Option<&Path>) -> Result<u8, Failure> {
+    let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
+    let manifest = match manifest {
+        Some(path) => {
+            let text = std::fs::read_to_string(path).map_err(|error| wrong(format!("`{}` cannot be read: {error}", path.display())))?;
+            Manifest::parse(&text)
+        }
+        None => Manifest::embedded(),
+    }
+    .map_err(|error| wrong(error.to_string()))?;
+    let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sources, {elapsed}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    let progress = |done: usize, total: usize| {
+        bar.set_length(total as u64);
+        bar.set_position(done as u64);
+    };
+    let report = run(&manifest, options, &progress).map_err(|error| wrong(error.to_string()))?;
+    bar.finish_and_clear();
+    print(&report.table())?;
+    match &options.out {
+        Some(out) => print(&format!("wrote {}: one CSV and one SVG a panel, features.csv, index.html\n", out.display()))?,
+        None => print("(nothing written; add --out DIR for tables, plots and the contact sheet)\n")?,
+    }
+    Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
+}

@@ -1,0 +1,211 @@
+//! Source: the thesis's figures, `verification/figures.toml`.
+//!
+//! Goal: every panel is there and every feature holds; features notice changed data and changed physics; numbers do not drift; what was computed is kept.
+//! Sketch: manifest ──► sources ──► curves ──► features, beside `verification/baselines/figures.csv`.
+//! Oracle: what the thesis states, closed forms and laws, as the manifest says feature by feature; the baseline guards against drift and is no evidence.
+//! Tolerance: that of each feature; drift by figure, 1e-6 for the steady problems (accuracy 1e-6), 2e-3 to 2e-2 for marches (accuracy 1e-3).
+//! `VISCOTACK_WRITE_BASELINES=1` writes the baseline anew, of all figures.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use viscotack::figures::{Manifest, Options, Report, Verdict, run};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn manifest_text() -> String {
+    std::fs::read_to_string(root().join("verification/figures.toml")).unwrap()
+}
+
+fn made(manifest: &Manifest, ids: &[&str], out: Option<PathBuf>, reduced: bool) -> Report {
+    let options = Options { ids: ids.iter().map(|id| (*id).to_owned()).collect(), out, reduced };
+    run(manifest, &options, &|_, _| ()).unwrap()
+}
+
+#[test]
+fn every_panel_is_in_the_manifest_with_enough_features() {
+    let panels = "1.2bcd 2.2ab 2.4 3.2abcd 3.3ab 3.4abc 3.5ab 3.6ab 3.7ab 3.8ab 3.9 3.10 3.12ab 3.13 3.14abcd 3.15abc 3.16ab 3.17 \
+                  4.3abc 4.4abcdef 4.5abc 4.6abc 4.7ab 4.8ab 4.9abcd 4.10ab 4.11abc 5.2ab 5.3 5.4abc 5.5ab 5.7ab";
+    let manifest = Manifest::embedded().unwrap();
+    let there = manifest.panel_ids();
+    let mut count = 0;
+    for group in panels.split_whitespace() {
+        let (figure, letters) = group.split_at(group.find(|letter: char| letter.is_ascii_lowercase()).unwrap_or(group.len()));
+        let wanted: Vec<String> =
+            if letters.is_empty() { vec![figure.to_owned()] } else { letters.chars().map(|letter| format!("{figure}{letter}")).collect() };
+        for panel in wanted {
+            assert!(there.contains(&panel), "panel {panel} is missing");
+            count += 1;
+        }
+    }
+    assert_eq!(count, there.len());
+    let features = manifest.features();
+    assert!(features.iter().map(|(_, count)| count).sum::<usize>() >= 150);
+    for (id, count) in features {
+        assert!(count >= 3, "figure {id} has {count} features");
+    }
+    assert!(manifest.not_reproduced().iter().any(|(id, _)| *id == "3.11"));
+}
+
+/// The measured numbers of a baseline or a report, by panel and claim.
+type Numbers = BTreeMap<(String, String), Vec<f64>>;
+
+fn numbers(report: &Report) -> Numbers {
+    let panels = report.figures.iter().flat_map(|figure| &figure.panels);
+    panels
+        .flat_map(|panel| panel.features.iter().map(|feature| ((panel.id.clone(), feature.claim.clone()), feature.measured.clone())))
+        .collect()
+}
+
+fn baseline_path() -> PathBuf {
+    root().join("verification/baselines/figures.csv")
+}
+
+fn write_baseline(report: &Report) {
+    let mut writer = csv::Writer::from_path(baseline_path()).unwrap();
+    writer.write_record(["panel", "claim", "measured"]).unwrap();
+    for figure in &report.figures {
+        for panel in &figure.panels {
+            for feature in &panel.features {
+                let measured: Vec<String> = feature.measured.iter().map(|number| format!("{number:e}")).collect();
+                writer.write_record([panel.id.as_str(), &feature.claim, &measured.join(" ")]).unwrap();
+            }
+        }
+    }
+    writer.flush().unwrap();
+}
+
+fn baseline() -> Numbers {
+    let mut reader = csv::Reader::from_path(baseline_path()).unwrap();
+    reader
+        .records()
+        .map(|record| {
+            let record = record.unwrap();
+            let measured = record[2].split_whitespace().map(|number| number.parse().unwrap()).collect();
+            ((record[0].to_owned(), record[1].to_owned()), measured)
+        })
+        .collect()
+}
+
+#[test]
+fn the_reduced_set_passes_and_has_not_drifted() {
+    let manifest = Manifest::embedded().unwrap();
+    if std::env::var_os("VISCOTACK_WRITE_BASELINES").is_some() {
+        write_baseline(&made(&manifest, &[], None, false));
+    }
+    let report = made(&manifest, &[], None, true);
+    assert_eq!(report.count(Verdict::Failed), 0, "{}", report.table());
+    assert!(report.figures.len() >= 15);
+    let known = baseline();
+    for figure in &report.figures {
+        let drift = manifest.drift(&figure.id).unwrap();
+        for panel in &figure.panels {
+            for feature in &panel.features {
+                assert!(!feature.broken_by.is_empty(), "{}: nothing breaks \"{}\"", panel.id, feature.claim);
+                let key = (panel.id.clone(), feature.claim.clone());
+                let before = known.get(&key).unwrap_or_else(|| panic!("{}: \"{}\" is not in the baseline", panel.id, feature.claim));
+                assert_eq!(before.len(), feature.measured.len());
+                for (before, now) in before.iter().zip(&feature.measured) {
+                    let moved = (now - before).abs() / before.abs().max(1.0);
+                    assert!(moved <= drift, "{}: \"{}\" drifted from {before} to {now}", panel.id, feature.claim);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_baseline_is_of_all_features() {
+    let manifest = Manifest::embedded().unwrap();
+    let features: usize = manifest.features().iter().map(|(_, count)| count).sum();
+    assert_eq!(baseline().len(), features, "write it anew: VISCOTACK_WRITE_BASELINES=1");
+}
+
+/// Other physics under the same features: each change must be noticed by the figure it is made in.
+#[test]
+fn features_notice_changed_physics() {
+    let text = manifest_text();
+    let changed = |figure: &str, from: &str, to: &str| {
+        let at = text.find(&format!("id = \"{figure}\"\ntitle")).unwrap();
+        let place = at + text[at..].find(from).unwrap_or_else(|| panic!("figure {figure} has no {from}"));
+        let mut mutated = text.clone();
+        mutated.replace_range(place..place + from.len(), to);
+        let report = made(&Manifest::parse(&mutated).unwrap(), &[figure], None, false);
+        assert!(report.count(Verdict::Failed) > 0, "figure {figure} does not notice {from} -> {to}");
+    };
+    changed("1.2", "work_of_adhesion = 1.6e-4", "work_of_adhesion = 1.1e-4");
+    changed("2.2", "stiffening_ratio = 10", "stiffening_ratio = 8");
+    changed("2.4", "stiffening_ratio = 10", "stiffening_ratio = 20");
+    changed("3.2", "work_of_adhesion = 0.008", "work_of_adhesion = 0.006");
+    changed("3.10", "process_zone = { length = 0.001 }", "process_zone = { length = 0.03 }");
+    changed("3.17", "penetration = 0.4", "penetration = 0.9");
+    changed("4.7", "rate = 0.1", "rate = 1e-4");
+    changed("5.3", "process_zone = { factor = 1 }", "process_zone = { factor = 1, law = \"constant\" }");
+    changed("5.5", "factor = 2, law = \"schapery\"", "factor = 0.5, law = \"schapery\"");
+    changed("5.7", "retardation_time = \"1 ms\"", "retardation_time = \"2 ms\"");
+}
+
+#[test]
+fn what_was_computed_is_kept_and_what_changed_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("figures");
+    let manifest = Manifest::embedded().unwrap();
+    let first = made(&manifest, &["5.3", "1.2b"], Some(out.clone()), false);
+    assert!(first.figures.iter().all(|figure| figure.fresh));
+    let csv = std::fs::read(out.join("5.3.csv")).unwrap();
+    let again = made(&manifest, &["5.3"], Some(out.clone()), false);
+    assert!(again.figures.iter().all(|figure| !figure.fresh));
+    assert_eq!(csv, std::fs::read(out.join("5.3.csv")).unwrap());
+    assert_eq!(
+        numbers(&first).get(&("5.3".to_owned(), "slow: G = Δγ".to_owned())),
+        numbers(&again).get(&("5.3".to_owned(), "slow: G = Δγ".to_owned()))
+    );
+    let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+    assert!(page.contains("5.3.csv") && out.join("features.csv").exists());
+    if cfg!(feature = "plots") {
+        assert!(std::fs::read_to_string(out.join("5.3.svg")).unwrap().starts_with("<svg"));
+    }
+    let other = Manifest::parse(
+        &manifest_text().replace("values = [0.3, 0.3183098861837907, 1, 2.5]", "values = [0.3, 0.3183098861837907, 1, 2.4]"),
+    )
+    .unwrap();
+    let options = Options { ids: vec!["5.3".to_owned()], out: Some(out.clone()), reduced: false };
+    assert!(run(&other, &options, &|_, _| ()).is_err(), "the curve `a 2.5` is gone, and a feature names it");
+    // A half-written table counts as none.
+    for entry in std::fs::read_dir(out.join(".computed")).unwrap() {
+        std::fs::write(entry.unwrap().path(), b"{\"rows\":").unwrap();
+    }
+    let healed = made(&manifest, &["5.3"], Some(out.clone()), false);
+    assert!(healed.figures.iter().all(|figure| figure.fresh));
+    assert_eq!(csv, std::fs::read(out.join("5.3.csv")).unwrap());
+    // A folder that holds something else is left alone.
+    let strange = folder.path().join("strange");
+    std::fs::create_dir(&strange).unwrap();
+    std::fs::write(strange.join("thesis.txt"), b"mine").unwrap();
+    let options = Options { ids: vec!["1.2".to_owned()], out: Some(strange), reduced: false };
+    assert!(run(&manifest, &options, &|_, _| ()).is_err());
+}
+
+#[test]
+fn the_command_names_what_is_not_there_and_fails_with_a_feature() {
+    let command = |arguments: &[&str]| {
+        let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_viscotack")).args(arguments).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr))
+    };
+    let (code, text) = command(&["figures", "3.99"]);
+    assert!(code == Some(2) && text.contains("3.10"), "{text}");
+    let (code, text) = command(&["figures", "3.11"]);
+    assert!(code == Some(2) && text.contains("Grosch"), "{text}");
+    let (code, text) = command(&["figures", "1.2", "2.2b"]);
+    assert!(code == Some(0) && text.contains("not confirmed"), "{text}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("figures.toml");
+    std::fs::write(&path, manifest_text().replace("equals = 1.4230249", "equals = 1.5")).unwrap();
+    let (code, text) = command(&["figures", "2.2b", "--manifest", path.to_str().unwrap()]);
+    assert!(code == Some(1) && text.contains("FAILED 2.2b"), "{text}");
+    std::fs::write(&path, "figure = 3").unwrap();
+    let (code, _) = command(&["figures", "--manifest", path.to_str().unwrap()]);
+    assert_eq!(code, Some(2));
+}
