@@ -79,6 +79,10 @@ fn check_value(node: &Node, key: &Key, path: &str, units: Units) -> Result<(), S
             Value::Text(_) => Ok(()),
             _ => Err(wrong_type(node, path, "a text in quotes")),
         },
+        Kind::Flag => match &node.value {
+            Value::Flag(_) => Ok(()),
+            _ => Err(wrong_type(node, path, "true or false")),
+        },
         Kind::NumberOfSweptKey => match &node.value {
             Value::Text(_) | Value::Number(_) => Ok(()),
             _ => Err(wrong_type(node, path, "a number, or a text with a unit")),

@@ -14,7 +14,9 @@ use crate::material::Material;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
-pub use history::{CycleWave, History, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, Pace};
+pub use history::{
+    CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
+};
 pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 

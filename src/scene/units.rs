@@ -41,6 +41,8 @@ impl Dimension {
     pub const LENGTH: Self = Self::new([1, 0, 0, 0]);
     /// s.
     pub const TIME: Self = Self::new([0, 0, 1, 0]);
+    /// 1/s.
+    pub const FREQUENCY: Self = Self::new([0, 0, -1, 0]);
     /// m/s.
     pub const SPEED: Self = Self::new([1, 0, -1, 0]);
     /// Pa.
@@ -85,6 +87,7 @@ impl Dimension {
             Self::NUMBER => "a plain number",
             Self::LENGTH => "a length such as \"3 µm\"",
             Self::TIME => "a time such as \"2 ms\"",
+            Self::FREQUENCY => "a frequency such as \"5 Hz\"",
             Self::SPEED => "a speed such as \"10 µm/s\"",
             Self::PRESSURE => "a pressure such as \"0.7 MPa\"",
             Self::COMPLIANCE => "a compliance such as \"0.4 1/MPa\"",

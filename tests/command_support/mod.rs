@@ -193,6 +193,17 @@ fn files_of(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
+/// What is put into a long scene, so that a test of it takes seconds: fewer cycles of the same kind.
+pub fn shortened(path: &Path) -> &'static [&'static str] {
+    match path.file_stem().and_then(|stem| stem.to_str()) {
+        Some("cyclic_pull") => &["history.1.oscillation.cycles=60"],
+        Some("frequency_sweep") => &["history.0.oscillation.duration=120", "history.0.oscillation.to_frequency=0.1147"],
+        Some("vibrated_retraction") => &["history.0.oscillation.duration=100", "history.0.oscillation.to=4.7e-5", "sweep.values=[0.0557]"],
+        Some("dynamic_stiffness") => &["sweep.points=3", "sweep.to=10"],
+        _ => &[],
+    }
+}
+
 /// Every shipped scene, the templates among them; files with materials only are none.
 pub fn shipped_scenes() -> Vec<PathBuf> {
     let mut found = Vec::new();

@@ -63,6 +63,8 @@ pub(super) fn segments(history: &History) -> (Vec<LoadSegment>, f64) {
                 let last = table.values.last().copied().unwrap_or(load);
                 (table.times.last().copied().unwrap_or(0.0), Some((LoadSegment::Table { points }, last)))
             }
+            // A scene lets no crack oscillate.
+            HistorySegment::Oscillation(_) => (0.0, None),
             HistorySegment::Cycles { count, period, lower, upper, wave, .. } => {
                 let wave = match wave {
                     CycleWave::Triangle => Wave::Triangle,

@@ -12,6 +12,10 @@ pub(super) enum Measure {
     Intensity,
     Energy,
     Power,
+    EnergyPerArea,
+    Stiffness,
+    Frequency,
+    Angle,
     Number,
 }
 
@@ -23,7 +27,7 @@ pub(super) struct Definition {
     meaning: &'static str,
 }
 
-/// Positions of the columns in a row.
+/// Positions among all columns: also of a scene's own rows up to [`at::BALANCE_DEFECT`], behind it by [`position`].
 pub(super) mod at {
     pub(crate) const TIME: usize = 0;
     pub(crate) const PENETRATION: usize = 1;
@@ -39,14 +43,33 @@ pub(super) mod at {
     pub(crate) const BALANCE_DEFECT: usize = 11;
     pub(crate) const FRAME: usize = 12;
     pub(crate) const MEASURED_FORCE: usize = 13;
+    pub(crate) const TIP_RELEASE_RATE: usize = 14;
+    pub(crate) const ENERGY_RELEASE_RATE: usize = 15;
+    pub(crate) const SEGMENT: usize = 16;
+    pub(crate) const CYCLE: usize = 17;
+    pub(crate) const CYCLE_START: usize = 18;
+    pub(crate) const FREQUENCY: usize = 19;
+    pub(crate) const WORK_PER_CYCLE: usize = 20;
+    pub(crate) const STORAGE_STIFFNESS: usize = 21;
+    pub(crate) const LOSS_STIFFNESS: usize = 22;
+    pub(crate) const PHASE: usize = 23;
+    pub(crate) const SMALLEST_PENETRATION: usize = 24;
+    pub(crate) const LARGEST_PENETRATION: usize = 25;
+    pub(crate) const SMALLEST_FORCE: usize = 26;
+    pub(crate) const LARGEST_FORCE: usize = 27;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 28;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 29;
+    pub(crate) const DRIFT: usize = 30;
+    /// How many there are.
+    pub(crate) const ALL: usize = 31;
 }
 
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, measure, meaning }
 }
 
-/// All columns; of the last two a scene may have none.
-const COLUMNS: [Definition; 14] = [
+/// All columns, of which a scene has those in [`present`].
+pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("time", Measure::Time, "Time from the start of the history; imposed, or found for an event."),
     column("penetration", Measure::Length, "Δ, positive into the surface; accuracy relative to its largest magnitude in the history."),
     column("force", Measure::Force, "F on the indenter, compression positive; accuracy relative to its largest magnitude in the history."),
@@ -77,6 +100,43 @@ const COLUMNS: [Definition; 14] = [
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
+    column(
+        "tip_release_rate",
+        Measure::EnergyPerArea,
+        "G_tip = K_I²/2E∞*, what the edge itself releases for each area (with [indentation.energies]).",
+    ),
+    column(
+        "energy_release_rate",
+        Measure::EnergyPerArea,
+        "G = dU/dA − F dΔ/dA, the same less what the memory dissipates for each area; empty where the edge rests or turns.",
+    ),
+    column("segment", Measure::Number, "In rows of cycles: which segment of the history oscillates, from 0."),
+    column(
+        "cycle",
+        Measure::Number,
+        "Which cycle of the segment, from 1. Of more than 2000 some are rows, evenly, with the first and the last.",
+    ),
+    column("cycle_start", Measure::Time, "When the cycle begins; its end is the row's time."),
+    column("frequency", Measure::Frequency, "One over the cycle's length."),
+    column("work_per_cycle", Measure::Energy, "∮F dΔ over the cycle: what the body and the edge dissipate of it."),
+    column(
+        "storage_stiffness",
+        Measure::Stiffness,
+        "Real part of force over penetration, of the fundamental, without the straight line between both ends of the cycle.",
+    ),
+    column("loss_stiffness", Measure::Stiffness, "Imaginary part of the same."),
+    column("phase", Measure::Angle, "By which the force leads the penetration."),
+    column("smallest_penetration", Measure::Length, "Over the cycle."),
+    column("largest_penetration", Measure::Length, "Over the cycle."),
+    column("smallest_force", Measure::Force, "Over the cycle: the strongest pull, if negative."),
+    column("largest_force", Measure::Force, "Over the cycle."),
+    column("smallest_contact_radius", Measure::Length, "Over the cycle."),
+    column("largest_contact_radius", Measure::Length, "Over the cycle."),
+    column(
+        "drift",
+        Measure::Number,
+        "Change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time.",
+    ),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.
@@ -87,16 +147,25 @@ pub(super) fn has_measured_force(indentation: &Indentation) -> bool {
     })
 }
 
-/// The columns that a scene has; the places of the others stay, so that [`at`] holds.
-pub(super) fn definitions(indentation: &Indentation) -> Vec<Definition> {
-    let mut all = COLUMNS.to_vec();
-    if !has_measured_force(indentation) {
-        all.truncate(at::MEASURED_FORCE);
-        if indentation.frame_stiffness.is_none() {
-            all.truncate(at::FRAME);
-        }
-    }
-    all
+/// Whether anything oscillates.
+pub(super) fn oscillates(indentation: &Indentation) -> bool {
+    indentation.history.segments.iter().any(|segment| matches!(segment, HistorySegment::Oscillation(_)))
+}
+
+/// Which of all columns a scene has, in order.
+pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
+    let has = |place: &usize| match *place {
+        at::FRAME => indentation.frame_stiffness.is_some(),
+        at::MEASURED_FORCE => has_measured_force(indentation),
+        at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
+        place => place < at::SEGMENT || oscillates(indentation),
+    };
+    (0..at::ALL).filter(has).collect()
+}
+
+/// Where a column of [`at`] stands in the rows of a scene.
+pub(super) fn position(indentation: &Indentation, column: usize) -> Option<usize> {
+    present(indentation).iter().position(|place| *place == column)
 }
 
 fn unit(measure: Measure, units: Units) -> &'static str {
@@ -107,6 +176,10 @@ fn unit(measure: Measure, units: Units) -> &'static str {
         (Measure::Intensity, Units::Si) => "Pa √m",
         (Measure::Energy, Units::Si) => "J",
         (Measure::Power, Units::Si) => "W",
+        (Measure::EnergyPerArea, Units::Si) => "J/m²",
+        (Measure::Stiffness, Units::Si) => "N/m",
+        (Measure::Frequency, Units::Si) => "1/s",
+        (Measure::Angle, _) => "rad",
         (Measure::Number, _) => "1",
         (Measure::Time, Units::Reduced) => "reference time",
         (Measure::Length, Units::Reduced) => "R",
@@ -114,6 +187,8 @@ fn unit(measure: Measure, units: Units) -> &'static str {
         (Measure::Intensity, Units::Reduced) => "E0*√R",
         (Measure::Energy, Units::Reduced) => "πE0*R³",
         (Measure::Power, Units::Reduced) => "πE0*R³/reference time",
+        (Measure::EnergyPerArea | Measure::Stiffness, Units::Reduced) => "πE0*R",
+        (Measure::Frequency, Units::Reduced) => "1/reference time",
     }
 }
 
@@ -123,7 +198,7 @@ pub(super) fn columns(indentation: &Indentation, units: Units) -> Vec<Column> {
         unit: unit(definition.measure, units).to_owned(),
         meaning: definition.meaning,
     };
-    definitions(indentation).into_iter().map(column).collect()
+    present(indentation).into_iter().filter_map(|place| COLUMNS.get(place)).copied().map(column).collect()
 }
 
 /// Positions of the fields at a place.

@@ -1,8 +1,9 @@
 //! What an indentation is expected to cost: the one place to tune when the solver changes.
 
 use super::IndentationPlan;
+use super::timeline::Leg;
 use crate::outcome::Work;
-use crate::scene::typed::HistoryQuantity;
+use crate::scene::typed::{HistoryQuantity, IndentationShape};
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
 const HISTORY: f64 = 600.0;
@@ -22,10 +23,49 @@ const LOADED: f64 = 2.0;
 /// Without adhesion only the swept stretch is updated.
 const NARROW: f64 = 0.5;
 
+/// Balances of a cycle at an accuracy of 1e-2 where an edge moves, and power of the accuracy they grow with.
+const CYCLE: f64 = 1700.0;
+const CYCLE_ORDER: f64 = 0.25;
+/// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
+const CYCLE_UPDATES: f64 = 140.0;
+/// The same without adhesion, where turns leave no layer of their own.
+const SWEPT_UPDATES: f64 = 35.0;
+/// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
+const HELD_CYCLE: f64 = 45.0;
+const HELD_CYCLE_ORDER: f64 = 0.4;
+const HELD_UPDATES: f64 = 16.0;
+/// Cycles until they are stationary: the first few, and what the longest memory asks for.
+const STATIONARY: f64 = 3.0;
+const SETTLING: f64 = 2.0;
+
 /// No prediction is larger.
 const MOST: f64 = 1e11;
 
 impl IndentationPlan {
+    /// Expected balances and updates of all cycles.
+    fn work_of_cycles(&self) -> (f64, f64) {
+        let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
+        let expected = |leg: &Leg| match leg.oscillation {
+            Some(oscillation) if oscillation.until_stationary => {
+                leg.cycles().min(STATIONARY + SETTLING * (oscillation.frequency * longest).sqrt())
+            }
+            _ => leg.cycles(),
+        };
+        let cycles: f64 = self.timeline.legs.iter().map(expected).sum();
+        let finer = 1e-2 / self.accuracy;
+        let adhesive = self.indentation.adhesion.is_some();
+        if matches!(self.indentation.shape, IndentationShape::FlatPunch { .. }) {
+            let balances = cycles * HELD_CYCLE * finer.powf(HELD_CYCLE_ORDER);
+            return (balances, balances * HELD_UPDATES * if adhesive { 2.0 } else { 1.0 });
+        }
+        let balances = cycles * CYCLE * finer.powf(CYCLE_ORDER);
+        if adhesive {
+            (balances, balances * CYCLE_UPDATES * cycles.sqrt())
+        } else {
+            (balances * ADHESIVELESS, balances * ADHESIVELESS * SWEPT_UPDATES)
+        }
+    }
+
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
         let times = self.material.relaxation_terms().iter().map(|term| term.relaxation_time);
@@ -41,6 +81,8 @@ impl IndentationPlan {
         let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));
         let each = UPDATES * if by_load { LOADED } else { 1.0 } * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
         let updates = (balances * each * (1.0 + LAYERS * decades * decades)).min(MOST);
+        let (cycle_balances, cycle_updates) = self.work_of_cycles();
+        let (balances, updates) = ((balances + cycle_balances).min(MOST), (updates + cycle_updates).min(MOST));
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
         Work {
             closure_evaluations: balances.ceil() as u64,

@@ -41,6 +41,14 @@ impl IndentationPlan {
                 on: self.indentation.energies,
                 why: given(self.indentation.energies, "[indentation.energies] is given", "no [indentation.energies]"),
             },
+            Effect {
+                name: "oscillation",
+                on: self.timeline.oscillates(),
+                why: match self.oscillating_cycles() {
+                    None => "no segment of the history is an `oscillation`".to_owned(),
+                    Some(cycles) => format!("the history has about {} cycles; each is a row, of more than 2000 some", cycles.round()),
+                },
+            },
             Effect { name: "fields", on: fields, why: given(fields, "[indentation.fields] is given", "no [indentation.fields]") },
             Effect {
                 name: "measured force",
@@ -53,6 +61,11 @@ impl IndentationPlan {
             },
             Effect { name: "sweep", on: self.swept, why: given(self.swept, "[sweep] is given", "no [sweep]") },
         ]
+    }
+
+    /// Cycles of all oscillations, at most; none without an oscillation.
+    fn oscillating_cycles(&self) -> Option<f64> {
+        self.timeline.oscillates().then(|| self.timeline.legs.iter().map(super::timeline::Leg::cycles).sum())
     }
 
     pub(super) fn sentences(&self) -> Vec<String> {
@@ -70,6 +83,9 @@ impl IndentationPlan {
             sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
         } else {
             sentences.push("without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's receding".to_owned());
+        }
+        if self.timeline.oscillates() {
+            sentences.push("every cycle of an oscillation is marched; its stiffness is that of the fundamental, its work ∮F dΔ".to_owned());
         }
         sentences.push("errors by marching again with other steps".to_owned());
         sentences
@@ -99,6 +115,19 @@ impl IndentationPlan {
                 groups.push(group("JKR pull-off (3/2)πRΔγ", pull_off / self.scale.force, pick("N", "πE0*R²")));
             }
             groups.push(group("process zone δ", adhesion.process_zone, pick("m", "R")));
+        }
+        for leg in &self.timeline.legs {
+            let Some(oscillation) = leg.oscillation else { continue };
+            let unit = pick("1/s", "1/reference time");
+            let (from, to) = (oscillation.frequency, oscillation.end_frequency);
+            groups.push(group(&format!("frequency of history.{}", leg.segment), from, unit));
+            if to.to_bits() != from.to_bits() {
+                groups.push(group(&format!("frequency of history.{} at its end", leg.segment), to, unit));
+            }
+            if let Some(longest) = self.material.longest_relaxation_time() {
+                groups.push(group(&format!("ωρ of history.{}, longest ρ", leg.segment), std::f64::consts::TAU * from * longest, "1"));
+            }
+            groups.push(group(&format!("cycles of history.{}", leg.segment), leg.cycles(), "1"));
         }
         groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
         let way = self.timeline.way(HistoryQuantity::Penetration);

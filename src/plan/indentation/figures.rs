@@ -1,8 +1,8 @@
 //! The plots of an indentation: a curve for every state, elastic limits, measured forces, fields.
 
 use super::IndentationPlan;
-use super::columns::{at, field};
-use super::rows::LARGEST_TENSION;
+use super::columns::{at, field, position};
+use super::rows::{CYCLE, INSTANT, LARGEST_TENSION};
 use crate::elastic::JkrSphere;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
@@ -19,10 +19,13 @@ const DIFFERENT_ENDS: f64 = 10.0;
 const ELASTIC_POINTS: usize = 200;
 
 /// The rows of one state.
-struct State<'a> {
-    label: String,
-    colour: usize,
-    rows: Vec<&'a Row>,
+pub(super) struct State<'a> {
+    pub(super) label: String,
+    pub(super) colour: usize,
+    /// Instants, events and fields.
+    pub(super) rows: Vec<&'a Row>,
+    /// Cycles of oscillations.
+    pub(super) cycles: Vec<&'a Row>,
 }
 
 impl IndentationPlan {
@@ -45,6 +48,7 @@ impl IndentationPlan {
                 figures.push((name.to_owned(), self.time_figure(&states, column)));
             }
         }
+        figures.extend(self.cycle_figures(scene, rows, &states));
         figures.extend(self.pull_off_figure(scene, rows));
         figures.extend(self.field_figures(&states));
         figures
@@ -59,18 +63,18 @@ impl IndentationPlan {
             .into_iter()
             .enumerate()
             .map(|(colour, state)| {
-                let rows = of(state);
+                let (cycles, rows): (Vec<&Row>, Vec<&Row>) = of(state).into_iter().partition(|row| row.label(0) == CYCLE);
                 let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
-                State { label, colour, rows }
+                State { label, colour, rows, cycles }
             })
             .collect()
     }
 
-    fn label(&self, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
+    pub(super) fn label(&self, quantity: &str, symbol: &str, unit: &str, reduced: &str) -> String {
         if self.units == Units::Si { format!("{quantity} {symbol}{unit}") } else { format!("{quantity} {reduced}") }
     }
 
-    fn axis(&self, column: usize) -> Axis {
+    pub(super) fn axis(&self, column: usize) -> Axis {
         Axis::linear(match column {
             at::FORCE => self.label("force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"),
             at::CONTACT_RADIUS => self.label("contact radius", "$a$", " (m)", "$a/R$"),
@@ -79,11 +83,21 @@ impl IndentationPlan {
         })
     }
 
-    fn curve(state: &State<'_>, horizontal: usize, vertical: usize) -> Curve {
+    fn curve(&self, state: &State<'_>, horizontal: usize, vertical: usize) -> Curve {
         // The largest tension belongs to the curve; fields repeat what is between its instants.
         let mut points = Vec::with_capacity(state.rows.len());
+        let mut before = f64::NEG_INFINITY;
         for row in &state.rows {
-            let x = value(row, horizontal);
+            let (x, time) = (value(row, horizontal), value(row, at::TIME));
+            // Cycles of which no instant is a row are a gap.
+            if self.whole_cycles_between(state, before, time) {
+                // A point alone is no curve.
+                if row.label(1) == LARGEST_TENSION {
+                    continue;
+                }
+                points.push((f64::NAN, f64::NAN));
+            }
+            before = time;
             points.push((x, value(row, vertical)));
             // Force and radius fall to zero at once.
             if LOSSES.contains(&row.label(1)) && vertical != at::PENETRATION {
@@ -100,7 +114,7 @@ impl IndentationPlan {
             figure = figure.with_curve(curve);
         }
         for state in states {
-            figure = figure.with_curve(Self::curve(state, at::PENETRATION, column));
+            figure = figure.with_curve(self.curve(state, at::PENETRATION, column));
         }
         let lost: Vec<(f64, f64)> = states
             .iter()
@@ -159,19 +173,23 @@ impl IndentationPlan {
         }
         let mut figure = Figure::new(horizontal, self.axis(column));
         for state in states {
-            figure = figure.with_curve(Self::curve(state, at::TIME, column));
+            figure = figure.with_curve(self.curve(state, at::TIME, column));
+            for envelope in self.envelope(state, column) {
+                figure = figure.with_curve(envelope);
+            }
         }
         if column == at::FORCE { self.with_measured(figure, states, at::TIME) } else { figure }
     }
 
     /// The measured force of the first state, as marks.
     fn with_measured(&self, figure: Figure, states: &[State<'_>], horizontal: usize) -> Figure {
+        let Some(measured) = position(&self.indentation, at::MEASURED_FORCE) else { return figure };
         let points: Vec<(f64, f64)> = states
             .first()
             .into_iter()
             .flat_map(|state| &state.rows)
-            .filter(|row| row.label(0) == "instant")
-            .filter_map(|row| Some((row.value(horizontal)?, row.value(at::MEASURED_FORCE)?)))
+            .filter(|row| row.label(0) == INSTANT)
+            .filter_map(|row| Some((row.value(horizontal)?, row.value(measured)?)))
             .collect();
         if points.is_empty() {
             return figure;

@@ -44,7 +44,12 @@ impl IndentationPlan {
     /// What the solver is asked.
     pub(super) fn problem(&self) -> Result<IndentationProblem, Refusal> {
         let (quantity, start) = self.timeline.start;
-        let segment = |leg: &Leg| Segment { duration: leg.duration, end: leg.end, controlled: controlled(leg.quantity), oscillation: None };
+        let segment = |leg: &Leg| Segment {
+            duration: leg.duration,
+            end: leg.end,
+            controlled: controlled(leg.quantity),
+            oscillation: leg.oscillation,
+        };
         let history = History { start, controlled: controlled(quantity), segments: self.timeline.legs.iter().map(segment).collect() };
         let problem = IndentationProblem {
             profile: self.profile.clone(),

@@ -2,6 +2,8 @@
 
 mod columns;
 mod cost;
+mod cycle_figures;
+mod cycles;
 mod describe;
 mod fields;
 mod figures;
@@ -111,6 +113,9 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn headline(&self) -> &'static [&'static str] {
+        if self.timeline.oscillates() {
+            return &["time", "force", "storage_stiffness", "loss_stiffness", "work_per_cycle"];
+        }
         &["time", "penetration", "force", "contact_radius", "pull_off_ratio"]
     }
 

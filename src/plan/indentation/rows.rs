@@ -1,10 +1,10 @@
 //! One state of an indentation as rows: the kept instants, the events, the largest tension, and the instants of fields, in the order of time.
 
 use super::IndentationPlan;
-use super::columns::{Measure, at, columns, definitions};
+use super::columns::{COLUMNS, Measure, at, columns, present};
 use crate::elastic::JkrSphere;
 use crate::estimate::Estimate;
-use crate::indentation::{Event, EventKind, IndentationSolution, Instant, PathPoint};
+use crate::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
 use crate::outcome::{Certificate, Row, Status, Work};
 use crate::plan::curves::thinned;
 use crate::refusal::Refusal;
@@ -27,6 +27,10 @@ const fn word(kind: EventKind) -> &'static str {
 /// Overlap and pressed edges that rounding leaves, over the largest penetration and stress intensity.
 const ADMISSIBLE: f64 = 1e-7;
 
+/// The words of rows of instants and cycles.
+pub(super) const INSTANT: &str = "instant";
+pub(super) const CYCLE: &str = "cycle";
+
 /// The word of the row of the largest tension.
 pub(super) const LARGEST_TENSION: &str = "largest_tension";
 
@@ -40,14 +44,14 @@ impl IndentationPlan {
             Ok(rows)
         });
         solved.unwrap_or_else(|refusal| {
-            let mut row = self.row(state, swept, ["instant", ""]);
+            let mut row = self.row(state, swept, [INSTANT, ""]);
             row.refuse(&refusal);
             vec![row]
         })
     }
 
     fn row(&self, state: usize, swept: &[f64], labels: [&str; 2]) -> Row {
-        Row::new(state, swept, labels.map(str::to_owned).to_vec(), definitions(&self.indentation).len())
+        Row::new(state, swept, labels.map(str::to_owned).to_vec(), present(&self.indentation).len())
     }
 
     fn rows_of(&self, solution: &IndentationSolution, state: usize, swept: &[f64]) -> Result<Vec<Row>, Refusal> {
@@ -69,13 +73,16 @@ impl IndentationPlan {
             if let (true, Some(cell)) = (index == last, values.get_mut(at::BALANCE_DEFECT)) {
                 *cell = solution.balance_defect.map(Estimate::exact);
             }
-            add(["instant", ""], values, instant.residual)?;
+            add([INSTANT, ""], values, instant.residual)?;
         }
         if let Some(values) = self.of_largest_tension(solution) {
             add(["event", LARGEST_TENSION], values, 0.0)?;
         }
         for point in self.between_instants(solution) {
-            add(["instant", ""], self.of_path_point(solution, point), point.residual)?;
+            add([INSTANT, ""], self.of_path_point(solution, point), point.residual)?;
+        }
+        for cycle in self.cycles_shown(solution) {
+            add([CYCLE, ""], self.of_cycle(cycle, &scales), 0.0)?;
         }
         let mut field_rows = Vec::new();
         if let Some(wanted) = &self.indentation.fields {
@@ -104,7 +111,7 @@ impl IndentationPlan {
 
     /// The largest magnitude of each quantity in the history: what errors are relative to where it passes through zero.
     fn reference_scales(&self, solution: &IndentationSolution) -> Vec<f64> {
-        let mut scales = vec![0.0_f64; definitions(&self.indentation).len()];
+        let mut scales = vec![0.0_f64; COLUMNS.len()];
         for instant in &solution.instants {
             for (scale, value) in scales.iter_mut().zip(self.of_instant(instant)) {
                 *scale = scale.max(value.map_or(0.0, |value| value.value.abs()));
@@ -120,8 +127,19 @@ impl IndentationPlan {
         at_least(at::FORCE, force);
         at_least(at::PULL_OFF_RATIO, self.jkr_pull_off().map_or(0.0, |unit| force / unit));
         at_least(at::TIME, self.timeline.duration());
+        for (place, scale) in self.cycle_scales(solution) {
+            at_least(place, scale);
+        }
         if let Some(adhesion) = self.adhesion() {
             at_least(at::STRESS_INTENSITY, (2.0 * self.material.glassy_modulus() * adhesion.work_of_adhesion).sqrt());
+        }
+        // Release rates by the larger of both, and at least by what the interface takes.
+        let release = [at::TIP_RELEASE_RATE, at::ENERGY_RELEASE_RATE].iter().filter_map(|&place| scales.get(place));
+        let release = release.fold(self.adhesion().map_or(0.0, |adhesion| adhesion.work_of_adhesion), |most: f64, scale| most.max(*scale));
+        for place in [at::TIP_RELEASE_RATE, at::ENERGY_RELEASE_RATE] {
+            if let Some(scale) = scales.get_mut(place) {
+                *scale = release;
+            }
         }
         // Energies turn into each other: all are judged by the largest.
         let energy = [at::STORED_ENERGY, at::EXTERNAL_WORK, at::DISSIPATED_ENERGY]
@@ -154,7 +172,7 @@ impl IndentationPlan {
 
     /// The values that every row has, and the places of the others empty.
     pub(super) fn basic(&self, time: Estimate, penetration: Estimate, force: Estimate, contact_radius: Estimate) -> Values {
-        let mut values: Values = vec![None; definitions(&self.indentation).len()];
+        let mut values: Values = vec![None; COLUMNS.len()];
         let far_end = self.far_end(penetration, force);
         let measured = self.measured_force(time.value).map(Estimate::exact);
         for (place, value) in [
@@ -181,6 +199,8 @@ impl IndentationPlan {
             (at::DISSIPATED_POWER, energy(1)),
             (at::EXTERNAL_WORK, energy(2)),
             (at::DISSIPATED_ENERGY, energy(3)),
+            (at::TIP_RELEASE_RATE, instant.tip_release_rate),
+            (at::ENERGY_RELEASE_RATE, instant.energy_release_rate),
             (at::RESIDUAL, Some(Estimate::exact(instant.residual))),
         ] {
             if let Some(cell) = values.get_mut(place) {
@@ -190,13 +210,13 @@ impl IndentationPlan {
         values
     }
 
-    /// Points of the path inside ramps that begin where only the march knows.
+    /// Points of the path inside ramps that begin where only the march knows, and inside oscillations.
     fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
         let inside = |&(from, to): &(f64, f64)| {
             let points: Vec<&PathPoint> = solution.fine.path.iter().filter(|point| point.time > from && point.time < to).collect();
             thinned(points, self.indentation.instants as usize)
         };
-        self.timeline.open_ramps.iter().flat_map(inside).collect()
+        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).collect()
     }
 
     /// A point between two kept instants, known as well as the worse of them.
@@ -206,11 +226,17 @@ impl IndentationPlan {
             let neighbours = [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
             Estimate::new(value, neighbours.fold(0.0, |most: f64, instant| most.max(of(instant).error)))
         };
+        // Within a cycle not better than its extremes.
+        let cycle = solution.cycles.iter().find(|cycle| cycle.start <= point.time && point.time <= cycle.end);
+        let within = |estimate: Estimate, of: fn(&Cycle<Estimate>) -> &[Estimate; 2]| {
+            let errors = cycle.into_iter().flat_map(of).map(|extreme| extreme.error).filter(|error| error.is_finite());
+            Estimate::new(estimate.value, errors.fold(estimate.error, f64::max))
+        };
         let mut values = self.basic(
             Estimate::exact(point.time),
-            known(point.penetration, |instant| instant.penetration),
-            known(point.force, |instant| instant.force),
-            known(point.contact_radius, |instant| instant.contact_radius),
+            within(known(point.penetration, |instant| instant.penetration), |cycle| &cycle.penetration),
+            within(known(point.force, |instant| instant.force), |cycle| &cycle.force),
+            within(known(point.contact_radius, |instant| instant.contact_radius), |cycle| &cycle.contact_radius),
         );
         if let (Some(cell), true) = (values.get_mut(at::STRESS_INTENSITY), self.indentation.adhesion.is_some()) {
             *cell = Some(known(point.stress_intensity_factor, |instant| instant.stress_intensity_factor));
@@ -259,10 +285,9 @@ impl IndentationPlan {
 
     /// Puts coherent values into a row in the units of the scene, with its certificate; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], residual: f64, solution: &IndentationSolution) -> Result<(), Refusal> {
-        let definitions = definitions(&self.indentation);
         // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
         let judged = |place: usize| row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO);
-        let shortfall = definitions.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
+        let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;
             let size = estimate.value.abs().max(*scale);
             (judged(place) && estimate.error > self.accuracy * size).then(|| (definition.name, estimate.error / size))
@@ -271,7 +296,8 @@ impl IndentationPlan {
             row.status = Status::Inaccurate;
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
-        row.values = definitions.iter().zip(values).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect();
+        let shown = |place: usize| Some(self.in_units(values.get(place).copied().flatten()?, COLUMNS.get(place)?.measure));
+        row.values = present(&self.indentation).into_iter().map(shown).collect();
         // Rounding of the edge condition leaves 1e-9 of either scale.
         let [intensity, depth] = [at::STRESS_INTENSITY, at::PENETRATION].map(|place| scales.get(place).copied().unwrap_or(0.0));
         let admissible = solution.smallest_gap_factor >= -ADMISSIBLE * depth
@@ -285,11 +311,11 @@ impl IndentationPlan {
     /// A coherent value in the units of the scene.
     pub(super) fn in_units(&self, estimate: Estimate, measure: Measure) -> Estimate {
         let converted = match measure {
-            Measure::Force | Measure::Energy | Measure::Power => {
+            Measure::Force | Measure::Energy | Measure::Power | Measure::EnergyPerArea | Measure::Stiffness => {
                 let scaled = estimate.scaled(1.0 / self.scale.force);
                 Estimate::new(scaled.value, scaled.error + if scaled.error > 0.0 { CONVERSION * scaled.value.abs() } else { 0.0 })
             }
-            Measure::Time | Measure::Length | Measure::Intensity | Measure::Number => estimate,
+            Measure::Time | Measure::Length | Measure::Intensity | Measure::Frequency | Measure::Angle | Measure::Number => estimate,
         };
         // An open contact has the force 0, not −0.
         Estimate::new(converted.value + 0.0, converted.error)

@@ -1,8 +1,11 @@
-//! A history as straight legs, each of which ends at an instant that becomes a row.
+//! A history as legs, straight or with an oscillation, each of which ends at an instant that becomes a row.
 
 use super::scale::Scale;
+use crate::indentation::{FrequencySweep, Oscillation};
 use crate::refusal::Refusal;
-use crate::scene::typed::{CycleWave, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, Pace};
+use crate::scene::typed::{
+    CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
+};
 use std::sync::Arc;
 
 /// More legs than these are no history that a march could follow.
@@ -10,13 +13,23 @@ const MOST_LEGS: usize = 100_000;
 /// Decades over which half of the instants of a hold are spread: what relaxes does so in all of them.
 const DECADES_OF_A_HOLD: f64 = 6.0;
 
-/// A straight way to a value, in coherent units.
+/// A straight way to a value, with or without an oscillation, in coherent units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Leg {
     pub(super) quantity: HistoryQuantity,
     /// Zero is a step.
     pub(super) duration: f64,
     pub(super) end: f64,
+    pub(super) oscillation: Option<Oscillation>,
+    /// Which segment of the scene's history it is part of, from 0.
+    pub(super) segment: usize,
+}
+
+impl Leg {
+    /// Cycles of its oscillation, whole or not.
+    pub(super) fn cycles(&self) -> f64 {
+        self.oscillation.map_or(0.0, |oscillation| oscillation.cycles_at(self.duration, self.duration))
+    }
 }
 
 /// Measured columns beside what a table controls.
@@ -48,6 +61,7 @@ struct Builder<'s> {
     instants: u32,
     here: (HistoryQuantity, f64),
     time: f64,
+    segment: usize,
     timeline: Timeline,
 }
 
@@ -56,9 +70,17 @@ impl Timeline {
         let (quantity, value) = indentation.at_start;
         let start = (quantity, scale.coherent(quantity, value));
         let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false };
-        let mut builder =
-            Builder { scale, factor: indentation.speed_factor, instants: indentation.instants, here: start, time: 0.0, timeline };
-        for segment in &indentation.history.segments {
+        let mut builder = Builder {
+            scale,
+            factor: indentation.speed_factor,
+            instants: indentation.instants,
+            here: start,
+            time: 0.0,
+            segment: 0,
+            timeline,
+        };
+        for (index, segment) in indentation.history.segments.iter().enumerate() {
+            builder.segment = index;
             builder.segment(segment)?;
             if builder.timeline.legs.len() > MOST_LEGS {
                 return Err(Refusal::out_of_range("history", builder.timeline.legs.len() as f64, "at most 100 000 straight pieces"));
@@ -67,7 +89,12 @@ impl Timeline {
         Ok(builder.timeline)
     }
 
-    /// How long it takes (s).
+    /// Whether anything oscillates.
+    pub(super) fn oscillates(&self) -> bool {
+        self.legs.iter().any(|leg| leg.oscillation.is_some())
+    }
+
+    /// How long it takes (s), at most.
     pub(super) fn duration(&self) -> f64 {
         self.legs.iter().map(|leg| leg.duration).sum()
     }
@@ -110,6 +137,10 @@ impl Builder<'_> {
                 self.timeline.in_time = true;
                 self.table(*quantity, table);
             }
+            HistorySegment::Oscillation(oscillation) => {
+                self.timeline.in_time = true;
+                self.oscillation(oscillation)?;
+            }
             HistorySegment::Cycles { quantity, count, period, lower, upper, wave } => {
                 self.timeline.in_time = true;
                 let [lower, upper] = [*lower, *upper].map(|value| self.scale.coherent(*quantity, value));
@@ -138,9 +169,40 @@ impl Builder<'_> {
     }
 
     fn leg(&mut self, quantity: HistoryQuantity, duration: f64, end: f64) {
-        self.timeline.legs.push(Leg { quantity, duration, end });
+        self.timeline.legs.push(Leg { quantity, duration, end, oscillation: None, segment: self.segment });
         self.here = (quantity, end);
         self.time += duration;
+    }
+
+    /// One leg, whatever the number of cycles.
+    fn oscillation(&mut self, given: &HistoryOscillation) -> Result<(), Refusal> {
+        let (quantity, factor) = (given.quantity, self.factor);
+        let (held, present) = self.here;
+        let Some(end) = given.to.map(|to| self.scale.coherent(quantity, to)).or((held == quantity).then_some(present)) else {
+            return Err(Refusal::Undefined {
+                quantity: "the mean of an oscillation right after a change of what is controlled",
+                reason: "it is only known when the history is solved; give `to`".into(),
+            });
+        };
+        let (end_frequency, sweep) = given.sweep.unwrap_or((given.frequency, FrequencySweep::Linear));
+        let oscillation = Oscillation {
+            amplitude: self.scale.coherent(quantity, given.amplitude),
+            frequency: given.frequency * factor,
+            end_frequency: end_frequency * factor,
+            sweep,
+            until_stationary: given.until_stationary,
+        };
+        oscillation.checked()?;
+        let duration = given.duration() / factor;
+        self.timeline.legs.push(Leg { quantity, duration, end, oscillation: Some(oscillation), segment: self.segment });
+        self.time += duration;
+        // Whole cycles end at the mean itself.
+        let reached = match given.extent {
+            OscillationExtent::Cycles(_) => end,
+            OscillationExtent::Duration(_) => end + oscillation.deviation(duration, duration),
+        };
+        self.here = (quantity, reached);
+        Ok(())
     }
 
     /// A step that is left out where the value is met already.

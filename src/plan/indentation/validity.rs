@@ -1,7 +1,7 @@
 //! Where the model of an indentation may be doubted.
 
 use super::IndentationPlan;
-use super::columns::at;
+use super::columns::{at, position};
 use crate::elastic::TaborNumber;
 use crate::indentation::Profile;
 use crate::outcome::{Row, Validity};
@@ -45,7 +45,11 @@ const ASSUMPTIONS: [Assumption; 6] = [
 impl IndentationPlan {
     /// The numbers that the assumptions are judged by, for one row.
     pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
-        let radius = row.value(at::CONTACT_RADIUS).filter(|radius| *radius > 0.0);
+        // A cycle is judged by its extremes.
+        let of_cycle = |column: usize| position(&self.indentation, column).and_then(|place| row.value(place));
+        let held = |radius: &f64| *radius > 0.0;
+        let radius = row.value(at::CONTACT_RADIUS).or_else(|| of_cycle(at::LARGEST_CONTACT_RADIUS)).filter(held);
+        let smallest = row.value(at::CONTACT_RADIUS).or_else(|| of_cycle(at::SMALLEST_CONTACT_RADIUS)).filter(held);
         let si = (self.units == Units::Si).then_some(());
         let size = match self.indentation.shape {
             IndentationShape::Sphere { radius } => Some(radius),
@@ -79,7 +83,7 @@ impl IndentationPlan {
         vec![
             radius.zip(size).map(|(radius, size)| radius / size),
             slope,
-            zone.zip(radius).map(|(zone, radius)| zone / radius),
+            zone.zip(smallest).map(|(zone, radius)| zone / radius),
             si.and(zone),
             cohesive.map(|stress| stress / self.material.glassy_modulus()),
             tabor,

@@ -8,13 +8,14 @@ const fn target(quantity: HistoryQuantity, path: &'static str, reduced: &'static
     Key { path, kind: Kind::Number { dimension: quantity.dimension(), range: quantity.range(), reduced }, meaning }
 }
 
+const FREQUENCY: Kind = Kind::Number { dimension: Dimension::FREQUENCY, range: Range::Positive, reduced: "cycles per reference time" };
 const TIME: Kind = Kind::Number { dimension: Dimension::TIME, range: Range::Positive, reduced: "reference time" };
 
 pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history",
         kind: Kind::Tables,
-        meaning: "What is done to a crack or a sphere, one table a segment, in order, from an unloaded and rested body at time zero. A segment holds exactly one of: a quantity to go to, `hold`, `table`, `cycles`.",
+        meaning: "What is done to a crack or a sphere, one table a segment, in order, from an unloaded and rested body at time zero. A segment holds exactly one of: a quantity to go to, `hold`, `table`, `cycles`, `oscillation`.",
     },
     target(
         HistoryQuantity::StressIntensity,
@@ -79,5 +80,46 @@ pub(super) const KEYS: &[Key] = &[
             Word { word: "square", meaning: "half a period at the upper value, then half a period at the lower one" },
         ]),
         meaning: "The form of a cycle.",
+    },
+    Key {
+        path: "history[].oscillation",
+        kind: Kind::Table,
+        meaning: "Swing as a sinus about the present value of a quantity of a sphere, up first; every whole cycle gives its stiffness, loss and extremes. Holds exactly one of `cycles`, `duration`.",
+    },
+    Key { path: "history[].oscillation.quantity", kind: Kind::Choice(HistoryQuantity::OSCILLATING), meaning: "What oscillates." },
+    Key {
+        path: "history[].oscillation.amplitude",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "Greatest deviation from the mean, greater than 0, in the quantity's unit.",
+    },
+    Key { path: "history[].oscillation.frequency", kind: FREQUENCY, meaning: "Cycles per time, at the start if it changes." },
+    Key {
+        path: "history[].oscillation.to_frequency",
+        kind: FREQUENCY,
+        meaning: "Cycles per time at the end: the frequency goes up or down all the while.",
+    },
+    Key {
+        path: "history[].oscillation.frequency_sweep",
+        kind: Kind::Choice(&[
+            Word { word: "linear", meaning: "the frequency goes straight in time; the default" },
+            Word { word: "logarithmic", meaning: "its logarithm goes straight in time" },
+        ]),
+        meaning: "How the frequency goes to `to_frequency`.",
+    },
+    Key {
+        path: "history[].oscillation.cycles",
+        kind: Kind::Count { least: 1, most: 1_000_000_000 },
+        meaning: "How many cycles; with `until_stationary` how many at most.",
+    },
+    Key { path: "history[].oscillation.duration", kind: TIME, meaning: "How long it lasts, whole cycles or not." },
+    Key {
+        path: "history[].oscillation.to",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "The mean at the end: it goes there straight, so that the oscillation rides on a ramp. Without it the mean stays.",
+    },
+    Key {
+        path: "history[].oscillation.until_stationary",
+        kind: Kind::Flag,
+        meaning: "Whether it ends with the first cycle that, to the accuracy of the scene, will not drift any more in the longest relaxation time. Needs `cycles`, a steady frequency and a mean that stays.",
     },
 ];

@@ -54,6 +54,8 @@ pub enum Kind {
     Choices(&'static [Word]),
     /// A free text.
     Text,
+    /// true or false.
+    Flag,
     /// A table.
     Table,
     /// A list of tables.

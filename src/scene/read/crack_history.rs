@@ -109,6 +109,8 @@ fn duration(history: &History) -> f64 {
                 present = table.values.last().copied().unwrap_or(present);
                 table.times.last().copied().unwrap_or(0.0)
             }
+            // Cracks do not oscillate: the reader of segments has refused it.
+            HistorySegment::Oscillation(oscillation) => oscillation.duration(),
             HistorySegment::Cycles { count, period, lower, .. } => {
                 present = *lower;
                 f64::from(*count) * period
@@ -126,7 +128,7 @@ fn scaled(mut history: History, unit: f64) -> History {
                 *value *= unit;
                 *rate *= unit;
             }
-            HistorySegment::Hold { .. } => {}
+            HistorySegment::Hold { .. } | HistorySegment::Oscillation(_) => {}
             HistorySegment::Table { table, .. } => {
                 if unit.to_bits() != 1.0_f64.to_bits() {
                     std::sync::Arc::make_mut(table).values.iter_mut().for_each(|value| *value *= unit);

@@ -2,16 +2,17 @@
 
 use super::measured_table::measured_table;
 use super::section::Section;
+use crate::indentation::FrequencySweep;
 use crate::scene::catalogue::{Key, Kind, Range};
 use crate::scene::check::{Units, check_range, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Node, Value};
-use crate::scene::typed::{CycleWave, History, HistoryQuantity, HistorySegment, Pace};
+use crate::scene::typed::{CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, OscillationExtent, Pace};
 use crate::scene::units::Dimension;
 use std::sync::Arc;
 
 /// What a segment does, apart from going to a value of a quantity.
-const FORMS: [&str; 3] = ["hold", "table", "cycles"];
+const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];
 /// Keys that only some segments have, and which: `target` stands for a quantity.
 const COMPANIONS: [(&str, &[&str]); 7] = [
     ("duration", &["target"]),
@@ -39,20 +40,10 @@ pub fn read(document: &Document, allowed: &[HistoryQuantity], owner: &str) -> Re
     let mut last = None;
     for item in &items {
         let segment = segment(item, document, allowed, owner, last)?;
-        last = quantity_of(&segment).or(last);
+        last = segment.quantity().or(last);
         segments.push(segment);
     }
     Ok(Some(History { segments }))
-}
-
-const fn quantity_of(segment: &HistorySegment) -> Option<HistoryQuantity> {
-    match segment {
-        HistorySegment::Step { quantity, .. }
-        | HistorySegment::Ramp { quantity, .. }
-        | HistorySegment::Table { quantity, .. }
-        | HistorySegment::Cycles { quantity, .. } => Some(*quantity),
-        HistorySegment::Hold { quantity, .. } => *quantity,
-    }
 }
 
 fn words(allowed: &[HistoryQuantity]) -> String {
@@ -87,6 +78,7 @@ fn segment(
             HistorySegment::Table { quantity, table: Arc::new(measured_table(item, document, quantity)?) }
         }
         "cycles" => cycles(item, quantity(item, allowed, owner)?)?,
+        "oscillation" => HistorySegment::Oscillation(oscillation(item, allowed, owner)?),
         target => {
             let Some(quantity) = HistoryQuantity::of_word(target) else { return Err(item.missing(target)) };
             let value = item.required_number(target)?;
@@ -132,6 +124,51 @@ fn cycles(item: &Section<'_>, quantity: HistoryQuantity) -> Result<HistorySegmen
     Ok(HistorySegment::Cycles { quantity, count, period: item.required_number("period")?, lower, upper, wave })
 }
 
+/// The table of an oscillation, which has everything within itself.
+fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> Result<HistoryOscillation, SceneError> {
+    if !allowed.iter().any(|quantity| quantity.oscillates()) {
+        let message = format!("`{}`: nothing oscillates in {owner}", item.full("oscillation"));
+        let help = "a crack goes through `cycles` with period, lower, upper and wave";
+        return Err(SceneError::at(&item.key_place("oscillation"), message, "leave it out").help(help));
+    }
+    let table = item.required_table("oscillation", "it is the segment")?;
+    let Some(quantity) = HistoryQuantity::of_word(table.required_text("quantity")?) else { return Err(table.missing("quantity")) };
+    let amplitude = dependent(&table, "amplitude", quantity.dimension(), Range::Positive)?;
+    let frequency = table.required_number("frequency")?;
+    let extent = match table.exactly_one(&["cycles", "duration"])? {
+        "cycles" => OscillationExtent::Cycles(table.required_number("cycles")? as u32),
+        _ => OscillationExtent::Duration(table.required_number("duration")?),
+    };
+    let sweep = match (table.number("to_frequency")?, table.text("frequency_sweep")) {
+        (Some(end), Some("logarithmic")) => Some((end, FrequencySweep::Logarithmic)),
+        (Some(end), _) => Some((end, FrequencySweep::Linear)),
+        (None, Some(_)) => {
+            let message = format!("`{}` says how the frequency goes to `to_frequency`, which is missing", table.full("frequency_sweep"));
+            return Err(table.wrong("frequency_sweep", message, "leave it out, or give to_frequency"));
+        }
+        (None, None) => None,
+    };
+    let to = table.node().get("to").map(|_| dependent(&table, "to", quantity.dimension(), quantity.range())).transpose()?;
+    let until_stationary = matches!(table.node().get("until_stationary").map(|node| &node.value), Some(Value::Flag(true)));
+    if until_stationary {
+        let moving = ["to", "to_frequency"].into_iter().find(|key| table.node().get(key).is_some());
+        if let Some(key) = moving {
+            let message = format!(
+                "`{}` = true excludes `{}`: what goes elsewhere is never stationary",
+                table.full("until_stationary"),
+                table.full(key)
+            );
+            return Err(SceneError::at(&table.key_place(key), message, "leave one of the two out"));
+        }
+        if matches!(extent, OscillationExtent::Duration(_)) {
+            let message =
+                format!("`{}` = true ends after a whole cycle: it needs `cycles`, their largest number", table.full("until_stationary"));
+            return Err(SceneError::at(&table.key_place("duration"), message, "give `cycles` instead"));
+        }
+    }
+    Ok(HistoryOscillation { quantity, amplitude, frequency, sweep, extent, to, until_stationary })
+}
+
 /// A number whose dimension is that of the segment's quantity.
 fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) -> Result<f64, SceneError> {
     let Some(node) = item.node().get(key) else {
@@ -142,7 +179,7 @@ fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) 
     check_range(node, &path, value, range).map(|()| value)
 }
 
-/// The dimension and range of a swept `rate`, `lower` or `upper`, by the quantity of its segment; none for any other key.
+/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude` or `to`, by the quantity of its segment; none for any other key.
 pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Option<(Dimension, Range)> {
     if !matches!(key.kind, Kind::NumberOfSweptKey) || !key.path.starts_with("history[].") {
         return None;
@@ -155,5 +192,9 @@ pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Op
     // Only a cracked strip and a crack let the quantity of cycles go unnamed.
     let strip = root.at("crack.strip").is_some();
     let quantity = named.unwrap_or(if strip { HistoryQuantity::Stress } else { HistoryQuantity::StressIntensity });
-    Some(if key.path.ends_with("rate") { (quantity.rate_dimension(), Range::Positive) } else { (quantity.dimension(), quantity.range()) })
+    Some(match key.path.rsplit('.').next() {
+        Some("rate") => (quantity.rate_dimension(), Range::Positive),
+        Some("amplitude") => (quantity.dimension(), Range::Positive),
+        _ => (quantity.dimension(), quantity.range()),
+    })
 }

@@ -7,8 +7,8 @@ use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
 use crate::scene::typed::{
-    History, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart,
-    IndentationZone, Pace, SceneMaterial,
+    History, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields, IndentationShape,
+    IndentationStart, IndentationZone, Pace, SceneMaterial,
 };
 use crate::scene::units::Dimension;
 
@@ -42,7 +42,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     rates_know_their_start(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
     if let (None, Some(index)) =
-        (frame_stiffness, history.segments.iter().position(|segment| quantity(segment) == Some(HistoryQuantity::Frame)))
+        (frame_stiffness, history.segments.iter().position(|segment| segment.quantity() == Some(HistoryQuantity::Frame)))
     {
         let message = "the history controls `frame`, the far end of a frame, but `indentation.frame_stiffness` is missing";
         let place = top.items("history").get(index).map_or_else(|| table.header(), Section::header);
@@ -61,16 +61,6 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         energies: table.node().get("energies").is_some(),
         fields,
     })
-}
-
-fn quantity(segment: &HistorySegment) -> Option<HistoryQuantity> {
-    match segment {
-        HistorySegment::Step { quantity, .. }
-        | HistorySegment::Ramp { quantity, .. }
-        | HistorySegment::Table { quantity, .. }
-        | HistorySegment::Cycles { quantity, .. } => Some(*quantity),
-        HistorySegment::Hold { quantity, .. } => *quantity,
-    }
 }
 
 fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, SceneError> {
@@ -104,7 +94,7 @@ fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, histor
     };
     let Some(key) = key else {
         // First touch is the zero of whatever is controlled first.
-        let first = history.segments.first().and_then(quantity).unwrap_or(HistoryQuantity::Penetration);
+        let first = history.segments.first().and_then(HistorySegment::quantity).unwrap_or(HistoryQuantity::Penetration);
         if first == HistoryQuantity::ContactRadius && adhesive {
             let message =
                 "an adhesive contact jumps in to a radius of its own: a history that controls `contact_radius` needs the first one";
@@ -116,7 +106,7 @@ fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, histor
     Ok((quantity, table.required_number(key)?))
 }
 
-/// A rate makes a duration only where the value it starts from is known.
+/// A rate makes a duration only where the value it starts from is known, and an oscillation without `to` needs its mean.
 fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
     let mut controlled = first;
     for (segment, item) in history.segments.iter().zip(top.items("history")) {
@@ -131,7 +121,18 @@ fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQu
             );
             return Err(SceneError::at(&item.key_place("rate"), message, "give `duration` instead"));
         }
-        controlled = quantity(segment).unwrap_or(controlled);
+        if let HistorySegment::Oscillation(HistoryOscillation { quantity, to: None, .. }) = segment
+            && *quantity != controlled
+        {
+            let message = format!(
+                "`{}`: before this segment `{}` is controlled, and about which `{}` it would oscillate is only known when the history is solved",
+                item.full("oscillation"),
+                controlled.word(),
+                quantity.word()
+            );
+            return Err(SceneError::at(&item.key_place("oscillation"), message, "give `to`, or go to a value of it first"));
+        }
+        controlled = segment.quantity().unwrap_or(controlled);
     }
     Ok(())
 }
@@ -194,7 +195,7 @@ fn fields(table: &Section<'_>, history: &History) -> Result<Option<IndentationFi
     Ok(Some(IndentationFields { times, to: fields.number("to")?, points }))
 }
 
-/// How long the history takes at speed factor one; none if a rate begins at a value that is only known when it is solved.
+/// How long the history takes at speed factor one; none if that is only known when it is solved.
 fn duration(history: &History) -> Option<f64> {
     history.segments.iter().try_fold(0.0, |total, segment| {
         Some(
@@ -205,6 +206,8 @@ fn duration(history: &History) -> Option<f64> {
                     HistorySegment::Ramp { pace: Pace::Rate(_), .. } => return None,
                     HistorySegment::Table { table, .. } => table.times.last().copied().unwrap_or(0.0),
                     HistorySegment::Cycles { count, period, .. } => f64::from(*count) * period,
+                    HistorySegment::Oscillation(oscillation) if oscillation.until_stationary => return None,
+                    HistorySegment::Oscillation(oscillation) => oscillation.duration(),
                 },
         )
     })

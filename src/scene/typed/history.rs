@@ -1,5 +1,6 @@
 //! Load histories as a scene gives them: segment after segment, each of one controlled quantity.
 
+use crate::indentation::FrequencySweep;
 use crate::scene::catalogue::{Range, Word};
 use crate::scene::units::Dimension;
 use std::sync::Arc;
@@ -34,6 +35,19 @@ impl HistoryQuantity {
         Word { word: "contact_radius", meaning: "radius of a sphere's contact" },
         Word { word: "frame", meaning: "displacement of the far end of the frame that holds a sphere" },
     ];
+
+    /// Those that may oscillate: a radius would pin the edge at every turn.
+    pub const OSCILLATING: &'static [Word] = &[
+        Word { word: "penetration", meaning: "depth of a sphere" },
+        Word { word: "force", meaning: "force on a sphere" },
+        Word { word: "frame", meaning: "displacement of the far end of the frame that holds a sphere" },
+    ];
+
+    /// Whether it may oscillate.
+    #[must_use]
+    pub const fn oscillates(self) -> bool {
+        matches!(self, Self::Penetration | Self::Force | Self::Frame)
+    }
 
     /// The word in scenes, and the key of a segment that goes to a value of it.
     #[must_use]
@@ -141,6 +155,69 @@ pub enum HistorySegment {
         /// The form.
         wave: CycleWave,
     },
+    /// A sinus about a mean.
+    Oscillation(HistoryOscillation),
+}
+
+impl HistorySegment {
+    /// What is controlled; none of a hold before which nothing was.
+    #[must_use]
+    pub const fn quantity(&self) -> Option<HistoryQuantity> {
+        match self {
+            Self::Step { quantity, .. }
+            | Self::Ramp { quantity, .. }
+            | Self::Table { quantity, .. }
+            | Self::Cycles { quantity, .. }
+            | Self::Oscillation(HistoryOscillation { quantity, .. }) => Some(*quantity),
+            Self::Hold { quantity, .. } => *quantity,
+        }
+    }
+}
+
+/// A sinus about the present value of a quantity, or about a straight way to another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryOscillation {
+    /// What is controlled.
+    pub quantity: HistoryQuantity,
+    /// Greatest deviation from the mean, > 0.
+    pub amplitude: f64,
+    /// Cycles per time (1/s) at the start.
+    pub frequency: f64,
+    /// The same at the end, and how it goes there; none for a steady frequency.
+    pub sweep: Option<(f64, FrequencySweep)>,
+    /// How long it lasts.
+    pub extent: OscillationExtent,
+    /// The mean at the end, where it does not stay.
+    pub to: Option<f64>,
+    /// Whether it ends with the first stationary cycle.
+    pub until_stationary: bool,
+}
+
+impl HistoryOscillation {
+    /// How long it takes (s), at most.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        let cycles = match self.extent {
+            OscillationExtent::Duration(duration) => return duration,
+            OscillationExtent::Cycles(cycles) => f64::from(cycles),
+        };
+        // Cycles in one second of a sweep are its mean frequency.
+        let (low, high) = (self.frequency, self.sweep.map_or(self.frequency, |(end, _)| end));
+        let logarithm = (high / low).ln();
+        match self.sweep {
+            Some((_, FrequencySweep::Logarithmic)) if logarithm != 0.0 => cycles * logarithm / (low * logarithm.exp_m1()),
+            _ => cycles / (0.5 * (low + high)),
+        }
+    }
+}
+
+/// How long an oscillation lasts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OscillationExtent {
+    /// So many cycles.
+    Cycles(u32),
+    /// So long (s).
+    Duration(f64),
 }
 
 /// How fast a ramp goes; both numbers are greater than zero.

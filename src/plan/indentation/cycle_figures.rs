@@ -1,0 +1,157 @@
+//! The plots of oscillations: envelopes, stiffness and loss against frequency or time, the last cycle.
+
+use super::IndentationPlan;
+use super::columns::{at, position};
+use super::figures::State;
+use super::rows::{CYCLE, INSTANT};
+use crate::outcome::Row;
+use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker, Scale};
+use crate::plan::curves::value;
+use crate::scene::typed::{Scene, Units};
+
+/// Frequencies that differ more than this make an axis; more than the second a logarithmic one.
+const DIFFERENT: f64 = 1.1;
+const DECADE: f64 = 10.0;
+/// Points fewer than these are marked.
+const FEW: usize = 60;
+
+impl IndentationPlan {
+    /// A column of a cycle.
+    fn of(&self, row: &Row, column: usize) -> f64 {
+        position(&self.indentation, column).and_then(|place| row.value(place)).unwrap_or(f64::NAN)
+    }
+
+    /// Whether a cycle lies between two instants that follow each other.
+    pub(super) fn whole_cycles_between(&self, state: &State<'_>, from: f64, to: f64) -> bool {
+        let after = state.cycles.partition_point(|row| value(row, at::TIME) <= from);
+        state.cycles.get(after).is_some_and(|row| self.of(row, at::CYCLE_START) >= from && value(row, at::TIME) <= to)
+    }
+
+    /// The smallest and the largest value in each cycle against its middle, where not all cycles are drawn.
+    pub(super) fn envelope(&self, state: &State<'_>, column: usize) -> Vec<Curve> {
+        let ends = match column {
+            at::FORCE => [at::SMALLEST_FORCE, at::LARGEST_FORCE],
+            at::CONTACT_RADIUS => [at::SMALLEST_CONTACT_RADIUS, at::LARGEST_CONTACT_RADIUS],
+            _ => [at::SMALLEST_PENETRATION, at::LARGEST_PENETRATION],
+        };
+        // A way that is drawn itself needs none.
+        let times: Vec<f64> = state.rows.iter().map(|row| value(row, at::TIME)).collect();
+        if !times.windows(2).any(|pair| self.whole_cycles_between(state, pair[0], pair[1])) {
+            return Vec::new();
+        }
+        ends.into_iter()
+            .map(|end| {
+                let mut segment = f64::INFINITY;
+                let mut points = Vec::with_capacity(state.cycles.len());
+                for row in &state.cycles {
+                    let own = self.of(row, at::SEGMENT);
+                    if own > segment {
+                        points.push((f64::NAN, f64::NAN));
+                    }
+                    segment = own;
+                    points.push((0.5 * (self.of(row, at::CYCLE_START) + value(row, at::TIME)), self.of(row, end)));
+                }
+                Curve::new("", points).with_line(Line::Dashed).with_colour(state.colour)
+            })
+            .collect()
+    }
+
+    /// Stiffness and work of cycles, and the last cycle of each state.
+    pub(super) fn cycle_figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>]) -> Vec<(String, Figure)> {
+        if states.iter().all(|state| state.cycles.is_empty()) {
+            return Vec::new();
+        }
+        let mut figures = Vec::new();
+        let within = |state: &State<'_>| spread(state.cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
+        // A frequency that goes is the axis of each state; frequencies of several states are the axis of their last cycles.
+        let last_cycles = Self::last_cycles(rows);
+        let across = spread(last_cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
+        if let Some(ratio) = states.iter().map(within).reduce(f64::max).filter(|ratio| *ratio > DIFFERENT) {
+            let sets: Vec<Set<'_>> =
+                states.iter().map(|state| Set { label: state.label.clone(), colour: state.colour, rows: state.cycles.clone() }).collect();
+            figures.extend(self.against(&self.frequency_axis(ratio), "frequency", at::FREQUENCY, &sets));
+        } else {
+            if across > DIFFERENT && scene.sweeps.len() == 1 {
+                let sets = [Set { label: String::new(), colour: 0, rows: last_cycles }];
+                figures.extend(self.against(&self.frequency_axis(across), "frequency", at::FREQUENCY, &sets));
+            }
+            let sets: Vec<Set<'_>> = states
+                .iter()
+                .filter(|state| state.cycles.len() > 1)
+                .map(|state| Set { label: state.label.clone(), colour: state.colour, rows: state.cycles.clone() })
+                .collect();
+            if !sets.is_empty() {
+                figures.extend(self.against(&Axis::linear("cycle"), "cycle", at::CYCLE, &sets));
+            }
+        }
+        figures.extend(self.last_cycle_figure(states));
+        figures
+    }
+
+    /// The last cycle of every state.
+    fn last_cycles(rows: &[Row]) -> Vec<&Row> {
+        let cycles: Vec<&Row> = rows.iter().filter(|row| row.status.has_values() && row.label(0) == CYCLE).collect();
+        cycles.chunk_by(|one, other| one.state == other.state).filter_map(|state| state.last().copied()).collect()
+    }
+
+    fn frequency_axis(&self, ratio: f64) -> Axis {
+        let label = if self.units == Units::Si { "frequency $f$ (1/s)" } else { "frequency $f t_0$" };
+        if ratio > DECADE { Axis::logarithmic(label) } else { Axis::linear(label) }
+    }
+
+    /// Stiffness and work against a column.
+    fn against(&self, axis: &Axis, name: &str, horizontal: usize, sets: &[Set<'_>]) -> Vec<(String, Figure)> {
+        let stiffness = self.label("stiffness", "", "(N/m)", r"$k/\pi E_0^* R$");
+        let columns = [at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS];
+        let values = || sets.iter().flat_map(|set| &set.rows).flat_map(|row| columns.map(|column| self.of(row, column)));
+        let decades = axis.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;
+        let mut first = Figure::new(axis.clone(), if decades { Axis::logarithmic(stiffness) } else { Axis::linear(stiffness) });
+        let mut second = Figure::new(axis.clone(), Axis::linear(self.label("work per cycle", "$w$", " (J)", r"$w/\pi E_0^* R^3$")));
+        for set in sets {
+            let curve = |label: &str, column: usize, line: Line| {
+                let points: Vec<(f64, f64)> = set.rows.iter().map(|row| (self.of(row, horizontal), self.of(row, column))).collect();
+                let joined = match (label.is_empty(), set.label.is_empty()) {
+                    (true, _) => set.label.clone(),
+                    (false, true) => label.to_owned(),
+                    (false, false) => format!("{label}, {}", set.label),
+                };
+                let marker = if points.len() < FEW { Marker::Circle } else { Marker::None };
+                Curve::new(joined, points).with_line(line).with_colour(set.colour).with_marker(marker)
+            };
+            first = first.with_curve(curve("storage", at::STORAGE_STIFFNESS, Line::Solid));
+            first = first.with_curve(curve("loss", at::LOSS_STIFFNESS, Line::Dashed));
+            second = second.with_curve(curve("", at::WORK_PER_CYCLE, Line::Solid));
+        }
+        vec![(format!("stiffness_against_{name}"), first), (format!("work_per_cycle_against_{name}"), second)]
+    }
+
+    /// Force against penetration in the last cycle of each state, where its instants are rows.
+    fn last_cycle_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
+        let mut figure = Figure::new(self.axis(at::PENETRATION), self.axis(at::FORCE));
+        for state in states {
+            let Some(cycle) = state.cycles.last() else { continue };
+            let (from, to) = (self.of(cycle, at::CYCLE_START), value(cycle, at::TIME));
+            let inside = |row: &&&Row| row.label(0) == INSTANT && (from..=to).contains(&value(row, at::TIME));
+            let points: Vec<(f64, f64)> =
+                state.rows.iter().filter(inside).map(|row| (value(row, at::PENETRATION), value(row, at::FORCE))).collect();
+            if points.len() > 3 {
+                figure = figure.with_curve(Curve::new(state.label.clone(), points).with_colour(state.colour).with_line(Line::Solid));
+            }
+        }
+        (!figure.curves.is_empty()).then(|| ("last_cycle".to_owned(), figure))
+    }
+}
+
+/// Cycles that make one curve.
+struct Set<'a> {
+    label: String,
+    colour: usize,
+    rows: Vec<&'a Row>,
+}
+
+/// The largest over the smallest.
+fn spread(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) =
+        values.filter(|value| value.is_finite()).fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
+    if high > 0.0 { high / low } else { 1.0 }
+}
