@@ -73,8 +73,6 @@ impl Dimension {
     pub const TEMPERATURE: Self = Self { sense: Sense::Temperature, ..Self::TEMPERATURE_DIFFERENCE };
     /// K of a difference of temperatures.
     pub const TEMPERATURE_DIFFERENCE: Self = Self::new([0, 0, 0, 1]);
-    /// 1/s.
-    pub const FREQUENCY: Self = Self::new([0, 0, -1, 0]);
     /// J/mol.
     pub const ENERGY_PER_MOLE: Self = Self { halves: [4, 2, -4, 0, -2], sense: Sense::Plain };
     /// √m.
@@ -103,7 +101,6 @@ impl Dimension {
             Self::FORCE_RATE => "a rate such as \"1 mN/s\"",
             Self::TEMPERATURE => "a temperature such as \"20 °C\" or \"293.15 K\"",
             Self::TEMPERATURE_DIFFERENCE => "a temperature difference such as \"51.6 K\"",
-            Self::FREQUENCY => "a frequency such as \"10 Hz\"",
             Self::ENERGY_PER_MOLE => "an energy per mole such as \"120 kJ/mol\"",
             _ => "a number with the unit named in the documentation of the key",
         }
