@@ -435,6 +435,7 @@ fn objections(schema: &Value, value: &Node, path: &str) -> Vec<String> {
         "string" => matches!(value.value, Written::Text(_)),
         "integer" => matches!(value.value, Written::Number(number) if number.fract() == 0.0),
         "number" => matches!(value.value, Written::Number(_)),
+        "boolean" => matches!(value.value, Written::Flag(_)),
         other => panic!("{path}: type {other}"),
     });
     if !fits {

@@ -86,7 +86,7 @@ fn a_table_keeps_what_was_measured_beside_it() {
 const WRONG: &[(&str, &str, &str, &[&str])] = &[
     ("penetraton = 1", "", "penetraton", &["`history.0.penetraton` is not a key", "did you mean `penetration`?", "[history.0] knows: stress_intensity, stress, penetration"]),
     ("stress = 1", "", "stress = 1", &["`history.0.stress` is not controlled in a sphere", "`penetration`, `force`, `contact_radius`, `frame`"]),
-    ("duration = 1", "", "[[history]]", &["`history.0.penetration`", "`history.0.hold`", "`history.0.cycles` is missing", "exactly one"]),
+    ("duration = 1", "", "[[history]]", &["`history.0.penetration`", "`history.0.hold`", "`history.0.cycles`", "`history.0.oscillation` is missing", "exactly one"]),
     ("penetration = 1\nforce = 1", "", "force = 1", &["`history.0.penetration` and `history.0.force` exclude each other"]),
     ("penetration = 1\nhold = 1", "", "hold = 1", &["`history.0.penetration` and `history.0.hold` exclude each other"]),
     ("penetration = 1\nduration = 1\nrate = 1", "", "rate = 1", &["`history.0.duration` and `history.0.rate` exclude each other"]),

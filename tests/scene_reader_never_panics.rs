@@ -214,13 +214,12 @@ fn taken_through(mut document: Document) -> bool {
     assert!(!plan.field_columns().is_empty());
     let few_fields = match &scene.problem {
         Problem::SteadyCrack(crack) => crack.fields.is_none_or(|fields| fields.points <= 300),
-        // A history may be long: what it costs is known before.
-        Problem::DelayedFracture(crack) => crack.output.points <= 1000 && plan.predicted_work().closure_evaluations <= 30_000,
+        // A history is dear, and one of other magnitudes may take minutes: random ones are stepped by `crack_sec_5_4_never_nan_never_hangs`, and
+        // those of an indenter are marched by `indentation_error_bars`.
+        Problem::DelayedFracture(_) | Problem::Indentation(_) => false,
         Problem::Sliding(sliding) => {
             sliding.field_points.is_none_or(|points| points <= 400) && SLIDING_SOLVED.fetch_add(1, Ordering::Relaxed) < MOST_SLIDING
         }
-        // A history is dear, and one of other magnitudes may take minutes: random ones are marched by `indentation_error_bars`.
-        Problem::Indentation(_) => false,
     };
     if few_fields {
         let rows = plan.solve(0, &[]);

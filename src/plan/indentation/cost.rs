@@ -34,6 +34,8 @@ const SWEPT_UPDATES: f64 = 35.0;
 const HELD_CYCLE: f64 = 45.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 16.0;
+/// The same outside cycles, where the edge may leave the rim.
+const HELD_HISTORY_UPDATES: f64 = 40.0;
 /// Cycles until they are stationary: the first few, and what the longest memory asks for.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
@@ -80,7 +82,11 @@ impl IndentationPlan {
         let balances = balances.min(MOST);
         let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));
         let each = UPDATES * if by_load { LOADED } else { 1.0 } * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
-        let updates = (balances * each * (1.0 + LAYERS * decades * decades)).min(MOST);
+        // A rim that holds the edge leaves no layers.
+        let punch = matches!(self.indentation.shape, IndentationShape::FlatPunch { .. });
+        let held = HELD_HISTORY_UPDATES * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
+        let (each, layers) = if punch { (held, 0.0) } else { (each, LAYERS) };
+        let updates = (balances * each * (1.0 + layers * decades * decades)).min(MOST);
         let (cycle_balances, cycle_updates) = self.work_of_cycles();
         let (balances, updates) = ((balances + cycle_balances).min(MOST), (updates + cycle_updates).min(MOST));
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);

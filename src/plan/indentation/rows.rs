@@ -286,7 +286,10 @@ impl IndentationPlan {
     /// Puts coherent values into a row in the units of the scene, with its certificate; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], residual: f64, solution: &IndentationSolution) -> Result<(), Refusal> {
         // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
-        let judged = |place: usize| row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO);
+        // G divides by the speed of the edge: beside a turn it is known as its bar says, and no better.
+        let judged = |place: usize| {
+            (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO)) && place != at::ENERGY_RELEASE_RATE
+        };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;
             let size = estimate.value.abs().max(*scale);
