@@ -6,7 +6,7 @@
 //! Parameters: the thesis's chapter 4 (γ̃ = 1.6e-4, δ̃ = 0.013, β = 10), and a punch that stays pressed, for which the edge plays no part.
 //! Oracle: [`viscotack::indentation::run`] with numbers written here; 2aE*(ω) by [`viscotack::Material::complex_modulus`].
 //! Tolerance: the error bars of the rows themselves; with each test where there are none.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+#![allow(clippy::float_cmp, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;

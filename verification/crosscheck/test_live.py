@@ -16,6 +16,7 @@ import tools
 SCRIPTS = {
     "indentation": ["mpmath"],
     "steady_crack": ["mpmath"],
+    "broad_laws": ["mpmath"],
     "memory_clausen": ["mpmath"],
     "cohesive_kernel": ["mpmath"],
     "periodic_green": ["mpmath"],
@@ -28,6 +29,7 @@ SCRIPTS = {
     "material_conversion": ["mpmath"],
     "dawson": ["mpmath"],
     "exponential_mean": ["mpmath"],
+    "tread_dma": ["mpmath"],
 }
 # The elastic references know no subset: only the full run.
 FULL_ONLY = {"elastic"}
