@@ -2,12 +2,13 @@
 # Everything that must pass: format, lints, documentation, tests, cross-checks against references.
 #   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
 #   ci/test.sh --full    also regenerates every reference at full precision and compares (about an hour)
-# Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest: as root, or where CI=true, they are installed;
+# Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest, some of them dolfinx: as root, or where CI=true, they are installed;
 # otherwise, if they are missing, the line to run is printed and the cross-checks are skipped in plain words, which is a failure where CI=true.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 full=${1:-}
 packages="python3 python3-numpy python3-scipy python3-mpmath python3-pytest"
+elements="python3-dolfinx"      # finite elements beside the solver; large, so apart
 
 step() { printf '\n== %s\n' "$*"; }
 
@@ -34,6 +35,17 @@ else
   [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
 fi
 
+if [ -n "$python" ] && ! "$python" -c 'import dolfinx' 2>/dev/null; then
+  if command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || [ "${CI:-}" = true ]; }; then
+    apt-get update -qq || true
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $elements >/dev/null || true
+  fi
+  "$python" -c 'import dolfinx; print("dolfinx", dolfinx.__version__)' 2>/dev/null || {
+    echo "no finite elements, their tests are skipped; to install: apt-get install $elements"
+    [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
+  }
+fi
+
 step "format"
 cargo fmt --all --check
 step "lints: warnings are errors"
@@ -50,6 +62,10 @@ if [ -z "$python" ]; then
 else
   verification/harness/build.sh --with-tests
   PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest verification/crosscheck
-  if [ "$full" = --full ]; then ci/references.sh "$python"; fi
+  if [ "$full" = --full ]; then
+    ci/references.sh "$python"
+    "$python" verification/fenicsx/self_check.py
+    OMP_NUM_THREADS=1 "$python" verification/fenicsx/run.py --check
+  fi
 fi
 step "all passed"

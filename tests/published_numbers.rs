@@ -105,7 +105,10 @@ fn two_viscoelastic_cylinders_of_wang_and_knothe() {
         let reference = row("largest_pressure").number("value");
         let printed = row("largest_pressure").number("printed");
         let width = 2.0 * contact.values.half_width.value;
-        println!("{case}: {found:.6} N/mm², strips {reference:.6}, printed {printed}; width {width:.5} mm, strips {:.5}", row("contact_width").number("value"));
+        println!(
+            "{case}: {found:.6} N/mm², strips {reference:.6}, printed {printed}; width {width:.5} mm, strips {:.5}",
+            row("contact_width").number("value")
+        );
         assert!((found / reference - 1.0).abs() < 1e-6, "{case}: {found} against the strips {reference}");
         let tolerance = if exact_digits { 0.005 } else { 2e-4 * printed };
         assert!((found - printed).abs() <= tolerance, "{case}: {found} instead of the printed {printed}");
@@ -136,7 +139,8 @@ fn extrema_of_johnson_kendall_and_roberts() {
     let force = PI * radius * work;
     let size = (PI * radius * radius * work / stiffness).cbrt();
     let depth = (PI * PI * radius * work * work / (stiffness * stiffness)).cbrt();
-    let near = |value: f64, printed: f64| assert!((value - printed).abs() < 1e-14 * printed.abs().max(1.0) * 10.0, "{value} instead of {printed}");
+    let near =
+        |value: f64, printed: f64| assert!((value - printed).abs() < 1e-14 * printed.abs().max(1.0) * 10.0, "{value} instead of {printed}");
     // Under load: F = −3/2, a = (3/2)^{1/3}, δ = −(1/12)^{1/3}.
     let load = sphere.pull_off(Control::Load).unwrap();
     near(load.force / force, -1.5);

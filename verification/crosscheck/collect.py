@@ -2,11 +2,12 @@
 
 import cracks
 import elastic
+import elements
 import sliding
 import special
 import sphere
 
-SOURCES = (special, cracks, sliding, sphere, elastic)
+SOURCES = (special, cracks, sliding, sphere, elements, elastic)
 
 
 def everything(harness):

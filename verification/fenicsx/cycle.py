@@ -28,6 +28,7 @@ from maxwell import creep_of_half_space
 WIDTH = COARSEST / 4.0
 START = 0.072
 TOLERANCE = 1e-8
+RESTS = 16      # rows of a rest, in which the depth is no straight line
 COLUMNS = ["case", "solid", "work", "zone", "time", "radius", "penetration", "duration", "asked", "force", "stress_intensity_factor", "independence"]
 
 
@@ -95,7 +96,7 @@ def edge_driven(harness, turns):
     solid, work = ELASTIC_BULK, work_of_start(harness, ELASTIC_BULK)
     segments, at, rows = [], START, [(0.0, START)]
     for radius, duration in turns:
-        path = nodes(at, radius) if radius != at else [radius]
+        path = nodes(at, radius) if radius != at else [radius] * RESTS
         for place in path:
             segments.append(("contact_radius", place, duration / len(path)))
             rows.append((rows[-1][0] + duration / len(path), place))
@@ -113,8 +114,10 @@ def table(case, asked):
     name, solid, work, rows, forces, intensities = case
     before = 0.0
     for index, (time, radius, penetration) in enumerate(rows):
+        # The last row of a rest.
+        resting = index + 1 < len(rows) and rows[index + 1][1] == radius and index and rows[index - 1][1] == radius
         yield {"case": name, "solid": solid.name, "work": double(work), "zone": double(ZONE), "time": double(time), "radius": double(round(radius, 12)),
-               "penetration": double(penetration), "duration": double(time - before), "asked": int(asked(index, radius)), "force": double(forces[time]),
+               "penetration": double(penetration), "duration": double(time - before), "asked": int(not resting and asked(index, radius)), "force": double(forces[time]),
                "stress_intensity_factor": double(intensities[time]) if time in intensities else "", "independence": "fallback"}
         before = time
 

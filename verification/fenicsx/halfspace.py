@@ -98,7 +98,7 @@ class HalfSpace:
 
     def factor(self, bulk, shear):
         """A solver of (K bulk + G shear) u = f; one factor serves all multiples."""
-        key = round(bulk / shear, 13)
+        key = round(bulk / shear, 10)
         if key not in self._factors:
             scaled = (key * self.bulk + self.shear)[self.free][:, self.free].tocsr()
             matrix = PETSc.Mat().createAIJ(scaled.shape, csr=(scaled.indptr, scaled.indices, scaled.data), comm=MPI.COMM_SELF)
@@ -140,7 +140,7 @@ class HalfSpace:
 
     def compliance(self, bulk, shear, count):
         """Displacements of the first `count` surface nodes under unit forces on each of them."""
-        key = (round(bulk / shear, 13), count)
+        key = (round(bulk / shear, 10), count)
         if not hasattr(self, "_compliances"):
             self._compliances = {}
         if key not in self._compliances:

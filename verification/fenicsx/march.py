@@ -60,7 +60,7 @@ def history(case, refinement):
             contact.step(before[0] + (row[0] - before[0]) * part, before[1] + (row[1] - before[1]) * part, duration / count)
         if k in case.asked:
             out[k, "force", ""] = contact.force()
-            out[k, "stress_intensity_factor", ""] = edge.intensity(contact)
+            out[k, "stress_intensity_factor", ""] = edge.intensity(contact, refinement if row[0] == before[0] else 0)
             out[k, "zone_work", ""] = edge.closure(contact, case.zone)
             out[k, "displacement", repr(round(place, 12))] = float(contact.surface()[at])
     return out
@@ -71,7 +71,8 @@ def punch(solid, body, candidates, per_doubling):
     contact = Contact(body, solid, lambda r: 0.0 * r, candidates)
     contact.step(cases.PUNCH_RADIUS, cases.PUNCH_DEPTH, 0.0)
     out, time, octave = {}, 0.0, cases.PUNCH_TIMES[0] / 4.0
-    place = int(np.argmin(np.abs(contact.radii - 1.5 * cases.PUNCH_RADIUS)))
+    # The end of the core, a node of every mesh.
+    place = int(np.argmin(np.abs(body.radii - 4.0 * cases.PUNCH_RADIUS)))
     for index, end in enumerate(cases.PUNCH_TIMES):
         while time < end * (1.0 - 1e-9):
             for _ in range(per_doubling):
@@ -79,36 +80,50 @@ def punch(solid, body, candidates, per_doubling):
             time += octave
             octave = time
         out[index, "force", ""] = contact.force()
-        out[index, "stress_intensity_factor", ""] = edge.intensity(contact)
-        out[index, "displacement", repr(float(contact.radii[place]))] = float(contact.surface()[place])
+        out[index, "displacement", repr(round(4.0 * cases.PUNCH_RADIUS, 12))] = float(contact.u[body.surface[place]])
     return out
 
 
 RINGS = ((0.02, 0.1), (0.1, 0.4), (0.3, 0.9))
 
 
-def elastic_state(solid, radius, penetration, body, candidates):
-    """{(method, quantity): value} of an elastic contact."""
-    contact = Contact(body, solid, sphere, candidates)
-    contact.start_relaxed(radius, penetration)
+def elastic_state(solid, radius, penetration, *fineness):
+    """{(method, quantity): value} of an elastic contact; energies of four others, each on a mesh graded to its own edge."""
+
+    def solved(edge_radius):
+        body, candidates = graded_body(solid, edge_radius, *fineness)
+        contact = Contact(body, solid, sphere, candidates)
+        contact.start_relaxed(edge_radius, penetration)
+        return body, contact
+
+    def energy(edge_radius):
+        _, contact = solved(edge_radius)
+        count = len(contact.reactions)
+        return 0.5 * float(contact.reactions @ (penetration - contact.rise[:count]))
+
+    body, contact = solved(radius)
     out = {("reactions", "force"): contact.force()}
-    out["energy difference", "energy_release_rate"] = 0.5 * sum(edge.release(contact))
+    h = 0.02 * radius
+    slope = (8.0 * (energy(radius + h) - energy(radius - h)) - energy(radius + 2.0 * h) + energy(radius - 2.0 * h)) / (12.0 * h)
+    out["energy difference", "energy_release_rate"] = slope / (2.0 * np.pi * radius)
     for inner, outer in RINGS:
         out[f"ring {inner} {outer}", "energy_release_rate"] = j_integral.energy_release_rate(
             body, solid.bulk, solid.shear, contact.u, contact.reactions, lambda r: r, radius, inner * radius, outer * radius)
     return out
 
 
-def increment(solid, radius, drawn, size, body, candidates, steps):
+def increment(solid, radius, drawn, size, refinement):
     """{(method, quantity): value}: K before and after by energy differences, and of the increment by J."""
+    body, candidates = band_body(solid, radius - cases.ZONE, radius + cases.ZONE, refinement)
     contact = Contact(body, solid, sphere, candidates)
     contact.start_relaxed(radius, drawn[0])
+    steps = 8 * refinement
     for step in range(1, steps + 1):
         contact.step(radius, drawn[0] + (drawn[1] - drawn[0]) * step / steps, drawn[2] / steps)
-    out = {("energy difference", "intensity_before"): edge.intensity(contact), ("reactions", "force_before"): contact.force()}
+    out = {("energy difference", "intensity_before"): edge.intensity(contact, refinement), ("reactions", "force_before"): contact.force()}
     field, reactions = contact.u.copy(), contact.reactions.copy()
     contact.step(radius, drawn[1] + size, 0.0)
-    out["energy difference", "intensity_after"] = edge.intensity(contact)
+    out["energy difference", "intensity_after"] = edge.intensity(contact, refinement)
     bulk, shear = solid.glassy
     modulus = plane_modulus(bulk, shear)
     for inner, outer in RINGS:

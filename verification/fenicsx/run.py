@@ -13,8 +13,10 @@ kind prescribed, cycle   radius and depth go linearly from row to row of `path` 
                          `change` = |value - E2|/scale.
 kind punch               pressed at once, held; `instant` counts the times in `path`. Mesh graded to the edge, degree 4, last element 1e-5 of the radius; steps per
                          octave of time halved twice, value extrapolated from order 2. `by_mesh`: coarser meshes at the finest steps.
-kind elastic             sphere at rest, elastic: force; energy_release_rate by energy difference and by J on rings (`place`: method). Degrees 2, 3, 4; value: degree 4.
-kind increment           a fixed edge, drawn in a time, then at once: K before and after the glassy increment by energy differences, and K of the increment by J.
+kind elastic             sphere at rest, elastic: force; energy_release_rate by energy difference (four other radii, each on its own graded mesh) and by J on rings
+                         (`place`: the method; inner and outer over the radius). Degrees 2, 3, 4; value: degree 4.
+kind increment           a fixed edge, drawn in a time, then at once: K before and after the glassy increment by energy differences, and K of the increment, an
+                         elastic field, by J. Meshes and extrapolation as for `prescribed`.
 `material` is what the solver takes: glassy E*; J_j,tau_j of 1/E*. `by_mesh` holds raw values, coarsest first; `scale` the largest magnitude of the quantity
 in its case. Double precision.
 """
@@ -74,7 +76,7 @@ def cycles(cases):
     for name, rows in out.items():
         path = tuple((float(r["radius"]), float(r["penetration"]), float(r["duration"])) for r in rows)
         asked = tuple(k for k, r in enumerate(rows) if r["asked"] == "1")
-        yield cases.History("cycle", name, cases.SOLIDS[rows[0]["solid"]], "untouched", path, asked)
+        yield cases.History("cycle", name, cases.SOLIDS[rows[0]["solid"]], "untouched", path, asked, resting=1)
 
 
 def in_space(raw):
@@ -143,23 +145,22 @@ def of_punches(cases, march):
 
 
 def of_edges(cases, march):
-    meshes = ((1e-4, 1.5, 2), (1e-4, 1.5, 3), (march.SMALL, march.SMALL_RATIO, march.SMALL_DEGREE))
+    fineness = ((1e-4, 1.5, 2), (1e-4, 1.5, 3), (march.SMALL, march.SMALL_RATIO, march.SMALL_DEGREE))
     for name, solid, radius, penetration in cases.states():
-        found = [march.elastic_state(solid, radius, penetration, *march.graded_body(solid, radius, *mesh)) for mesh in meshes]
-        common = common_of("elastic", name, solid, "untouched", [(radius, penetration, 0.0)], None)
-        yield from methods(common, found)
+        found = [march.elastic_state(solid, radius, penetration, *mesh) for mesh in fineness]
+        yield from methods(common_of("elastic", name, solid, "untouched", [(radius, penetration, 0.0)], None), found, lambda raw: (raw[2], abs(raw[2] - raw[1])))
     for name, solid, radius, drawn, size in cases.increments():
-        bodies = [march.graded_body(solid, radius, *mesh) for mesh in meshes]
-        found = [march.increment(solid, radius, drawn, size, *body, 64) for body in bodies]
+        found = [march.increment(solid, radius, drawn, size, refinement) for refinement in REFINEMENTS]
         path = [(radius, drawn[0], 0.0), (radius, drawn[1], drawn[2]), (radius, drawn[1] + size, 0.0)]
-        yield from methods(common_of("increment", name, solid, "relaxed", path, None), found)
-        print(name, flush=True)
+        yield from methods(common_of("increment", name, solid, "relaxed", path, None), found, in_space)
+    print("edges", flush=True)
 
 
-def methods(common, found):
+def methods(common, found, limit):
     for method, quantity in found[-1]:
         raw = [f[method, quantity] for f in found]
-        yield row_of(common, raw[-1], abs(raw[2] - raw[1]), raw, abs(raw[-1]), instant=len(common["path"].split(";")) - 1, quantity=quantity, place=method)
+        value, change = limit(raw)
+        yield row_of(common, value, change, raw, abs(value), instant=len(common["path"].split(";")) - 1, quantity=quantity, place=method)
 
 
 def compare(stored, fresh, keys):
