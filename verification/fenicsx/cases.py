@@ -42,7 +42,6 @@ def histories():
     yield prescribed("retraction", ONE, "relaxed", (0.24, 0.032, 0.0), (0.2, 0.02, 1.0), (0.16, 0.0, 1.0))
     yield prescribed("approach and retraction", THREE, "untouched", (0.08, 0.0, 0.0), (0.2, 0.04, 1.0), (0.14, 0.0, 0.6))
     yield prescribed("retraction and advance again", ONE, "relaxed", (0.2, 0.03, 0.0), (0.14, 0.008, 0.8), (0.22, 0.04, 0.8))
-    yield prescribed("elastic bulk, retraction", ELASTIC_BULK, "relaxed", (0.22, 0.032, 0.0), (0.18, 0.018, 1.0), (0.14, 0.002, 1.0))
     yield prescribed("elastic bulk, advance again", ELASTIC_BULK, "relaxed", (0.2, 0.03, 0.0), (0.14, 0.008, 0.8), (0.22, 0.04, 0.8))
     yield prescribed("elastic bulk, two, return rest advance", ELASTIC_BULK_TWO, "untouched", (0.1, 0.002, 0.0), (0.18, 0.03, 0.6), (0.14, 0.008, 0.4),
                      (0.14, 0.012, 0.5), (0.2, 0.035, 0.6))

@@ -3,7 +3,7 @@
 
     verification/harness/build.sh && /usr/bin/python3 verification/fenicsx/cycle.py
 
-Each row: the time and depth at which the solver's edge stands at a node of the finest mesh (a quarter of COARSEST apart), so that elements can follow it. The work of
+Each row: the time and depth at which the solver's edge stands at a node (a sixth of COARSEST apart: nodes of all meshes), so that elements can follow it. The work of
 adhesion is that which makes the glassy jump-in end at START. `asked` marks rows that are compared. `force` and `stress_intensity_factor` are the solver's, in closed loop.
 
 depth-driven     jump-in at no depth, down at a speed, rest, up at another speed: where to turn and how long to rest is found so that the edge is at a node then.
@@ -25,7 +25,7 @@ from cases import COARSEST, ELASTIC_BULK, ONE, ZONE
 from common import double, write
 from maxwell import creep_of_half_space
 
-WIDTH = COARSEST / 4.0
+WIDTH = COARSEST / 6.0
 START = 0.072
 TOLERANCE = 1e-8
 RESTS = 16      # rows of a rest, in which the depth is no straight line

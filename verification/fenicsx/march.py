@@ -12,6 +12,7 @@ from maxwell import plane_modulus, poisson
 
 DEGREE, RATIO, LAYERS, LAYER_RATIO = 3, 1.4, 16, 1.5
 SMALL, SMALL_RATIO, SMALL_DEGREE = 1e-5, 1.8, 4             # the graded mesh: its last elements over the radius
+PUNCH = (1e-4, 2.0, 4)
 
 
 def sphere(r):
@@ -50,7 +51,7 @@ def history(case, refinement):
     place = max(radii) + cases.ZONE
     at = int(np.argmin(np.abs(contact.radii - place)))
     out, width = {}, cases.COARSEST / refinement
-    # The rows of a cycle are a finest element apart: a coarser mesh takes those that are its nodes.
+    # The rows of a cycle are less than an element apart: a mesh takes those that are its nodes.
     rows = [(k, row) for k, row in enumerate(case.path) if abs(row[0] / width - round(row[0] / width)) < 1e-6]
     for (k0, before), (k, row) in zip(rows, rows[1:]):
         duration = sum(r[2] for r in case.path[k0 + 1:k + 1])

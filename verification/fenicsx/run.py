@@ -9,9 +9,9 @@ mesh.py, maxwell.py, halfspace.py, contact.py, edge.py and j_integral.py say how
 kind prescribed, cycle   radius and depth go linearly from row to row of `path` (radius,depth,duration); `instant` is the row at whose end a value is taken. A cycle
                          is the solver's own history of an adhesive contact (fenicsx_cycle.csv). Quantities: force; stress_intensity_factor (energy difference of the
                          body with frozen memory, edge moved by an element); zone_work (the closure over `zone`); displacement of the surface at radius `place`. Three
-                         meshes, elements and steps halved: value = (4 E2 - E1)/3 of the first-order extrapolations E1, E2 (errors go with h and h^2);
-                         `change` = |value - E2|/scale.
-kind punch               pressed at once, held; `instant` counts the times in `path`. Mesh graded to the edge, degree 4, last element 1e-5 of the radius; steps per
+                         meshes, elements and steps a half and a third of the coarsest: value by the parabola in h (errors go with h and h^2); `change`: what the
+                         straight line through the finer two says less, over the scale.
+kind punch               pressed at once, held; `instant` counts the times in `path`. Mesh graded to the edge, degree 4, last element 1e-4 of the radius; steps per
                          octave of time halved twice, value extrapolated from order 2. `by_mesh`: coarser meshes at the finest steps.
 kind elastic             sphere at rest, elastic: force; energy_release_rate by energy difference (four other radii, each on its own graded mesh) and by J on rings
                          (`place`: the method; inner and outer over the radius). Degrees 2, 3, 4; value: degree 4.
@@ -37,8 +37,8 @@ COMMAND = "/usr/bin/python3 verification/fenicsx/run.py"
 FILE, CYCLES = "fenicsx.csv", "fenicsx_cycle.csv"
 COLUMNS = ["kind", "case", "solid", "poisson", "material", "shape", "size", "start", "path", "zone", "instant", "quantity", "place", "value", "scale", "change",
            "by_mesh", "by_step", "confirmed_digits", "independence"]
-REFINEMENTS = (1, 2, 4)
-STEPS = (8, 16, 32)
+REFINEMENTS = (1, 2, 3)
+STEPS = (4, 8, 16)
 # Raw values are recomputed to this of their scale: another machine, another order of sums.
 SAME = 1e-7
 
@@ -80,10 +80,9 @@ def cycles(cases):
 
 
 def in_space(raw):
-    """(value, change) of three meshes."""
-    first, second = 2.0 * raw[1] - raw[0], 2.0 * raw[2] - raw[1]
-    value = (4.0 * second - first) / 3.0
-    return value, abs(value - second)
+    """(value, change) of three meshes, widths 1, 1/2, 1/3: the parabola through them at none, and how far the straight line through the finer two is from it."""
+    value = 0.5 * raw[0] - 4.0 * raw[1] + 4.5 * raw[2]
+    return value, abs(value - (3.0 * raw[2] - 2.0 * raw[1]))
 
 
 def in_time(raw):
@@ -125,10 +124,10 @@ def of_punches(cases, march):
     radius, depth = cases.PUNCH_RADIUS, cases.PUNCH_DEPTH
     for name, solid in cases.punches():
         steps = []
-        body, candidates = march.graded_body(solid, radius)
+        body, candidates = march.graded_body(solid, radius, *march.PUNCH)
         for count in STEPS:
             steps.append(march.punch(solid, body, candidates, count))
-        coarse = [march.punch(solid, *march.graded_body(solid, radius, *mesh), STEPS[-1]) for mesh in ((1e-3, 2.0, 2), (1e-4, 1.8, 3))]
+        coarse = [march.punch(solid, *march.graded_body(solid, radius, *mesh), STEPS[-1]) for mesh in ((1e-3, 2.0, 2), (1e-4, 2.0, 3))]
         path = [(radius, depth, 0.0)] + [(radius, depth, b - a) for a, b in zip((0.0, *cases.PUNCH_TIMES), cases.PUNCH_TIMES)]
         common = common_of("punch", name, solid, "untouched", path, None, "flat_punch", radius)
         largest = {}
