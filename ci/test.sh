@@ -38,8 +38,8 @@ fi
 
 if [ -n "$python" ] && ! "$python" -c 'import dolfinx' 2>/dev/null; then
   if command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || [ "${CI:-}" = true ]; }; then
-    apt-get update -qq || true
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $elements >/dev/null || true
+    apt-get -o DPkg::Lock::Timeout=300 update -qq || true
+    DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends $elements >/dev/null || true
   fi
   "$python" -c 'import dolfinx; print("dolfinx", dolfinx.__version__)' 2>/dev/null || {
     echo "no finite elements, their tests are skipped; to install: apt-get install $elements"
