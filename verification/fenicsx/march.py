@@ -37,6 +37,12 @@ def steps_of(row, before, width, resting):
     return int(round(abs(row[0] - before[0]) / width)) or resting
 
 
+def edge_is_resolved(case, k):
+    """Whether the edge rests, or has its layer of age, speed times relaxation time, over an element: K of an edge that creeps is not to be had from such meshes."""
+    moved = abs(case.path[k][0] - case.path[k - 1][0])
+    return moved == 0.0 or moved / case.path[k][2] * max(case.solid.times) >= cases.COARSEST
+
+
 def history(case, refinement):
     """{(instant, quantity, place): value} on one mesh."""
     radii = [row[0] for row in case.path]
@@ -61,7 +67,8 @@ def history(case, refinement):
             contact.step(before[0] + (row[0] - before[0]) * part, before[1] + (row[1] - before[1]) * part, duration / count)
         if k in case.asked:
             out[k, "force", ""] = contact.force()
-            out[k, "stress_intensity_factor", ""] = edge.intensity(contact, refinement if row[0] == before[0] else 0)
+            if edge_is_resolved(case, k):
+                out[k, "stress_intensity_factor", ""] = edge.intensity(contact, refinement if row[0] == before[0] else 0)
             out[k, "zone_work", ""] = edge.closure(contact, case.zone)
             out[k, "displacement", repr(round(place, 12))] = float(contact.surface()[at])
     return out

@@ -8,7 +8,7 @@ mesh.py, maxwell.py, halfspace.py, contact.py, edge.py and j_integral.py say how
 
 kind prescribed, cycle   radius and depth go linearly from row to row of `path` (radius,depth,duration); `instant` is the row at whose end a value is taken. A cycle
                          is the solver's own history of an adhesive contact (fenicsx_cycle.csv). Quantities: force; stress_intensity_factor (energy difference of the
-                         body with frozen memory, edge moved by an element); zone_work (the closure over `zone`); displacement of the surface at radius `place`. Three
+                         body with frozen memory; none where the edge creeps by less than an element in a relaxation time); zone_work (the closure over `zone`); displacement of the surface at radius `place`. Three
                          meshes, elements and steps a half and a third of the coarsest: value by the parabola in h (errors go with h and h^2); `change`: what the
                          straight line through the finer two says less, over the scale.
 kind punch               pressed at once, held; `instant` counts the times in `path`. Mesh graded to the edge, degree 4, last element 1e-4 of the radius; steps per
