@@ -45,19 +45,19 @@ def main():
     print("| elements a zone | force | K | closure work | displacement |")
     print("|---|---|---|---|---|")
     histories = [f for f in found if f[0]["kind"] in ("prescribed", "cycle")]
-    for label, of in (("3", lambda f: f[2][0]), ("6", lambda f: f[2][1]), ("12", lambda f: f[2][2]),
-                      ("3, 6", lambda f: abs(2 * f[4][1] - f[4][0] - f[5]) / f[6]), ("6, 12", lambda f: abs(2 * f[4][2] - f[4][1] - f[5]) / f[6]), ("3, 6, 12", lambda f: f[1])):
+    for label, of in (("3", lambda f: f[2][0]), ("6", lambda f: f[2][1]), ("9", lambda f: f[2][2]),
+                      ("3, 6", lambda f: abs(2 * f[4][1] - f[4][0] - f[5]) / f[6]), ("6, 9", lambda f: abs(3 * f[4][2] - 2 * f[4][1] - f[5]) / f[6]), ("3, 6, 9", lambda f: f[1])):
         cells = [worst_and_median([of(f) for f in histories if f[0]["quantity"] == q]) for q in ("force", "stress_intensity_factor", "zone_work", "displacement")]
         print(f"| {label} | " + " | ".join(cells) + " |")
     print()
     print("| punch: steps an octave | force | displacement |")
     print("|---|---|---|")
     punches = [f for f in found if f[0]["kind"] == "punch"]
-    for index, label in enumerate(("8", "16", "32")):
+    for index, label in enumerate(("4", "8", "16")):
         print(f"| {label} | " + " | ".join(worst_and_median([f[3][index] for f in punches if f[0]["quantity"] == q]) for q in ("force", "displacement")) + " |")
     print("| extrapolated | " + " | ".join(worst_and_median([f[1] for f in punches if f[0]["quantity"] == q]) for q in ("force", "displacement")) + " |")
     for index, label in enumerate(("P2", "P3", "P4")):
-        print(f"| 32, {label} | " + " | ".join(worst_and_median([f[2][index] for f in punches if f[0]["quantity"] == q]) for q in ("force", "displacement")) + " |")
+        print(f"| 16, {label} | " + " | ".join(worst_and_median([f[2][index] for f in punches if f[0]["quantity"] == q]) for q in ("force", "displacement")) + " |")
     print()
     print("| edge | by | P2 or coarse | | finest | value |")
     print("|---|---|---|---|---|---|")

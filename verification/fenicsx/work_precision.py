@@ -66,7 +66,7 @@ def rows(harness):
     last = stored["punch, elastic bulk", "2", "force"]
     found, _ = elements.followed(harness, last, [last])
     exact, scale = float(found["force"][2]), float(last["scale"])
-    for smallest, ratio, degree, steps in ((1e-3, 2.0, 2, 4), (1e-4, 1.8, 3, 8), (1e-5, 1.8, 4, 16)):
+    for smallest, ratio, degree, steps in ((1e-3, 2.0, 2, 4), (1e-4, 2.0, 3, 8), (*march.PUNCH, 16)):
         def solved():
             body, candidates = march.graded_body(cases.ELASTIC_BULK, cases.PUNCH_RADIUS, smallest, ratio, degree)
             return march.punch(cases.ELASTIC_BULK, body, candidates, steps)[2, "force", ""]
