@@ -22,7 +22,7 @@ import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from fault_list import CAUGHT, COLUMNS, ROOT, complaints, faults, recorded
+from fault_list import CAUGHT, COLUMNS, ROOT, complaints, faults, recorded, text_of
 
 BASE = os.path.join(ROOT, "target", "faults")
 TREE, BUILD = os.path.join(BASE, "tree"), os.path.join(BASE, "build")
@@ -55,8 +55,8 @@ def run_check(test, name):
     """(verdict, what was said, seconds) of one test in the copy."""
     where = ["--lib"] if test == "lib" else ["--test", test]
     command = ["cargo", "test", "--release", "--locked", "--no-default-features", *where, "--", name]
-    # One fault touches one file: what does not depend on it is not compiled again.
-    environment = dict(os.environ, CARGO_TARGET_DIR=BUILD, CARGO_INCREMENTAL="1", CARGO_TERM_COLOR="never", RUST_BACKTRACE="0")
+    # One fault touches one file: what does not depend on it is not compiled again. A random case that fails need not be made smaller.
+    environment = dict(os.environ, CARGO_TARGET_DIR=BUILD, CARGO_INCREMENTAL="1", CARGO_TERM_COLOR="never", RUST_BACKTRACE="0", PROPTEST_MAX_SHRINK_ITERS="0")
     start = time.time()
     build = subprocess.run([*command[:-2], "--no-run"], cwd=TREE, env=environment, capture_output=True, text=True, check=False)
     if build.returncode != 0:
@@ -84,12 +84,9 @@ def first(pattern, text):
     return " ".join([found.group(0), *rest])[:160]
 
 
-def put(fault, back=False):
-    path = os.path.join(TREE, fault.file)
-    with open(os.path.join(ROOT, fault.file), encoding="utf-8", newline="") as file:
-        text = file.read()
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(text if back else text.replace(fault.find, fault.replace))
+def written(path, text):
+    with open(os.path.join(TREE, path), "w", encoding="utf-8", newline="") as file:
+        file.write(text)
 
 
 def record(row):
@@ -113,6 +110,7 @@ def commit():
 def main():
     parser = argparse.ArgumentParser(description="Deliberate faults, each of which a check must catch.")
     parser.add_argument("name", nargs="*", help="these faults only")
+    parser.add_argument("--rest", action="store_true", help="only those that caught.csv does not have as they are now")
     parser.add_argument("--list", action="store_true", help="say what there is and end")
     arguments = parser.parse_args()
     everything = faults()
@@ -123,6 +121,8 @@ def main():
     if unknown:
         sys.exit(f"no fault is called {', '.join(sorted(unknown))}")
     chosen = [fault for fault in everything if not arguments.name or fault.name in arguments.name]
+    if arguments.rest:
+        chosen = [fault for fault in chosen if fault.hash not in {row["sha256"] for row in recorded()}]
     if arguments.list:
         for fault in chosen:
             print(f"{fault.name:40} {fault.solver:20} {fault.check}\n{'':40} {fault.why}")
@@ -140,17 +140,18 @@ def main():
     if failures:
         sys.exit(f"{failures} checks do not pass on the source as it is")
     survivors = []
-    source, today = commit(), datetime.date.today().isoformat()
+    version, today = commit(), datetime.date.today().isoformat()
     for count, fault in enumerate(chosen, 1):
-        put(fault)
+        source = text_of(fault.file, TREE)
+        written(fault.file, source.replace(fault.find, fault.replace))
         try:
             verdict, said, seconds = run_check(fault.test, fault.filter)
         finally:
-            put(fault, back=True)
+            written(fault.file, source)
         verdict = "caught" if verdict == "fails" else f"SURVIVED: the check {verdict}"
         print(f"{count}/{len(chosen)} {fault.name:40} {verdict:8} {seconds:5.0f} s  {said}", flush=True)
         if verdict == "caught":
-            record(dict(zip(COLUMNS, [fault.name, fault.solver, fault.file, fault.check, said, f"{seconds:.0f}", source, today, fault.hash])))
+            record(dict(zip(COLUMNS, [fault.name, fault.solver, fault.file, fault.check, said, f"{seconds:.0f}", version, today, fault.hash])))
         else:
             survivors.append(fault.name)
     print(f"{len(chosen)} faults, {len(chosen) - len(survivors)} caught" + (f"; SURVIVED: {', '.join(survivors)}" if survivors else ""))
