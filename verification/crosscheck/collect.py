@@ -2,11 +2,12 @@
 
 import cracks
 import elastic
+import peers
 import sliding
 import special
 import sphere
 
-SOURCES = (special, cracks, sliding, sphere, elastic)
+SOURCES = (special, cracks, sliding, sphere, elastic, peers)
 
 
 def everything(harness):
