@@ -116,9 +116,9 @@ def rows():
             yield told([2.0 * np.mean(pressure * np.cos(wave_position(64))) for _, pressure, _ in runs], [1, 2, 3], asked="relaxation", solid=name, terms=text, speed="",
                        mean_pressure=repr(load), time=repr(time), quantity="amplitude")
         for time in TIMES:
-            runs = [depth(*after_a_step(terms, 0.15, time, steps, 1024)) for steps in STEPS]
+            runs = [depth(*after_a_step(terms, 0.15, time, steps, 2048)) for steps in STEPS]
             one = told(runs, [1, 2, 3], asked="creep", solid=name, terms=text, speed="", mean_pressure="0.15", time=repr(time), quantity="penetration")
-            yield with_the_mesh(one, [depth(*after_a_step(terms, 0.15, time, STEPS[-1], points)) for points in (256, 512)] + runs[-1:])
+            yield with_the_mesh(one, [depth(*after_a_step(terms, 0.15, time, STEPS[-1], points)) for points in (512, 1024)] + runs[-1:])
     for name, speed, load in SLIDING:
         terms = SOLIDS[name]
         text = " ".join(f"{ratio!r}:{time!r}" for ratio, time in terms)
