@@ -320,6 +320,39 @@ fn tables_are_read_as_instruments_write_them() {
 }
 
 #[test]
+fn a_law_is_expanded_as_far_as_the_scene_reaches() {
+    let folder = Folder::new();
+    // Its own range ends at a second, six decades above the law's time; the slow crack sees hours.
+    let law = "relaxed_modulus = \"1 MPa\"\nglassy_modulus = \"1 GPa\"\npower_law = { exponent = 0.45, time = \"1 µs\" }\n";
+    let slow = ["accuracy=1e-5", "crack.speed=\"1 nm/s\""];
+    let explained = |expansion: &str| {
+        folder.write("scene.toml", scene(&format!("{law}{expansion}"), CRACK));
+        let mut arguments = vec!["explain", "scene.toml", "--json"];
+        slow.iter().for_each(|set| arguments.extend(["--set", set]));
+        folder.call(&arguments).ended(0).json()["effects"].to_string()
+    };
+    let cautions = |expansion: &str| {
+        folder.write("scene.toml", scene(&format!("{law}{expansion}"), CRACK));
+        let mut arguments = vec!["run", "scene.toml", "--json"];
+        slow.iter().for_each(|set| arguments.extend(["--set", set]));
+        folder.call(&arguments).ended(0).json()["validity"].to_string().contains("range of the expansion")
+    };
+    println!("{}", explained(""));
+    assert!(!cautions(""), "the range was not widened");
+    let narrow = "expansion = { slowest_time = \"1 s\", fastest_time = \"1 ps\" }\n";
+    assert!(cautions(narrow), "a range that the scene names is kept, with a word of caution");
+    let wide = "expansion = { slowest_time = \"1e9 s\", fastest_time = \"1 ps\" }\n";
+    let [widened, named, kept] = ["", wide, narrow].map(|expansion| run(&folder, &scene(&format!("{law}{expansion}"), CRACK), &slow));
+    let difference = |one: &[(f64, f64)], other: &[(f64, f64)]| {
+        one.iter().zip(other).fold(0.0_f64, |most, (one, other)| most.max((one.0 - other.0).abs() / one.0.abs().max(f64::MIN_POSITIVE)))
+    };
+    // Both follow the law to 1e-6 of its modulus; results by a few times that.
+    println!("widened {:.1e}, kept narrow {:.1e}", difference(&widened, &named), difference(&kept, &named));
+    assert!(difference(&widened, &named) < 2e-5);
+    assert!(difference(&kept, &named) > 1e-4, "the crack does not feel the range");
+}
+
+#[test]
 fn laws_run_and_unfelt_terms_change_results_within_the_bound() {
     let folder = Folder::new();
     let law = "relaxed_modulus = \"1 MPa\"\nglassy_modulus = \"1 GPa\"\npower_law = { exponent = 0.45, time = \"1 µs\" }\nexpansion = { accuracy = 1e-4, slowest_time = \"1e5 s\", fastest_time = \"1 ns\" }\n";
