@@ -2,7 +2,8 @@
 """Deliberate faults: each is put into a copy of the source by itself, and its check must fail by an assertion.
 
     python3 verification/faults/run.py                 all of faults.toml (about an hour on two cores); those caught go into caught.csv
-    python3 verification/faults/run.py NAME ...        these only
+    python3 verification/faults/run.py NAME ...        these only, in this order
+    python3 verification/faults/run.py --rest          those that caught.csv does not have as they stand in the list
     python3 verification/faults/run.py --list          what there is
 
 First every check must pass on the source as it is. A fault that does not compile, or a check that hangs, is not caught. Exit code 1: a fault survived.
@@ -87,7 +88,7 @@ def state_of(test):
         folders.sort()
         for name in sorted(names):
             path = os.path.relpath(os.path.join(folder, name), TREE)
-            if not (path.startswith("verification") or re.fullmatch(r"tests/\w+\.rs", path) and path != f"tests/{test}.rs"):
+            if not (re.match("verification/(?!figures|baselines)", path) or re.fullmatch(r"tests/\w+\.rs", path) and path != f"tests/{test}.rs"):
                 found.update(path.encode() + text_of(path, TREE).encode() if not path.endswith(".svg") else b"")
     return found.hexdigest()
 
@@ -158,8 +159,8 @@ def main():
         for fault in chosen:
             print(f"{fault.name:40} {fault.solver:20} {fault.check}\n{'':40} {fault.why}")
         return
-    # By test and file: fewer links, smaller builds.
-    chosen.sort(key=lambda fault: (fault.test, fault.file))
+    # By test and file: fewer links, smaller builds. Names that are given are taken in their order.
+    chosen.sort(key=lambda fault: arguments.name.index(fault.name) if arguments.name else (fault.test, fault.file))
     os.makedirs(TREE, exist_ok=True)
     copied()
     with open(WRAPPER, "w", encoding="utf-8") as file:
