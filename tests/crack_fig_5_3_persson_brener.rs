@@ -220,7 +220,9 @@ fn schaperys_length_is_crossed_in_two_pi_of_the_time() {
             let (length, crossing) = (2.0 * PI * point.crossing_length, 2.0 * PI * time);
             let panels = 400;
             let mean: f64 = (0..panels)
-                .flat_map(|panel| UNIT_RULE.iter().map(move |&(node, weight)| ((f64::from(panel) + node) / f64::from(panels), weight / f64::from(panels))))
+                .flat_map(|panel| {
+                    UNIT_RULE.iter().map(move |&(node, weight)| ((f64::from(panel) + node) / f64::from(panels), weight / f64::from(panels)))
+                })
                 .map(|(q, weight)| 2.0 * weight * material.creep((1.0 - q * q) * crossing))
                 .sum();
             // As (5.43) is built: K₁ is ασ₀E0√(2a/π) times the mean of creep over the root; K₁ here from the energy.

@@ -26,7 +26,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from fault_list import CAUGHT, COLUMNS, ROOT, complaints, faults, recorded, text_of
 
-BASE = os.path.join(ROOT, "target", "faults")
+BASE = os.path.realpath(os.path.join(ROOT, "target", "faults"))
 TREE, BUILD, PASSED, WRAPPER = (os.path.join(BASE, name) for name in ("tree", "build", "passed", "rustc"))
 # Little optimisation of the solver itself, none across its parts: a fault is compiled in seconds. Dependencies are optimised as ever.
 FLAGS = "-C opt-level=1 -C lto=off"
@@ -37,7 +37,7 @@ PATIENCE = 900
 def copied():
     """The tracked files and what is new beside them, as they are now; files that are the same keep their time, so that nothing is built twice."""
     listing = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    wanted = {name for name in listing.split("\0") if name and os.path.exists(os.path.join(ROOT, name))}
+    wanted = {name for name in listing.split("\0") if name and os.path.isfile(os.path.join(ROOT, name))}
     for folder, _, names in os.walk(TREE):
         for name in names:
             path = os.path.join(folder, name)
