@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Everything that must pass: format, lints, documentation, tests, cross-checks against references.
 #   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
-#   ci/test.sh --full    also regenerates every reference at full precision and compares (about an hour)
+#   ci/test.sh --full    also regenerates every reference at full precision and compares, and puts deliberate faults into the source that the tests
+#                        must catch (about an hour each)
 # Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest, some of them dolfinx: as root, or where CI=true, they are installed;
 # otherwise, if they are missing, the line to run is printed and the cross-checks are skipped in plain words, which is a failure where CI=true.
 set -euo pipefail
@@ -67,6 +68,8 @@ else
     ci/references.sh "$python"
     "$python" verification/fenicsx/self_check.py
     OMP_NUM_THREADS=1 "$python" verification/fenicsx/run.py --check
+    step "deliberate faults"
+    "$python" verification/faults/run.py
   fi
 fi
 step "all passed"

@@ -30,6 +30,7 @@ use viscotack::Material;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_drive, at_speed};
+use viscotack::special::gauss_legendre::UNIT_RULE;
 
 #[test]
 fn reference_values_are_reached_to_1e13() {
@@ -204,5 +205,30 @@ fn constant_cut_off_is_the_other_law_of_fig_5_5a() {
         let loss = at_speed(&PerssonBrener::new(&material, Motion::Closing, theory(1.0)).unwrap(), speed, 1e-15).unwrap();
         let (work, loss) = (work.energy_release_rate_ratio.unwrap().value, loss.energy_release_rate_ratio.unwrap().value);
         assert!(relative(work, loss) < tolerance, "v = {speed:e}: {work:e} {loss:e}");
+    }
+}
+
+/// A cut-off a of Schapery's length (5.43), whose creep is that of the time a/v = 2πT in which it is crossed: by quadrature in q = √(ζ/a).
+#[test]
+fn schaperys_length_is_crossed_in_two_pi_of_the_time() {
+    let material = Material::standard_solid(7.3e5, 7.3e7, 0.037).unwrap();
+    for alpha in [0.5, 1.0, 1.3] {
+        let law = interface(ProcessZone::Schapery { cohesive_stress: STRESS, factor: alpha });
+        let curve = PerssonBrener::new(&material, Motion::Closing, law).unwrap();
+        for time in [1e-4, 3e-3, 0.1] {
+            let point = curve.point(time).unwrap();
+            let (length, crossing) = (2.0 * PI * point.crossing_length, 2.0 * PI * time);
+            let panels = 400;
+            let mean: f64 = (0..panels)
+                .flat_map(|panel| {
+                    UNIT_RULE.iter().map(move |&(node, weight)| ((f64::from(panel) + node) / f64::from(panels), weight / f64::from(panels)))
+                })
+                .map(|(q, weight)| 2.0 * weight * material.creep((1.0 - q * q) * crossing))
+                .sum();
+            // As (5.43) is built: K₁ is ασ₀E0√(2a/π) times the mean of creep over the root; K₁ here from the energy.
+            let remote = 7.3e5 * CrackBody::AgainstRigid.intensity_squared(WORK, point.drive).sqrt();
+            let cohesive = alpha * STRESS * 7.3e5 * (2.0 * length / PI).sqrt() * mean;
+            assert!(relative(cohesive, remote) <= 1e-11, "α = {alpha}, T = {time}: {cohesive:e} {remote:e}");
+        }
     }
 }

@@ -37,6 +37,17 @@ fn strain_by_hooke(sideways: SidewaysStrain, plane: PlaneState, nu: f64) -> f64 
 }
 
 #[test]
+fn plane_moduli_are_hookes_law_with_a_free_and_a_held_thickness() {
+    for nu in [-0.4, 0.0, 0.21, 0.3, 0.49, 0.5] {
+        for plane in [PlaneState::Stress, PlaneState::Strain] {
+            let by_hooke = STRESS / strain_by_hooke(SidewaysStrain::Free, plane, nu);
+            assert_relative_eq!(plane.modulus(E, nu).unwrap(), by_hooke, max_relative = 4.0 * f64::EPSILON);
+            assert_relative_eq!(plane.stiffening(nu).unwrap(), by_hooke / E, max_relative = 4.0 * f64::EPSILON);
+        }
+    }
+}
+
+#[test]
 fn energy_of_the_strip_gives_the_stress_intensity() {
     for nu in [-0.4, 0.0, 0.17, 0.33, 0.45, 0.499, 0.499_999] {
         for sideways in [SidewaysStrain::Free, SidewaysStrain::Held] {

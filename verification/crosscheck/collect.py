@@ -3,11 +3,12 @@
 import cracks
 import elastic
 import elements
+import peers
 import sliding
 import special
 import sphere
 
-SOURCES = (special, cracks, sliding, sphere, elements, elastic)
+SOURCES = (special, cracks, sliding, sphere, elements, elastic, peers)
 
 
 def everything(harness):
