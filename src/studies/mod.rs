@@ -7,6 +7,15 @@
 //! ```
 //! A study never stops half-way: what goes wrong in it is a failed [`Check`] of its section. Studies may use rivals; no plan may.
 
+mod cells;
+pub mod draw;
+pub mod effects;
+pub mod hard_cases;
+pub mod honesty;
+pub mod known_states;
+pub mod scene_bytes;
+pub mod seeded_sweep;
+
 mod section;
 
 pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored};
@@ -23,4 +32,9 @@ pub struct Study {
 }
 
 /// All studies, in the order of the page.
-pub const STUDIES: &[Study] = &[];
+pub const STUDIES: &[Study] = &[
+    Study { identifier: "honesty", alone: false, compute: honesty::study },
+    Study { identifier: "hard-cases", alone: false, compute: hard_cases::study },
+    Study { identifier: "seeded-sweep", alone: false, compute: seeded_sweep::study },
+    Study { identifier: "effects", alone: true, compute: effects::study },
+];
