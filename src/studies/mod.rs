@@ -7,12 +7,26 @@
 //! ```
 //! A study never stops half-way: what goes wrong in it is a failed [`Check`] of its section. Studies may use rivals; no plan may.
 
+mod convergence;
+pub mod counters;
+mod manufactured;
+pub mod order;
+pub mod precision;
+mod reference;
+mod report;
+mod run;
 mod section;
+mod stamp;
+pub mod stored;
+pub mod timing;
 
-pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored};
+pub use report::{PAGE, files};
+pub use run::{Report, StudiesError, chosen, run};
+pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored as stored_curve};
+pub use stamp::Stamp;
 
 /// One study: what the page calls it, and what computes it.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Study {
     /// Short name: the anchor on the page and the beginning of the names of its CSV files.
     pub identifier: &'static str,
@@ -22,5 +36,25 @@ pub struct Study {
     pub compute: fn(Effort, &Progress) -> Section,
 }
 
+/// A study that may run beside others.
+const fn beside(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
+    Study { identifier, alone: false, compute }
+}
+
+/// A study that measures times.
+const fn alone(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
+    Study { identifier, alone: true, compute }
+}
+
 /// All studies, in the order of the page.
-pub const STUDIES: &[Study] = &[];
+pub const STUDIES: &[Study] = &[
+    alone("precision_sliding", precision::sliding::study),
+    alone("precision_sphere", precision::sphere::study),
+    alone("precision_growth", precision::growth::study),
+    alone("precision_steady_crack", precision::steady_crack::study),
+    beside("convergence_sliding", convergence::sliding::study),
+    beside("convergence_sphere", convergence::sphere::study),
+    beside("convergence_crack", convergence::crack::study),
+    beside("process_zone", convergence::zone::study),
+    beside("manufactured", manufactured::study),
+];
