@@ -13,7 +13,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::studies::counters::{Counter, against};
-use viscotack::studies::order::{Convergence, Expectation, fitted_digits, fitted_order};
+use viscotack::studies::order::{Convergence, Expectation, FINEST, fitted_digits, fitted_order};
 use viscotack::studies::precision::{Method, Sample, contest};
 use viscotack::studies::stored::parse;
 use viscotack::studies::timing::median;
@@ -29,24 +29,27 @@ fn errors(order: f64, floor: f64) -> Vec<(f64, f64)> {
 #[test]
 fn known_orders_are_fitted_above_the_floor_only() {
     for order in [0.5, 1.0, 2.0, 2.6, 4.0, 6.0] {
-        let fit = fitted_order(&errors(order, 1e-11), 1e-11).unwrap();
+        let fit = fitted_order(&errors(order, 1e-11), 1e-11, FINEST).unwrap();
         assert!((fit.rate - order).abs() < 1e-9, "{order}: {fit:?}");
         assert!(fit.points == 4);
     }
     let geometric: Vec<(f64, f64)> = [8.0, 12.0, 16.0].map(|n: f64| (n, 10f64.powf(-0.75 * n))).to_vec();
     assert!((fitted_digits(&geometric, 1e-16).unwrap().rate - 0.75).abs() < 1e-9);
+    // On the floor at the second rule: no less than this.
+    let quick = [(8.0, 1e-8), (12.0, 1e-17), (16.0, 1e-17)];
+    assert!((fitted_digits(&quick, 1e-14).unwrap().rate - 1.5).abs() < 1e-9);
 }
 
 #[test]
 fn too_few_points_show_no_order() {
-    assert!(fitted_order(&[(1.0, 0.1), (2.0, 0.05)], 1e-15).is_none());
+    assert!(fitted_order(&[(1.0, 0.1), (2.0, 0.05)], 1e-15, FINEST).is_none());
     // All but two are on the floor.
-    assert!(fitted_order(&[(1.0, 0.1), (2.0, 0.01), (4.0, 1e-12), (8.0, 1e-12)], 1e-12).is_none());
-    assert!(fitted_order(&[(1.0, f64::NAN), (2.0, f64::INFINITY), (4.0, 0.1)], 1e-12).is_none());
+    assert!(fitted_order(&[(1.0, 0.1), (2.0, 0.01), (4.0, 1e-12), (8.0, 1e-12)], 1e-12, FINEST).is_none());
+    assert!(fitted_order(&[(1.0, f64::NAN), (2.0, f64::INFINITY), (4.0, 0.1)], 1e-12, FINEST).is_none());
 }
 
 fn convergence(expected: Expectation) -> Convergence {
-    Convergence { name: "made up".into(), points: errors(2.0, 1e-13), floor: 1e-13, expected }
+    Convergence { name: "made up".into(), points: errors(2.0, 1e-13), floor: 1e-13, fitted: FINEST, expected }
 }
 
 /// The right order passes, a falsified one fails, from above and from below.

@@ -52,6 +52,7 @@ pub const STUDIES: &[Study] = &[
     alone("precision_sphere", precision::sphere::study),
     alone("precision_growth", precision::growth::study),
     alone("precision_steady_crack", precision::steady_crack::study),
+    alone("precision_peers", precision::peers::study),
     beside("convergence_sliding", convergence::sliding::study),
     beside("convergence_sphere", convergence::sphere::study),
     beside("convergence_crack", convergence::crack::study),

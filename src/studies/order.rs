@@ -10,10 +10,12 @@ use super::section::{Cell, Check};
 
 /// Points above this many floors count as error and not as rounding.
 const ABOVE_FLOOR: f64 = 10.0;
-/// The asymptotic part: the finest points above the floor, at most so many.
-const MOST_POINTS: usize = 4;
+/// The asymptotic part, unless a study says otherwise: the finest points above the floor, at most so many.
+pub const FINEST: usize = 4;
 /// An order needs at least so many.
 const FEWEST_POINTS: usize = 3;
+/// Digits a node need at least so many: a geometric method is on the floor after a few nodes.
+const FEWEST_GEOMETRIC: usize = 2;
 
 /// What is expected of a method, stated before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,13 +65,15 @@ pub struct Convergence {
     pub points: Vec<(f64, f64)>,
     /// Errors near it are rounding, or what the truth leaves open.
     pub floor: f64,
+    /// How many of the finest points above the floor are fitted: [`FINEST`], or more where single points scatter.
+    pub fitted: usize,
     /// What is expected.
     pub expected: Expectation,
 }
 
-/// Slope of y over x by least squares; none for fewer than the fewest points.
-fn slope(points: &[(f64, f64)]) -> Option<Fit> {
-    if points.len() < FEWEST_POINTS {
+/// Slope of y over x by least squares; none for fewer points than `fewest`.
+fn slope(points: &[(f64, f64)], fewest: usize) -> Option<Fit> {
+    if points.len() < fewest {
         return None;
     }
     let count = points.len() as f64;
@@ -84,25 +88,25 @@ fn slope(points: &[(f64, f64)]) -> Option<Fit> {
     rate.is_finite().then_some(Fit { rate, points: points.len() })
 }
 
-/// The order of errors ∝ fineness^(−order), on the asymptotic part; none where that has fewer than three points.
+/// The order of errors ∝ fineness^(−order), on the `most` finest points above the floor; none where there are fewer than three.
 #[must_use]
-pub fn fitted_order(points: &[(f64, f64)], floor: f64) -> Option<Fit> {
-    slope(&asymptotic(points, floor).into_iter().map(|(fineness, error)| (fineness.ln(), -error.ln())).collect::<Vec<_>>())
+pub fn fitted_order(points: &[(f64, f64)], floor: f64, most: usize) -> Option<Fit> {
+    let above: Vec<(f64, f64)> = finite(points).filter(|(_, error)| *error > ABOVE_FLOOR * floor).collect();
+    let finest = above.get(above.len().saturating_sub(most)..).unwrap_or_default();
+    slope(&finest.iter().map(|(fineness, error)| (fineness.ln(), -error.ln())).collect::<Vec<_>>(), FEWEST_POINTS)
 }
 
-/// The decimal digits that each unit of fineness brings, on the asymptotic part; none where that has fewer than three points.
+/// The decimal digits that each unit of fineness brings, on the points above the floor and the first one upon it, which counts with the floor: the least
+/// that the method brings. None for fewer than two.
 #[must_use]
 pub fn fitted_digits(points: &[(f64, f64)], floor: f64) -> Option<Fit> {
-    slope(&asymptotic(points, floor).into_iter().map(|(fineness, error)| (fineness, -error.log10())).collect::<Vec<_>>())
+    let above = finite(points).take_while(|(_, error)| *error > ABOVE_FLOOR * floor).count();
+    let counted: Vec<(f64, f64)> = finite(points).take(above + 1).map(|(fineness, error)| (fineness, -error.max(floor).log10())).collect();
+    slope(&counted, FEWEST_GEOMETRIC)
 }
 
-fn asymptotic(points: &[(f64, f64)], floor: f64) -> Vec<(f64, f64)> {
-    let above: Vec<(f64, f64)> = points
-        .iter()
-        .copied()
-        .filter(|&(fineness, error)| fineness > 0.0 && fineness.is_finite() && error.is_finite() && error > ABOVE_FLOOR * floor)
-        .collect();
-    above.get(above.len().saturating_sub(MOST_POINTS)..).unwrap_or_default().to_vec()
+fn finite(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> {
+    points.iter().copied().filter(|(fineness, error)| *fineness > 0.0 && fineness.is_finite() && error.is_finite())
 }
 
 impl Convergence {
@@ -111,7 +115,7 @@ impl Convergence {
     pub fn fit(&self) -> Option<Fit> {
         match self.expected {
             Expectation::Digits { .. } => fitted_digits(&self.points, self.floor),
-            _ => fitted_order(&self.points, self.floor),
+            _ => fitted_order(&self.points, self.floor, self.fitted),
         }
     }
 
@@ -130,7 +134,7 @@ impl Convergence {
     #[must_use]
     pub fn check(&self) -> Check {
         let name = format!("order: {}", self.name);
-        let points = |fit: Fit| format!("{:.2} from the {} finest points above the floor {:.0e}", fit.rate, fit.points, self.floor);
+        let points = |fit: Fit| format!("{:.2} from {} points above the floor {:.0e}", fit.rate, fit.points, self.floor);
         match (self.expected, self.fit()) {
             (Expectation::Order { order, least, most, reason }, fit) => {
                 let expected = format!("order {order} ({least} to {most}): {reason}");

@@ -1,6 +1,6 @@
 //! Runs of programs that are not here: measured once on a named machine, kept with their stamp, drawn hollow.
 //!
-//! `verification/peers/work_precision.csv`, one run a row:
+//! `verification/peers/work_precision*.csv`, which the build puts together, one run a row:
 //!
 //! | column | meaning |
 //! |---|---|
@@ -8,12 +8,14 @@
 //! | method | program and method |
 //! | setting | what sets its accuracy, as `N = 128` |
 //! | error | against the same truth by the same measure as the diagram; empty for a run that failed |
-//! | seconds | median wall time, start of the interpreter not counted |
+//! | seconds | median time of one solution on one thread, start of the interpreter not counted |
 //! | machine, version, date | the stamp |
 
 use super::reference::{Row, rows};
 
-const FILE: &str = include_str!("../../verification/peers/work_precision.csv");
+const FILES: &str = include_str!(concat!(env!("OUT_DIR"), "/work_precision.csv"));
+/// Two programs that fitted series to the same dynamic moduli (`verification/peers/pyvisco_fit.py`).
+const FITS: &str = include_str!("../../verification/peers/pyvisco_fit.csv");
 
 /// A stored run.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,13 +34,23 @@ pub struct StoredRun {
     pub stamp: [String; 3],
 }
 
-/// The stored runs of all problems, in the order of the file.
+/// The stored runs of all problems, in the order of the files.
 #[must_use]
 pub fn stored_runs() -> Vec<StoredRun> {
-    parse(FILE)
+    let mut runs = parse(FILES);
+    let tool = FITS.lines().find_map(|line| line.strip_prefix("# tool: ")).unwrap_or("version unknown");
+    runs.extend(rows(FITS).iter().map(|row| StoredRun {
+        problem: format!("material_fit_{}", row.text("data")),
+        method: row.text("method").to_owned(),
+        setting: format!("{} terms", row.text("terms")),
+        error: Some(row.number("rms_relative_to_truth")),
+        seconds: row.number("seconds"),
+        stamp: ["one machine, process start included for viscotack".to_owned(), tool.to_owned(), String::new()],
+    }));
+    runs
 }
 
-/// The runs of a file; rows without a time are left out.
+/// The runs of a text; rows without a time are left out, and so are the headers of files put together.
 #[must_use]
 pub fn parse(text: &str) -> Vec<StoredRun> {
     let run = |row: &Row| StoredRun {

@@ -11,7 +11,7 @@ use crate::crack::{CrackBody, Interface, ProcessZone};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::studies::convergence::crack::decades;
-use crate::studies::order::{Convergence, Expectation};
+use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 
 const ZONE: f64 = 2.3e-6;
@@ -100,7 +100,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
             most: 2.4,
             reason: "the load is straight between the points of its table; the kink at x₀ = δ is one of them",
         };
-        section.checks.push(Convergence { name: format!("chosen way of a tip, {name}"), points, floor: 1e-9, expected }.check());
+        section.checks.push(Convergence { name: format!("chosen way of a tip, {name}"), points, floor: 1e-9, fitted: FINEST, expected }.check());
     }
     section.tables.push(table);
     let tolerance = effort.choose(1e-4, 1e-5);

@@ -4,7 +4,7 @@ use crate::indentation::{Adhesion, History, IndentationProblem, Profile, march};
 use crate::refusal::Refusal;
 use crate::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 use crate::studies::convergence::sphere::{WORK, ZONE, solid};
-use crate::studies::order::{Convergence, Expectation};
+use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use rayon::prelude::*;
 
@@ -87,16 +87,21 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     }
     section.tables.push(table);
     let last = |points: &[(f64, f64)]| points.last().map_or(f64::INFINITY, |point| point.1);
-    let (own, other) = (last(&ours), last(&theirs));
+    let own = last(&ours);
     let second = Expectation::Order { order: 2.0, least: 1.6, most: 3.0, reason: "Δ is straight between the points of its table" };
-    let first = Expectation::Order { order: 1.0, least: 0.5, most: 1.7, reason: "the edge of the annuli's memory sits on nodes" };
-    section.checks.push(Convergence { name: "chosen radius, march in time".into(), points: ours, floor: 1e-8, expected: second }.check());
-    section.checks.push(Convergence { name: "chosen radius, dense annuli".into(), points: theirs, floor: 1e-6, expected: first }.check());
+    section.checks.push(Convergence { name: "chosen radius, march in time".into(), points: ours, floor: 1e-8, fitted: FINEST, expected: second }.check());
+    let widths: Vec<f64> = theirs.iter().map(|(elements, error)| error * FIRST * elements / ZONE).collect();
     section.checks.push(Check::new(
-        "a chosen radius is found again",
-        "within 1e-4 of itself by the march in time (its table), within 1e-2 by the annuli (an annulus is 3e-3)",
-        format!("{own:.1e} and {other:.1e}"),
-        own <= 1e-4 && other <= 1e-2,
+        "a chosen radius is found again by dense annuli",
+        "within one annulus on every mesh: the edge of their memory sits on nodes, which is a scatter of a fraction of an annulus, not an order",
+        format!("off by {} annuli", widths.iter().map(|width| format!("{width:.2}")).collect::<Vec<_>>().join(", ")),
+        widths.iter().all(|width| *width < 1.0),
+    ));
+    section.checks.push(Check::new(
+        "a chosen radius is found again by the march in time",
+        "within 1e-4 of itself with the finest table: what straight stretches of Δ leave",
+        format!("{own:.1e}"),
+        own <= 1e-4,
     ));
     Ok(())
 }

@@ -53,7 +53,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         Method { name: "thesis's stepping".into(), own: false, samples: theirs },
     ];
     Ok(Diagram {
-        identifier: "delayed_fracture",
+        identifier: "delayed_fracture".into(),
         caption: "A crack under a constant load, from its delay to two and a half process zones: largest error of the place, over the zone, against the closed form of one term.".into(),
         error: r"error of $x_0/\delta$",
         counted: "evaluations of the closure",

@@ -6,11 +6,13 @@
 //! | [`sphere`] | a retraction | dense annuli, as printed and with factors kept |
 //! | [`steady_crack`] | G(v) of twelve terms | the raw double integral |
 //! | [`growth`] | delayed growth | stepping as printed |
+//! | [`peers`] | what only other programs have run | theirs, stored |
 //!
 //! Truths come from elsewhere: stored reference values of other programs, or closed forms. Times are medians; they are stated, never failed on.
 
 mod domination;
 pub(super) mod growth;
+pub(super) mod peers;
 pub(super) mod sliding;
 pub(super) mod sphere;
 pub(super) mod steady_crack;
@@ -56,7 +58,7 @@ pub struct Method {
 /// A problem with all methods on it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Diagram {
-    pub(super) identifier: &'static str,
+    pub(super) identifier: String,
     /// What is solved, and against which truth.
     pub(super) caption: String,
     /// What the error is of.
@@ -70,16 +72,25 @@ pub(super) struct Diagram {
 impl Diagram {
     /// Adds both plots, the table, the contest and the counters to a section.
     pub(super) fn into_section(self, section: &mut Section) {
+        let problem = self.identifier.clone();
+        self.of_problem(&problem, section);
+    }
+
+    /// The same, with the stored runs of a problem by another name.
+    fn of_problem(self, problem: &str, section: &mut Section) {
         let time = self.figure("time of one solution (s)", |sample| sample.seconds);
         let work = self.figure(self.counted, |sample| sample.counted.first().map_or(f64::NAN, |counted| counted.1));
-        let peers: Vec<_> = stored_runs().into_iter().filter(|run| run.problem == self.identifier).collect();
+        let peers: Vec<_> = stored_runs().into_iter().filter(|run| run.problem == problem).collect();
         let time = with_stored(time, &peers);
         let plot = Plot::new(format!("{}_time", self.identifier), format!("{} Error against time.", self.caption), time);
         section.plots.push(if self.headline { plot.headline() } else { plot });
-        section.plots.push(Plot::new(format!("{}_work", self.identifier), format!("{} Error against work.", self.caption), work));
+        let counters = self.counters();
+        if !counters.is_empty() {
+            section.plots.push(Plot::new(format!("{}_work", self.identifier), format!("The same: error against {}.", self.counted), work));
+        }
         let columns = [Column::words("method"), Column::words("setting"), Column::new("median time", "s"), Column::new("runs", "1"), Column::words("work")];
         let columns = columns.into_iter().chain([Column::new("error", "1"), Column::words("failure or stamp")]).collect();
-        let mut table = Table::new(self.identifier, "Every run of the plots.", columns).folded();
+        let mut table = Table::new(self.identifier.clone(), format!("Every run of {}.", self.identifier), columns).folded();
         for method in &self.methods {
             table.rows.extend(method.samples.iter().map(|sample| row(&method.name, sample)));
         }
@@ -97,10 +108,11 @@ impl Diagram {
         }
         section.tables.push(table);
         section.checks.extend(self.contests());
-        let counters = self.counters();
-        let (table, check) = counters::checked(&counters);
-        section.tables.push(Table { identifier: format!("{}_counters", self.identifier), ..table });
-        section.checks.push(check);
+        if !counters.is_empty() {
+            let (table, check) = counters::checked(&counters);
+            section.tables.push(Table { identifier: format!("{}_counters", self.identifier), ..table });
+            section.checks.push(Check { name: format!("{}: {}", self.identifier, check.name), ..check });
+        }
     }
 
     fn figure(&self, across: &str, of: impl Fn(&Sample) -> f64) -> Figure {
@@ -145,7 +157,7 @@ impl Diagram {
                 .samples
                 .iter()
                 .flat_map(|sample| {
-                    let counter = |&(counted, count): &(&'static str, f64)| Counter { problem: self.identifier.to_owned(), run: run(sample), counted, count };
+                    let counter = |&(counted, count): &(&'static str, f64)| Counter { problem: self.identifier.clone(), run: run(sample), counted, count };
                     sample.counted.iter().map(counter).collect::<Vec<_>>()
                 })
                 .collect::<Vec<_>>()

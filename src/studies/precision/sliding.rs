@@ -19,6 +19,8 @@ type Numbers = [f64; 6];
 const QUANTITIES: [&str; 5] = ["eccentricity", "penetration", "friction_stress", "trailing_release", "leading_release"];
 /// Orders of the aligned collocation, removed in turn.
 const ORDERS: [f64; 3] = [3.0, 3.0, 4.0];
+/// What is drawn as work: the linear systems of all evaluations, a dense one costing the cube of its unknowns.
+const UNKNOWNS: &str = "unknowns of all linear systems";
 const ACCURACIES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12];
 
 struct State {
@@ -98,7 +100,10 @@ fn own(state: &State) -> [Method; 2] {
         let (error, counted) = match found {
             Ok((numbers, [evaluations, contacts])) => (
                 numbers.map(|numbers| state.error(&numbers)).ok_or_else(|| "not a partial contact".to_owned()),
-                vec![("evaluations of both closures", evaluations as f64), ("contacts", contacts as f64)],
+                {
+                    let unknowns = (contacts * state.material.creep_terms().len() as u64) as f64;
+                    vec![(UNKNOWNS, unknowns), ("evaluations of both closures", evaluations as f64), ("contacts", contacts as f64)]
+                },
             ),
             Err(refusal) => (Err(refusal.to_string()), Vec::new()),
         };
@@ -136,24 +141,31 @@ fn own(state: &State) -> [Method; 2] {
 fn rivals(state: &State, meshes: &[usize]) -> Vec<Method> {
     let mut methods = Vec::new();
     for (name, density, aligned) in [("thesis, n = 1", 1.0, false), ("thesis, n = 3", 3.0, false), ("window-aligned, n = 2", 2.0, true)] {
-        let (mut samples, mut levels, mut spent) = (Vec::new(), Vec::new(), 0.0);
+        let (mut samples, mut levels, mut spent, mut unknowns) = (Vec::new(), Vec::new(), 0.0, 0.0);
         let mut richer = Vec::new();
         for &elements in meshes {
             let layout = if aligned { Layout::WindowAligned { window_elements: (elements / 3).max(4) } } else { Layout::Mapped };
             // A closure that is no better than a percent needs no finer Newton; the aligned one is asked for what extrapolation uses.
             let (seconds, runs, found) = timed(|| state.collocated(layout, elements, density, 1e-8));
             let setting = format!("N = {elements}");
-            let counted = found.as_ref().map_or_else(|_| Vec::new(), |(_, evaluations)| vec![("evaluations of both closures", f64::from(*evaluations))]);
+            let counted = found.as_ref().map_or_else(
+                |_| Vec::new(),
+                |(_, evaluations)| {
+                    // Three contacts an evaluation, of which each edge moved out has its process zone besides.
+                    let unknowns = 3 * elements + if aligned { 2 * (elements / 3).max(4) } else { 0 };
+                    vec![(UNKNOWNS, f64::from(*evaluations) * unknowns as f64), ("evaluations of both closures", f64::from(*evaluations))]
+                },
+            );
             spent += seconds;
             if let Ok((numbers, _)) = &found {
                 levels.push(*numbers);
             }
-            let evaluations = counted.iter().map(|counted| counted.1).sum::<f64>();
+            unknowns += counted.first().map_or(0.0, |counted| counted.1);
             samples.push(Sample { setting, seconds, runs, counted, error: found.map(|(numbers, _)| state.error(&numbers)).map_err(|refusal| refusal.to_string()) });
             if levels.len() >= 2 && levels.len() == samples.len() {
                 let at = |column: usize| extrapolated(&levels.iter().filter_map(|level| level.get(column).copied()).collect::<Vec<_>>(), &ORDERS);
                 let error = Ok(state.error(&std::array::from_fn(at)));
-                richer.push(Sample { setting: format!("up to N = {elements}"), seconds: spent, runs, counted: vec![("evaluations of both closures", evaluations)], error });
+                richer.push(Sample { setting: format!("up to N = {elements}"), seconds: spent, runs, counted: vec![(UNKNOWNS, unknowns)], error });
             }
         }
         methods.push(Method { name: name.to_owned(), own: false, samples });
@@ -169,13 +181,13 @@ fn diagram(case: &str, identifier: &'static str, words: &str, meshes: &[usize], 
     let mut methods = own(&state).to_vec();
     methods.extend(rivals(&state, meshes));
     Ok(Diagram {
-        identifier,
+        identifier: identifier.to_owned(),
         caption: format!(
             "An adhesive contact on a sliding wave, {words}: largest error of both edges, penetration, friction and both release rates, over max(|value|, 1), against a \
              stored Chebyshev collocation of another program (eleven digits)."
         ),
         error: "largest error",
-        counted: "evaluations of both closures",
+        counted: UNKNOWNS,
         methods,
         headline,
     })

@@ -74,7 +74,7 @@ fn solved<C: SteadyCurve>(asked: &[Asked], tolerance: f64, curve: impl Fn(Interf
 
 fn diagram(name: &str, words: &'static str, motion: Motion, identifier: &'static str, effort: Effort) -> Result<Diagram, Refusal> {
     let material = material(name)?;
-    let asked = asked(name, words);
+    let asked: Vec<Asked> = asked(name, words).into_iter().step_by(effort.choose(4, 1)).collect();
     if asked.is_empty() {
         return Err(Refusal::Undefined { quantity: "the stored cracks", reason: format!("no rows of {name}") });
     }
@@ -96,7 +96,7 @@ fn diagram(name: &str, words: &'static str, motion: Motion, identifier: &'static
         .map(|tolerance| sample(tolerance, timed(|| solved(&asked, tolerance, |interface| RawCrackWork::new(&material, motion, interface, 0.1 * tolerance)))))
         .collect();
     Ok(Diagram {
-        identifier,
+        identifier: identifier.to_owned(),
         caption: format!(
             "G(v) of a {words} crack in a solid of twelve terms, growing process zone, {} speeds: largest relative error against nested quadrature at 32 digits (stored).",
             asked.len()

@@ -7,7 +7,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 /// A label of a plot without its mathematics.
 pub(super) fn plain(label: &str) -> String {
-    let mut text = label.replace("\\mathrm", "");
+    let mut text = label.replace("\\mathrm", "").replace("\\bar{p}", "p̄");
     for (command, letter) in [("\\delta", "δ"), ("\\zeta", "ζ"), ("\\Gamma", "Γ"), ("\\Delta", "Δ"), ("\\gamma", "γ"), ("\\beta", "β"), ("\\tau", "τ"), ("\\infty", "∞"), ("\\pi", "π")] {
         text = text.replace(command, letter);
     }

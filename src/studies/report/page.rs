@@ -133,7 +133,7 @@ fn of_plot(section: &Section, plot: &Plot, linked: bool) -> String {
     let more = if linked {
         format!("<a href=\"#{}\">{}</a>", escaped(&section.identifier), escaped(&section.title))
     } else {
-        format!("<a href=\"{0}\" class=\"file\">{0}</a>", escaped(&file))
+        format!("<a href=\"{}\">Points (CSV)</a>", escaped(&file))
     };
     format!("<figure>\n{drawn}\n<figcaption>{} {more}</figcaption>\n</figure>\n", escaped(&plot.caption))
 }
@@ -193,7 +193,7 @@ fn of_table(section: &Section, table: &Table) -> String {
         body.push_str("</tr>\n");
     }
     body.push_str("</tbody></table></div>\n");
-    let link = format!("<a href=\"{file}\" class=\"file\">{file}</a>");
+    let link = format!("<a href=\"{file}\">CSV</a>");
     if table.folded {
         format!("<details>\n<summary>{} ({} rows)</summary>\n{body}<p class=\"caption\">{link}</p>\n</details>\n", escaped(&table.caption), table.rows.len())
     } else {
