@@ -30,7 +30,9 @@ fn stored_runs() {
     let mut files: Vec<_> = std::fs::read_dir(FOLDER)
         .map(|entries| entries.filter_map(Result::ok).map(|entry| entry.path()).collect::<Vec<_>>())
         .unwrap_or_default();
-    files.retain(|path| path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with("work_precision") && name.ends_with(".csv")));
+    files.retain(|path| {
+        path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with("work_precision") && name.ends_with(".csv"))
+    });
     files.sort();
     let text: String = files.iter().filter_map(|path| std::fs::read_to_string(path).ok()).collect();
     if let Ok(folder) = std::env::var("OUT_DIR") {

@@ -38,7 +38,10 @@ const PHYSICS: [&str; 9] = ["special", "material", "elastic", "closure", "contin
 
 #[test]
 fn physics_knows_nothing_of_files_scenes_or_plots() {
-    assert_free_of(&PHYSICS, &["crate::studies", "crate::scene", "crate::plan", "crate::outcome", "crate::cli", "std::fs", "std::path", "println!"]);
+    assert_free_of(
+        &PHYSICS,
+        &["crate::studies", "crate::scene", "crate::plan", "crate::outcome", "crate::cli", "std::fs", "std::path", "println!"],
+    );
 }
 
 #[test]

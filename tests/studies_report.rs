@@ -8,7 +8,8 @@
 
 use viscotack::outcome::plot::{Axis, Figure};
 use viscotack::studies::{
-    Cell, Check, Column, Effort, PAGE, Plot, Progress, Report, STUDIES, Section, Study, Table, Verdict, chosen, failures, files, ours, rival, run, stored_curve,
+    Cell, Check, Column, Effort, PAGE, Plot, Progress, Report, STUDIES, Section, Study, Table, Verdict, chosen, failures, files, ours,
+    rival, run, stored_curve,
 };
 
 fn section(_: Effort, progress: &Progress) -> Section {
@@ -108,7 +109,9 @@ fn a_failure_and_a_panic_are_loud() {
     ]);
     assert_eq!((report.count(Verdict::Passed), report.count(Verdict::Stated), report.count(Verdict::Failed)), (2, 2, 2));
     let page = page(&report);
-    assert!(page.contains("Checks failed") && page.contains("What failed") && page.contains("order: falsified") && page.contains("it panicked"));
+    assert!(
+        page.contains("Checks failed") && page.contains("What failed") && page.contains("order: falsified") && page.contains("it panicked")
+    );
     assert!(report.table().contains("FAILED failing: order: falsified"));
     assert!(report.closing_line().contains("2 failed"));
 }

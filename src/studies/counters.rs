@@ -33,7 +33,13 @@ pub fn checked(counters: &[Counter]) -> (Table, Check) {
 #[must_use]
 pub fn against(file: &str, counters: &[Counter]) -> (Table, Check) {
     let stored = rows(file);
-    let columns = vec![Column::words("run"), Column::words("counted"), Column::new("count", "1"), Column::new("stored", "1"), Column::words("change")];
+    let columns = vec![
+        Column::words("run"),
+        Column::words("counted"),
+        Column::new("count", "1"),
+        Column::new("stored", "1"),
+        Column::words("change"),
+    ];
     let mut table = Table::new("counters", "Work counters against the stored ones; times are never compared.", columns).folded();
     let (mut grown, mut fallen, mut new) = (Vec::new(), 0, 0);
     for counter in counters {
@@ -69,7 +75,8 @@ pub fn against(file: &str, counters: &[Counter]) -> (Table, Check) {
     } else {
         grown.join("; ")
     };
-    let expected = "none has grown by more than a tenth over verification/study_counters.csv: work depends on the algorithm, not on the machine";
+    let expected =
+        "none has grown by more than a tenth over verification/study_counters.csv: work depends on the algorithm, not on the machine";
     // A run that the file does not know cannot have a regression; without any known run nothing was checked.
     let passed = grown.is_empty() && new < counters.len();
     (table, Check::new("work counters", expected, found, passed))

@@ -158,7 +158,8 @@ impl Convergence {
     /// Rows of a table: name, fineness, error.
     #[must_use]
     pub fn rows(&self) -> Vec<Vec<Cell>> {
-        let row = |&(fineness, error): &(f64, f64)| vec![Cell::Word(self.name.clone()), Cell::Number(Some(fineness)), Cell::Number(Some(error))];
+        let row =
+            |&(fineness, error): &(f64, f64)| vec![Cell::Word(self.name.clone()), Cell::Number(Some(fineness)), Cell::Number(Some(error))];
         self.points.iter().map(row).collect()
     }
 }

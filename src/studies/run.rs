@@ -43,7 +43,9 @@ impl Report {
 
     /// Every check that ended in a way, with its section.
     pub fn ended(&self, verdict: Verdict) -> impl Iterator<Item = (&Section, &Check)> {
-        self.sections.iter().flat_map(move |section| section.checks.iter().filter(move |check| check.verdict == verdict).map(move |check| (section, check)))
+        self.sections
+            .iter()
+            .flat_map(move |section| section.checks.iter().filter(move |check| check.verdict == verdict).map(move |check| (section, check)))
     }
 
     /// The table on the screen: a line a section, then every check that failed, then the closing line.

@@ -12,8 +12,19 @@ const LONG: f64 = 1.5;
 /// And of at most so many.
 const MOST: usize = 15;
 
-/// The median time of a job (s) with the number of runs behind it, and what the job gave.
-pub fn timed<T>(mut job: impl FnMut() -> T) -> (f64, usize, T) {
+/// A job with its time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timed<T> {
+    /// Median of the runs (s).
+    pub seconds: f64,
+    /// How many there were.
+    pub runs: usize,
+    /// What the last one gave.
+    pub result: T,
+}
+
+/// The median time of a job, and what it gave.
+pub fn timed<T>(mut job: impl FnMut() -> T) -> Timed<T> {
     let mut seconds = Vec::new();
     loop {
         let begin = Instant::now();
@@ -22,7 +33,7 @@ pub fn timed<T>(mut job: impl FnMut() -> T) -> (f64, usize, T) {
         let spent: f64 = seconds.iter().sum();
         let enough = seconds.len() >= FEWEST && spent > PATIENCE;
         if enough || seconds.len() >= MOST || (seconds.len() == 1 && spent > LONG) {
-            return (median(&mut seconds), seconds.len(), result);
+            return Timed { seconds: median(&mut seconds), runs: seconds.len(), result };
         }
     }
 }
@@ -32,7 +43,7 @@ pub fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match (values.get(middle), values.get(middle.wrapping_sub(1))) {
-        (Some(upper), Some(lower)) if values.len() % 2 == 0 => 0.5 * (lower + upper),
+        (Some(upper), Some(lower)) if values.len().is_multiple_of(2) => 0.5 * (lower + upper),
         (Some(middle), _) => *middle,
         _ => f64::NAN,
     }

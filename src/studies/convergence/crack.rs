@@ -52,7 +52,11 @@ impl Case {
             return f64::INFINITY;
         }
         let error = |(time, place): (&f64, &f64)| (place / self.zone - self.known.place(*time)).abs();
-        self.times.iter().zip(places).map(error).fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) })
+        self.times
+            .iter()
+            .zip(places)
+            .map(error)
+            .fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) })
     }
 
     /// By the scheme of the thesis: places at the times, evaluations of the closure, roots taken.
@@ -182,7 +186,6 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
 /// Equal creep terms a decade apart, as slow as the slowest time; E0 and β with it.
 pub(in crate::studies) fn decades(relaxed: f64, beta: f64, slowest: f64, terms: i32) -> Result<Material, Refusal> {
     let compliance = (1.0 - 1.0 / beta) / relaxed / f64::from(terms);
-    let terms: Vec<CreepTerm> =
-        (0..terms).map(|index| CreepTerm { compliance, retardation_time: slowest * 10f64.powi(-index) }).collect();
+    let terms: Vec<CreepTerm> = (0..terms).map(|index| CreepTerm { compliance, retardation_time: slowest * 10f64.powi(-index) }).collect();
     Material::from_creep(relaxed * beta, &terms, None)
 }

@@ -13,6 +13,7 @@ pub(super) mod crack;
 mod known_growth;
 pub(super) mod sliding;
 pub(super) mod sphere;
+pub(super) mod stored_sliding;
 pub(super) mod zone;
 
 pub(super) use known_growth::KnownGrowth;

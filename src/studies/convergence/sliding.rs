@@ -7,7 +7,6 @@ use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use crate::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use crate::studies::order::{Convergence, Expectation, FINEST};
-use crate::studies::reference::{Row, SLIDING_WAVE, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -97,7 +96,12 @@ enum Over {
 }
 
 /// Errors of p̄, and of the worse of both works, at one fineness: the geometric mean over the states, or the worst.
-fn errors(over: Over, states: &[Held], truths: &[Numbers], of: impl Fn(&Held) -> Result<Numbers, Refusal> + Sync) -> Result<[f64; 2], Refusal> {
+fn errors(
+    over: Over,
+    states: &[Held],
+    truths: &[Numbers],
+    of: impl Fn(&Held) -> Result<Numbers, Refusal> + Sync,
+) -> Result<[f64; 2], Refusal> {
     let each: Vec<[f64; 2]> = states
         .par_iter()
         .zip(truths)
@@ -131,7 +135,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
         Err(refusal) => section.checks.push(Check::new("contacts with given edges", "every contact is solved", refusal.to_string(), false)),
     }
     progress.advance(1);
-    section.checks.push(against_reference());
+    section.checks.push(super::stored_sliding::against_reference());
     progress.advance(1);
     section
 }
@@ -210,55 +214,4 @@ fn computed(effort: Effort) -> Result<([Panel; 2], Check), Refusal> {
         kept.iter().all(|(found, promised)| found <= promised),
     );
     Ok(([pressure, works], levels))
-}
-
-/// The stored Chebyshev collocation at given edges: penetration, friction, interface work.
-fn against_reference() -> Check {
-    let name = "given edges against the stored Chebyshev collocation";
-    let expected = "within 1e-10 of the scale: eleven digits are confirmed there, one is left for its last";
-    let all = rows(SLIDING_WAVE);
-    let (mut worst, mut count) = (0.0_f64, 0);
-    for row in all.iter().filter(|row| row.text("asked") == "given_edges") {
-        match difference(row) {
-            Ok(Some(error)) => {
-                worst = worst.max(error);
-                count += 1;
-            }
-            Ok(None) => {}
-            Err(refusal) => return Check::new(name, expected, format!("{}: {refusal}", row.text("case")), false),
-        }
-    }
-    Check::new(name, expected, format!("{worst:.1e} at worst of {count} values"), count >= 20 && worst <= 1e-10)
-}
-
-/// The relaxation state of a row: terms `j:ζ`.
-pub(in crate::studies) fn material_of(row: &Row) -> Result<Material, Refusal> {
-    let relaxed = 1.1e6;
-    let terms: Vec<CreepTerm> = row
-        .text("terms")
-        .split_whitespace()
-        .filter_map(|term| term.split_once(':'))
-        .map(|(compliance, ratio)| CreepTerm {
-            compliance: compliance.parse::<f64>().unwrap_or(f64::NAN) / relaxed,
-            retardation_time: ratio.parse().unwrap_or(f64::NAN),
-        })
-        .collect();
-    let glassy = 1.0 - terms.iter().map(|term| term.compliance * relaxed).sum::<f64>();
-    Material::from_creep(relaxed / glassy, &terms, None)
-}
-
-fn difference(row: &Row) -> Result<Option<f64>, Refusal> {
-    let quantity = row.text("quantity");
-    if !["penetration", "friction_stress", "interface_work"].contains(&quantity) {
-        return Ok(None);
-    }
-    let memory = ContactMemory::new(&material_of(row)?, 1.0)?;
-    let contact = WaveContact { half_width: row.number("a"), eccentricity: row.number("e") };
-    let state = ContactState::new(&memory, contact, Prescribed::MeanPressure(row.number("mean_pressure")))?;
-    let found = match quantity {
-        "penetration" => state.penetration(),
-        "friction_stress" => state.friction_stress(),
-        _ => state.interface_work(),
-    };
-    Ok(Some((found - row.number("value")).abs() / row.number("scale")))
 }

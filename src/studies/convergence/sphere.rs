@@ -54,7 +54,11 @@ pub(in crate::studies) fn error(found: &[f64], truth: &[f64]) -> f64 {
     if found.len() != truth.len() || truth.is_empty() {
         return f64::INFINITY;
     }
-    let worst = found.iter().zip(truth).map(|(found, truth)| (found - truth).abs()).fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) });
+    let worst = found
+        .iter()
+        .zip(truth)
+        .map(|(found, truth)| (found - truth).abs())
+        .fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) });
     worst / scale
 }
 
@@ -133,8 +137,10 @@ pub(in crate::studies) fn truth() -> Result<Vec<f64>, Refusal> {
 fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
     let (material, truth) = (solid()?, truth()?);
     let half_decades: u32 = effort.choose(12, 14);
-    let truths: Vec<Vec<f64>> =
-        PULLED.par_iter().map(|&(speed, duration)| Ok(forces(&march(&material, &pulled(speed, duration, 1e-9), 1e-9)?))).collect::<Result<_, Refusal>>()?;
+    let truths: Vec<Vec<f64>> = PULLED
+        .par_iter()
+        .map(|&(speed, duration)| Ok(forces(&march(&material, &pulled(speed, duration, 1e-9), 1e-9)?)))
+        .collect::<Result<_, Refusal>>()?;
     let ours: Vec<(f64, f64)> = (0..=half_decades)
         .into_par_iter()
         .map(|step| {
@@ -200,6 +206,7 @@ fn computed(effort: Effort) -> Result<(Panel, Vec<Check>), Refusal> {
         Some([error, sure]) => (format!("{error:.1e}; they are sure to {sure:.1e}"), error <= 3.0 * sure),
         None => ("no stored value".to_owned(), false),
     };
-    let check = Check::new("the truth against stored annuli of another program", "within three times what those are sure to", found, passed);
+    let check =
+        Check::new("the truth against stored annuli of another program", "within three times what those are sure to", found, passed);
     Ok((panel, vec![check]))
 }

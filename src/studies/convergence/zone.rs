@@ -40,7 +40,8 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
          are physics.",
     );
     type Part = fn(Effort) -> Result<(Panel, Vec<Check>, Option<Table>), Refusal>;
-    let parts: [(&str, Part); 4] = [("steady cracks", cracks), ("sliding contacts", contacts), ("a sphere at rest", sphere), ("a retracted sphere", retraction)];
+    let parts: [(&str, Part); 4] =
+        [("steady cracks", cracks), ("sliding contacts", contacts), ("a sphere at rest", sphere), ("a retracted sphere", retraction)];
     let computed: Vec<_> = parts
         .par_iter()
         .map(|(name, part)| {
@@ -67,7 +68,8 @@ fn cracks(_: Effort) -> Result<(Panel, Vec<Check>, Option<Table>), Refusal> {
     let beta = 100.0;
     let material = decades(1.1e6, beta, 0.4, 3)?;
     let shortest = 0.4e-2;
-    let interface = |length: f64| Interface { work_of_adhesion: 0.2, process_zone: ProcessZone::Constant { length }, body: CrackBody::AgainstRigid };
+    let interface =
+        |length: f64| Interface { work_of_adhesion: 0.2, process_zone: ProcessZone::Constant { length }, body: CrackBody::AgainstRigid };
     let ratio = |motion: Motion, crossing: f64| -> Result<f64, Refusal> {
         // One speed; the zone gives the crossing time.
         let curve = VirtualWork::new(&material, motion, interface(crossing * shortest))?;
@@ -115,15 +117,23 @@ impl TwoResiduals for Amplitudes {
 fn edges_without_zone(memory: &Arc<ContactMemory>, work: f64, pressure: f64, start: [f64; 2]) -> Result<[f64; 2], Refusal> {
     let beta = memory.stiffening_ratio();
     let evaluate = |[half_width, eccentricity]: [f64; 2]| {
-        let state =
-            ContactState::at_resolution(memory, Indenter::Wave, WaveContact { half_width, eccentricity }, Prescribed::MeanPressure(pressure), Resolution::Finest)?;
+        let state = ContactState::at_resolution(
+            memory,
+            Indenter::Wave,
+            WaveContact { half_width, eccentricity },
+            Prescribed::MeanPressure(pressure),
+            Resolution::Finest,
+        )?;
         let goal = (8.0 * beta * work * half_width.sin()).sqrt();
         let (trailing, leading) = state.edge_amplitudes();
         Ok(Amplitudes([trailing / goal + 1.0, leading / goal + 1.0]))
     };
-    let limit = |unknowns: [f64; 2], step: [f64; 2]| 0.3 * unknowns[0].min(PI - unknowns[0]) / step[0].abs().max(step[1].abs()).max(f64::MIN_POSITIVE);
+    let limit = |unknowns: [f64; 2], step: [f64; 2]| {
+        0.3 * unknowns[0].min(PI - unknowns[0]) / step[0].abs().max(step[1].abs()).max(f64::MIN_POSITIVE)
+    };
     let differences = |_: [f64; 2]| [1e-6; 2];
-    let equations = TwoEquations { what: "the edges without a process zone", evaluate: &evaluate, limit: &limit, differences: &differences };
+    let equations =
+        TwoEquations { what: "the edges without a process zone", evaluate: &evaluate, limit: &limit, differences: &differences };
     Ok(equations.solve(start, None, 1e-12)?.unknowns)
 }
 
@@ -145,7 +155,9 @@ fn contacts(_: Effort) -> Result<(Panel, Vec<Check>, Option<Table>), Refusal> {
         }
         let limit = edges_without_zone(&memory, work, pressure, near)?;
         let points = found.into_iter().map(|(fineness, half_width)| (fineness, (half_width / limit[0] - 1.0).abs())).collect();
-        let expected = first("both fields go on in whole powers of d beyond their first root, and the re-solved edge moves by δ (theory notes, section 3)");
+        let expected = first(
+            "both fields go on in whole powers of d beyond their first root, and the re-solved edge moves by δ (theory notes, section 3)",
+        );
         curves.push((Convergence { name: name.into(), points, floor: 1e-12, fitted: FINEST, expected }, true));
     }
     let panel = Panel {
@@ -197,15 +209,30 @@ fn retraction(effort: Effort) -> Result<(Panel, Vec<Check>, Option<Table>), Refu
     let jobs: Vec<(f64, f64)> = speeds.iter().flat_map(|speed| zones.iter().map(|zone| (*speed, *zone))).collect();
     let ratios: Vec<f64> = jobs.par_iter().map(|&(speed, zone)| pull_off(speed, zone)).collect::<Result<_, Refusal>>()?;
     let of = |speed: usize| ratios.iter().skip(speed * zones.len()).take(zones.len()).copied().collect::<Vec<f64>>();
-    let columns = vec![Column::new("process zone", "R"), Column::new("V·ρ/R → ∞", "1"), Column::new("0.02", "1"), Column::new("0.002", "1"), Column::new("0.0002", "1")];
-    let mut table = Table::new("retraction", "Pull-off over JKR's against the process zone, at four speeds V·ρ/R; δ → 0 gives β = 10 at each of them.", columns);
+    let columns = vec![
+        Column::new("process zone", "R"),
+        Column::new("V·ρ/R → ∞", "1"),
+        Column::new("0.02", "1"),
+        Column::new("0.002", "1"),
+        Column::new("0.0002", "1"),
+    ];
+    let mut table = Table::new(
+        "retraction",
+        "Pull-off over JKR's against the process zone, at four speeds V·ρ/R; δ → 0 gives β = 10 at each of them.",
+        columns,
+    );
     for (place, zone) in zones.iter().enumerate() {
         let cells = (0..speeds.len()).map(|speed| Cell::Number(of(speed).get(place).copied()));
         table.rows.push(std::iter::once(Cell::Number(Some(*zone))).chain(cells).collect());
     }
     // F_off → βF_JKR (thesis Sec 4.10).
     let points = zones.iter().zip(of(0)).map(|(zone, ratio)| (1.0 / zone, (ratio / 10.0 - 1.0).abs())).collect();
-    let expected = Expectation::Order { order: 1.0, least: 0.85, most: 1.2, reason: "a finite zone shifts the closed solution by O(δ/a) (theory notes, section 4)" };
+    let expected = Expectation::Order {
+        order: 1.0,
+        least: 0.85,
+        most: 1.2,
+        reason: "a finite zone shifts the closed solution by O(δ/a) (theory notes, section 4)",
+    };
     let slow = of(3);
     let own = slow.get(1).copied().unwrap_or(f64::NAN);
     let check = Check::new(

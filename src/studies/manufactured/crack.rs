@@ -60,9 +60,15 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
         Column::new("largest error of the place", "δ"),
         Column::new("largest bar of the place", "δ"),
     ];
-    let mut table = Table::new("crack", "The tip under the load that its chosen way needs, against the number of points that load is given by.", columns);
+    let mut table = Table::new(
+        "crack",
+        "The tip under the load that its chosen way needs, against the number of points that load is given by.",
+        columns,
+    );
     let mut worst = 0.0_f64;
-    for (name, body, terms) in [("one time, against a rigid body", CrackBody::AgainstRigid, 1), ("three times, two halves", CrackBody::TwoHalves, 3)] {
+    for (name, body, terms) in
+        [("one time, against a rigid body", CrackBody::AgainstRigid, 1), ("three times, two halves", CrackBody::TwoHalves, 3)]
+    {
         let material = decades(1.1e6, 20.0, 0.37, terms)?;
         let interface = Interface { work_of_adhesion: WORK, process_zone: ProcessZone::Constant { length: ZONE }, body };
         let problem = GrowthProblem::new(&material, interface, 0.0)?;
@@ -100,7 +106,9 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
             most: 2.4,
             reason: "the load is straight between the points of its table; the kink at x₀ = δ is one of them",
         };
-        section.checks.push(Convergence { name: format!("chosen way of a tip, {name}"), points, floor: 1e-9, fitted: FINEST, expected }.check());
+        section
+            .checks
+            .push(Convergence { name: format!("chosen way of a tip, {name}"), points, floor: 1e-9, fitted: FINEST, expected }.check());
     }
     section.tables.push(table);
     let tolerance = effort.choose(1e-4, 1e-5);

@@ -20,8 +20,8 @@ pub(super) fn study(effort: Effort, progress: &Progress) -> Section {
          the penetration Δ(t), and both the march that is driven in time and the dense annuli, which share no line with either, must give a(t) back. \
          The work at prescribed edges itself is compared with stored annuli in tests/indentation_annuli_reference.rs.",
     );
-    let parts: [(&str, fn(Effort, &mut Section) -> Result<(), crate::Refusal>); 3] =
-        [("sliding", sliding::cases), ("crack", crack::cases), ("sphere", sphere::cases)];
+    type Part = fn(Effort, &mut Section) -> Result<(), crate::Refusal>;
+    let parts: [(&str, Part); 3] = [("sliding", sliding::cases), ("crack", crack::cases), ("sphere", sphere::cases)];
     for (name, part) in parts {
         if let Err(refusal) = part(effort, &mut section) {
             section.checks.push(Check::new(format!("manufactured: {name}"), "every case is computed", refusal.to_string(), false));

@@ -4,7 +4,9 @@ use crate::refusal::Refusal;
 use crate::rivals::sliding_collocation::richardson::extrapolated;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use crate::sliding::contact::{ContactMemory, Prescribed, WaveContact};
-use crate::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near};
+use crate::sliding::steady::{
+    Indenter, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
+};
 use crate::studies::convergence::sliding::equal_terms;
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use rayon::prelude::*;
@@ -77,7 +79,8 @@ fn one(chosen: &Chosen, meshes: &[usize]) -> Result<Found, Refusal> {
 pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal> {
     let meshes = effort.choose(vec![50, 100, 200], vec![100, 200, 400, 800]);
     let found: Vec<Result<Found, Refusal>> = CASES.par_iter().map(|chosen| one(chosen, &meshes)).collect();
-    let columns = ["β", "terms", "a chosen", "e chosen", "Δ chosen", "Γ₁ needed", "Γ₂ needed", "error of a", "error of e", "error of a, no start"];
+    let columns =
+        ["β", "terms", "a chosen", "e chosen", "Δ chosen", "Γ₁ needed", "Γ₂ needed", "error of a", "error of e", "error of a, no start"];
     let mut table = Table::new(
         "sliding",
         "Chosen edges, the works that the collocation says they need, and how far from them the solver stands: from a start nearby, and from none at all.",
@@ -106,7 +109,12 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     section.tables.push(table);
     let expected = format!("edges within {TOLERANCE:.0e}: the extrapolated works are sure to some 1e-6 of themselves");
     let found = if failed.is_empty() { format!("{worst:.1e} at worst of {} cases", CASES.len()) } else { failed.join("; ") };
-    section.checks.push(Check::new("chosen edges of a sliding contact are found again", expected, found, failed.is_empty() && worst <= TOLERANCE));
+    section.checks.push(Check::new(
+        "chosen edges of a sliding contact are found again",
+        expected,
+        found,
+        failed.is_empty() && worst <= TOLERANCE,
+    ));
     section.checks.push(Check::statement(
         "without a start the same contact is found",
         "at one penetration there may be others; the program takes the one that grows out of the slow or fast contact",

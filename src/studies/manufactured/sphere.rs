@@ -78,7 +78,11 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
         tables.par_iter().map(|&count| Ok((f64::from(count), in_time(&thinned(count))?))).collect::<Result<_, Refusal>>()?;
     let theirs: Vec<(f64, f64)> =
         meshes.par_iter().map(|&elements| Ok((elements as f64, by_annuli(&finest, elements)?))).collect::<Result<_, Refusal>>()?;
-    let columns = vec![Column::words("driven by Δ(t)"), Column::new("points of Δ, or annuli of a zone", "1"), Column::new("largest error of a", "first a")];
+    let columns = vec![
+        Column::words("driven by Δ(t)"),
+        Column::new("points of Δ, or annuli of a zone", "1"),
+        Column::new("largest error of a", "first a"),
+    ];
     let mut table = Table::new("sphere", "The radius that is found again under the penetration that it needs.", columns);
     for (name, points) in [("this program, in time", &ours), ("dense annuli", &theirs)] {
         for (fineness, error) in points {
@@ -89,7 +93,9 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     let last = |points: &[(f64, f64)]| points.last().map_or(f64::INFINITY, |point| point.1);
     let own = last(&ours);
     let second = Expectation::Order { order: 2.0, least: 1.6, most: 3.0, reason: "Δ is straight between the points of its table" };
-    section.checks.push(Convergence { name: "chosen radius, march in time".into(), points: ours, floor: 1e-8, fitted: FINEST, expected: second }.check());
+    section.checks.push(
+        Convergence { name: "chosen radius, march in time".into(), points: ours, floor: 1e-8, fitted: FINEST, expected: second }.check(),
+    );
     let widths: Vec<f64> = theirs.iter().map(|(elements, error)| error * FIRST * elements / ZONE).collect();
     section.checks.push(Check::new(
         "a chosen radius is found again by dense annuli",

@@ -5,7 +5,7 @@ use crate::crack::delayed::{LoadHistory, Resolution, trajectory};
 use crate::refusal::Refusal;
 use crate::studies::convergence::crack::case;
 use crate::studies::section::{Check, Effort, Progress, Section};
-use crate::studies::timing::timed;
+use crate::studies::timing::{Timed, timed};
 
 fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
     let case = case()?;
@@ -16,7 +16,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .into_iter()
         .map(|lines_per_zone| {
             let resolution = Resolution { lines_per_zone, ..Resolution::default() };
-            let (seconds, runs, found) = timed(|| trajectory(&problem, &history, &case.times, resolution));
+            let Timed { seconds, runs, result: found } = timed(|| trajectory(&problem, &history, &case.times, resolution));
             let setting = format!("{lines_per_zone} lines");
             match found {
                 Ok(found) => {
@@ -37,7 +37,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
     let theirs = steps
         .into_iter()
         .map(|steps| {
-            let (seconds, runs, found) = timed(|| case.stepped(steps, 12 * steps));
+            let Timed { seconds, runs, result: found } = timed(|| case.stepped(steps, 12 * steps));
             let setting = format!("{steps} steps a delay");
             match found {
                 Ok((places, [evaluations, roots])) => {

@@ -2,11 +2,11 @@
 //!
 //! | file | problem | rivals |
 //! |---|---|---|
-//! | [`sliding`] | an equilibrium of a sliding wave, one and twelve terms | collocation as printed, aligned, extrapolated |
-//! | [`sphere`] | a retraction | dense annuli, as printed and with factors kept |
-//! | [`steady_crack`] | G(v) of twelve terms | the raw double integral |
-//! | [`growth`] | delayed growth | stepping as printed |
-//! | [`peers`] | what only other programs have run | theirs, stored |
+//! | `sliding` | an equilibrium of a sliding wave, one and twelve terms | collocation as printed, aligned, extrapolated |
+//! | `sphere` | a retraction | dense annuli, as printed and with factors kept |
+//! | `steady_crack` | G(v) of twelve terms | the raw double integral |
+//! | `growth` | delayed growth | stepping as printed |
+//! | `peers` | what only other programs have run | theirs, stored |
 //!
 //! Truths come from elsewhere: stored reference values of other programs, or closed forms. Times are medians; they are stated, never failed on.
 
@@ -88,7 +88,13 @@ impl Diagram {
         if !counters.is_empty() {
             section.plots.push(Plot::new(format!("{}_work", self.identifier), format!("The same: error against {}.", self.counted), work));
         }
-        let columns = [Column::words("method"), Column::words("setting"), Column::new("median time", "s"), Column::new("runs", "1"), Column::words("work")];
+        let columns = [
+            Column::words("method"),
+            Column::words("setting"),
+            Column::new("median time", "s"),
+            Column::new("runs", "1"),
+            Column::words("work"),
+        ];
         let columns = columns.into_iter().chain([Column::new("error", "1"), Column::words("failure or stamp")]).collect();
         let mut table = Table::new(self.identifier.clone(), format!("Every run of {}.", self.identifier), columns).folded();
         for method in &self.methods {
@@ -124,7 +130,11 @@ impl Diagram {
             figure = figure.with_curve(draw(method.name.clone(), points).with_colour(place));
             let failed: Vec<&Sample> = method.samples.iter().filter(|sample| sample.error.is_err()).collect();
             if !failed.is_empty() {
-                let name = format!("no result: {}, {}", method.name, failed.iter().map(|sample| sample.setting.as_str()).collect::<Vec<_>>().join(", "));
+                let name = format!(
+                    "no result: {}, {}",
+                    method.name,
+                    failed.iter().map(|sample| sample.setting.as_str()).collect::<Vec<_>>().join(", ")
+                );
                 let points = failed.into_iter().map(|sample| (of(sample), FAILED_AT)).collect();
                 figure = figure.with_curve(failures(name, points).with_colour(place));
             }
@@ -157,7 +167,12 @@ impl Diagram {
                 .samples
                 .iter()
                 .flat_map(|sample| {
-                    let counter = |&(counted, count): &(&'static str, f64)| Counter { problem: self.identifier.clone(), run: run(sample), counted, count };
+                    let counter = |&(counted, count): &(&'static str, f64)| Counter {
+                        problem: self.identifier.clone(),
+                        run: run(sample),
+                        counted,
+                        count,
+                    };
                     sample.counted.iter().map(counter).collect::<Vec<_>>()
                 })
                 .collect::<Vec<_>>()

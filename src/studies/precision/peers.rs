@@ -9,7 +9,7 @@ use crate::studies::convergence::sphere::solid;
 use crate::studies::reference::{SPHERE_ANNULI, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::stored::stored_runs;
-use crate::studies::timing::timed;
+use crate::studies::timing::{Timed, timed};
 use std::f64::consts::PI;
 
 /// Diagrams of the other sections, which draw their own stored runs.
@@ -17,7 +17,7 @@ const ELSEWHERE: [&str; 6] =
     ["sliding_one_term", "sliding_twelve_terms", "sphere_retraction", "delayed_fracture", "steady_crack_opening", "steady_crack_closing"];
 
 /// One of this program's runs: time, error.
-fn sample(setting: &str, (seconds, runs, found): (f64, usize, Result<f64, Refusal>)) -> Vec<Method> {
+fn sample(setting: &str, Timed { seconds, runs, result: found }: Timed<Result<f64, Refusal>>) -> Vec<Method> {
     let error = found.map_err(|refusal| refusal.to_string());
     let sample = Sample { setting: setting.to_owned(), seconds, runs, counted: Vec::new(), error };
     vec![Method { name: "this program".into(), own: true, samples: vec![sample] }]

@@ -9,13 +9,15 @@ use crate::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use crate::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
-use crate::studies::convergence::sliding::material_of;
+use crate::studies::convergence::stored_sliding::material_of;
 use crate::studies::reference::{SLIDING_WAVE, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
-use crate::studies::timing::timed;
+use crate::studies::timing::{Timed, timed};
 
 /// a, e, Δ, friction stress, G₁, G₂.
 type Numbers = [f64; 6];
+/// The numbers of a contact, none for full contact, with evaluations of both closures and contacts solved.
+type Values = (Option<Numbers>, [u64; 2]);
 const QUANTITIES: [&str; 5] = ["eccentricity", "penetration", "friction_stress", "trailing_release", "leading_release"];
 /// Orders of the aligned collocation, removed in turn.
 const ORDERS: [f64; 3] = [3.0, 3.0, 4.0];
@@ -62,7 +64,11 @@ impl State {
     }
 
     fn error(&self, numbers: &Numbers) -> f64 {
-        numbers.iter().zip(&self.truth).map(|(value, truth)| (value - truth).abs() / truth.abs().max(1.0)).fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) })
+        numbers
+            .iter()
+            .zip(&self.truth)
+            .map(|(value, truth)| (value - truth).abs() / truth.abs().max(1.0))
+            .fold(0.0, |worst: f64, error| if error.is_nan() { f64::INFINITY } else { worst.max(error) })
     }
 
     fn collocated(&self, layout: Layout, elements: usize, density: f64, tolerance: f64) -> Result<(Numbers, u32), Refusal> {
@@ -95,16 +101,15 @@ fn numbers(values: &PartialValues) -> Option<Numbers> {
 
 /// This program without a start, and from the start of the rivals.
 fn own(state: &State) -> [Method; 2] {
-    let sample = |accuracy: f64, (seconds, runs, found): (f64, usize, Result<(Option<Numbers>, [u64; 2]), Refusal>)| {
+    let sample = |accuracy: f64, Timed { seconds, runs, result: found }: Timed<Result<Values, Refusal>>| {
         let setting = format!("{accuracy:.0e}");
         let (error, counted) = match found {
-            Ok((numbers, [evaluations, contacts])) => (
-                numbers.map(|numbers| state.error(&numbers)).ok_or_else(|| "not a partial contact".to_owned()),
-                {
+            Ok((numbers, [evaluations, contacts])) => {
+                (numbers.map(|numbers| state.error(&numbers)).ok_or_else(|| "not a partial contact".to_owned()), {
                     let unknowns = (contacts * state.material.creep_terms().len() as u64) as f64;
                     vec![(UNKNOWNS, unknowns), ("evaluations of both closures", evaluations as f64), ("contacts", contacts as f64)]
-                },
-            ),
+                })
+            }
             Err(refusal) => (Err(refusal.to_string()), Vec::new()),
         };
         Sample { setting, seconds, runs, counted, error }
@@ -115,7 +120,9 @@ fn own(state: &State) -> [Method; 2] {
             accuracy,
             timed(|| {
                 Ok(match steady_sliding(&state.material, &problem)? {
-                    SlidingOutcome::Partial(contact) => (numbers(&contact.values), [contact.work.closure_evaluations, contact.work.contacts]),
+                    SlidingOutcome::Partial(contact) => {
+                        (numbers(&contact.values), [contact.work.closure_evaluations, contact.work.contacts])
+                    }
                     SlidingOutcome::Full(full) => (None, [full.work.closure_evaluations, full.work.contacts]),
                 })
             }),
@@ -146,7 +153,7 @@ fn rivals(state: &State, meshes: &[usize]) -> Vec<Method> {
         for &elements in meshes {
             let layout = if aligned { Layout::WindowAligned { window_elements: (elements / 3).max(4) } } else { Layout::Mapped };
             // A closure that is no better than a percent needs no finer Newton; the aligned one is asked for what extrapolation uses.
-            let (seconds, runs, found) = timed(|| state.collocated(layout, elements, density, 1e-8));
+            let Timed { seconds, runs, result: found } = timed(|| state.collocated(layout, elements, density, 1e-8));
             let setting = format!("N = {elements}");
             let counted = found.as_ref().map_or_else(
                 |_| Vec::new(),
@@ -161,11 +168,25 @@ fn rivals(state: &State, meshes: &[usize]) -> Vec<Method> {
                 levels.push(*numbers);
             }
             unknowns += counted.first().map_or(0.0, |counted| counted.1);
-            samples.push(Sample { setting, seconds, runs, counted, error: found.map(|(numbers, _)| state.error(&numbers)).map_err(|refusal| refusal.to_string()) });
+            samples.push(Sample {
+                setting,
+                seconds,
+                runs,
+                counted,
+                error: found.map(|(numbers, _)| state.error(&numbers)).map_err(|refusal| refusal.to_string()),
+            });
             if levels.len() >= 2 && levels.len() == samples.len() {
-                let at = |column: usize| extrapolated(&levels.iter().filter_map(|level| level.get(column).copied()).collect::<Vec<_>>(), &ORDERS);
+                let at = |column: usize| {
+                    extrapolated(&levels.iter().filter_map(|level| level.get(column).copied()).collect::<Vec<_>>(), &ORDERS)
+                };
                 let error = Ok(state.error(&std::array::from_fn(at)));
-                richer.push(Sample { setting: format!("up to N = {elements}"), seconds: spent, runs, counted: vec![(UNKNOWNS, unknowns)], error });
+                richer.push(Sample {
+                    setting: format!("up to N = {elements}"),
+                    seconds: spent,
+                    runs,
+                    counted: vec![(UNKNOWNS, unknowns)],
+                    error,
+                });
             }
         }
         methods.push(Method { name: name.to_owned(), own: false, samples });

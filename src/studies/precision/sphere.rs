@@ -5,7 +5,7 @@ use crate::indentation::{march, run};
 use crate::refusal::Refusal;
 use crate::studies::convergence::sphere::{against_stored, annuli, error, forces, retraction, solid, truth};
 use crate::studies::section::{Check, Effort, Progress, Section};
-use crate::studies::timing::timed;
+use crate::studies::timing::{Timed, timed};
 
 fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
     let (material, truth) = (solid()?, truth()?);
@@ -14,7 +14,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .into_iter()
         .map(|accuracy| {
             let problem = retraction(accuracy);
-            let (seconds, runs, found) = timed(|| run(&material, &problem));
+            let Timed { seconds, runs, result: found } = timed(|| run(&material, &problem));
             let setting = format!("{accuracy:.0e}");
             match found {
                 Ok(found) => {
@@ -35,11 +35,12 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         .into_iter()
         .map(|tolerance| {
             let problem = retraction(tolerance);
-            let (seconds, runs, found) = timed(|| march(&material, &problem, tolerance));
+            let Timed { seconds, runs, result: found } = timed(|| march(&material, &problem, tolerance));
             let setting = format!("{tolerance:.0e}");
             match found {
                 Ok(trace) => {
-                    let counted = vec![("evaluations of the closure", trace.work.closure_evaluations as f64), ("steps", trace.work.steps as f64)];
+                    let counted =
+                        vec![("evaluations of the closure", trace.work.closure_evaluations as f64), ("steps", trace.work.steps as f64)];
                     Sample { setting, seconds, runs, counted, error: Ok(error(&forces(&trace), &truth)) }
                 }
                 Err(refusal) => Sample { setting, seconds, runs, counted: Vec::new(), error: Err(refusal.to_string()) },
@@ -57,11 +58,12 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
         let samples = meshes
             .into_iter()
             .map(|elements| {
-                let (seconds, runs, found) = timed(|| annuli(elements, keep));
+                let Timed { seconds, runs, result: found } = timed(|| annuli(elements, keep));
                 let setting = format!("{elements} a zone");
                 match found {
                     Ok((forces, path)) => {
-                        let counted = vec![("evaluations of the closure", path.solutions as f64), ("matrices factored", path.factorizations as f64)];
+                        let counted =
+                            vec![("evaluations of the closure", path.solutions as f64), ("matrices factored", path.factorizations as f64)];
                         let error = error(&forces, &truth);
                         let error = if error.is_finite() { Ok(error) } else { Err("the contact was lost too early".to_owned()) };
                         Sample { setting, seconds, runs, counted, error }

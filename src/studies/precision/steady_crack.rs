@@ -8,12 +8,14 @@ use crate::refusal::Refusal;
 use crate::rivals::raw_crack_work::RawCrackWork;
 use crate::studies::reference::{Row, STEADY_CRACK, STEADY_CRACK_MATERIALS, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
-use crate::studies::timing::timed;
+use crate::studies::timing::{Timed, timed};
 
 /// A material of the reference file.
 fn material(name: &str) -> Result<Material, Refusal> {
     let all = rows(STEADY_CRACK_MATERIALS);
-    let of = |key: &str| -> Vec<f64> { all.iter().filter(|row| row.text("material") == name && row.text("key") == key).map(|row| row.number("value")).collect() };
+    let of = |key: &str| -> Vec<f64> {
+        all.iter().filter(|row| row.text("material") == name && row.text("key") == key).map(|row| row.number("value")).collect()
+    };
     let first = |key: &str| of(key).first().copied();
     if let Some(glassy) = first("glassy_modulus") {
         let terms: Vec<CreepTerm> = of("creep_strength")
@@ -58,8 +60,14 @@ fn asked(name: &str, motion: &str) -> Vec<Asked> {
     rows(STEADY_CRACK).iter().filter(wanted).map(of).collect()
 }
 
-/// The largest relative error over all speeds, curve points and kernels.
-fn solved<C: SteadyCurve>(asked: &[Asked], tolerance: f64, curve: impl Fn(Interface) -> Result<C, Refusal>) -> Result<(f64, [u64; 2]), Refusal> {
+/// The largest relative error over all speeds; points of the curve and kernels.
+type ErrorAndWork = (f64, [u64; 2]);
+
+fn solved<C: SteadyCurve>(
+    asked: &[Asked],
+    tolerance: f64,
+    curve: impl Fn(Interface) -> Result<C, Refusal>,
+) -> Result<ErrorAndWork, Refusal> {
     let (mut worst, mut work) = (0.0_f64, [0, 0]);
     for one in asked {
         let state = at_speed(&curve(one.interface)?, one.speed, tolerance)?;
@@ -78,22 +86,32 @@ fn diagram(name: &str, words: &'static str, motion: Motion, identifier: &'static
     if asked.is_empty() {
         return Err(Refusal::Undefined { quantity: "the stored cracks", reason: format!("no rows of {name}") });
     }
-    let sample = |tolerance: f64, (seconds, runs, found): (f64, usize, Result<(f64, [u64; 2]), Refusal>)| {
+    let sample = |tolerance: f64, Timed { seconds, runs, result: found }: Timed<Result<ErrorAndWork, Refusal>>| {
         let setting = format!("{tolerance:.0e}");
         let seconds = seconds / asked.len() as f64;
         match found {
-            Ok((error, [points, kernels])) => {
-                Sample { setting, seconds, runs, counted: vec![("kernels", kernels as f64), ("points of the curve", points as f64)], error: Ok(error) }
-            }
+            Ok((error, [points, kernels])) => Sample {
+                setting,
+                seconds,
+                runs,
+                counted: vec![("kernels", kernels as f64), ("points of the curve", points as f64)],
+                error: Ok(error),
+            },
             Err(refusal) => Sample { setting, seconds, runs, counted: Vec::new(), error: Err(refusal.to_string()) },
         }
     };
-    let own = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]
-        .map(|tolerance| sample(tolerance, timed(|| solved(&asked, tolerance, |interface| VirtualWork::new(&material, motion, interface)))));
+    let own = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15].map(|tolerance| {
+        sample(tolerance, timed(|| solved(&asked, tolerance, |interface| VirtualWork::new(&material, motion, interface))))
+    });
     let tolerances = effort.choose(vec![1e-2, 1e-4, 1e-6], vec![1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12]);
     let theirs = tolerances
         .into_iter()
-        .map(|tolerance| sample(tolerance, timed(|| solved(&asked, tolerance, |interface| RawCrackWork::new(&material, motion, interface, 0.1 * tolerance)))))
+        .map(|tolerance| {
+            sample(
+                tolerance,
+                timed(|| solved(&asked, tolerance, |interface| RawCrackWork::new(&material, motion, interface, 0.1 * tolerance))),
+            )
+        })
         .collect();
     Ok(Diagram {
         identifier: identifier.to_owned(),

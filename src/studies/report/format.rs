@@ -8,7 +8,17 @@ pub(super) fn escaped(text: &str) -> String {
 /// A label of a plot without its mathematics.
 pub(super) fn plain(label: &str) -> String {
     let mut text = label.replace("\\mathrm", "").replace("\\bar{p}", "p̄");
-    for (command, letter) in [("\\delta", "δ"), ("\\zeta", "ζ"), ("\\Gamma", "Γ"), ("\\Delta", "Δ"), ("\\gamma", "γ"), ("\\beta", "β"), ("\\tau", "τ"), ("\\infty", "∞"), ("\\pi", "π")] {
+    for (command, letter) in [
+        ("\\delta", "δ"),
+        ("\\zeta", "ζ"),
+        ("\\Gamma", "Γ"),
+        ("\\Delta", "Δ"),
+        ("\\gamma", "γ"),
+        ("\\beta", "β"),
+        ("\\tau", "τ"),
+        ("\\infty", "∞"),
+        ("\\pi", "π"),
+    ] {
         text = text.replace(command, letter);
     }
     text.replace(['$', '\\', '{', '}'], "")
@@ -59,7 +69,15 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let shown = [(0.0, "0"), (12.0, "12"), (1.0 / 3.0, "0.3333"), (-1.5e-7, "−1.50·10⁻⁷"), (123.456, "123.5"), (4.56e12, "4.56·10¹²"), (1e5 + 0.5, "1.00·10⁵")];
+        let shown = [
+            (0.0, "0"),
+            (12.0, "12"),
+            (1.0 / 3.0, "0.3333"),
+            (-1.5e-7, "−1.50·10⁻⁷"),
+            (123.456, "123.5"),
+            (4.56e12, "4.56·10¹²"),
+            (1e5 + 0.5, "1.00·10⁵"),
+        ];
         for (value, text) in shown {
             assert_eq!(number(value), text);
         }

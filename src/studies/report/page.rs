@@ -16,11 +16,10 @@ pub(super) fn page(report: &Report) -> String {
     let failed = report.count(Verdict::Failed);
     let mut text = String::new();
     let title = if failed == 0 { "viscotack verify: all checks hold" } else { "viscotack verify: checks failed" };
-    let colours: String =
-        plot::curve_colours().iter().enumerate().fold(String::new(), |mut all, (index, colour)| {
-            let _ = write!(all, "--curve-{index}:{colour};");
-            all
-        });
+    let colours: String = plot::curve_colours().iter().enumerate().fold(String::new(), |mut all, (index, colour)| {
+        let _ = write!(all, "--curve-{index}:{colour};");
+        all
+    });
     let _ = write!(
         text,
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -127,7 +126,10 @@ fn of_plot(section: &Section, plot: &Plot, linked: bool) -> String {
     let file = plot_name(&section.identifier, plot);
     let drawn = match plot::inline_svg(&plot.figure, &plot.caption) {
         Ok(svg) => svg,
-        Err(PlotError::NotBuilt) => format!("<p class=\"absent\">This build draws no plots: build it with the feature plots. The points are in {}.</p>", escaped(&file)),
+        Err(PlotError::NotBuilt) => format!(
+            "<p class=\"absent\">This build draws no plots: build it with the feature plots. The points are in {}.</p>",
+            escaped(&file)
+        ),
         Err(error) => format!("<p class=\"absent\">{}</p>", escaped(&error.to_string())),
     };
     let more = if linked {
@@ -162,9 +164,8 @@ fn of_check(check: &Check, section: Option<&Section>) -> String {
         Verdict::Stated => "stated",
         Verdict::Failed => "failed",
     };
-    let place = section.map_or_else(String::new, |section| {
-        format!(" <a href=\"#{}\">{}</a>", escaped(&section.identifier), escaped(&section.title))
-    });
+    let place = section
+        .map_or_else(String::new, |section| format!(" <a href=\"#{}\">{}</a>", escaped(&section.identifier), escaped(&section.title)));
     format!(
         "<li class=\"{class}\"><b>{}</b>: {}{place} <small>Expected: {}.</small></li>\n",
         escaped(&check.name),
@@ -177,7 +178,11 @@ fn of_table(section: &Section, table: &Table) -> String {
     let file = escaped(&table_name(&section.identifier, table));
     let mut body = "<div class=\"wide\"><table>\n<thead><tr>".to_owned();
     for column in &table.columns {
-        let unit = if column.unit.is_empty() || column.unit == "1" { String::new() } else { format!(" <span class=\"unit\">{}</span>", escaped(&column.unit)) };
+        let unit = if column.unit.is_empty() || column.unit == "1" {
+            String::new()
+        } else {
+            format!(" <span class=\"unit\">{}</span>", escaped(&column.unit))
+        };
         let class = if column.unit.is_empty() { " class=\"word\"" } else { "" };
         let _ = write!(body, "<th{class}>{}{unit}</th>", escaped(&column.name));
     }
@@ -195,7 +200,11 @@ fn of_table(section: &Section, table: &Table) -> String {
     body.push_str("</tbody></table></div>\n");
     let link = format!("<a href=\"{file}\">CSV</a>");
     if table.folded {
-        format!("<details>\n<summary>{} ({} rows)</summary>\n{body}<p class=\"caption\">{link}</p>\n</details>\n", escaped(&table.caption), table.rows.len())
+        format!(
+            "<details>\n<summary>{} ({} rows)</summary>\n{body}<p class=\"caption\">{link}</p>\n</details>\n",
+            escaped(&table.caption),
+            table.rows.len()
+        )
     } else {
         format!("<p class=\"caption\">{} {link}</p>\n{body}", escaped(&table.caption))
     }
