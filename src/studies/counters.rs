@@ -1,7 +1,8 @@
 //! Work counters held against what they were: `verification/study_counters.csv`.
 //!
 //! Counters are of this program and do not depend on the machine but in the last bits of a step. One that has grown by more than a tenth is a
-//! regression and fails; one that has fallen by more than a tenth is good news, and the page says that the file wants it.
+//! regression and fails; one that has fallen by more than a tenth is good news, and the page says that the file wants it:
+//! `verification/update_study_counters.py` takes a report over.
 
 use super::reference::rows;
 use super::section::{Cell, Check, Column, Table};
@@ -34,6 +35,7 @@ pub fn checked(counters: &[Counter]) -> (Table, Check) {
 pub fn against(file: &str, counters: &[Counter]) -> (Table, Check) {
     let stored = rows(file);
     let columns = vec![
+        Column::words("problem"),
         Column::words("run"),
         Column::words("counted"),
         Column::new("count", "1"),
@@ -63,6 +65,7 @@ pub fn against(file: &str, counters: &[Counter]) -> (Table, Check) {
             Some(_) => "same".to_owned(),
         };
         table.rows.push(vec![
+            Cell::Word(counter.problem.clone()),
             Cell::Word(counter.run.clone()),
             Cell::Word(counter.counted.to_owned()),
             Cell::Number(Some(counter.count)),

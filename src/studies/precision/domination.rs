@@ -29,12 +29,12 @@ impl Contest {
             return "the rival gave no result".to_owned();
         }
         let mut text = match &self.closest {
-            Some((ratio, run)) if *ratio > 1.0 => format!("at least {ratio:.1} times faster at equal accuracy (closest at {run})"),
-            Some((ratio, run)) => format!("LOSES at {run}: {:.1} times slower for that error", 1.0 / ratio),
+            Some((ratio, run)) if *ratio > 1.0 => format!("at least {} times faster at equal accuracy (closest at {run})", times(*ratio)),
+            Some((ratio, run)) => format!("LOSES at {run}: {} times slower for that error", times(1.0 / ratio)),
             None => "nowhere as accurate".to_owned(),
         };
         if let Some((error, ratio)) = self.at_its_best {
-            text.push_str(&format!("; at the rival's best error of {error:.1e}, {ratio:.0} times faster"));
+            text.push_str(&format!("; at the rival's best error of {error:.1e}, {} times faster", times(ratio)));
         }
         if !self.out_of_reach.is_empty() {
             text.push_str(&format!("; out of reach: {}", self.out_of_reach.join(", ")));
@@ -68,4 +68,9 @@ pub fn contest(own: &[&Method], other: &Method) -> Contest {
         }
     }
     found
+}
+
+/// A ratio in two or three digits.
+fn times(ratio: f64) -> String {
+    if ratio < 10.0 { format!("{ratio:.1}") } else { format!("{ratio:.0}") }
 }

@@ -10,6 +10,8 @@ use std::fmt::Write as _;
 const STYLE: &str = include_str!("style.css");
 /// More checks than this are folded away, but for those that failed or are stated.
 const MOST_OPEN: usize = 6;
+/// Words of a table longer than this are broken over lines.
+const LONG_WORDS: usize = 36;
 
 /// The whole page.
 pub(super) fn page(report: &Report) -> String {
@@ -191,7 +193,10 @@ fn of_table(section: &Section, table: &Table) -> String {
         body.push_str("<tr>");
         for cell in row {
             let _ = match cell {
-                Cell::Word(word) => write!(body, "<td class=\"word\">{}</td>", escaped(word)),
+                Cell::Word(word) => {
+                    let class = if word.chars().count() > LONG_WORDS { "word long" } else { "word" };
+                    write!(body, "<td class=\"{class}\">{}</td>", escaped(word))
+                }
                 Cell::Number(value) => write!(body, "<td>{}</td>", value.map_or_else(String::new, number)),
             };
         }
