@@ -13,8 +13,8 @@ mod command_support;
 
 use command_support::shipped_scenes;
 use rayon::prelude::*;
-use viscotack::studies::scene_bytes::{Answer, answered};
 use viscotack::studies::draw::Draw;
+use viscotack::studies::scene_bytes::{Answer, answered};
 
 const MUTATIONS: u64 = 6000;
 

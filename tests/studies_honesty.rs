@@ -54,6 +54,13 @@ fn what_is_no_number_is_missed() {
     assert!(one(Estimate::new(1.0, 0.1), Estimate::new(1.02, 0.05)).width().is_none());
     assert!(one(Estimate::new(1.0, 1e-15), Estimate::exact(1.0)).width().is_none());
     // A scene without an answer counts as lost, not as honest.
-    let lost = Judged { scene: 0, accuracy: 1e-3, described: String::new(), compared: Vec::new(), truth: Truth::Tighter, trouble: Some("no".into()) };
+    let lost = Judged {
+        scene: 0,
+        accuracy: 1e-3,
+        described: String::new(),
+        compared: Vec::new(),
+        truth: Truth::Tighter,
+        trouble: Some("no".into()),
+    };
     assert_eq!(Tally::of(&[lost]).troubles.len(), 1);
 }

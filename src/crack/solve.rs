@@ -155,7 +155,8 @@ pub fn at_drive(curve: &impl SteadyCurve, drive: f64, tolerance: f64) -> Result<
     let time_error = (residual + point.drive_relative_error + 2.0 * f64::EPSILON) / point.drive_log_slope.abs().max(f64::MIN_POSITIVE);
     let speed = point.crossing_length / root.argument;
     let speed_error = time_error * (1.0 - point.length_log_slope) + point.length_relative_error + f64::EPSILON;
-    let mut state = finished(curve, Estimate::relative(speed, speed_error), root.argument, time_error, &point, residual, (tolerance, count))?;
+    let mut state =
+        finished(curve, Estimate::relative(speed, speed_error), root.argument, time_error, &point, residual, (tolerance, count))?;
     state.drive = Estimate::exact(drive);
     state.energy_release_rate_ratio =
         state.energy_release_rate_ratio.map(|ratio| Estimate::relative(ratio.value, residual + 2.0 * f64::EPSILON));

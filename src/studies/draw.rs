@@ -68,15 +68,13 @@ impl Draw {
         if self.chance(0.5) {
             // ΣJ_j = 1/E0 − 1/E∞
             let gained = (beta - 1.0) / (beta * relaxed);
-            let terms: Vec<CreepTerm> = pairs()
-                .map(|(weight, &retardation_time)| CreepTerm { compliance: gained * weight / total, retardation_time })
-                .collect();
+            let terms: Vec<CreepTerm> =
+                pairs().map(|(weight, &retardation_time)| CreepTerm { compliance: gained * weight / total, retardation_time }).collect();
             Material::from_creep(beta * relaxed, &terms, None)
         } else {
             let lost = (beta - 1.0) * relaxed;
-            let terms: Vec<RelaxationTerm> = pairs()
-                .map(|(weight, &relaxation_time)| RelaxationTerm { modulus: lost * weight / total, relaxation_time })
-                .collect();
+            let terms: Vec<RelaxationTerm> =
+                pairs().map(|(weight, &relaxation_time)| RelaxationTerm { modulus: lost * weight / total, relaxation_time }).collect();
             Material::from_relaxation(relaxed, &terms)
         }
     }

@@ -8,20 +8,33 @@
 //! A study never stops half-way: what goes wrong in it is a failed [`Check`] of its section. Studies may use rivals; no plan may.
 
 mod cells;
+mod convergence;
+pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod hard_cases;
 pub mod honesty;
 pub mod known_states;
+mod manufactured;
+pub mod order;
+pub mod precision;
+mod reference;
+mod report;
+mod run;
 pub mod scene_bytes;
-pub mod seeded_sweep;
-
 mod section;
+pub mod seeded_sweep;
+mod stamp;
+pub mod stored;
+pub mod timing;
 
-pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored};
+pub use report::{PAGE, files};
+pub use run::{Report, StudiesError, chosen, run};
+pub use section::{Cell, Check, Column, Effort, Plot, Progress, Section, Table, Verdict, failures, ours, rival, stored as stored_curve};
+pub use stamp::Stamp;
 
 /// One study: what the page calls it, and what computes it.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Study {
     /// Short name: the anchor on the page and the beginning of the names of its CSV files.
     pub identifier: &'static str,
@@ -31,10 +44,30 @@ pub struct Study {
     pub compute: fn(Effort, &Progress) -> Section,
 }
 
+/// A study that may run beside others.
+const fn beside(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
+    Study { identifier, alone: false, compute }
+}
+
+/// A study that measures times.
+const fn alone(identifier: &'static str, compute: fn(Effort, &Progress) -> Section) -> Study {
+    Study { identifier, alone: true, compute }
+}
+
 /// All studies, in the order of the page.
 pub const STUDIES: &[Study] = &[
-    Study { identifier: "honesty", alone: false, compute: honesty::study },
-    Study { identifier: "hard-cases", alone: false, compute: hard_cases::study },
-    Study { identifier: "seeded-sweep", alone: false, compute: seeded_sweep::study },
-    Study { identifier: "effects", alone: true, compute: effects::study },
+    alone("precision_sliding", precision::sliding::study),
+    alone("precision_sphere", precision::sphere::study),
+    alone("precision_growth", precision::growth::study),
+    alone("precision_steady_crack", precision::steady_crack::study),
+    alone("precision_peers", precision::peers::study),
+    beside("convergence_sliding", convergence::sliding::study),
+    beside("convergence_sphere", convergence::sphere::study),
+    beside("convergence_crack", convergence::crack::study),
+    beside("process_zone", convergence::zone::study),
+    beside("manufactured", manufactured::study),
+    beside("honesty", honesty::study),
+    beside("hard_cases", hard_cases::study),
+    beside("seeded_sweep", seeded_sweep::study),
+    alone("effects", effects::study),
 ];

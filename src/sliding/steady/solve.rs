@@ -95,7 +95,8 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
 
 /// What a load is that no contact was found for although the elastic one of a short zone bears it: within a process zone of a fold the branch of loads tells on which side.
 fn beyond_a_fold(material: &Material, problem: &SlidingProblem<'_>, work: SlidingWork) -> Option<Result<SlidingOutcome, Refusal>> {
-    let (Indenter::Wave, SlidingControl::MeanPressure(pressure), Some(adhesion)) = (problem.indenter, problem.control, problem.adhesion) else {
+    let (Indenter::Wave, SlidingControl::MeanPressure(pressure), Some(adhesion)) = (problem.indenter, problem.control, problem.adhesion)
+    else {
         return None;
     };
     let loads = BranchProblem::loads(problem.rate, adhesion, problem.accuracy.max(FOLD_ACCURACY));

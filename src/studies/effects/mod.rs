@@ -74,7 +74,13 @@ pub fn difference(effect: &Effect, with: &Outcome, without: &Outcome) -> (f64, u
             match pair {
                 (Some(one), Some(other)) => {
                     let off = (one - other).abs();
-                    worst = if off == 0.0 { worst } else if off.is_nan() { f64::INFINITY } else { worst.max(off / scale.max(f64::MIN_POSITIVE)) };
+                    worst = if off == 0.0 {
+                        worst
+                    } else if off.is_nan() {
+                        f64::INFINITY
+                    } else {
+                        worst.max(off / scale.max(f64::MIN_POSITIVE))
+                    };
                     compared += 1;
                 }
                 (None, None) => {}
@@ -167,7 +173,8 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
             format!("with {work_with}; without {work_without}"),
             cheaper(effect, work_with, work_without),
         ));
-        let total = |work: Work| (work.closure_evaluations + work.kernel_evaluations + work.linear_solves + work.field_evaluations) as usize;
+        let total =
+            |work: Work| (work.closure_evaluations + work.kernel_evaluations + work.linear_solves + work.field_evaluations) as usize;
         table.rows.push(vec![
             word(effect.name),
             word(effect.neutral),

@@ -158,7 +158,10 @@ fn cracks() -> Vec<Effect> {
             name: "relaxation (steady crack)",
             neutral: "E∞ = (1 + 10⁻¹²)E0",
             tolerance: Tolerance::Relative(4e-12, "G changes by β − 1 = 10⁻¹² at most, K and δ with it"),
-            without: changed(CRACK, &[("relaxed_modulus = \"1 MPa\"\n", ""), ("glassy_modulus = \"100 MPa\"", "glassy_modulus = \"1 MPa\""), (TERM, "")]),
+            without: changed(
+                CRACK,
+                &[("relaxed_modulus = \"1 MPa\"\n", ""), ("glassy_modulus = \"100 MPa\"", "glassy_modulus = \"1 MPa\""), (TERM, "")],
+            ),
             with: changed(CRACK, &[("glassy_modulus = \"100 MPa\"", "glassy_modulus = \"1.000000000001 MPa\"")]),
             columns: release,
             costs: true,
@@ -170,7 +173,10 @@ fn cracks() -> Vec<Effect> {
             without: CRACK.to_owned(),
             with: changed(
                 CRACK,
-                &[(TERM, "creep = [{ fraction = 0.999999999999, retardation_time = \"1 s\" }, { fraction = 1e-12, retardation_time = \"1 ms\" }]")],
+                &[(
+                    TERM,
+                    "creep = [{ fraction = 0.999999999999, retardation_time = \"1 s\" }, { fraction = 1e-12, retardation_time = \"1 ms\" }]",
+                )],
             ),
             columns: release,
             costs: true,
@@ -209,7 +215,10 @@ fn cracks() -> Vec<Effect> {
             without: DELAYED.to_owned(),
             with: changed(
                 DELAYED,
-                &[(TERM, "creep = [{ fraction = 0.999999999999, retardation_time = \"1 s\" }, { fraction = 1e-12, retardation_time = \"0.5 s\" }]")],
+                &[(
+                    TERM,
+                    "creep = [{ fraction = 0.999999999999, retardation_time = \"1 s\" }, { fraction = 1e-12, retardation_time = \"0.5 s\" }]",
+                )],
             ),
             columns: &["growth", "delay"],
             costs: true,
@@ -225,7 +234,10 @@ fn sliding() -> Vec<Effect> {
             tolerance: Tolerance::Relative(1e-4, "a pull goes with 2√(βΓ) = 4·10⁻⁶, of a load of 0.05"),
             without: changed(
                 SLIDING,
-                &[("[adhesion]\nwork_of_adhesion = \"20 mJ/m²\"\nprocess_zone = { length = \"0.16 µm\" }\n", ""), ("[\"adhesive\"]", "[\"adhesiveless\"]")],
+                &[
+                    ("[adhesion]\nwork_of_adhesion = \"20 mJ/m²\"\nprocess_zone = { length = \"0.16 µm\" }\n", ""),
+                    ("[\"adhesive\"]", "[\"adhesiveless\"]"),
+                ],
             ),
             with: changed(SLIDING, &[("\"20 mJ/m²\"", "1e-12"), ("\"0.16 µm\"", "1e-14")]),
             columns: EDGES,
@@ -274,10 +286,7 @@ fn sliding() -> Vec<Effect> {
             without: SLIDING.to_owned(),
             with: changed(
                 SLIDING,
-                &[(
-                    "work_of_adhesion = \"20 mJ/m²\"",
-                    "trailing_work_of_adhesion = \"20 mJ/m²\"\nleading_work_of_adhesion = \"20 mJ/m²\"",
-                )],
+                &[("work_of_adhesion = \"20 mJ/m²\"", "trailing_work_of_adhesion = \"20 mJ/m²\"\nleading_work_of_adhesion = \"20 mJ/m²\"")],
             ),
             columns: EDGES,
             costs: false,
@@ -344,7 +353,10 @@ fn spheres() -> Vec<Effect> {
             name: "adhesion (sphere)",
             neutral: "γ̃ = 10⁻¹⁶, a zone of 10⁻¹⁰ R; held, as each step of an edge goes a part of its zone",
             tolerance: Tolerance::Relative(1e-4, "a pull goes with √(8πE*a³Δγ), 10⁻⁶ of the force; bars are 3·10⁻⁷ of it"),
-            without: changed(SPHERE, &[("[adhesion]\nwork_of_adhesion = 1.6e-4\nprocess_zone = { length = 0.013 }\n", ""), (RETRACTION, "")]),
+            without: changed(
+                SPHERE,
+                &[("[adhesion]\nwork_of_adhesion = 1.6e-4\nprocess_zone = { length = 0.013 }\n", ""), (RETRACTION, "")],
+            ),
             with: changed(SPHERE, &[("1.6e-4", "1e-16"), ("0.013", "1e-10"), (RETRACTION, "")]),
             columns: CONTACT,
             costs: true,
@@ -353,7 +365,10 @@ fn spheres() -> Vec<Effect> {
             name: "relaxation (sphere)",
             neutral: "E∞ = (1 + 10⁻⁹)E0",
             tolerance: Tolerance::Relative(2e-3, "the accuracy that is asked for, of both"),
-            without: changed(SPHERE, &[("glassy_modulus = 10\nrelaxation = [{ fraction = 1, relaxation_time = 1 }]", "glassy_modulus = 1")]),
+            without: changed(
+                SPHERE,
+                &[("glassy_modulus = 10\nrelaxation = [{ fraction = 1, relaxation_time = 1 }]", "glassy_modulus = 1")],
+            ),
             with: changed(SPHERE, &[("glassy_modulus = 10", "glassy_modulus = 1.000000001")]),
             columns: CONTACT,
             costs: true,
@@ -395,11 +410,17 @@ fn spheres() -> Vec<Effect> {
         Effect {
             name: "frame stiffness (sphere)",
             neutral: "a frame of 10¹⁰ πE0*R",
-            tolerance: Tolerance::Relative(1e-4, "the frame gives way by F/k_f = 10⁻¹²; another control takes other steps, within the accuracy"),
+            tolerance: Tolerance::Relative(
+                1e-4,
+                "the frame gives way by F/k_f = 10⁻¹²; another control takes other steps, within the accuracy",
+            ),
             without: SPHERE.to_owned(),
             with: changed(
                 SPHERE,
-                &[("instants = 8", "instants = 8\nframe_stiffness = 1e10"), ("penetration = 0.025\nrate = 0.02", "frame = 0.025\nduration = 0.35")],
+                &[
+                    ("instants = 8", "instants = 8\nframe_stiffness = 1e10"),
+                    ("penetration = 0.025\nrate = 0.02", "frame = 0.025\nduration = 0.35"),
+                ],
             ),
             columns: CONTACT,
             costs: true,

@@ -148,12 +148,18 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
         Expected::Value { quantity, value, tolerance } => {
             let estimate = found.value(quantity)?;
             let off = (estimate.value - value).abs();
-            ensure(off <= *tolerance, format!("{quantity} {:e} is off by {off:.1e} from {value:e}, {tolerance:.1e} allowed", estimate.value))?;
+            ensure(
+                off <= *tolerance,
+                format!("{quantity} {:e} is off by {off:.1e} from {value:e}, {tolerance:.1e} allowed", estimate.value),
+            )?;
             ensure(estimate.error <= *tolerance, format!("the bar {:.1e} of {quantity} is wider than {tolerance:.1e}", estimate.error))
         }
         Expected::Between { quantity, low, high } => {
             let estimate = found.value(quantity)?;
-            ensure(estimate.value >= *low && estimate.value <= *high, format!("{quantity} {:e} is not between {low:e} and {high:e}", estimate.value))
+            ensure(
+                estimate.value >= *low && estimate.value <= *high,
+                format!("{quantity} {:e} is not between {low:e} and {high:e}", estimate.value),
+            )
         }
         Expected::Is(word) => ensure(found.words.contains(word), format!("not \"{word}\": {}", found.told())),
         Expected::NoSuchState { limit, tolerance } => match &found.refusal {
@@ -178,9 +184,11 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
 #[must_use]
 pub fn falsified(expected: &Expected) -> Expected {
     match expected.clone() {
-        Expected::Value { quantity, value, tolerance } => {
-            Expected::Value { quantity, value: value + 3.0 * tolerance.max(4.0 * f64::EPSILON * value.abs()).max(f64::MIN_POSITIVE), tolerance }
-        }
+        Expected::Value { quantity, value, tolerance } => Expected::Value {
+            quantity,
+            value: value + 3.0 * tolerance.max(4.0 * f64::EPSILON * value.abs()).max(f64::MIN_POSITIVE),
+            tolerance,
+        },
         Expected::Between { quantity, low, high } => {
             let width = (high - low).max(high.abs()).max(1.0);
             Expected::Between { quantity, low: high + width, high: high + 2.0 * width }

@@ -236,10 +236,7 @@ fn spectra() -> Vec<HardCase> {
             vec![near("G/Δγ", fast, 1e-6)],
             move || {
                 let material = Material::standard_solid(1.0, fast, 1.0)?;
-                let interface = Interface {
-                    process_zone: ProcessZone::Growing { cohesive_stress: 1.0, factor: 1.0 },
-                    ..constant(1.0)
-                };
+                let interface = Interface { process_zone: ProcessZone::Growing { cohesive_stress: 1.0, factor: 1.0 }, ..constant(1.0) };
                 let speed = 1e16;
                 Ok(told(&if persson {
                     at_speed(&PerssonBrener::new(&material, motion, interface)?, speed, TOLERANCE)?
@@ -255,10 +252,7 @@ fn spectra() -> Vec<HardCase> {
 /// The cliff of a closing crack whose zone grows with the remote intensity: parameter z, v and G in closed form.
 fn cliff() -> HardCase {
     let (beta, alpha, stress) = (1e6, 1.0, 1.0);
-    let interface = Interface {
-        process_zone: ProcessZone::Growing { cohesive_stress: stress, factor: alpha },
-        ..constant(1.0)
-    };
+    let interface = Interface { process_zone: ProcessZone::Growing { cohesive_stress: stress, factor: alpha }, ..constant(1.0) };
     // Where d ln G/d ln v is largest, about βz = ln β.
     let z = 14.0 / beta;
     let ratio = one_term(beta, Motion::Closing, z);
@@ -291,7 +285,8 @@ fn extremes() -> Vec<HardCase> {
             vec![near("G/Δγ", ratio, 1e-13)],
             move || {
                 let material = Material::standard_solid(modulus, 100.0 * modulus, time)?;
-                let interface = Interface { work_of_adhesion: work, process_zone: ProcessZone::Constant { length }, body: CrackBody::TwoHalves };
+                let interface =
+                    Interface { work_of_adhesion: work, process_zone: ProcessZone::Constant { length }, body: CrackBody::TwoHalves };
                 Ok(told(&at_speed(&VirtualWork::new(&material, Motion::Opening, interface)?, length / time, TOLERANCE)?))
             },
         )

@@ -122,10 +122,17 @@ fn limits() -> Vec<HardCase> {
                 Ok(first(&onset(&GrowthProblem::new(&material, INTERFACE, 0.0)?, 1e300)?))
             },
         ),
-        HardCase::new(PROBLEM, "a load that is no number", "a NaN passes every comparison", "refused", vec![Expected::Refused(Kind::OutOfRange)], || {
-            let material = one_term()?;
-            Ok(first(&onset(&GrowthProblem::new(&material, INTERFACE, 0.0)?, f64::NAN)?))
-        }),
+        HardCase::new(
+            PROBLEM,
+            "a load that is no number",
+            "a NaN passes every comparison",
+            "refused",
+            vec![Expected::Refused(Kind::OutOfRange)],
+            || {
+                let material = one_term()?;
+                Ok(first(&onset(&GrowthProblem::new(&material, INTERFACE, 0.0)?, f64::NAN)?))
+            },
+        ),
         HardCase::new(
             PROBLEM,
             "a viscous solid under a load 1e-6 of the glassy limit",

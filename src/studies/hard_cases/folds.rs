@@ -40,7 +40,9 @@ pub fn cases() -> Vec<HardCase> {
 /// Pull-off and snap-in of an elastic wave with a zone of a millionth, 1e-4 before and after.
 fn elastic() -> Vec<HardCase> {
     let (work, zone) = (2e-3, 1e-6);
-    let Ok(johnson) = WestergaardWave::new(1.0, 2.0 * PI, 1.0).and_then(|wave| JohnsonWave::new(wave, PI * work)) else { return Vec::new() };
+    let Ok(johnson) = WestergaardWave::new(1.0, 2.0 * PI, 1.0).and_then(|wave| JohnsonWave::new(wave, PI * work)) else {
+        return Vec::new();
+    };
     let mut cases = Vec::new();
     for (name, fold) in [("pull-off", johnson.pull_off(Control::Load)), ("snap-in", johnson.snap_in())] {
         let Ok(fold) = fold else { continue };
@@ -173,7 +175,8 @@ fn slow_contact(material: &Material, load: f64, adhesion: WaveAdhesion, rate: f6
         }
         _ => None,
     });
-    let near = crossing.and_then(|[a, e]| steady_sliding_near(material, &wave(rate, adhesion, control), &Start::at(a, e)).ok().map(|found| (a, found)));
+    let near = crossing
+        .and_then(|[a, e]| steady_sliding_near(material, &wave(rate, adhesion, control), &Start::at(a, e)).ok().map(|found| (a, found)));
     // Between two points of the curve the contact is where they say, to a hundredth.
     let near = near.filter(|(a, found)| (found.values.half_width.value - a).abs() < 0.02);
     near.map_or(f64::NAN, |(_, found)| found.values.half_width.value)
@@ -237,7 +240,8 @@ fn starts(beta: f64, rate: f64, adhesion: WaveAdhesion) -> Result<Found, Refusal
     let known = solved(&material, &wave(rate, adhesion, SlidingControl::MeanPressure(0.1)))?;
     let at = |name: &str| known.values.iter().find(|(quantity, _)| *quantity == name).map_or(f64::NAN, |(_, value)| value.value);
     let control = SlidingControl::Penetration(at("Δ"));
-    let balance = EdgeBalance::new(Arc::new(ContactMemory::new(&material, rate)?), Indenter::Wave, Some(adhesion), control, Resolution::Fine);
+    let balance =
+        EdgeBalance::new(Arc::new(ContactMemory::new(&material, rate)?), Indenter::Wave, Some(adhesion), control, Resolution::Fine);
     let (mut here, mut elsewhere) = (0, 0);
     for index in 0..400 {
         // An additive lattice of irrational steps covers the square evenly.

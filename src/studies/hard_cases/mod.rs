@@ -72,7 +72,7 @@ fn told(expected: &Expected) -> String {
 pub fn study(effort: Effort, progress: &Progress) -> Section {
     let cases = cases(effort);
     progress.expect(cases.len() as u64);
-    let mut section = Section::new("hard-cases", "Hard cases");
+    let mut section = Section::new("hard_cases", "Hard cases");
     section.say(format!(
         "{} cases, each with the reason why it is hard and an outcome that theory states before the run. A state that does not exist must be refused with its witness, the \
          limit that was passed. A bar wider than the tolerance counts as a miss. Each expectation is put to the judge falsified as well, and must fail.",

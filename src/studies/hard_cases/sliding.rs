@@ -16,10 +16,12 @@ const PROBLEM: &str = "steady sliding";
 /// What is asked for.
 const ACCURACY: f64 = 1e-9;
 const WESTERGAARD: &str = "Westergaard's wave of the relaxed or the glassy modulus m: p̄ = m sin²(a/2), Δ = s²(1 − 2 ln s)";
-const JOHNSON: &str = "Johnson's wave of the modulus m: p̄ = m s² − 2√(mΓ tan(a/2)); a zone moves it by about δ over the narrower of contact and gap";
+const JOHNSON: &str =
+    "Johnson's wave of the modulus m: p̄ = m s² − 2√(mΓ tan(a/2)); a zone moves it by about δ over the narrower of contact and gap";
 
 /// Why adhesion far weaker than any is not told from none.
-const PULL_BELOW_THE_LOAD: &str = "below Γ of some 1e-25 the pull of an edge is less than the last digit of the load, and its sign is rounding: leave adhesion out";
+const PULL_BELOW_THE_LOAD: &str =
+    "below Γ of some 1e-25 the pull of an edge is less than the last digit of the load, and its sign is rounding: leave adhesion out";
 
 /// Solves a problem; values in reduced units.
 ///
@@ -76,7 +78,9 @@ pub fn cases() -> Vec<HardCase> {
 /// Slow and fast ends of the speeds, β from 1 to 1e6.
 fn ends() -> Vec<HardCase> {
     let mut cases = Vec::new();
-    for (beta, rate) in [(1.0_f64, 1.0_f64), (1.0 + 1e-9, 1.0), (10.0, 1e-10), (10.0, 1e10), (1e6, 1e-10), (1e6, 1e10), (1e6, 1e300), (10.0, 5e-324)] {
+    for (beta, rate) in
+        [(1.0_f64, 1.0_f64), (1.0 + 1e-9, 1.0), (10.0, 1e-10), (10.0, 1e10), (1e6, 1e-10), (1e6, 1e10), (1e6, 1e300), (10.0, 5e-324)]
+    {
         let fast = rate > 1e3;
         let modulus = if fast { beta } else { 1.0 };
         // The next order: ζ slow, 1/ε = β/ζ fast, of the part that the solid stiffens by.
@@ -132,7 +136,12 @@ fn narrow() -> Vec<HardCase> {
             "the contact is a hundred-millionth of the wave, its zone a ten-thousandth of that",
             "Barquins' cylinder: p̄ = a²/4 − √(2Γa); a zone moves it by about δ/a",
             vec![Expected::Value { quantity: "p̄", value: 0.25 * a * a - (2.0 * work * a).sqrt(), tolerance: 1e-4 * a * a }],
-            move || solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(work, zone)), SlidingControl::HalfWidth(a), 1e-9 * a * a)),
+            move || {
+                solved(
+                    &Material::elastic(1.0)?,
+                    &wave(0.0, Some(WaveAdhesion::even(work, zone)), SlidingControl::HalfWidth(a), 1e-9 * a * a),
+                )
+            },
         ));
     }
     for gap in [1e-2, 1e-4, 1e-8] {
@@ -177,7 +186,10 @@ fn full() -> Vec<HardCase> {
             "no adhesion, a load of 1 − 1e-9 at rest",
             "a billionth before the load of full contact",
             "Westergaard: π − a = 2 arcsin √1e-9",
-            vec![Expected::Is("partial contact"), Expected::Value { quantity: "a", value: PI - 2.0 * 1e-9f64.sqrt().asin(), tolerance: 1e-9 }],
+            vec![
+                Expected::Is("partial contact"),
+                Expected::Value { quantity: "a", value: PI - 2.0 * 1e-9f64.sqrt().asin(), tolerance: 1e-9 },
+            ],
             || solved(&one_term(10.0)?, &wave(0.0, None, SlidingControl::MeanPressure(1.0 - 1e-9), ACCURACY)),
         ),
         HardCase::new(
@@ -226,7 +238,9 @@ fn zones() -> Vec<HardCase> {
                 near("G₁/Δγ", 1.0, 1e-5),
                 near("G₂/Δγ", 1.0, 1e-5),
             ],
-            move || solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(work, part * a)), SlidingControl::HalfWidth(a), 1e-6)),
+            move || {
+                solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(work, part * a)), SlidingControl::HalfWidth(a), 1e-6))
+            },
         ));
     }
     cases.push(HardCase::new(
@@ -247,7 +261,12 @@ fn zones() -> Vec<HardCase> {
             "adhesion disappears among the terms of the load",
             "Johnson's pull goes with √Γ: Westergaard's load remains",
             vec![Expected::Value { quantity: "p̄", value: s2 - pull, tolerance: 0.02 * pull + 1e-9 }],
-            move || solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(work, 1e-3 * work.sqrt())), SlidingControl::HalfWidth(1.0), 1e-9)),
+            move || {
+                solved(
+                    &Material::elastic(1.0)?,
+                    &wave(0.0, Some(WaveAdhesion::even(work, 1e-3 * work.sqrt())), SlidingControl::HalfWidth(1.0), 1e-9),
+                )
+            },
         );
         cases.push(if work < 1e-25 { case.lost(PULL_BELOW_THE_LOAD) } else { case });
     }
@@ -274,7 +293,8 @@ fn spectra() -> Vec<HardCase> {
         Material::from_creep(10.0, &[term(1.0), term(1.0 + 1e-14)], None)
     };
     let unsplit = one_term(10.0).and_then(|material| solved(&material, &wave(3.0, adhesion, SlidingControl::HalfWidth(1.0), 1e-10)));
-    let load = unsplit.map_or(f64::NAN, |found| found.values.iter().find(|(name, _)| *name == "p̄").map_or(f64::NAN, |(_, value)| value.value));
+    let load =
+        unsplit.map_or(f64::NAN, |found| found.values.iter().find(|(name, _)| *name == "p̄").map_or(f64::NAN, |(_, value)| value.value));
     vec![
         HardCase::new(
             PROBLEM,
@@ -331,9 +351,14 @@ fn collocated(material: &Material, rate: f64, adhesion: WaveAdhesion) -> Result<
 /// Numbers that are wrong, and solids that have no answer.
 fn refused() -> Vec<HardCase> {
     let out_of_range = |name: &'static str, problem: SlidingProblem<'static>| {
-        HardCase::new(PROBLEM, name, "a wrong number must not reach the equations", "refused", vec![Expected::Refused(Kind::OutOfRange)], move || {
-            solved(&one_term(10.0)?, &problem)
-        })
+        HardCase::new(
+            PROBLEM,
+            name,
+            "a wrong number must not reach the equations",
+            "refused",
+            vec![Expected::Refused(Kind::OutOfRange)],
+            move || solved(&one_term(10.0)?, &problem),
+        )
     };
     vec![
         out_of_range("a half-width of π", wave(1.0, None, SlidingControl::HalfWidth(PI), ACCURACY)),

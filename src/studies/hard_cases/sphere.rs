@@ -6,7 +6,9 @@ use super::case::{Expected, Found, HardCase, Kind, near};
 use super::material::spread;
 use crate::elastic::{JkrSphere, KendallPunch};
 use crate::estimate::Estimate;
-use crate::indentation::{Adhesion, Controlled, EventKind, FrequencySweep, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run};
+use crate::indentation::{
+    Adhesion, Controlled, EventKind, FrequencySweep, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run,
+};
 use crate::material::{Material, RelaxationTerm};
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
@@ -129,7 +131,11 @@ fn both_ends() -> Vec<HardCase> {
                 Expected::Is("held"),
                 Expected::Value { quantity: "a", value: a, tolerance: 2.0 * accuracy * a },
                 // Bars of forces are parts of the largest force of the history, which may be glassy: 3e-4 of the accuracy at least.
-                Expected::Value { quantity: "F", value: force, tolerance: 2.0 * accuracy * modulus * a.powi(3) + 4e-4 * accuracy * beta * 4e-3 },
+                Expected::Value {
+                    quantity: "F",
+                    value: force,
+                    tolerance: 2.0 * accuracy * modulus * a.powi(3) + 4e-4 * accuracy * beta * 4e-3,
+                },
             ],
             move || Ok(told(&run(&rubber(beta)?, &asked(adhesion(ZONE), history.clone(), accuracy))?)),
         ));
@@ -154,7 +160,10 @@ fn both_ends() -> Vec<HardCase> {
         "a relaxed contact, pulled at once",
         "in the first instant the solid is glassy and the edge has not moved",
         "Sec 4.10: −F stays below β times JKR's and above it by no more than δ/a",
-        vec![Expected::Is("came off"), Expected::Between { quantity: "largest tension", low: 5.0 * 1.5 * PI * WORK, high: 10.5 * 1.5 * PI * WORK }],
+        vec![
+            Expected::Is("came off"),
+            Expected::Between { quantity: "largest tension", low: 5.0 * 1.5 * PI * WORK, high: 10.5 * 1.5 * PI * WORK },
+        ],
         || Ok(told(&run(&rubber(10.0)?, &asked(adhesion(ZONE), History::penetration(0.08).at_speed(-0.1, 1e6), 1e-3).relaxed())?)),
     ));
     cases
@@ -207,21 +216,20 @@ fn zones() -> Vec<HardCase> {
 }
 
 /// Why a contact without adhesion that is drawn back in 1e-11 times is not followed to its end.
-const LAST_OF_A_CONTACT: &str = "without adhesion the last ten-billionth of a depth is lost in the rounding of the loads that the line bore";
+const LAST_OF_A_CONTACT: &str =
+    "without adhesion the last ten-billionth of a depth is lost in the rounding of the loads that the line bore";
 
 /// Lee and Radok, Ting, scales far from one.
 fn without_adhesion() -> Vec<HardCase> {
     let hertz = 4.0 / 3.0 * 0.02f64.powf(1.5);
-    let mut cases = vec![
-        HardCase::new(
-            PROBLEM,
-            "without adhesion, pressed in at once and held for 1e9 times",
-            "a step of the depth, then nothing for very long",
-            "Lee and Radok: F = F_Hertz R(t), relaxed; bars keep 3e-9 of the largest force, which is β times as large",
-            vec![near("F", hertz, 5e-3), Expected::Is("held")],
-            || Ok(told(&run(&rubber(1e6)?, &asked(None, History::penetration(0.0).step(0.02).hold(1e9), 1e-5))?)),
-        ),
-    ];
+    let mut cases = vec![HardCase::new(
+        PROBLEM,
+        "without adhesion, pressed in at once and held for 1e9 times",
+        "a step of the depth, then nothing for very long",
+        "Lee and Radok: F = F_Hertz R(t), relaxed; bars keep 3e-9 of the largest force, which is β times as large",
+        vec![near("F", hertz, 5e-3), Expected::Is("held")],
+        || Ok(told(&run(&rubber(1e6)?, &asked(None, History::penetration(0.0).step(0.02).hold(1e9), 1e-5))?)),
+    )];
     for speed in [1.0, 1e3, 1e9] {
         let case = HardCase::new(
             PROBLEM,
@@ -229,7 +237,9 @@ fn without_adhesion() -> Vec<HardCase> {
             "the contact is lost while the surface is still dented",
             "Ting: the contact ends before the depth does, without a pull",
             vec![Expected::Is("came off"), Expected::Value { quantity: "F", value: 0.0, tolerance: 1e-3 * 10.0 * hertz }],
-            move || Ok(told(&run(&rubber(10.0)?, &asked(None, History::penetration(0.0).at_speed(0.02, speed).at_speed(-0.01, speed), 1e-4))?)),
+            move || {
+                Ok(told(&run(&rubber(10.0)?, &asked(None, History::penetration(0.0).at_speed(0.02, speed).at_speed(-0.01, speed), 1e-4))?))
+            },
         );
         cases.push(if speed > 1e6 { case.lost(LAST_OF_A_CONTACT) } else { case });
     }
@@ -246,7 +256,10 @@ fn without_adhesion() -> Vec<HardCase> {
                     ..asked(None, History::penetration(0.0).ramp(0.02 * scale, 1e7), 1e-4)
                 };
                 let found = run(&rubber(10.0)?, &problem)?;
-                Ok(found.instants.last().map_or_else(Found::default, |last| Found::default().with("F over R²", last.force.scaled(1.0 / scale / scale))))
+                Ok(found
+                    .instants
+                    .last()
+                    .map_or_else(Found::default, |last| Found::default().with("F over R²", last.force.scaled(1.0 / scale / scale))))
             },
         ));
     }
@@ -299,8 +312,18 @@ fn forces() -> Vec<HardCase> {
             Kind::OutOfRange,
             asked(adhesion(ZONE), History::contact_radius(0.2).ramp(0.5 * ZONE, 3.0), 1e-3).relaxed(),
         ),
-        refused("a frame without stiffness", "its place does not determine the contact", Kind::Undefined, asked(adhesion(ZONE), History::frame(0.0).ramp(0.1, 1.0), 1e-3)),
-        refused("a depth that is no number", "a NaN passes every comparison", Kind::OutOfRange, asked(adhesion(ZONE), History::penetration(f64::NAN).hold(1.0), 1e-3)),
+        refused(
+            "a frame without stiffness",
+            "its place does not determine the contact",
+            Kind::Undefined,
+            asked(adhesion(ZONE), History::frame(0.0).ramp(0.1, 1.0), 1e-3),
+        ),
+        refused(
+            "a depth that is no number",
+            "a NaN passes every comparison",
+            Kind::OutOfRange,
+            asked(adhesion(ZONE), History::penetration(f64::NAN).hold(1.0), 1e-3),
+        ),
         HardCase::new(
             PROBLEM,
             "a viscous material",
@@ -356,7 +379,8 @@ fn punches(effort: Effort) -> Vec<HardCase> {
             vec![near("storage stiffness", 2.0 * radius * storage(omega), 2e-3), near("loss stiffness", 2.0 * radius * loss(omega), 2e-2)],
             move || {
                 let frequency = omega / (2.0 * PI);
-                let swing = Oscillation { amplitude, frequency, end_frequency: frequency, sweep: FrequencySweep::Linear, until_stationary: false };
+                let swing =
+                    Oscillation { amplitude, frequency, end_frequency: frequency, sweep: FrequencySweep::Linear, until_stationary: false };
                 let history = History::from(Controlled::Penetration, 0.01).oscillate(swing, f64::from(cycles) / frequency);
                 let problem = IndentationProblem { profile: Profile::FlatPunch { radius }, ..asked(None, history, 1e-3) };
                 let found = run(&rubber(10.0)?, &problem.relaxed())?;

@@ -98,8 +98,10 @@ pub fn judged(scene: u64) -> Judged {
 
 fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
     let asked = drawn(draw)?;
-    judged.described =
-        format!("{:?} {:?} theory {} by speed {} {:e}: {:?}", asked.motion, asked.interface, asked.theory, asked.by_speed, asked.value, asked.material);
+    judged.described = format!(
+        "{:?} {:?} theory {} by speed {} {:e}: {:?}",
+        asked.motion, asked.interface, asked.theory, asked.by_speed, asked.value, asked.material
+    );
     let (found, exact) = match (asked.solved(judged.accuracy), asked.solved(TIGHTEST)) {
         // A load may lie beyond a limit of the theory: both say so.
         (Err(Refusal::NoSuchState { .. }), Err(Refusal::NoSuchState { .. })) => return Ok(Vec::new()),
@@ -118,9 +120,12 @@ fn against_known(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, 
     let relative = KNOWN_TO * (2.0 + found.speed_exponent.abs());
     let truth = |value: f64| Estimate::relative(value, relative);
     let mut compared = vec![Compared { quantity: "drive", found: found.drive, truth: truth(known.drive), scale: 0.0 }];
-    compared.extend(
-        found.energy_release_rate_ratio.map(|ratio| Compared { quantity: "G/Δγ", found: ratio, truth: truth(known.release), scale: 0.0 }),
-    );
+    compared.extend(found.energy_release_rate_ratio.map(|ratio| Compared {
+        quantity: "G/Δγ",
+        found: ratio,
+        truth: truth(known.release),
+        scale: 0.0,
+    }));
     Ok(compared)
 }
 

@@ -98,8 +98,7 @@ pub fn judged(scene: u64) -> Judged {
     let truth = if another { Truth::Another } else { Truth::Tighter };
     let accuracy = 1.0 / f64::from(lines);
     let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
-    let result =
-        if another { against_known(&mut draw, lines, &mut judged) } else { against_finer(&mut draw, lines, &mut judged) };
+    let result = if another { against_known(&mut draw, lines, &mut judged) } else { against_finer(&mut draw, lines, &mut judged) };
     match result {
         Ok(compared) => judged.compared = compared,
         Err(refusal) => judged.trouble = Some(refusal.to_string()),

@@ -59,7 +59,8 @@ const PATHS: &str = "the path in speed to the contact costs the same at any accu
 /// Newton's method doubles digits with each step.
 const NEWTON: &str = "Newton's method doubles the digits with each step: a few evaluations give three digits, one or two more give nine";
 /// Two marches.
-const TWO_MARCHES: &str = "bars are judged by two marches, which may agree by chance, and the finer one is some ten times better than their difference";
+const TWO_MARCHES: &str =
+    "bars are judged by two marches, which may agree by chance, and the finer one is some ten times better than their difference";
 /// Three runs.
 const THREE_RUNS: &str = "solids with several times hold the whole last difference of three runs, of which the extrapolated value is far better; a time of arrest between two lines is seen late";
 
@@ -225,13 +226,7 @@ fn checks(judge: &Judge, tally: &Tally, work: f64) -> Vec<Check> {
             format!("{} of {}{lost}", tally.troubles.len(), tally.scenes),
             tally.troubles.is_empty(),
         ),
-        promised(
-            "median of bar over true error",
-            format!("at most {MEDIAN}"),
-            found(tally.width(0.5)),
-            within(0.5, MEDIAN),
-            judge.loses,
-        ),
+        promised("median of bar over true error", format!("at most {MEDIAN}"), found(tally.width(0.5)), within(0.5, MEDIAN), judge.loses),
         promised(
             "95th percentile of bar over true error",
             format!("at most {NINETY_FIFTH}"),

@@ -73,8 +73,7 @@ pub fn listed(values: &PartialValues) -> Vec<(&'static str, Estimate)> {
 pub fn judged(scene: u64) -> Judged {
     let mut draw = Draw::of(SEED ^ 1, scene);
     let accuracy = ACCURACIES[(scene / ANOTHER_ROUTE + scene) as usize % ACCURACIES.len()];
-    let mut judged =
-        Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth: Truth::Tighter, trouble: None };
+    let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth: Truth::Tighter, trouble: None };
     if scene.is_multiple_of(ANOTHER_ROUTE) {
         judged.truth = Truth::Another;
         against_known(&mut draw, &mut judged);

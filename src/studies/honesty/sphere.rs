@@ -68,8 +68,12 @@ fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>
         judged.trouble = Some("accuracy not reached".into());
     }
     let scale = |of: fn(&PathPoint) -> f64| exact.path.iter().fold(0.0_f64, |most, point| most.max(of(point).abs()));
-    let scales =
-        [scale(|point| point.penetration), scale(|point| point.force), scale(|point| point.contact_radius), scale(|point| point.stress_intensity_factor)];
+    let scales = [
+        scale(|point| point.penetration),
+        scale(|point| point.force),
+        scale(|point| point.contact_radius),
+        scale(|point| point.stress_intensity_factor),
+    ];
     let mut compared = Vec::new();
     for (instant, place) in found.instants.iter().zip(&exact.kept).skip(1) {
         let Some(point) = exact.path.get(*place) else { continue };

@@ -47,7 +47,8 @@ impl Compared {
         let floor = ROUNDING * self.found.value.abs().max(self.scale);
         let known = BETTER * self.truth.error <= self.found.error;
         let off = (self.found.value - self.truth.value).abs();
-        (known && self.found.error > floor && self.found.error.is_finite()).then(|| self.found.error / off.max(self.truth.error).max(f64::MIN_POSITIVE))
+        (known && self.found.error > floor && self.found.error.is_finite())
+            .then(|| self.found.error / off.max(self.truth.error).max(f64::MIN_POSITIVE))
     }
 }
 

@@ -157,5 +157,12 @@ fn cycles(draw: &mut Draw) -> Result<KnownGrowth, Refusal> {
     let wave = LoadSegment::Cycles { count: cycle as u32 + 1, period, lower: 0.0, upper: load, wave: Wave::Square };
     let history = LoadHistory::from_segments(&[wave])?;
     let time = (cycle - 1.0) * period + into;
-    Ok(KnownGrowth { material, interface, history, until: (cycle - 0.5) * period, known: KnownTime::Start(time), kind: "start in a load cycle" })
+    Ok(KnownGrowth {
+        material,
+        interface,
+        history,
+        until: (cycle - 0.5) * period,
+        known: KnownTime::Start(time),
+        kind: "start in a load cycle",
+    })
 }

@@ -110,7 +110,9 @@ fn remembered<const N: usize>(h: f64, from_begin: f64, ratio: f64, f: impl Fn(f6
     let reach = (from_begin + FADED * ratio).min(2.0 * h);
     let end = angle(reach, 2.0 * h - reach);
     let mut breaks: Vec<f64> = vec![start, end];
-    breaks.extend(BREAKS.iter().map(|part| from_begin + part * ratio).filter(|place| *place < reach).map(|place| angle(place, 2.0 * h - place)));
+    breaks.extend(
+        BREAKS.iter().map(|part| from_begin + part * ratio).filter(|place| *place < reach).map(|place| angle(place, 2.0 * h - place)),
+    );
     breaks.extend((1..PIECES).map(|piece| PI * piece as f64 / PIECES as f64).filter(|place| *place > start && *place < end));
     breaks.sort_by(f64::total_cmp);
     let mut sums = [0.0; N];
@@ -196,7 +198,8 @@ impl<'a> FractionContact<'a> {
             matrix.row_mut(row).scale_mut(1.0 / most);
             side[row] /= most;
         }
-        let scales: Vec<f64> = (0..size).map(|column| matrix.column(column).iter().fold(0.0_f64, |most, entry| most.max(entry.abs()))).collect();
+        let scales: Vec<f64> =
+            (0..size).map(|column| matrix.column(column).iter().fold(0.0_f64, |most, entry| most.max(entry.abs()))).collect();
         for (column, scale) in scales.iter().enumerate() {
             if !(*scale > 0.0 && scale.is_finite()) {
                 return None;
@@ -215,8 +218,16 @@ impl<'a> FractionContact<'a> {
         let mean_pressure = wave.0 * s * s + 0.5 * flat;
         let shifted: f64 = remembered.iter().zip(&spectrum.relaxations).map(|((_, odd), ratio)| odd * ratio).sum();
         let penetration = 1.0 - crest - flat * s.ln() + 0.5 * shifted;
-        let mut contact =
-            Self { spectrum, half_width, wave, now: (unknowns[0], unknowns[1]), remembered, mean_pressure, penetration, friction_stress: 0.0 };
+        let mut contact = Self {
+            spectrum,
+            half_width,
+            wave,
+            now: (unknowns[0], unknowns[1]),
+            remembered,
+            mean_pressure,
+            penetration,
+            friction_stress: 0.0,
+        };
         contact.friction_stress = contact.friction(eccentricity);
         Some(contact)
     }
@@ -241,10 +252,8 @@ impl<'a> FractionContact<'a> {
             odd = (odd.0 + more_odd.0, odd.1 + more_odd.1);
         }
         // −iπs²·odd
-        let total = (
-            sum.0 + PI * (1.0 - square) * even.0 + PI * square * odd.1,
-            sum.1 + PI * (1.0 - square) * even.1 - PI * square * odd.0,
-        );
+        let total =
+            (sum.0 + PI * (1.0 - square) * even.0 + PI * square * odd.1, sum.1 + PI * (1.0 - square) * even.1 - PI * square * odd.0);
         let (sin_e, cos_e) = eccentricity.sin_cos();
         -(total.1 * cos_e - total.0 * sin_e) / (2.0 * PI)
     }

@@ -45,7 +45,14 @@ impl KnownContact {
     /// The problem whose answer it is.
     #[must_use]
     pub const fn problem(&self, accuracy: f64) -> SlidingProblem<'static> {
-        SlidingProblem { rate: self.rate, indenter: Indenter::Wave, adhesion: self.adhesion, work_by_speed: None, control: self.control, accuracy }
+        SlidingProblem {
+            rate: self.rate,
+            indenter: Indenter::Wave,
+            adhesion: self.adhesion,
+            work_by_speed: None,
+            control: self.control,
+            accuracy,
+        }
     }
 
     /// What a solver must return: name and value.

@@ -106,11 +106,21 @@ fn relaxed(draw: &mut Draw) -> Result<KnownSphere, Refusal> {
         1 => History::force(force),
         _ => History::frame(depth + force / stiffness),
     };
-    let mut problem =
-        IndentationProblem::new(Profile::Paraboloid { radius }, Some(Adhesion { work_of_adhesion, process_zone: zone }), history.hold(hold)).relaxed();
+    let mut problem = IndentationProblem::new(
+        Profile::Paraboloid { radius },
+        Some(Adhesion { work_of_adhesion, process_zone: zone }),
+        history.hold(hold),
+    )
+    .relaxed();
     problem.frame_stiffness = Some(stiffness);
     let state = [depth, force, a];
-    Ok(KnownSphere { material, problem, instants: vec![(0, state), (1, state)], scales: scales(radius, modulus, a), kind: "relaxed and held" })
+    Ok(KnownSphere {
+        material,
+        problem,
+        instants: vec![(0, state), (1, state)],
+        scales: scales(radius, modulus, a),
+        kind: "relaxed and held",
+    })
 }
 
 /// First touch: glassy, at no depth.

@@ -46,7 +46,11 @@ fn within(pairs: &[(f64, f64, f64)], tolerance: f64) -> Verdict {
         // A NaN is as wrong as can be.
         if off.is_nan() { f64::INFINITY } else { worst.max(off) }
     });
-    if worst <= tolerance { Verdict::Right(worst) } else { Verdict::Wrong(format!("off by {worst:.2e} of its scale, {tolerance:.0e} allowed")) }
+    if worst <= tolerance {
+        Verdict::Right(worst)
+    } else {
+        Verdict::Wrong(format!("off by {worst:.2e} of its scale, {tolerance:.0e} allowed"))
+    }
 }
 
 /// Solves a sliding contact that is known.
@@ -119,7 +123,10 @@ pub fn delayed(known: &KnownGrowth) -> Verdict {
             KnownTime::Place { growth, speed, .. } => match found.samples.first() {
                 Some(sample) => {
                     let value = |estimate: Option<crate::Estimate>| estimate.map_or(f64::NAN, |estimate| estimate.value);
-                    within(&[(value(sample.growth), growth, growth.max(1e-2 * speed * known.until)), (value(sample.speed), speed, speed)], DELAYED)
+                    within(
+                        &[(value(sample.growth), growth, growth.max(1e-2 * speed * known.until)), (value(sample.speed), speed, speed)],
+                        DELAYED,
+                    )
                 }
                 None => Verdict::Wrong("no sample".into()),
             },
@@ -196,7 +203,7 @@ const PROBLEMS: [Problem; 4] = [
 pub fn study(effort: Effort, progress: &Progress) -> Section {
     let many = |problem: &Problem| effort.choose(problem.scenes.0, problem.scenes.1);
     progress.expect(PROBLEMS.iter().map(many).sum());
-    let mut section = Section::new("seeded-sweep", "Scenes made of known states");
+    let mut section = Section::new("seeded_sweep", "Scenes made of known states");
     section.say(
         "Edges, speeds and times are drawn first; the load and the work of adhesion that they take are computed by another route than the solver's, and the scene is made \
          of these. So there is an answer, and refusing is as wrong as a wrong value.",
@@ -211,8 +218,11 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         Column::words("tolerance, and why"),
     ];
     let mut table = Table::new("scenes", "How the scenes came out.", columns);
-    let mut complaints =
-        Table::new("wrong", "Scenes that came out wrong: empty if all is well.", vec![Column::words("problem"), Column::new("scene", "1"), Column::words("what")]);
+    let mut complaints = Table::new(
+        "wrong",
+        "Scenes that came out wrong: empty if all is well.",
+        vec![Column::words("problem"), Column::new("scene", "1"), Column::words("what")],
+    );
     for problem in &PROBLEMS {
         let found: Vec<Scene> = (0..many(problem))
             .into_par_iter()
@@ -224,7 +234,8 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
             .collect();
         let right = found.iter().filter(|(verdict, _)| matches!(verdict, Verdict::Right(_))).count();
         let another = found.iter().filter(|(verdict, _)| matches!(verdict, Verdict::Another(_))).count();
-        let worst = found.iter().fold(0.0_f64, |worst, (verdict, _)| if let Verdict::Right(off) = verdict { worst.max(*off) } else { worst });
+        let worst =
+            found.iter().fold(0.0_f64, |worst, (verdict, _)| if let Verdict::Right(off) = verdict { worst.max(*off) } else { worst });
         let wrong: Vec<(usize, String)> = found
             .iter()
             .enumerate()
