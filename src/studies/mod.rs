@@ -7,15 +7,23 @@
 //! ```
 //! A study never stops half-way: what goes wrong in it is a failed [`Check`] of its section. Studies may use rivals; no plan may.
 
+mod cells;
 mod convergence;
 pub mod counters;
+pub mod draw;
+pub mod effects;
+pub mod hard_cases;
+pub mod honesty;
+pub mod known_states;
 mod manufactured;
 pub mod order;
 pub mod precision;
 mod reference;
 mod report;
 mod run;
+pub mod scene_bytes;
 mod section;
+pub mod seeded_sweep;
 mod stamp;
 pub mod stored;
 pub mod timing;
@@ -58,4 +66,8 @@ pub const STUDIES: &[Study] = &[
     beside("convergence_crack", convergence::crack::study),
     beside("process_zone", convergence::zone::study),
     beside("manufactured", manufactured::study),
+    beside("honesty", honesty::study),
+    beside("hard_cases", hard_cases::study),
+    beside("seeded_sweep", seeded_sweep::study),
+    alone("effects", effects::study),
 ];
