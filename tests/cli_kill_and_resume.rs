@@ -243,3 +243,72 @@ fn two_runs_into_one_folder_do_not_meet() {
     assert_eq!(resumed.code, 2, "another scene's journal is refused, not locked: {}", resumed.stderr);
     assert!(resumed.stderr.contains("unfinished run"), "{}", resumed.stderr);
 }
+
+/// A sphere that sticks and swings through so many cycles: one state, a march of many steps.
+fn swinging(cycles: u32) -> String {
+    format!(
+        r#"title = "A sphere that swings"
+accuracy = 1e-2
+
+[material]
+relaxed_modulus = "1 MPa"
+glassy_modulus = "10 MPa"
+poisson_ratio = 0.49
+creep = [{{ fraction = 1, retardation_time = "10 ms" }}]
+
+[adhesion]
+work_of_adhesion = "50 mJ/m²"
+process_zone = {{ length = "1 µm" }}
+
+[indentation]
+sphere = {{ radius = "1 mm" }}
+start = "relaxed"
+penetration = "5 µm"
+energies = true
+instants = 20
+
+[[history]]
+oscillation = {{ quantity = "penetration", amplitude = "2 µm", frequency = "30 Hz", cycles = {cycles} }}
+"#
+    )
+}
+
+#[test]
+fn a_march_killed_in_flight_goes_on_to_the_same_bytes() {
+    let checkpoint = "DIR.partial/state-0.checkpoint";
+    let mut cycles = 100;
+    // A run that is over before its first checkpoint is made longer.
+    let (folder, scene) = loop {
+        let scene = swinging(cycles);
+        let folder = Folder::with(&scene);
+        let mut child = start(&folder);
+        while !folder.path(checkpoint).exists() && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        if folder.path(checkpoint).exists() && !folder.path("DIR").exists() {
+            break (folder, scene);
+        }
+        cycles *= 4;
+        assert!(cycles < 1_000_000, "no checkpoint was left");
+    };
+    let whole = Folder::with(&scene);
+    whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+    let altered = std::fs::read(folder.path(checkpoint)).unwrap();
+
+    let resumed = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+    assert!(resumed.stderr.contains("resuming: 0 of 1 states were finished before, 1 begun"), "{}", resumed.stderr);
+    assert!(!folder.path("DIR.partial").exists());
+    assert_eq!(folder.files("DIR").keys().collect::<Vec<_>>(), whole.files("DIR").keys().collect::<Vec<_>>());
+    for (name, bytes) in whole.files("DIR") {
+        assert!(folder.files("DIR")[&name] == bytes, "{name} differs after {cycles} cycles");
+    }
+
+    // Half a checkpoint is none.
+    let broken = Folder::with(&scene);
+    std::fs::create_dir(broken.path("DIR.partial")).unwrap();
+    broken.write(checkpoint, altered[..altered.len() / 2].to_vec());
+    broken.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
+    assert!(broken.files("DIR") == whole.files("DIR"));
+}

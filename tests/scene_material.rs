@@ -320,6 +320,30 @@ fn tables_are_read_as_instruments_write_them() {
 }
 
 #[test]
+fn a_law_is_expanded_as_far_as_the_scene_reaches() {
+    let folder = Folder::new();
+    // Its own range ends at a second, six decades above the law's time; the slow crack sees hours.
+    let law = "relaxed_modulus = \"1 MPa\"\nglassy_modulus = \"1 GPa\"\npower_law = { exponent = 0.45, time = \"1 µs\" }\n";
+    let solved = |range: &str| {
+        let text = scene(&format!("{law}expansion = {{ accuracy = 1e-4{range} }}\n"), CRACK);
+        folder.write("scene.toml", &text);
+        let slow = ["--set", "accuracy=1e-3", "--set", "crack.speed=\"1 nm/s\""];
+        let json = folder.call(&[&["run", "scene.toml", "--json"], &slow[..]].concat()).ended(0).json();
+        let cautious = json["validity"].to_string().contains("range of the expansion");
+        (json["results"][0]["values"]["energy_release_rate"]["value"].as_f64().unwrap(), cautious)
+    };
+    let widened = solved("");
+    let named = solved(", slowest_time = \"1e9 s\", fastest_time = \"1 ps\"");
+    let kept = solved(", slowest_time = \"1 s\", fastest_time = \"1 ps\"");
+    println!("widened {widened:?}, named {named:?}, kept narrow {kept:?}");
+    assert!(!widened.1 && !named.1, "the range was not widened");
+    assert!(kept.1, "a range that the scene names is kept, with a word of caution");
+    // Both follow the law to 1e-4 of its modulus; results by a few times that.
+    assert!((widened.0 / named.0 - 1.0).abs() < 1e-3);
+    assert!((kept.0 / named.0 - 1.0).abs() > 1e-2, "the crack does not feel the range");
+}
+
+#[test]
 fn laws_run_and_unfelt_terms_change_results_within_the_bound() {
     let folder = Folder::new();
     let law = "relaxed_modulus = \"1 MPa\"\nglassy_modulus = \"1 GPa\"\npower_law = { exponent = 0.45, time = \"1 µs\" }\nexpansion = { accuracy = 1e-4, slowest_time = \"1e5 s\", fastest_time = \"1 ns\" }\n";

@@ -4,10 +4,13 @@ use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, print};
 use crate::outcome::folder::RunFolder;
 use crate::outcome::{screen, summary};
-use crate::plan;
+use crate::plan::{self, Safe, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
 use std::time::Duration;
+
+/// Parts of a bar of one state.
+const PARTS: u64 = 1000;
 
 pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, json: bool) -> Result<u8, Failure> {
     let source = SceneSource::load(arguments)?;
@@ -17,15 +20,21 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
     let mut folder = None;
     let mut finished = Vec::new();
     if let Some(target) = out {
-        let (opened, states) = RunFolder::open(target, &header, force)?;
-        if !states.is_empty() {
-            eprintln!("resuming: {} of {} states were finished before", states.len(), header.states);
+        let (mut opened, states) = RunFolder::open(target, &header, force)?;
+        let begun = opened.journal().1.begun(header.states);
+        if !states.is_empty() || begun > 0 {
+            let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
+            eprintln!("resuming: {} of {} states were finished before{under_way}", states.len(), header.states);
         }
         (folder, finished) = (Some(opened), states);
     }
     let bar = progress_bar(header.states);
-    let progress = |done: usize, _total: usize| bar.set_position(done as u64);
-    let outcome = plan::run(&source.document, &source.scene, finished, folder.as_mut().map(RunFolder::journal), &progress)?;
+    let progress = |stage: Stage| show(&bar, header.states, stage);
+    let safe = folder.as_mut().map(|folder| {
+        let (journal, checkpoints) = folder.journal();
+        Safe { journal, checkpoints }
+    });
+    let outcome = plan::run(&source.document, &source.scene, finished, safe, &progress)?;
     bar.finish_and_clear();
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
     if json {
@@ -42,10 +51,34 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
 
 /// A bar on a terminal's standard error, for work that takes long enough to be waited for.
 fn progress_bar(states: usize) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(Some(states as u64), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} states, {eta} left") {
+    let (length, template) = if states == 1 {
+        (PARTS, "{bar:40} {percent} %{msg}, {eta} left")
+    } else {
+        (states as u64, "{bar:40} {pos}/{len} states{msg}, {eta} left")
+    };
+    let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+/// Shows a stage: of one state alone the march under way, each of which starts the bar and its clock anew.
+fn show(bar: &ProgressBar, states: usize, stage: Stage) {
+    match stage {
+        Stage::States { finished, .. } if states > 1 => bar.set_position(finished as u64),
+        Stage::States { .. } => {}
+        Stage::March { number, part, .. } if states == 1 => {
+            let message = format!(" of march {number}");
+            if bar.message() != message {
+                bar.set_message(message);
+                bar.reset_eta();
+            }
+            bar.set_position((part * PARTS as f64) as u64);
+        }
+        Stage::March { state, number, part } => {
+            bar.set_message(format!("; state {} at {:.0} % of its march {number}", state + 1, 100.0 * part));
+        }
+    }
 }

@@ -86,7 +86,7 @@ impl Source {
             Some(form) => form.table()?,
             None => {
                 let (document, scene) = self.scene()?;
-                let outcome = plan::run(&document, &scene, Vec::new(), None, &|_, _| ())?;
+                let outcome = plan::run(&document, &scene, Vec::new(), None, &|_| ())?;
                 Table::of_outcome(&outcome, self.entry.fields)?
             }
         };

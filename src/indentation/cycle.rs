@@ -1,12 +1,13 @@
 //! What one cycle of an oscillation turns out to be.
 
 use crate::estimate::Estimate;
+use serde::{Deserialize, Serialize};
 
 /// One whole cycle of a stretch that oscillates; `T` is `f64` in one march, [`Estimate`] in a solution.
 ///
 /// Amplitudes are of the fundamental, x ≈ mean + in_phase·sin φ + quadrature·cos φ, φ the phase of what is controlled, with the straight line
 /// between both ends of the cycle taken off first, so that a ramp beneath does not count.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cycle<T> {
     /// Which stretch of the history, from 0.
     pub segment: usize,

@@ -85,6 +85,12 @@ impl Edge {
         Self { adhesion, load_scale, depth_scale, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
     }
 
+    /// As it was between two steps: what makes trials quick is found again.
+    pub(super) fn restore(&mut self, held: Option<u32>, evaluations: u64, updates: u64) {
+        (self.held, self.evaluations, self.updates) = (held, evaluations, updates);
+        (self.kernel, self.window) = (None, None);
+    }
+
     pub(super) fn zone(&self) -> f64 {
         self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
     }

@@ -2,9 +2,10 @@
 
 use super::oscillation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative};
+use serde::{Deserialize, Serialize};
 
 /// What a stretch of a history controls.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Controlled {
     /// Δ (m).
     Penetration,

@@ -13,6 +13,7 @@ use super::profile::Profile;
 use super::springs::{DEGREE, Springs};
 use super::zone::{Zone, zone_work};
 use crate::refusal::{Refusal, require_finite, require_non_negative};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Ratio of neighbouring panels of a graded stretch: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
@@ -30,7 +31,7 @@ pub enum Sweep {
 }
 
 /// One panel of the line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Cell {
     pub(super) low: f64,
     pub(super) high: f64,

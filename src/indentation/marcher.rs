@@ -1,19 +1,20 @@
 //! One march through a history: segments, kept instants, and what happens between steps.
 
+use super::checkpoint::{MarchState, Observer};
 use super::edge::{Edge, Imposed, node_of};
-use super::history::{Controlled, Segment};
-use super::line::{Contact, Sweep};
+use super::history::Controlled;
+use super::line::Contact;
 use super::meter::Meter;
-use super::motion::{Motion, Passage};
 use super::past::Past;
 use super::problem::{IndentationProblem, Start};
 use super::record::Record;
 use super::solution::{EventKind, Trace};
-use super::springs::{DEGREE, Springs};
+use super::springs::Springs;
 use super::start::{size_of, started};
+use super::stretch::{Place, Stretch};
 use crate::material::Material;
 use crate::refusal::Refusal;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// First time step of a segment, over the shortest relaxation time and over the segment, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_TIME: f64 = 0.1;
@@ -33,12 +34,6 @@ const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
 const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
-/// Part of the largest force that is none.
-const NO_FORCE: f64 = 1e-12;
-/// Overlap at which a contact without adhesion begins, over its depth.
-const FIRST_OVERLAP: f64 = 1e-9;
-/// Most that an oscillation goes on within a step (rad), at the loosest tolerance: the work of a cycle is taken through the last six points.
-const ANGLE: f64 = 0.4;
 /// Most further steps for each cycle of a stretch.
 const STEPS_OF_A_CYCLE: u64 = 2_000;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
@@ -55,7 +50,14 @@ const PARTS: u32 = 16;
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
 pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
-    march_to(material, problem, tolerance, &[])
+    march_to(material, problem, tolerance, &[], Guide::default())
+}
+
+/// Where a march begins, and who watches it.
+#[derive(Default)]
+pub(super) struct Guide<'a> {
+    pub(super) from: Option<MarchState>,
+    pub(super) observer: Option<Observer<'a>>,
 }
 
 /// The same with stretches that end early: which, and how long they take (s).
@@ -64,14 +66,25 @@ pub(super) fn march_to(
     problem: &IndentationProblem,
     tolerance: f64,
     stops: &[(usize, f64)],
+    guide: Guide<'_>,
 ) -> Result<Trace, Refusal> {
     problem.checked()?;
     let springs = Springs::new(material)?;
     let mut marcher = Marcher::new(&springs, problem, tolerance)?;
-    marcher.record.trace.shortened = stops.to_vec();
-    let trace = marcher.through()?;
+    marcher.observer = guide.observer;
+    let trace = match guide.from {
+        Some(state) => {
+            marcher.restore(state)?;
+            marcher.through(true)?
+        }
+        None => {
+            marcher.record.trace.shortened = stops.to_vec();
+            marcher.begin()?;
+            marcher.through(false)?
+        }
+    };
     let zone = problem.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
-    trace.path.iter().try_for_each(|point| problem.profile.holds(point.contact_radius, zone))?;
+    problem.profile.holds(trace.summary.scales[2], zone)?;
     Ok(trace)
 }
 
@@ -96,44 +109,19 @@ pub(super) struct Marcher<'a> {
     pub(super) corner: f64,
     /// Shortest time that counts after a corner.
     pub(super) first: f64,
-    pace: Option<(Controlled, f64)>,
+    pub(super) pace: Option<(Controlled, f64)>,
     /// F(t) has a corner when the edge has left the place of its last corner by one process zone: a step ends there.
     pub(super) landmarks: Vec<f64>,
     /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
     pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
     /// Largest force imposed.
-    force_scale: f64,
+    pub(super) force_scale: f64,
     /// What is added up over the cycle under way.
-    meter: Option<Meter>,
+    pub(super) meter: Option<Meter>,
     pub(super) record: Record<'a>,
-}
-
-/// The stretch of history under way; times count from its start.
-pub(super) struct Stretch {
-    pub(super) from: f64,
-    pub(super) segment: Segment,
-}
-
-impl Stretch {
-    pub(super) fn value(&self, time: f64) -> f64 {
-        self.segment.value(self.from, time)
-    }
-
-    /// Where the next whole cycle ends after so many, if the stretch oscillates and holds another.
-    fn end_of_cycle(&self, number: u64) -> Option<f64> {
-        self.segment.oscillation.and_then(|oscillation| oscillation.time_of(number as f64, self.segment.duration))
-    }
-
-    /// Longest step that an oscillation allows at a time.
-    fn longest_step(&self, time: f64) -> f64 {
-        self.segment.oscillation.map_or(f64::INFINITY, |oscillation| {
-            let duration = self.segment.duration;
-            let now = oscillation.frequency_at(time, duration);
-            let soon = oscillation.frequency_at((time + 1.0 / now).min(duration), duration);
-            ANGLE / (TAU * now.max(soon))
-        })
-    }
+    pub(super) place: Place,
+    pub(super) observer: Option<Observer<'a>>,
 }
 
 impl<'a> Marcher<'a> {
@@ -183,10 +171,13 @@ impl<'a> Marcher<'a> {
             turns: Vec::new(),
             slopes: (0.0, 0.0),
             force_scale: largest(Controlled::Force),
+            place: Place::default(),
+            observer: None,
         })
     }
 
-    fn through(mut self) -> Result<Trace, Refusal> {
+    /// The state at the start, as the first point of the path.
+    fn begin(&mut self) -> Result<(), Refusal> {
         let residual = match self.problem.adhesion {
             Some(_) if self.contact.radius() > 0.0 => {
                 let depth = self.contact.penetration();
@@ -202,11 +193,33 @@ impl<'a> Marcher<'a> {
         }
         self.record.point(self.now(), &self.contact, residual);
         self.record.keep();
+        Ok(())
+    }
+
+    /// The stretches one after the other; `restored`: from within the one that a checkpoint was taken in.
+    fn through(mut self, restored: bool) -> Result<Trace, Refusal> {
         let history = &self.problem.history;
         let mut last = (history.controlled, history.start);
-        for (index, segment) in history.segments.iter().enumerate() {
-            let from = if segment.controlled == last.0 { last.1 } else { self.present(segment.controlled) };
-            let duration = self.segment(index, &Stretch { from, segment: *segment })?;
+        let first = if restored { self.place.segment } else { 0 };
+        for (index, segment) in history.segments.iter().enumerate().skip(first) {
+            let under_way = restored && index == first;
+            let from = if under_way {
+                self.place.from
+            } else if segment.controlled == last.0 {
+                last.1
+            } else {
+                self.present(segment.controlled)
+            };
+            let stretch = Stretch { from, segment: *segment };
+            let duration = if segment.duration == 0.0 {
+                self.suddenly(&stretch)?;
+                0.0
+            } else {
+                if !under_way {
+                    self.enter(index, &stretch);
+                }
+                self.segment(&stretch)?
+            };
             last = (segment.controlled, segment.value(from, duration));
         }
         let mut trace = self.record.finished();
@@ -274,16 +287,18 @@ impl<'a> Marcher<'a> {
         self.landmarks.clear();
     }
 
-    /// A stretch of the history, landing on each kept instant and at the end of each cycle. How long it took: one that oscillates may end early.
-    fn segment(&mut self, index: usize, stretch: &Stretch) -> Result<f64, Refusal> {
+    /// An instantaneous stretch.
+    fn suddenly(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
+        self.at_once(stretch)?;
+        self.pace = None;
+        self.record.keep();
+        Ok(())
+    }
+
+    /// The start of a stretch.
+    fn enter(&mut self, index: usize, stretch: &Stretch) {
         let segment = stretch.segment;
-        if segment.duration == 0.0 {
-            self.at_once(stretch)?;
-            self.pace = None;
-            self.record.keep();
-            return Ok(0.0);
-        }
-        let rate = (segment.end - stretch.from) / segment.duration;
+        let rate = stretch.rate();
         let same = segment.oscillation.is_none()
             && self
                 .pace
@@ -292,40 +307,54 @@ impl<'a> Marcher<'a> {
         if !same {
             self.restart();
         }
-        let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
-        // Instants of a stretch whose end is not known are its end alone.
-        let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
         self.meter = segment.oscillation.map(|oscillation| {
             let longest = self.springs.longest_retardation_time();
             Meter::new(index, (oscillation, segment.duration), self.origin, longest, self.record.trace.path.last())
         });
-        let mut budget = self.record.trace.work.steps + MOST_STEPS;
-        let stop = self.record.trace.shortened.iter().find(|stop| stop.0 == index).map(|stop| stop.1);
-        let mut duration = stop.unwrap_or(segment.duration);
-        let (mut instant, mut cycle) = (1, 1);
-        while self.time < duration {
+        self.place = Place {
+            segment: index,
+            from: stretch.from,
+            duration: self.record.end_of(index).unwrap_or(segment.duration),
+            instant: 1,
+            cycle: 1,
+            budget: self.record.trace.work.steps + MOST_STEPS,
+            most_steps: MOST_STEPS,
+        };
+    }
+
+    /// A stretch of the history from where the march is in it, landing on each kept instant and at the end of each cycle. How long it took: one
+    /// that oscillates may end early.
+    fn segment(&mut self, stretch: &Stretch) -> Result<f64, Refusal> {
+        let segment = stretch.segment;
+        let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+        // Instants of a stretch whose end is not known are its end alone.
+        let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
+        let stop = self.record.end_of(self.place.segment);
+        while self.time < self.place.duration {
+            let Place { duration, instant, cycle, .. } = self.place;
             let next_instant = duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
             let end_of_cycle = stretch.end_of_cycle(cycle);
             let target = end_of_cycle.map_or(next_instant, |end| end.min(next_instant));
-            self.go_to(stretch, target, budget)?;
+            self.go_to(stretch, target)?;
             if end_of_cycle.is_some_and(|end| end <= target) {
-                cycle += 1;
-                budget += STEPS_OF_A_CYCLE;
+                self.place.cycle += 1;
+                self.place.budget += STEPS_OF_A_CYCLE;
+                self.place.most_steps += STEPS_OF_A_CYCLE;
                 let stationary =
                     self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
-                    duration = target;
-                    self.record.trace.shortened.push((index, duration));
+                    self.place.duration = target;
+                    self.record.trace.shortened.push((self.place.segment, target));
                 }
             }
-            if self.time >= next_instant || self.time >= duration {
+            if self.time >= next_instant || self.time >= self.place.duration {
                 self.record.keep();
-                instant += 1;
+                self.place.instant += 1;
             }
         }
-        self.record.last_cycle();
-        self.meter = None;
-        self.pace = segment.oscillation.is_none().then_some((segment.controlled, rate));
+        let duration = self.place.duration;
+        self.record.last_cycle(self.meter.take());
+        self.pace = segment.oscillation.is_none().then_some((segment.controlled, stretch.rate()));
         self.origin += duration;
         self.time = 0.0;
         self.corner -= duration;
@@ -333,13 +362,17 @@ impl<'a> Marcher<'a> {
         Ok(duration)
     }
 
-    fn go_to(&mut self, stretch: &Stretch, target: f64, budget: u64) -> Result<(), Refusal> {
+    fn go_to(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         while self.time < target {
+            self.observe();
+            // What a march with a checkpoint here would not have.
+            self.edge.forget();
             self.record.trace.work.steps += 1;
-            if self.record.trace.work.steps > budget {
+            if self.record.trace.work.steps > self.place.budget {
+                let most = self.place.most_steps;
                 return Err(Refusal::NotConverged {
                     what: "the march",
-                    detail: format!("{MOST_STEPS} steps of one stretch reached t = {:e}", self.now()),
+                    detail: format!("{most} steps of one stretch reached t = {:e}", self.now()),
                 });
             }
             self.step(stretch, target)?;
@@ -403,72 +436,6 @@ impl<'a> Marcher<'a> {
         if let (Some(meter), Some(point)) = (&mut self.meter, self.record.trace.path.last()) {
             meter.step(point);
         }
-    }
-
-    /// W on the axis of an open contact, which the indenter touches first.
-    fn surface(&self) -> f64 {
-        self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0))
-    }
-
-    /// Overlap at which a contact without adhesion begins: what is left of one that shrank to a point is none.
-    fn overlap(&self) -> f64 {
-        if self.problem.adhesion.is_some() { 0.0 } else { FIRST_OVERLAP * self.edge.depth_scale }
-    }
-
-    /// Force from which a contact without adhesion counts.
-    fn touching_force(&self) -> f64 {
-        if self.problem.adhesion.is_some() { 0.0 } else { NO_FORCE * self.force_scale }
-    }
-
-    /// Whether an open contact stays open under the imposed value.
-    fn is_open(&self, controlled: Controlled, value: f64) -> bool {
-        match controlled {
-            // Without a force the frame's end is where the indenter is.
-            Controlled::Penetration | Controlled::Frame => value < self.surface() + self.overlap(),
-            // An indenter pushed by a force stays where it lost contact, until it is pushed again.
-            Controlled::Force | Controlled::ContactRadius => value <= self.touching_force(),
-        }
-    }
-
-    /// The time for which the indenter stays off a surface that creeps back: at most `cap`.
-    fn until_touch(&self, controlled: Controlled, cap: f64, value: &dyn Fn(f64) -> f64) -> f64 {
-        if !self.is_open(controlled, value(0.0)) {
-            return 0.0;
-        }
-        let overlap = |dt: f64| match controlled {
-            Controlled::Force | Controlled::ContactRadius => value(dt) - self.touching_force(),
-            Controlled::Penetration | Controlled::Frame => match self.contact.moved(0.0, value(dt), dt, Sweep::Linear) {
-                Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)) - self.overlap(),
-                Err(_) => -1.0,
-            },
-        };
-        if overlap(cap) <= 0.0 {
-            return cap;
-        }
-        let (mut low, mut high) = (0.0, cap);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if overlap(middle) <= 0.0 { low = middle } else { high = middle }
-        }
-        high
-    }
-
-    fn open(&mut self, controlled: Controlled, dt: f64, value: f64) -> Result<(), Refusal> {
-        let depth = match controlled {
-            Controlled::Penetration | Controlled::Frame => value,
-            Controlled::Force | Controlled::ContactRadius => self.contact.penetration(),
-        };
-        self.glide(0.0, depth, dt);
-        Ok(())
-    }
-
-    /// A straight motion, its energies accounted for.
-    pub(super) fn glide(&mut self, radius: f64, penetration: f64, dt: f64) {
-        let mut powers = [0.0; DEGREE];
-        powers[0] = penetration - self.contact.penetration();
-        let motion =
-            Motion::new(self.contact.profile(), (self.contact.radius(), radius), dt, Passage::Radius, self.contact.penetration(), powers);
-        self.go(&motion, penetration);
     }
 
     /// An instantaneous change of what is imposed: the edge follows glassily, in small parts of the change.

@@ -8,6 +8,8 @@ use super::cycle::Cycle;
 use super::oscillation::Oscillation;
 use super::panel::RULE;
 use super::solution::PathPoint;
+use super::spread::Spread;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// Points behind a polynomial.
@@ -18,6 +20,7 @@ const HALVINGS: u32 = 40;
 const IN_A_ROW: u32 = 2;
 
 /// Adds up one cycle after the other.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Meter {
     segment: usize,
     oscillation: Oscillation,
@@ -31,10 +34,11 @@ pub(super) struct Meter {
     sums: Sums,
     last: Option<Cycle<f64>>,
     still: u32,
+    spread: Option<Spread>,
 }
 
 /// Of the cycle under way.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Sums {
     start: f64,
     /// Δ and F at its start.
@@ -116,7 +120,7 @@ impl Meter {
         };
         let now = now.unwrap_or(&nothing);
         let sums = Sums::new(now);
-        Self { segment, oscillation, duration, origin, longest, points: vec![*now], number: 0, sums, last: None, still: 0 }
+        Self { segment, oscillation, duration, origin, longest, points: vec![*now], number: 0, sums, last: None, still: 0, spread: None }
     }
 
     /// A step has been taken to a point.
@@ -217,10 +221,18 @@ impl Meter {
         }
         self.still = if cycle.drift <= tolerance { self.still + 1 } else { 0 };
         self.last = Some(cycle);
+        Spread::add(&mut self.spread, &cycle, self.oscillation.cycles_at(self.duration, self.duration));
         if let Some(point) = now {
             self.sums = Sums::new(&point);
         }
         (cycle, self.still >= IN_A_ROW)
+    }
+}
+
+impl Meter {
+    /// By how much the cycles differ; none where the frequency itself goes up or down.
+    pub(super) fn spread(&self) -> Option<Spread> {
+        self.spread.filter(|_| self.oscillation.frequency.to_bits() == self.oscillation.end_frequency.to_bits())
     }
 }
 

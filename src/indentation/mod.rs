@@ -33,6 +33,7 @@
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
 mod advance;
+mod checkpoint;
 mod coarsening;
 mod cycle;
 mod edge;
@@ -46,6 +47,7 @@ mod line;
 mod marcher;
 mod meter;
 mod motion;
+mod open;
 mod oscillation;
 mod panel;
 mod passing;
@@ -56,13 +58,16 @@ mod record;
 mod run;
 mod shape;
 mod solution;
+mod spread;
 mod springs;
 mod start;
 mod stepping;
+mod stretch;
 mod summary;
 mod window;
 mod zone;
 
+pub use checkpoint::{Checkpoint, Watch};
 pub use cycle::Cycle;
 pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius};
 pub use elliptic::elliptic_k;
@@ -74,9 +79,10 @@ pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};
 pub use profile::Profile;
-pub use run::run;
+pub use run::{run, run_watched};
 pub use shape::TabulatedShape;
 pub use solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+pub use spread::Spread;
 pub use springs::Springs;
 pub use summary::Summary;
 pub use zone::{Zone, zone_work};

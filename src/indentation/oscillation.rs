@@ -1,13 +1,14 @@
 //! An oscillation about what a stretch of a history goes through: a sinus of one frequency, or of one that goes up or down.
 
 use crate::refusal::{Refusal, require_non_negative, require_positive};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Frequencies nearer than this, relative, are the same: the formulas of a sweep divide by their difference.
 const SAME_FREQUENCY: f64 = 1e-9;
 
 /// How a frequency goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FrequencySweep {
     /// f linear in time.
     Linear,
@@ -16,7 +17,7 @@ pub enum FrequencySweep {
 }
 
 /// amplitude·sin 2πN(t), N the cycles since the start of the stretch.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Oscillation {
     /// Of the controlled quantity, in its unit; ≥ 0.
     pub amplitude: f64,

@@ -6,6 +6,7 @@
 
 use super::motion::polynomial;
 use super::springs::DEGREE;
+use serde::{Deserialize, Serialize};
 
 /// Points kept.
 const KEPT: usize = DEGREE;
@@ -13,7 +14,7 @@ const KEPT: usize = DEGREE;
 const FALLS: f64 = 0.9;
 
 /// A point of the march.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Node {
     pub(super) time: f64,
     /// y(a), see [`super::motion`].
@@ -24,7 +25,7 @@ pub(super) struct Node {
 }
 
 /// Points since the last corner, the newest first.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Past {
     nodes: Vec<Node>,
     /// Whether the edge was at rest, turning, at the oldest node: its speed is a condition too, then.

@@ -1,13 +1,15 @@
 //! The record of a march: points of its path, kept instants, events, the account of energies.
 
+use super::checkpoint::ContactState;
 use super::cycle::Cycle;
 use super::line::Contact;
 use super::meter::Meter;
 use super::motion::Motion;
 use super::panel::RULE;
 use super::past::Node;
-use super::solution::{Energies, Event, EventKind, IndentationWork, PathPoint, Trace};
-use super::summary::Summary;
+use super::solution::{Energies, Event, EventKind, PathPoint, Trace};
+use crate::refusal::Refusal;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Most points of a path, and most cycles, that are held; kept instants come on top.
@@ -33,21 +35,44 @@ pub(super) struct Record<'a> {
     newest_cycle: Option<Cycle<f64>>,
 }
 
+/// A record without the solid it is of.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct RecordState {
+    trace: Trace,
+    piece: u32,
+    turned_over: [f64; 3],
+    area_rate: f64,
+    sudden: bool,
+    last: Option<ContactState>,
+    cycle_stride: u64,
+    newest_cycle: Option<Cycle<f64>>,
+}
+
 impl<'a> Record<'a> {
+    pub(super) fn state(&self) -> RecordState {
+        let Self { trace, piece, energies: _, turned_over, area_rate, sudden, last, cycle_stride, newest_cycle } = self;
+        RecordState {
+            trace: trace.clone(),
+            piece: *piece,
+            turned_over: *turned_over,
+            area_rate: *area_rate,
+            sudden: *sudden,
+            last: last.as_ref().map(ContactState::of),
+            cycle_stride: *cycle_stride,
+            newest_cycle: *newest_cycle,
+        }
+    }
+
+    /// The record of a state, of the same springs and profile as `like`.
+    pub(super) fn restored(state: RecordState, like: &Contact<'a>) -> Result<Self, Refusal> {
+        let RecordState { trace, piece, turned_over, area_rate, sudden, last, cycle_stride, newest_cycle } = state;
+        let last = last.map(|last| last.restored(like)).transpose()?;
+        Ok(Self { trace, piece, energies: last.is_some(), turned_over, area_rate, sudden, last, cycle_stride, newest_cycle })
+    }
+
     pub(super) fn new(contact: &Contact<'a>, energies: bool) -> Self {
-        let trace = Trace {
-            path: Vec::new(),
-            kept: Vec::new(),
-            events: Vec::new(),
-            cycles: Vec::new(),
-            shortened: Vec::new(),
-            summary: Summary::default(),
-            work: IndentationWork::default(),
-            smallest_stress_intensity_factor: f64::INFINITY,
-            smallest_gap_factor: f64::INFINITY,
-        };
         Self {
-            trace,
+            trace: Trace::default(),
             piece: 0,
             energies,
             turned_over: [0.0; 3],
@@ -171,8 +196,14 @@ impl<'a> Record<'a> {
         Some(stationary)
     }
 
-    /// A stretch that oscillates has ended: its last cycle is kept.
-    pub(super) fn last_cycle(&mut self) {
+    /// How long a stretch takes that is known to end early (s).
+    pub(super) fn end_of(&self, segment: usize) -> Option<f64> {
+        self.trace.shortened.iter().find(|stop| stop.0 == segment).map(|stop| stop.1)
+    }
+
+    /// A stretch has ended: the last cycle of one that oscillates is kept, and by how much its cycles differ.
+    pub(super) fn last_cycle(&mut self, meter: Option<Meter>) {
+        self.trace.spreads.extend(meter.and_then(|meter| meter.spread()));
         if let Some(newest) = self.newest_cycle.take() {
             let there = self.trace.cycles.last().is_some_and(|cycle| (cycle.segment, cycle.number) == (newest.segment, newest.number));
             if !there {
@@ -246,20 +277,7 @@ impl<'a> Record<'a> {
     }
 
     pub(super) fn finished(&mut self) -> Trace {
-        std::mem::replace(
-            &mut self.trace,
-            Trace {
-                path: Vec::new(),
-                kept: Vec::new(),
-                events: Vec::new(),
-                cycles: Vec::new(),
-                shortened: Vec::new(),
-                summary: Summary::default(),
-                work: IndentationWork::default(),
-                smallest_stress_intensity_factor: 0.0,
-                smallest_gap_factor: 0.0,
-            },
-        )
+        std::mem::take(&mut self.trace)
     }
 }
 

@@ -1,7 +1,8 @@
 //! A history of contact from a problem to numbers with errors: marches, each tighter than the one before, until the errors meet the accuracy.
 
+use super::checkpoint::{Checkpoint, Observer, Watch};
 use super::cycle::Cycle;
-use super::marcher::{march, march_to};
+use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
 use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::estimate::Estimate;
@@ -35,26 +36,48 @@ const TIGHTEST: f64 = 1e-9;
 /// # Errors
 /// Every refusal of [`march`].
 pub fn run(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
+    run_watched(material, problem, None, None)
+}
+
+/// The same, watched, and from a checkpoint of the same material and problem: the numbers are the same, to the last bit.
+///
+/// # Errors
+/// Every refusal of [`march`](super::march); [`Refusal::Undefined`] for a checkpoint of something else.
+pub fn run_watched(
+    material: &Material,
+    problem: &IndentationProblem,
+    from: Option<Checkpoint>,
+    watch: Option<&dyn Watch>,
+) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
+    let mut finished = 0;
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, 0.03);
-    let mut coarse = march(material, problem, tolerance)?;
-    let mut work = coarse.work;
-    let mut solution = None;
-    for _ in 0..MOST_MARCHES {
-        tolerance = (TIGHTER * tolerance).max(TIGHTEST);
-        // Stretches that were stationary early are as long for every tighter march.
-        let fine = march_to(material, problem, tolerance, &coarse.shortened)?;
-        work.add(&fine.work);
-        let judged = judged(problem, &coarse, fine.clone(), work);
-        let reached = judged.reached;
-        solution = Some(judged);
-        let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * fine.cycles.last().map_or(0, |cycle| cycle.number);
-        if reached || tolerance <= TIGHTEST || work.closure_evaluations > most {
-            break;
-        }
-        coarse = fine;
+    let mut coarse: Option<Trace> = None;
+    let mut work = IndentationWork::default();
+    let mut under_way = None;
+    if let Some(checkpoint) = from {
+        let march;
+        Checkpoint { finished, tolerance, coarse, work, march } = checkpoint;
+        under_way = Some(march);
     }
-    solution.ok_or_else(|| Refusal::NotConverged { what: "the march", detail: "no march was made".into() })
+    loop {
+        let observer = watch.map(|watch| Observer { watch, finished, coarse: coarse.as_ref(), work });
+        // Stretches that were stationary early are as long for every tighter march.
+        let stops = coarse.as_ref().map_or(&[][..], |coarse| &coarse.shortened);
+        let fine = march_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer })?;
+        finished += 1;
+        work.add(&fine.work);
+        if let Some(coarse) = &coarse {
+            let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * fine.cycles.last().map_or(0, |cycle| cycle.number);
+            let last = finished > MOST_MARCHES || tolerance <= TIGHTEST || work.closure_evaluations > most;
+            let judged = judged(problem, coarse, fine.clone(), work);
+            if judged.reached || last {
+                return Ok(judged);
+            }
+        }
+        coarse = Some(fine);
+        tolerance = (TIGHTER * tolerance).max(TIGHTEST);
+    }
 }
 
 impl IndentationWork {

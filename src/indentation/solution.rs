@@ -1,12 +1,14 @@
 //! What a history of contact turns out to be.
 
 use super::cycle::Cycle;
+use super::spread::Spread;
 use super::summary::Summary;
 use crate::estimate::Estimate;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// A step of the march, as computed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// t (s).
     pub time: f64,
@@ -27,7 +29,7 @@ pub struct PathPoint {
 }
 
 /// The account of energies at a step.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     /// U (J).
     pub stored: f64,
@@ -48,7 +50,7 @@ pub struct Energies {
 }
 
 /// What happened.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EventKind {
     /// The surface jumped into contact at first touch.
     JumpIn,
@@ -63,7 +65,7 @@ pub enum EventKind {
 }
 
 /// When, and in which state it began.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Event<T> {
     /// What.
     pub kind: EventKind,
@@ -78,7 +80,7 @@ pub struct Event<T> {
 }
 
 /// Work counters.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct IndentationWork {
     /// Steps taken.
     pub steps: u64,
@@ -91,7 +93,7 @@ pub struct IndentationWork {
 }
 
 /// One march.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// Every step, the start included; of more than 40 000 every second one again and again, but for kept instants.
     pub path: Vec<PathPoint>,
@@ -101,6 +103,8 @@ pub struct Trace {
     pub events: Vec<Event<f64>>,
     /// Whole cycles of stretches that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
+    /// By how much the cycles of each stretch that oscillates differ, the first tenth left out.
+    pub spreads: Vec<Spread>,
     /// Stretches that ended early, stationary: which, and how long they took (s).
     pub shortened: Vec<(usize, f64)>,
     /// What is told of every point, of those as well that a long path no longer holds.
@@ -111,6 +115,24 @@ pub struct Trace {
     pub smallest_stress_intensity_factor: f64,
     /// Smallest D outside the contact (m).
     pub smallest_gap_factor: f64,
+}
+
+impl Default for Trace {
+    /// Of no steps.
+    fn default() -> Self {
+        Self {
+            path: Vec::new(),
+            kept: Vec::new(),
+            events: Vec::new(),
+            cycles: Vec::new(),
+            spreads: Vec::new(),
+            shortened: Vec::new(),
+            summary: Summary::default(),
+            work: IndentationWork::default(),
+            smallest_stress_intensity_factor: f64::INFINITY,
+            smallest_gap_factor: f64::INFINITY,
+        }
+    }
 }
 
 impl Trace {

@@ -1,12 +1,13 @@
 //! What is told of every point of a march, whether or not the path still holds it.
 
 use super::solution::PathPoint;
+use serde::{Deserialize, Serialize};
 
 /// Points of a peak before and after its top.
 const BESIDE: usize = 2;
 
 /// Largest magnitudes, defects and the largest tension of a march.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Largest |Δ|, |F|, a and |K_I|.
     pub scales: [f64; 4],

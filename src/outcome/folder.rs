@@ -3,6 +3,7 @@
 //! `DIR.partial` holds the journal while a run is under way and the finished files at its end; then it becomes `DIR` by a rename. With
 //! `--force` an existing `DIR` steps aside first and is deleted last.
 
+use super::checkpoints::Checkpoints;
 use super::journal::{Found, Journal, JournalHeader, is_held, read};
 use super::row::Row;
 use super::{Outcome, csv_table, plot, summary};
@@ -47,6 +48,7 @@ pub struct RunFolder {
     target: PathBuf,
     partial: PathBuf,
     journal: Journal,
+    checkpoints: Checkpoints,
     force: bool,
 }
 
@@ -104,12 +106,15 @@ impl RunFolder {
         };
         std::fs::create_dir_all(&partial).map_err(io(&partial))?;
         let journal = Journal::open(&journal_path, header, &finished).map_err(io(&journal_path))?;
-        Ok((Self { target: target.to_owned(), partial, journal, force }, finished))
+        let checkpoints = Checkpoints::new(&partial, header);
+        // A kill may have come between the journal and the end of a checkpoint.
+        (0..finished.len()).try_for_each(|state| checkpoints.remove(state)).map_err(io(&partial))?;
+        Ok((Self { target: target.to_owned(), partial, journal, checkpoints, force }, finished))
     }
 
-    /// The journal to append finished states to.
-    pub fn journal(&mut self) -> &mut Journal {
-        &mut self.journal
+    /// The journal to append finished states to, and where those under way leave checkpoints.
+    pub fn journal(&mut self) -> (&mut Journal, Checkpoints) {
+        (&mut self.journal, self.checkpoints.clone())
     }
 
     /// Writes all files and moves the folder to its place; gives the names of the files.
@@ -117,7 +122,7 @@ impl RunFolder {
     /// # Errors
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
-        let Self { target, partial, journal, force } = self;
+        let Self { target, partial, journal, checkpoints: _, force } = self;
         let mut names = Vec::new();
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             let path = partial.join(name);

@@ -1,5 +1,6 @@
 //! What comes out: rows of values with errors, certificates, validity, work; as screen table, JSON, CSV and plots.
 
+pub mod checkpoints;
 pub mod csv_table;
 pub mod folder;
 pub mod journal;

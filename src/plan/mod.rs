@@ -9,6 +9,7 @@ mod assumptions;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
+mod desk;
 mod indentation;
 pub mod material;
 mod run;
@@ -16,7 +17,8 @@ mod sliding;
 mod steady_crack;
 
 pub(crate) use curves::short as short_number;
-pub use run::{Progress, RunError, journal_header, run};
+pub use desk::{Progress, Stage};
+pub use run::{RunError, Safe, journal_header, run};
 
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
 use crate::refusal::Refusal;
@@ -24,6 +26,7 @@ use crate::scene::sweep;
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
+use desk::Desk;
 use indentation::IndentationPlan;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
@@ -56,8 +59,8 @@ trait ProblemPlan: Debug + Send + Sync {
     }
     /// The columns of the field table: the place, then the fields.
     fn field_columns(&self) -> Vec<Column>;
-    /// Solves the state; one row a label.
-    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row>;
+    /// Solves the state; one row a label. One that takes long tells the desk how far it is, and leaves checkpoints there.
+    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row>;
     /// The model's assumptions held against the rows.
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
@@ -95,9 +98,15 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let full = problem_plan(scene)?;
+        let mut full = problem_plan(scene)?;
         let states = sweep::states(&scene.sweeps);
         let visited = full.visited_times();
+        // A law that the scene reaches beyond is expanded as far.
+        let wide = material::widened(scene, visited);
+        let scene = wide.as_ref().unwrap_or(scene);
+        if wide.is_some() {
+            full = problem_plan(scene)?;
+        }
         let unfelt = material::Unfelt::new(scene, visited)?;
         let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
             Some(shorter) => {
@@ -174,9 +183,8 @@ impl Plan {
     }
 
     /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
-    #[must_use]
-    pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        let mut rows = self.problem.solve(state, swept);
+    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+        let mut rows = self.problem.solve(state, swept, desk);
         if let Some(unfelt) = &self.unfelt {
             unfelt.widen(&mut rows);
         }

@@ -1,6 +1,8 @@
 //! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
 
 use super::Plan;
+use super::desk::{Desk, Progress, Stage};
+use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{Journal, JournalHeader};
 use crate::outcome::{Outcome, Row, Status, SweptColumn};
 use crate::refusal::Refusal;
@@ -16,9 +18,6 @@ const MOST_STATES: u64 = 128;
 /// Linear systems between two entries, where states are dear.
 const MOST_SOLVES: u64 = 4000;
 
-/// Told after each chunk how many of all states are finished.
-pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
-
 /// Why a run ended without an outcome.
 #[derive(Debug, Error)]
 pub enum RunError {
@@ -28,7 +27,7 @@ pub enum RunError {
     /// The physics refuses a number of the scene.
     #[error("{0}")]
     Refused(#[from] Refusal),
-    /// The journal cannot be written.
+    /// The journal, or a checkpoint, cannot be written.
     #[error("the journal cannot be written: {0}")]
     Journal(#[from] std::io::Error),
 }
@@ -43,6 +42,15 @@ pub fn journal_header(document: &Document, scene: &Scene) -> JournalHeader {
     }
 }
 
+/// Where a run keeps what it must not lose.
+#[derive(Debug)]
+pub struct Safe<'a> {
+    /// Of finished states.
+    pub journal: &'a mut Journal,
+    /// Of states under way.
+    pub checkpoints: Checkpoints,
+}
+
 /// Solves all states of a scene; those in `finished` are taken over.
 ///
 /// # Errors
@@ -51,7 +59,7 @@ pub fn run(
     document: &Document,
     scene: &Scene,
     finished: Vec<Vec<Row>>,
-    mut journal: Option<&mut Journal>,
+    mut safe: Option<Safe<'_>>,
     progress: Progress<'_>,
 ) -> Result<Outcome, RunError> {
     let plan = Plan::new(scene)?;
@@ -60,15 +68,22 @@ pub fn run(
     let between = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
     let mut all: Vec<Vec<Row>> = finished.into_iter().take(total).collect();
     while all.len() < total {
-        progress(all.len(), total);
+        progress(Stage::States { finished: all.len(), total });
         let chunk = all.len()..total.min(all.len() + between);
-        let solved: Vec<Vec<Row>> = chunk.into_par_iter().map(|state| solve_state(document, scene, state)).collect();
-        if let Some(journal) = journal.as_deref_mut() {
-            journal.append(&solved)?;
+        let checkpoints = safe.as_ref().map(|safe| &safe.checkpoints);
+        let solve = |state| {
+            let desk = Desk::new(state, checkpoints, progress);
+            let rows = solve_state(document, scene, &desk, state);
+            desk.failure().map_or(Ok(rows), Err)
+        };
+        let solved: Vec<Vec<Row>> = chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()?;
+        if let Some(safe) = &mut safe {
+            safe.journal.append(&solved)?;
+            chunk.into_iter().try_for_each(|state| safe.checkpoints.remove(state))?;
         }
         all.extend(solved);
     }
-    progress(total, total);
+    progress(Stage::States { finished: total, total });
     let rows: Vec<Row> = all.into_iter().flatten().collect();
     Ok(Outcome {
         title: scene.title.clone(),
@@ -94,19 +109,19 @@ pub fn run(
 }
 
 /// One state: its swept values put into the scene, read, planned, solved.
-fn solve_state(document: &Document, scene: &Scene, state: usize) -> Vec<Row> {
+fn solve_state(document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize) -> Vec<Row> {
     let places = indices(&scene.sweeps, state);
     let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
     let solved = || -> Result<Vec<Row>, String> {
         if scene.sweeps.is_empty() {
-            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve(state, &swept));
+            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve(state, &swept, desk));
         }
         let mut varied = document.clone();
         for (sweep, &index) in scene.sweeps.iter().zip(&places) {
             sweep.put(&mut varied, index).map_err(|error| error.to_string())?;
         }
         let varied = read::read_state(&varied).map_err(|error| error.to_string())?;
-        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve(state, &swept))
+        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve(state, &swept, desk))
     };
     solved().unwrap_or_else(|reason| {
         // The swept value contradicts the rest of the scene: one row that says so.

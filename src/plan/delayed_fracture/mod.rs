@@ -16,6 +16,7 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, DelayedFracture, ProcessZoneLaw, Scene, Units};
 
@@ -182,7 +183,7 @@ impl ProblemPlan for DelayedFracturePlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
         self.rows(state, swept)
     }
 

@@ -60,8 +60,11 @@ pub(super) mod at {
     pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 28;
     pub(crate) const LARGEST_CONTACT_RADIUS: usize = 29;
     pub(crate) const DRIFT: usize = 30;
+    pub(crate) const SPREAD: usize = 31;
+    pub(crate) const STEPS: usize = 32;
+    pub(crate) const PANELS: usize = 33;
     /// How many there are.
-    pub(crate) const ALL: usize = 31;
+    pub(crate) const ALL: usize = 34;
 }
 
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
@@ -137,6 +140,13 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Number,
         "Change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time.",
     ),
+    column(
+        "spread",
+        Measure::Number,
+        "In the last cycle of a segment of one frequency: the largest difference among all its cycles, the first tenth left out, of work, stiffnesses and extremes, over their scales.",
+    ),
+    column("steps", Measure::Number, "In the last instant's row: steps of the march that its numbers are from."),
+    column("most_panels", Measure::Number, "In the last instant's row: most panels of the line at once, which a run's memory goes with."),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.

@@ -57,10 +57,11 @@ impl IndentationPlan {
         found
     }
 
-    pub(super) fn of_cycle(&self, cycle: &Cycle<Estimate>, scales: &[f64]) -> Values {
+    pub(super) fn of_cycle(&self, solution: &IndentationSolution, cycle: &Cycle<Estimate>, scales: &[f64]) -> Values {
         let mut values: Values = vec![None; COLUMNS.len()];
         let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
         let exact = |value: f64| Some(Estimate::exact(value));
+        let spread = solution.fine.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
         let cells = [
             (at::TIME, exact(cycle.end)),
             (at::SEGMENT, exact(segment as f64)),
@@ -79,6 +80,7 @@ impl IndentationPlan {
             (at::LARGEST_CONTACT_RADIUS, Some(cycle.contact_radius[1])),
             // The first cycle has none before it.
             (at::DRIFT, exact(cycle.drift)),
+            (at::SPREAD, spread.and_then(|spread| exact(spread.largest()))),
         ];
         for (place, estimate) in cells {
             if let Some(cell) = values.get_mut(place) {

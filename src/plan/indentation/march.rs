@@ -2,7 +2,8 @@
 
 use super::IndentationPlan;
 use super::timeline::Leg;
-use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run};
+use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run_watched};
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, IndentationZone};
 use spec_math::Gamma;
@@ -68,8 +69,8 @@ impl IndentationPlan {
         Ok(problem)
     }
 
-    pub(super) fn solution(&self) -> Result<IndentationSolution, Refusal> {
-        run(&self.material, &self.problem()?)
+    pub(super) fn solution(&self, desk: &Desk<'_>) -> Result<IndentationSolution, Refusal> {
+        run_watched(&self.material, &self.problem()?, desk.left_off(), Some(desk))
     }
 }
 

@@ -20,6 +20,7 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{Indentation, Scene, Units};
 use scale::Scale;
@@ -123,8 +124,8 @@ impl ProblemPlan for IndentationPlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.rows(state, swept)
+    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+        self.rows(state, swept, desk)
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {

@@ -7,6 +7,7 @@ use crate::estimate::Estimate;
 use crate::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
 use crate::outcome::{Certificate, Row, Status, Work};
 use crate::plan::curves::thinned;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::IndentationShape;
 
@@ -38,8 +39,8 @@ pub(super) const LARGEST_TENSION: &str = "largest_tension";
 pub(super) type Values = Vec<Option<Estimate>>;
 
 impl IndentationPlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        let solved = self.solution().and_then(|solution| {
+    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+        let solved = self.solution(desk).and_then(|solution| {
             let rows = self.rows_of(&solution, state, swept)?;
             Ok(rows)
         });
@@ -70,8 +71,15 @@ impl IndentationPlan {
         let last = solution.instants.len().saturating_sub(1);
         for (index, instant) in solution.instants.iter().enumerate() {
             let mut values = self.of_instant(instant);
-            if let (true, Some(cell)) = (index == last, values.get_mut(at::BALANCE_DEFECT)) {
-                *cell = solution.balance_defect.map(Estimate::exact);
+            if index == last {
+                let count = |number: u64| Some(Estimate::exact(number as f64));
+                let [steps, panels] = [solution.fine.work.steps, solution.fine.work.most_panels].map(count);
+                let told = [(at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)), (at::STEPS, steps), (at::PANELS, panels)];
+                for (place, value) in told {
+                    if let Some(cell) = values.get_mut(place) {
+                        *cell = value;
+                    }
+                }
             }
             add([INSTANT, ""], values, instant.residual)?;
         }
@@ -82,7 +90,7 @@ impl IndentationPlan {
             add([INSTANT, ""], self.of_path_point(solution, point), point.residual)?;
         }
         for cycle in self.cycles_shown(solution) {
-            add([CYCLE, ""], self.of_cycle(cycle, &scales), 0.0)?;
+            add([CYCLE, ""], self.of_cycle(solution, cycle, &scales), 0.0)?;
         }
         let mut field_rows = Vec::new();
         if let Some(wanted) = &self.indentation.fields {

@@ -64,5 +64,42 @@ pub(super) fn figures(report: &MaterialReport) -> Vec<(String, Figure)> {
     if !terms.is_empty() {
         all.push(("terms".to_owned(), spectrum));
     }
+    all.extend(misfit(report).map(|figure| ("fit_error".to_owned(), figure)));
     all
+}
+
+/// How far each number of the data is from the fit, over the number, with the fit's own stated error.
+fn misfit(report: &MaterialReport) -> Option<Figure> {
+    let MaterialOrigin::Data(fitted) = &report.material.origin else { return None };
+    let factor = report.factor();
+    let (axis, parts): (_, &[(Quantity, &str, &str)]) = match fitted.data.sort {
+        MeasuredSort::Moduli => (
+            Axis::logarithmic(r"angular frequency $\omega$ (rad/s)"),
+            &[(Quantity::Storage, "$E'$", "error of the fit, $E'$"), (Quantity::Loss, "$E''$", "error of the fit, $E''$")],
+        ),
+        MeasuredSort::Relaxation => (Axis::logarithmic("time $t$ (s)"), &[(Quantity::Relaxation, "$R$", "error of the fit")]),
+        MeasuredSort::Creep => (Axis::logarithmic("time $t$ (s)"), &[(Quantity::Creep, "$J$", "error of the fit")]),
+    };
+    let mut figure = Figure::new(axis, Axis::logarithmic("misfit, relative"));
+    for (index, &(quantity, name, bar)) in parts.iter().enumerate() {
+        let measured = |row: &MeasuredRow| if quantity == Quantity::Loss { row.loss } else { Some(row.value) };
+        let place = |row: &MeasuredRow| if fitted.data.sort == MeasuredSort::Moduli { row.at / factor } else { row.at * factor };
+        let mut known: Vec<(f64, f64)> = Vec::new();
+        let mut misses: Vec<(f64, f64)> = Vec::new();
+        for row in &fitted.data.rows {
+            let (at, Some(value)) = (place(row), measured(row)) else { continue };
+            let Some(fit) = report.value(quantity, at) else { continue };
+            misses.push((at, (fit.value / value - 1.0).abs()));
+            known.push((at, fit.error / fit.value.abs()));
+        }
+        // A logarithm shows no zero.
+        misses.retain(|point| point.1 > 0.0 && point.1.is_finite());
+        known.retain(|point| point.1 > 0.0 && point.1.is_finite());
+        known.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let marker = if index == 0 { Marker::OpenCircle } else { Marker::OpenSquare };
+        figure = figure
+            .with_curve(Curve::new(name, misses).with_line(Line::None).with_marker(marker).with_colour(index))
+            .with_curve(Curve::new(bar, known).with_line(if index == 0 { Line::Solid } else { Line::Dashed }).with_colour(index));
+    }
+    Some(figure)
 }

@@ -3,6 +3,7 @@
 mod effects;
 mod figures;
 mod file;
+mod reach;
 mod screen;
 mod tables;
 mod unfelt;
@@ -17,6 +18,7 @@ use crate::outcome::plot::Figure;
 use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
 
 pub(super) use effects::{effects, validity};
+pub(super) use reach::widened;
 pub(super) use unfelt::Unfelt;
 
 /// A material to report on.

@@ -23,6 +23,7 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
     BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
@@ -245,7 +246,7 @@ impl ProblemPlan for SlidingPlan {
         columns::field_columns(self.sliding.indenter, self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
         match &self.sliding.task {
             SlidingTask::State => self.sliding.contacts.iter().map(|&contact| self.row(contact, state, swept)).collect(),
             SlidingTask::Branch(branch) => self.branch_rows(branch, state, swept),

@@ -18,6 +18,7 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 
@@ -253,7 +254,7 @@ impl ProblemPlan for SteadyCrackPlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
         self.crack.theories.iter().map(|&theory| self.row(theory, state, swept)).collect()
     }
 

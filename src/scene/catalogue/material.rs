@@ -167,11 +167,11 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.expansion.slowest_time",
         kind: TIME,
-        meaning: "The law is expanded down to the angular frequency 1/this; default 1e6 times the law's own time.",
+        meaning: "The law is expanded down to the angular frequency 1/this; default 1e6 times the law's own time, or further where the scene lasts longer.",
     },
     Key {
         path: "material.expansion.fastest_time",
         kind: TIME,
-        meaning: "The law is expanded up to the angular frequency 1/this; default 1e-6 times the law's own time.",
+        meaning: "The law is expanded up to the angular frequency 1/this; default 1e-6 times the law's own time, or further where the scene is faster.",
     },
 ];

@@ -37,14 +37,14 @@ pub(super) fn from_law(
     let expansion = table.table("expansion");
     let number = |key: &str| -> Result<Option<f64>, SceneError> { expansion.as_ref().map_or(Ok(None), |section| section.number(key)) };
     let accuracy = number("accuracy")?.unwrap_or(DEFAULT_ACCURACY);
-    let slowest = number("slowest_time")?.unwrap_or(time * DEFAULT_SPAN);
-    let fastest = number("fastest_time")?.unwrap_or(time / DEFAULT_SPAN);
-    let range = [1.0 / slowest, 1.0 / fastest];
-    document.materials().get(&format!("{made:?} {range:?} {accuracy:e}"), || {
+    let (slowest, fastest) = (number("slowest_time")?, number("fastest_time")?);
+    let stated = [slowest.is_some(), fastest.is_some()];
+    let range = [1.0 / slowest.unwrap_or(time * DEFAULT_SPAN), 1.0 / fastest.unwrap_or(time / DEFAULT_SPAN)];
+    document.materials().get(&format!("{made:?} {range:?} {stated:?} {accuracy:e}"), || {
         let place = expansion.as_ref().unwrap_or(&law);
         let expansion = expand(&made, range, accuracy)
             .map_err(|refusal| place.wrong("accuracy", format!("the {name} cannot be expanded: {refusal}"), "of this law"))?;
-        Ok(MaterialOrigin::Law(Arc::new(ExpandedLaw { law: made, name, range, accuracy, expansion })))
+        Ok(MaterialOrigin::Law(Arc::new(ExpandedLaw { law: made, name, range, stated, accuracy, expansion })))
     })
 }
 

@@ -90,6 +90,8 @@ pub struct ExpandedLaw {
     pub name: &'static str,
     /// Angular frequencies (rad/s, or reduced) from and to which it was expanded.
     pub range: [f64; 2],
+    /// Which of its ends, the lowest and the highest frequency, the scene names.
+    pub stated: [bool; 2],
     /// Wanted accuracy.
     pub accuracy: f64,
     /// The expansion.

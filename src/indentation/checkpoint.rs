@@ -1,0 +1,202 @@
+//! What a killed run goes on from: every number of the march under way, bit for bit, and the march before it.
+//!
+//! A march is a chain of steps; a checkpoint is taken between two of them and holds all that the next one reads. What a march remembers only to
+//! be quick (the panels of the last trial, the kernel of the last edge) is left out, and forgotten before each step, so that a march with
+//! checkpoints and one without take the same steps to the last bit.
+
+use super::history::Controlled;
+use super::line::{Cell, Contact};
+use super::marcher::Marcher;
+use super::meter::Meter;
+use super::panel::POINTS;
+use super::past::Past;
+use super::record::{Record, RecordState};
+use super::solution::{IndentationWork, Trace};
+use super::stretch::{Place, part, weight};
+use crate::refusal::Refusal;
+use serde::{Deserialize, Serialize};
+
+/// Told how far a run is, and given what it can go on from.
+pub trait Watch: Sync {
+    /// March `number` (from 1; each is tighter than the one before) has done a part (0…1) of its history.
+    fn passed(&self, number: u32, part: f64);
+    /// Whether a checkpoint is wanted now; asked between any two steps.
+    fn wants_checkpoint(&self) -> bool;
+    /// The checkpoint that was wanted.
+    fn checkpoint(&self, checkpoint: &Checkpoint);
+}
+
+/// A run between two steps, of the same material and problem only.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Checkpoint {
+    /// Marches that are finished, and the tolerance of the one under way.
+    pub(super) finished: u32,
+    pub(super) tolerance: f64,
+    /// The last finished one.
+    pub(super) coarse: Option<Trace>,
+    pub(super) work: IndentationWork,
+    pub(super) march: MarchState,
+}
+
+/// A march between two steps.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct MarchState {
+    contact: ContactState,
+    edge: (Option<u32>, u64, u64),
+    past: Past,
+    origin: f64,
+    time: f64,
+    reach: f64,
+    dt: f64,
+    corner: f64,
+    first: f64,
+    pace: Option<(Controlled, f64)>,
+    landmarks: Vec<f64>,
+    turns: Vec<f64>,
+    slopes: (f64, f64),
+    meter: Option<Meter>,
+    record: RecordState,
+    pub(super) place: Place,
+}
+
+/// The line of a contact.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct ContactState {
+    cells: Vec<Cell>,
+    values: Vec<f64>,
+    radius: f64,
+    penetration: f64,
+    updates: u64,
+}
+
+impl ContactState {
+    pub(super) fn of(contact: &Contact<'_>) -> Self {
+        let Contact { springs: _, profile: _, cells, values, radius, penetration, updates } = contact;
+        Self { cells: cells.clone(), values: values.clone(), radius: *radius, penetration: *penetration, updates: *updates }
+    }
+
+    /// The contact of the same springs and profile as `like`.
+    pub(super) fn restored<'a>(self, like: &Contact<'a>) -> Result<Contact<'a>, Refusal> {
+        if self.values.len() != self.cells.len() * POINTS * like.springs.terms() {
+            return Err(foreign("its line has another number of terms"));
+        }
+        let Self { cells, values, radius, penetration, updates } = self;
+        Ok(Contact { springs: like.springs, profile: like.profile.clone(), cells, values, radius, penetration, updates })
+    }
+}
+
+/// The refusal of a checkpoint that belongs to something else.
+pub(super) fn foreign(why: &str) -> Refusal {
+    Refusal::Undefined { quantity: "the rest of the run", reason: format!("the checkpoint is of another problem: {why}") }
+}
+
+impl Marcher<'_> {
+    /// All that the next step reads.
+    fn state(&self) -> MarchState {
+        // Every field is named: a new one must be given a place, or a reason.
+        let Self {
+            springs: _,
+            problem: _,
+            tolerance: _,
+            observer: _,
+            // Made anew from the problem.
+            length: _,
+            opening: _,
+            force_scale: _,
+            contact,
+            edge,
+            past,
+            origin,
+            time,
+            reach,
+            dt,
+            corner,
+            first,
+            pace,
+            landmarks,
+            turns,
+            slopes,
+            meter,
+            record,
+            place,
+        } = self;
+        MarchState {
+            contact: ContactState::of(contact),
+            edge: (edge.held, edge.evaluations, edge.updates),
+            past: past.clone(),
+            origin: *origin,
+            time: *time,
+            reach: *reach,
+            dt: *dt,
+            corner: *corner,
+            first: *first,
+            pace: *pace,
+            landmarks: landmarks.clone(),
+            turns: turns.clone(),
+            slopes: *slopes,
+            meter: meter.clone(),
+            record: record.state(),
+            place: *place,
+        }
+    }
+
+    /// A march as new, put where a checkpoint was taken.
+    pub(super) fn restore(&mut self, state: MarchState) -> Result<(), Refusal> {
+        let MarchState {
+            contact,
+            edge,
+            past,
+            origin,
+            time,
+            reach,
+            dt,
+            corner,
+            first,
+            pace,
+            landmarks,
+            turns,
+            slopes,
+            meter,
+            record,
+            place,
+        } = state;
+        if place.segment >= self.problem.history.segments.len() {
+            return Err(foreign("its history has fewer stretches"));
+        }
+        self.record = Record::restored(record, &self.contact)?;
+        self.contact = contact.restored(&self.contact)?;
+        let (held, evaluations, updates) = edge;
+        self.edge.restore(held, evaluations, updates);
+        (self.past, self.pace, self.landmarks, self.turns, self.slopes, self.meter) = (past, pace, landmarks, turns, slopes, meter);
+        (self.origin, self.time, self.reach, self.dt, self.corner, self.first) = (origin, time, reach, dt, corner, first);
+        self.place = place;
+        Ok(())
+    }
+
+    /// Between two steps: tells how far the march is, and leaves a checkpoint where one is wanted.
+    pub(super) fn observe(&self) {
+        let Some(observer) = &self.observer else { return };
+        let segments = &self.problem.history.segments;
+        let all: f64 = segments.iter().map(weight).sum();
+        let before: f64 = segments.iter().take(self.place.segment).map(weight).sum();
+        let under_way = segments.get(self.place.segment).map_or(0.0, |segment| weight(segment) * part(segment, self.time));
+        observer.watch.passed(observer.finished + 1, (before + under_way) / all);
+        if observer.watch.wants_checkpoint() {
+            observer.watch.checkpoint(&Checkpoint {
+                finished: observer.finished,
+                tolerance: self.tolerance,
+                coarse: observer.coarse.cloned(),
+                work: observer.work,
+                march: self.state(),
+            });
+        }
+    }
+}
+
+/// Who watches a march, and what the run knows besides it.
+pub(super) struct Observer<'a> {
+    pub(super) watch: &'a dyn Watch,
+    pub(super) finished: u32,
+    pub(super) coarse: Option<&'a Trace>,
+    pub(super) work: IndentationWork,
+}

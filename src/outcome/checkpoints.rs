@@ -1,0 +1,121 @@
+//! Checkpoints of states under way, beside the journal: a killed run goes on within a state.
+//!
+//! One file a state: SHA-256 of what follows, then the header of the run and the checkpoint, in the binary form of postcard, which keeps every
+//! double bit for bit, infinities too. A file that is cut, altered, or of another scene or build counts as none: the state then begins anew.
+
+use super::journal::JournalHeader;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// Length of the digest (bytes).
+const DIGEST: usize = 32;
+/// What the name of every such file ends in.
+const ENDING: &str = "checkpoint";
+
+/// Where the states of a run leave their checkpoints.
+#[derive(Debug, Clone)]
+pub struct Checkpoints {
+    folder: PathBuf,
+    header: JournalHeader,
+}
+
+impl Checkpoints {
+    /// In a folder that is there, for the run that a header belongs to.
+    #[must_use]
+    pub fn new(folder: &Path, header: &JournalHeader) -> Self {
+        Self { folder: folder.to_owned(), header: header.clone() }
+    }
+
+    fn path(&self, state: usize) -> PathBuf {
+        self.folder.join(format!("state-{state}.{ENDING}"))
+    }
+
+    /// The checkpoint of a state, if a whole one of the same run is there.
+    #[must_use]
+    pub fn load<T: DeserializeOwned>(&self, state: usize) -> Option<T> {
+        let bytes = std::fs::read(self.path(state)).ok()?;
+        let (digest, content) = bytes.split_at_checked(DIGEST)?;
+        if Sha256::digest(content).as_slice() != digest {
+            return None;
+        }
+        let (header, rest) = postcard::take_from_bytes::<JournalHeader>(content).ok()?;
+        if header != self.header {
+            return None;
+        }
+        postcard::from_bytes(rest).ok()
+    }
+
+    /// How many states of a run of so many are under way.
+    #[must_use]
+    pub fn begun(&self, states: usize) -> usize {
+        (0..states).filter(|state| self.path(*state).is_file()).count()
+    }
+
+    /// Leaves a checkpoint of a state; the new file replaces the old in one rename.
+    ///
+    /// # Errors
+    /// A folder that cannot be written; the old checkpoint then stays.
+    pub fn save(&self, state: usize, checkpoint: &impl Serialize) -> std::io::Result<()> {
+        let content = postcard::to_allocvec(&(&self.header, checkpoint)).map_err(std::io::Error::other)?;
+        let mut bytes = Sha256::digest(&content).to_vec();
+        bytes.extend(content);
+        let path = self.path(state);
+        let fresh = path.with_extension("new");
+        std::fs::write(&fresh, bytes)?;
+        std::fs::rename(&fresh, &path)
+    }
+
+    /// Removes the checkpoint of a state that is finished; that there is none is no error.
+    ///
+    /// # Errors
+    /// A file that cannot be removed.
+    pub fn remove(&self, state: usize) -> std::io::Result<()> {
+        for path in [self.path(state), self.path(state).with_extension("new")] {
+            match std::fs::remove_file(path) {
+                Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn header(scene: &str) -> JournalHeader {
+        JournalHeader { program: "viscotack 0".into(), scene: scene.into(), states: 3 }
+    }
+
+    #[test]
+    fn every_double_comes_back_and_nothing_else_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let checkpoints = Checkpoints::new(folder.path(), &header("a"));
+        assert_eq!(checkpoints.load::<Vec<f64>>(1), None);
+        let values = vec![0.1, f64::INFINITY, -0.0, f64::MIN_POSITIVE / 3.0, 1e308];
+        checkpoints.save(1, &values).unwrap();
+        let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&checkpoints.load::<Vec<f64>>(1).unwrap()), bits(&values));
+        // Another state, another scene.
+        assert_eq!(checkpoints.load::<Vec<f64>>(0), None);
+        assert_eq!(Checkpoints::new(folder.path(), &header("b")).load::<Vec<f64>>(1), None);
+        // Cut anywhere, or altered anywhere.
+        let path = folder.path().join("state-1.checkpoint");
+        let bytes = std::fs::read(&path).unwrap();
+        for place in 0..bytes.len() {
+            std::fs::write(&path, bytes.get(..place).unwrap()).unwrap();
+            assert_eq!(checkpoints.load::<Vec<f64>>(1), None, "cut at {place}");
+            let mut altered = bytes.clone();
+            *altered.get_mut(place).unwrap() ^= 1;
+            std::fs::write(&path, altered).unwrap();
+            assert_eq!(checkpoints.load::<Vec<f64>>(1), None, "altered at {place}");
+        }
+        checkpoints.remove(1).unwrap();
+        checkpoints.remove(1).unwrap();
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+}
