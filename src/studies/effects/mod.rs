@@ -25,7 +25,7 @@ pub fn solved(text: &str, runs: u32) -> Result<(Outcome, f64), String> {
         let mut document = Document::parse("effect.toml", text.to_owned(), Path::new(".")).map_err(|error| error.to_string())?;
         read::resolve_includes(&mut document).map_err(|error| error.to_string())?;
         let scene = read::read(&document).map_err(|error| error.rendered())?;
-        outcome = Some(plan::run(&document, &scene, Vec::new(), None, &|_, _| {}).map_err(|error| error.to_string())?);
+        outcome = Some(plan::run(&document, &scene, Vec::new(), None, &|_| {}).map_err(|error| error.to_string())?);
         best = best.min(clock.elapsed().as_secs_f64());
     }
     outcome.map(|outcome| (outcome, best)).ok_or_else(|| "it was not run".into())
