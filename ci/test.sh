@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that must pass: format, lints, documentation, tests, cross-checks against references.
-#   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
+#   ci/test.sh           about twenty minutes on two cores from nothing, ten when built
 #   ci/test.sh --full    also regenerates every reference at full precision and compares, and puts deliberate faults into the source that the tests
 #                        must catch (about an hour each)
 # Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest, some of them dolfinx: as root, or where CI=true, they are installed;
@@ -57,6 +57,12 @@ step "documentation: warnings are errors"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
 step "tests"
 cargo test --release --locked -p viscotack -p viscotack-harness
+
+step "studies: convergence, cost, hard cases, effects (viscotack verify)"
+studies=$(mktemp -d)
+trap 'rm -rf "$studies"' EXIT
+# Fails if an order, a counter or a hard case gets worse; times are printed, never judged.
+if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
 
 step "cross-checks against references"
 if [ -z "$python" ]; then
