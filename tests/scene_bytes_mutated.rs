@@ -3,7 +3,7 @@
 //! Contract: the scene module; `fuzz/fuzz_targets/scene.rs` takes the same way with a fuzzer's bytes (`viscotack::studies::scene_bytes`).
 //! Goal: bytes as a disk or an editor spoils them: flipped bits, lost and doubled pieces, pieces of other scenes, bytes that are no UTF-8. Spoilt words and numbers, which
 //! keep a scene well formed, are in `scene_reader_never_panics`.
-//! Parameters: every shipped scene, 6000 mutations, seeded.
+//! Parameters: every shipped scene, 60 000 mutations, seeded.
 //! Oracle: no panic (arithmetic overflow panics in this profile); an accepted scene has a plan or a refusal in a sentence; a refused one names the file, and a syntax
 //! error or a wrong key the line.
 //! Tolerance: none.
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use viscotack::studies::draw::Draw;
 use viscotack::studies::scene_bytes::{Answer, answered};
 
-const MUTATIONS: u64 = 6000;
+const MUTATIONS: u64 = 60_000;
 
 /// One to four pieces of the bytes spoilt.
 fn spoilt(draw: &mut Draw, scenes: &[Vec<u8>], mut bytes: Vec<u8>) -> Vec<u8> {
@@ -80,8 +80,8 @@ fn spoilt_bytes_are_read_or_refused_with_their_place() {
         }
     }
     println!("{planned} planned, {refused} refused by the physics, {no_text} no text, of {}", answers.len());
-    // Most mutations must get past the syntax, or they would show little; some must be accepted.
-    assert!(planned > 200 && no_text > 50, "{planned} {no_text}");
+    // Some must be accepted, or they would show little.
+    assert!(planned > 2000 && no_text > 500, "{planned} {no_text}");
 }
 
 #[test]

@@ -46,6 +46,16 @@ fn an_effect_that_costs_nothing_is_seen() {
 }
 
 #[test]
+fn every_effect_has_two_scenes() {
+    let all = effects();
+    assert!(all.len() >= 20);
+    // A piece that is not in its scene would leave the effect as it was, and the comparison without one.
+    for effect in all {
+        assert!(effect.with != effect.without, "{}", effect.name);
+    }
+}
+
+#[test]
 fn values_that_are_not_there_are_no_agreement() {
     let effect = Effect { columns: &["no such column"], ..named("fields (steady crack)") };
     assert!(!judged(&effect).0);

@@ -128,12 +128,9 @@ rate = 0.02
 hold = 2
 "#;
 
-/// A scene with some of its text replaced; a piece that is not there would leave the effect as it was, and the comparison without one.
+/// A scene with some of its text replaced.
 fn changed(text: &str, changes: &[(&str, &str)]) -> String {
-    changes.iter().fold(text.to_owned(), |text, (from, to)| {
-        debug_assert!(text.contains(from), "{from}");
-        text.replace(from, to)
-    })
+    changes.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
 const TERM: &str = "creep = [{ fraction = 1, retardation_time = \"1 s\" }]";
