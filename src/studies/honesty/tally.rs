@@ -38,7 +38,7 @@ impl Compared {
     pub fn is_missed(&self) -> bool {
         let off = (self.found.value - self.truth.value).abs();
         // A NaN is a miss.
-        !(off <= self.found.error + self.truth.error)
+        off.is_nan() || self.found.error.is_nan() || self.truth.error.is_nan() || off > self.found.error + self.truth.error
     }
 
     /// Bar over true error, where it can be told.
