@@ -170,11 +170,11 @@ pub fn held(expected: &Expected, found: &Found) -> Result<(), String> {
             _ => Err(format!("a state where none exists: {}", found.told())),
         },
         Expected::Refused(kind) => {
-            let same = match (&found.refusal, kind) {
-                (Some(Refusal::OutOfRange { .. }), Kind::OutOfRange | Kind::Either) => true,
-                (Some(Refusal::Undefined { .. }), Kind::Undefined | Kind::Either) => true,
-                _ => false,
-            };
+            let same = matches!(
+                (&found.refusal, kind),
+                (Some(Refusal::OutOfRange { .. }), Kind::OutOfRange | Kind::Either)
+                    | (Some(Refusal::Undefined { .. }), Kind::Undefined | Kind::Either)
+            );
             ensure(same, format!("not refused as {kind:?}: {}", found.told()))
         }
     }
