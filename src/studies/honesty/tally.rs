@@ -37,8 +37,9 @@ impl Compared {
     #[must_use]
     pub fn is_missed(&self) -> bool {
         let off = (self.found.value - self.truth.value).abs();
+        let reach = self.found.error + self.truth.error;
         // A NaN is a miss.
-        off.is_nan() || self.found.error.is_nan() || self.truth.error.is_nan() || off > self.found.error + self.truth.error
+        off.is_nan() || reach.is_nan() || off > reach
     }
 
     /// Bar over true error, where it can be told.
