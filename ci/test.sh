@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Everything that must pass: format, lints, documentation, tests, cross-checks against references.
-#   ci/test.sh           about fifteen minutes on two cores from nothing, six when built
+#   ci/test.sh           about twenty minutes on two cores from nothing, ten when built
 #   ci/test.sh --full    also regenerates every reference at full precision and compares, and puts deliberate faults into the source that the tests
 #                        must catch (about an hour each)
-# Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest: as root, or where CI=true, they are installed;
+# Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest, some of them dolfinx: as root, or where CI=true, they are installed;
 # otherwise, if they are missing, the line to run is printed and the cross-checks are skipped in plain words, which is a failure where CI=true.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 full=${1:-}
 packages="python3 python3-numpy python3-scipy python3-mpmath python3-pytest"
+elements="python3-dolfinx"      # finite elements beside the solver; large, so apart
 
 step() { printf '\n== %s\n' "$*"; }
 
@@ -36,6 +37,17 @@ else
   [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
 fi
 
+if [ -n "$python" ] && ! "$python" -c 'import dolfinx' 2>/dev/null; then
+  if command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || [ "${CI:-}" = true ]; }; then
+    apt-get -o DPkg::Lock::Timeout=300 update -qq || true
+    DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends $elements >/dev/null || true
+  fi
+  "$python" -c 'import dolfinx; print("dolfinx", dolfinx.__version__)' 2>/dev/null || {
+    echo "no finite elements, their tests are skipped; to install: apt-get install $elements"
+    [ "${CI:-}" != true ] || { echo "CI=true, so this is a failure"; exit 1; }
+  }
+fi
+
 step "format"
 cargo fmt --all --check
 step "lints: warnings are errors"
@@ -46,6 +58,12 @@ RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
 step "tests"
 cargo test --release --locked -p viscotack -p viscotack-harness
 
+step "studies: convergence, cost, hard cases, effects (viscotack verify)"
+studies=$(mktemp -d)
+trap 'rm -rf "$studies"' EXIT
+# Fails if an order, a counter or a hard case gets worse; times are printed, never judged.
+if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
+
 step "cross-checks against references"
 if [ -z "$python" ]; then
   echo "SKIPPED: no python3 (3.11 or later) with NumPy, SciPy, mpmath and pytest; to install: apt-get install $packages"
@@ -54,6 +72,8 @@ else
   PYTHONDONTWRITEBYTECODE=1 "$python" -m pytest verification/crosscheck
   if [ "$full" = --full ]; then
     ci/references.sh "$python"
+    "$python" verification/fenicsx/self_check.py
+    OMP_NUM_THREADS=1 "$python" verification/fenicsx/run.py --check
     step "deliberate faults"
     "$python" verification/faults/run.py
   fi

@@ -16,6 +16,7 @@ pub mod rivals;
 pub mod scene;
 pub mod sliding;
 pub mod special;
+pub mod studies;
 
 pub use estimate::Estimate;
 pub use material::Material;

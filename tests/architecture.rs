@@ -38,7 +38,10 @@ const PHYSICS: [&str; 9] = ["special", "material", "elastic", "closure", "contin
 
 #[test]
 fn physics_knows_nothing_of_files_scenes_or_plots() {
-    assert_free_of(&PHYSICS, &["crate::scene", "crate::plan", "crate::outcome", "crate::cli", "std::fs", "std::path", "println!"]);
+    assert_free_of(
+        &PHYSICS,
+        &["crate::studies", "crate::scene", "crate::plan", "crate::outcome", "crate::cli", "std::fs", "std::path", "println!"],
+    );
 }
 
 #[test]
@@ -46,8 +49,9 @@ fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
     assert_free_of(&["scene"], &["crate::plan", "crate::outcome", "crate::cli"]);
     assert_free_of(&["outcome"], &["crate::plan", "crate::cli", "crate::scene"]);
     assert_free_of(&["plan"], &["crate::cli"]);
-    assert_free_of(&["scene", "plan", "outcome"], &["crate::figures"]);
-    assert_free_of(&["figures"], &["crate::cli"]);
+    assert_free_of(&["scene", "plan", "outcome"], &["crate::figures", "crate::studies"]);
+    assert_free_of(&["figures"], &["crate::cli", "crate::studies"]);
+    assert_free_of(&["studies"], &["crate::cli"]);
 }
 
 #[test]

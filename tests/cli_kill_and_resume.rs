@@ -308,7 +308,7 @@ fn a_march_killed_in_flight_goes_on_to_the_same_bytes() {
     // Half a checkpoint is none.
     let broken = Folder::with(&scene);
     std::fs::create_dir(broken.path("DIR.partial")).unwrap();
-    broken.write(checkpoint, altered[..altered.len() / 2].to_vec());
+    broken.write(checkpoint, &altered[..altered.len() / 2]);
     broken.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     assert!(broken.files("DIR") == whole.files("DIR"));
 }

@@ -24,7 +24,7 @@ fn solved(mut document: Document, sets: &[&str]) -> (Work, Outcome) {
     }
     let scene: Scene = read::read(&document).unwrap_or_else(|error| panic!("{}", error.rendered()));
     let predicted = Plan::new(&scene).unwrap().predicted_work();
-    (predicted, plan::run(&document, &scene, Vec::new(), None, &|_, _| {}).unwrap())
+    (predicted, plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap())
 }
 
 fn parsed(text: &str) -> Document {

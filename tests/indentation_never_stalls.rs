@@ -14,8 +14,8 @@ mod support;
 use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use viscotack::indentation::{
-    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, elastic_contact_of_radius,
-    run,
+    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, elastic_contact,
+    elastic_contact_of_radius, march, run,
 };
 use viscotack::material::RelaxationTerm;
 use viscotack::{Material, refusal::Refusal};
@@ -226,4 +226,35 @@ fn refusals_have_reasons() {
         problem.adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: ZONE });
         assert!(matches!(refused(&rubber(), &problem), Refusal::OutOfRange { .. }));
     }
+}
+
+/// A punch whose rim gives way at the peak of every pull, and takes the edge back: the edge arrives at the rim, rests, and leaves it near the top of a
+/// sinus, where the time to the instant of leaving is noise.
+#[test]
+fn a_rim_gives_way_in_every_cycle() {
+    let material = Material::standard_solid(1.0e6, 1.0e7, 1e-2).unwrap();
+    let (radius, work, zone) = (2e-4, 0.2, 2e-6);
+    let mut receded = 0;
+    for pull in [5.6e-3, 5.8e-3, 6.0e-3, 6.2e-3] {
+        let history = History::force(-pull).oscillate(Oscillation::steady(1.5e-3, 30.0), 1.0);
+        let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
+        let problem = IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, history).relaxed();
+        let trace = march(&material, &problem, 1e-3).unwrap();
+        let least =
+            trace.path.iter().filter(|point| point.contact_radius > 0.0).fold(radius, |least, point| least.min(point.contact_radius));
+        println!(
+            "pull {pull:e}: {} steps, {} events, smallest radius {:.6} of the rim",
+            trace.work.steps,
+            trace.events.len(),
+            least / radius
+        );
+        // A step may stand still at a corner; many may not.
+        let still = trace.path.windows(2).filter(|pair| pair[1].time <= pair[0].time).count();
+        assert!(still <= 4 * trace.events.len() + 4, "{still} steps of no time");
+        assert!(trace.work.steps < 30 * 200, "{} steps", trace.work.steps);
+        // Nothing jumps from the rim to the rim.
+        assert!(trace.events.iter().all(|event| event.kind != EventKind::JumpOut || event.contact_radius < radius));
+        receded += usize::from(least < radius);
+    }
+    assert!(receded > 0, "no rim gave way");
 }

@@ -25,7 +25,7 @@ fn solved(text: &str) -> Outcome {
     document
         .attach("measured.csv", SourceText::new("measured.csv", "time,penetration,force\n0,0.032,0.5\n1,0.030,0.1\n2,0.029,\n".to_owned()));
     let scene = read::read(&document).unwrap_or_else(|error| panic!("{}", error.rendered()));
-    plan::run(&document, &scene, Vec::new(), None, &|_, _| {}).unwrap()
+    plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap()
 }
 
 fn column(outcome: &Outcome, name: &str) -> usize {

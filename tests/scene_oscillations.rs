@@ -24,7 +24,7 @@ const REDUCED: &str =
 fn solved(text: &str) -> Outcome {
     let document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();
     let scene = read::read(&document).unwrap_or_else(|error| panic!("{}", error.rendered()));
-    plan::run(&document, &scene, Vec::new(), None, &|_, _| {}).unwrap()
+    plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap()
 }
 
 fn column(outcome: &Outcome, name: &str) -> usize {

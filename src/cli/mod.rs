@@ -1,6 +1,6 @@
 //! The commands, and nothing else: each reads a scene, asks the plan, and prints.
 //!
-//! Exit codes: 0 solved, 1 a feature of a figure failed, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
+//! Exit codes: 0 solved, 1 a feature of a figure or a check of `verify` failed, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
 
 mod cite;
 mod explain;
@@ -9,6 +9,7 @@ mod material;
 mod new;
 mod run;
 mod scene_source;
+mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::io::Write;
@@ -68,6 +69,20 @@ enum Command {
         /// Another manifest of figures than the thesis's
         #[arg(long, value_name = "FILE")]
         manifest: Option<PathBuf>,
+    },
+    /// Run the studies of convergence, cost, hard cases and effects, and write one readable report; ends with 1 if a check fails
+    Verify {
+        /// Studies; without any, all
+        studies: Vec<String>,
+        /// All of it, within an hour, instead of the three minutes of the continuous tests
+        #[arg(long)]
+        full: bool,
+        /// Write report.html and its tables to this folder
+        #[arg(long, value_name = "DIR", default_value = "viscotack-report")]
+        out: PathBuf,
+        /// Replace the folder if it exists
+        #[arg(long)]
+        force: bool,
     },
     /// Fit or expand a material: table, curves, plots, and a material file that scenes include
     Material {
@@ -156,6 +171,7 @@ pub fn main() -> ExitCode {
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())
         }
+        Command::Verify { studies, full, out, force } => verify::verify(&studies, full, &out, force),
         Command::Material { file, sets, accuracy, out, force, json } => {
             let accuracy = accuracy.as_deref();
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })

@@ -19,6 +19,11 @@ pub type Jacobian = [[f64; 2]; 2];
 pub trait TwoResiduals {
     /// The two residuals, of order one away from the solution.
     fn residual(&self) -> [f64; 2];
+
+    /// What rounding leaves uncertain of them: a residual that does not fall below it any more is accepted.
+    fn rounding(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Two equations.
@@ -109,7 +114,7 @@ where
                 }
             }
             if !improved {
-                if size <= tolerance.max(ROUNDING) {
+                if size <= tolerance.max(ROUNDING).max(here.rounding()) {
                     return Ok(Solution { unknowns, solution: here, residual: size, jacobian, evaluations });
                 }
                 if fresh {

@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 
 /// Growth of a bracket that no limit of the theory gives; 60 steps then span 1e290.
 const BRACKET_GROWTH: f64 = 65_536.0;
-/// A relative residual above this is no solution: the root was outside the bracket, or the curve is not a number there.
+/// A relative residual above this, and above the tolerance that is asked for, is no solution: the root was outside the bracket, or the curve is not a number there.
 const LARGEST_RESIDUAL: f64 = 1e-8;
 /// Steps of bracket growth before a search is given up.
 const MOST_GROWTH_STEPS: u32 = 130;
@@ -65,7 +65,7 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
             Motion::Opening => modulus,
             Motion::Closing => 1.0 / modulus,
         };
-        let mut state = finished(curve, Estimate::exact(speed), crossing_time, 0.0, &point, 0.0, count)?;
+        let mut state = finished(curve, Estimate::exact(speed), crossing_time, 0.0, &point, 0.0, (tolerance, count))?;
         if let Some(ratio) = &mut state.energy_release_rate_ratio {
             ratio.value = match (speed == 0.0, curve.motion()) {
                 (true, _) => 1.0,
@@ -109,7 +109,7 @@ pub fn at_speed(curve: &impl SteadyCurve, speed: f64, tolerance: f64) -> Result<
             point = count.point(curve, crossing_time)?;
         }
     }
-    finished(curve, Estimate::exact(speed), crossing_time, time_error, &point, residual, count)
+    finished(curve, Estimate::exact(speed), crossing_time, time_error, &point, residual, (tolerance, count))
 }
 
 /// The state under a drive D (see [`CurvePoint`]; [`super::CrackBody::drive`] makes it from a stress intensity), to a relative `tolerance`.
@@ -155,7 +155,8 @@ pub fn at_drive(curve: &impl SteadyCurve, drive: f64, tolerance: f64) -> Result<
     let time_error = (residual + point.drive_relative_error + 2.0 * f64::EPSILON) / point.drive_log_slope.abs().max(f64::MIN_POSITIVE);
     let speed = point.crossing_length / root.argument;
     let speed_error = time_error * (1.0 - point.length_log_slope) + point.length_relative_error + f64::EPSILON;
-    let mut state = finished(curve, Estimate::relative(speed, speed_error), root.argument, time_error, &point, residual, count)?;
+    let mut state =
+        finished(curve, Estimate::relative(speed, speed_error), root.argument, time_error, &point, residual, (tolerance, count))?;
     state.drive = Estimate::exact(drive);
     state.energy_release_rate_ratio =
         state.energy_release_rate_ratio.map(|ratio| Estimate::relative(ratio.value, residual + 2.0 * f64::EPSILON));
@@ -268,7 +269,7 @@ fn finished(
     time_error: f64,
     point: &CurvePoint,
     residual: f64,
-    count: Count,
+    (tolerance, count): (f64, Count),
 ) -> Result<SteadyState, Refusal> {
     let drive_error = point.drive_relative_error + point.drive_log_slope.abs() * time_error;
     let length_error = point.length_relative_error + point.length_log_slope.abs() * time_error;
@@ -287,7 +288,7 @@ fn finished(
         curve_points: count.points,
         kernel_evaluations: count.kernels,
     };
-    if residual > LARGEST_RESIDUAL {
+    if residual > LARGEST_RESIDUAL.max(tolerance) {
         return Err(Refusal::NotConverged { what: "the steady crack", detail: format!("a residual of {residual:e} remains") });
     }
     // Whatever went wrong, no NaN leaves.

@@ -217,13 +217,18 @@ impl Marcher<'_> {
         if self.contact.radius() < rim {
             return Ok(false);
         }
+        // At its zero already: near a peak of the load the time to it would be noise.
+        let here = self.edge.trial(&self.contact, &self.past, (rim, 0.0), Drive::Time, imposed)?;
+        if here.residual >= -self.edge_tolerance() {
+            return Ok(false);
+        }
         let (mut low, mut high) = (0.0, cap);
         for _ in 0..RIM_HALVINGS {
             let middle = 0.5 * (low + high);
             let trial = self.edge.trial(&self.contact, &self.past, (rim, middle), Drive::Time, imposed)?;
             if trial.residual <= 0.0 { low = middle } else { high = middle }
         }
-        if low <= 1e-9 * cap {
+        if low <= (1e-9 * cap).max(4.0 * f64::EPSILON * self.time) {
             return Ok(false);
         }
         let trial = self.edge.trial(&self.contact, &self.past, (rim, low), Drive::Time, imposed)?;
@@ -242,6 +247,8 @@ impl Marcher<'_> {
         landing: bool,
     ) -> Result<(), Refusal> {
         let dt = trial.motion.time;
+        let rim = self.contact.profile().rim();
+        let arrived = self.contact.radius() < rim && trial.motion.to >= rim;
         self.go(&trial.motion, trial.penetration);
         self.went(dt, left, target, trial.residual);
         if by_edge {
@@ -255,7 +262,8 @@ impl Marcher<'_> {
             // While time drives, the edge may find its pace again.
             self.reach = (self.reach * FASTEST).min(self.largest_reach());
         }
-        if landing {
+        // A rim stops the edge: a corner of its path.
+        if landing || arrived {
             self.restart_at_landmark();
         }
         Ok(())

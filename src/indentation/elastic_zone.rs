@@ -10,6 +10,10 @@ use std::f64::consts::PI;
 
 /// Ratio of neighbouring trial radii of a search.
 const SEARCH_RATIO: f64 = 1.02;
+/// So many strides on a rising value are far out.
+const STRIDES_BEYOND: u32 = 60;
+/// Strides of a search at most: 170 decades.
+const MOST_STRIDES: u32 = 20_000;
 
 /// A contact in elastic equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +53,68 @@ fn state(profile: &Profile, modulus: f64, a: f64, penetration: f64, residual: f6
     }
 }
 
+/// Radii that enclose the widest stable contact under an imposed value, such as a force, which is a function of the radius of contacts in equilibrium; or the least value
+/// that any contact bears.
+///
+/// Far out the value rises with the radius. Going inwards it falls to a fold, and rises again where contacts are unstable: the narrowest of them bear any pull's
+/// beginning, so that only a rising value is far out. Near a fold a stride may step over the stable contact and the unstable one: where the value has turned, its least one
+/// is looked for.
+pub(super) fn widest_stable(
+    process_zone: f64,
+    value: f64,
+    mut imposed: impl FnMut(f64) -> Result<f64, Refusal>,
+) -> Result<Result<[f64; 2], f64>, Refusal> {
+    let mut high = 1.01 * process_zone;
+    let (mut beyond, mut last) = (0, f64::INFINITY);
+    for _ in 0..MOST_STRIDES {
+        let here = imposed(high)?;
+        beyond = if here > value && here > last { beyond + 1 } else { 0 };
+        if beyond >= STRIDES_BEYOND {
+            break;
+        }
+        last = here;
+        high *= SEARCH_RATIO;
+    }
+    let mut here = (high, imposed(high)?);
+    let mut before = here;
+    for _ in 0..MOST_STRIDES {
+        let a = here.0 / SEARCH_RATIO;
+        if a <= process_zone {
+            break;
+        }
+        let next = (a, imposed(a)?);
+        if next.1 <= value {
+            return Ok(Ok([next.0, here.0]));
+        }
+        if next.1 > here.1 {
+            let (least_at, least) = least_between(next.0, before.0, &mut imposed)?;
+            return Ok(if least <= value { Ok([least_at, before.0]) } else { Err(least) });
+        }
+        (before, here) = (here, next);
+    }
+    Ok(Err(here.1))
+}
+
+/// The least value of a function with one minimum between two places, by golden sections, to the digits that a minimum has.
+fn least_between(low: f64, high: f64, value: &mut impl FnMut(f64) -> Result<f64, Refusal>) -> Result<(f64, f64), Refusal> {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut low, mut high) = (low, high);
+    let (mut inner, mut outer) = (high - golden * (high - low), low + golden * (high - low));
+    let (mut at_inner, mut at_outer) = (value(inner)?, value(outer)?);
+    while high - low > 1e-8 * high {
+        if at_inner < at_outer {
+            (high, outer, at_outer) = (outer, inner, at_inner);
+            inner = high - golden * (high - low);
+            at_inner = value(inner)?;
+        } else {
+            (low, inner, at_inner) = (inner, outer, at_outer);
+            outer = low + golden * (high - low);
+            at_outer = value(outer)?;
+        }
+    }
+    Ok(if at_inner < at_outer { (inner, at_inner) } else { (outer, at_outer) })
+}
+
 /// The stable equilibrium (the larger contact) at a penetration (m): modulus E* (Pa), Δγ (J/m²), δ (m).
 ///
 /// # Errors
@@ -70,28 +136,17 @@ pub fn elastic_contact(
         return Err(Refusal::Undefined { quantity: "the contact radius of a flat punch", reason: "its rim gives it".into() });
     }
     let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
-    // Up, far beyond the last zero, then down to the first one.
-    let mut high = 1.001 * process_zone;
-    let mut beyond = 0;
-    for _ in 0..20_000 {
-        beyond = if balance(high)? > 0.0 && profile.line(high) > penetration { beyond + 1 } else { 0 };
-        if beyond > 60 {
-            break;
-        }
-        high *= SEARCH_RATIO;
-    }
-    let mut low = high;
-    while balance(low)? > 0.0 {
-        high = low;
-        low /= SEARCH_RATIO;
-        if low <= process_zone {
+    let equilibrium = |a: f64| Ok(trial_of_radius(profile, modulus, work_of_adhesion, process_zone, a)?.penetration);
+    let [mut low, mut high] = match widest_stable(process_zone, penetration, equilibrium)? {
+        Ok(bracket) => bracket,
+        Err(least) => {
             return Err(Refusal::NoSuchState {
                 reason: format!("no contact larger than its process zone is in equilibrium at the penetration {penetration:e}"),
-                limit_name: "the process zone",
-                limit: process_zone,
+                limit_name: "the least penetration of a contact in equilibrium",
+                limit: least,
             });
         }
-    }
+    };
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {

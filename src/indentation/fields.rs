@@ -38,7 +38,8 @@ impl SurfaceFields {
     pub fn pressure(&self, radius: f64) -> Result<f64, Refusal> {
         let r = require_non_negative("radius", radius)?;
         if r >= self.radius {
-            return if r > self.radius {
+            return if r > self.radius || self.radius == 0.0 {
+                // Without contact there is no edge either.
                 Ok(0.0)
             } else {
                 Err(Refusal::out_of_range("radius", r, "other than the contact radius, where the pressure is infinite"))

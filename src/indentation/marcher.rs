@@ -30,12 +30,10 @@ const COARSENING_TOLERANCE: f64 = 1e-2;
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
 const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
-/// Most steps of one stretch of a history.
+/// Most steps of one stretch of a history, or of one of its cycles.
 const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
-/// Most further steps for each cycle of a stretch.
-const STEPS_OF_A_CYCLE: u64 = 2_000;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
 const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
@@ -318,7 +316,6 @@ impl<'a> Marcher<'a> {
             instant: 1,
             cycle: 1,
             budget: self.record.trace.work.steps + MOST_STEPS,
-            most_steps: MOST_STEPS,
         };
     }
 
@@ -338,8 +335,8 @@ impl<'a> Marcher<'a> {
             self.go_to(stretch, target)?;
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.place.cycle += 1;
-                self.place.budget += STEPS_OF_A_CYCLE;
-                self.place.most_steps += STEPS_OF_A_CYCLE;
+                // What one cycle leaves of its steps is not the next one's: a march that stands still would go through all of it.
+                self.place.budget = self.record.trace.work.steps + MOST_STEPS;
                 let stationary =
                     self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
@@ -369,10 +366,10 @@ impl<'a> Marcher<'a> {
             self.edge.forget();
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
-                let most = self.place.most_steps;
+                let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
                 return Err(Refusal::NotConverged {
                     what: "the march",
-                    detail: format!("{most} steps of one stretch reached t = {:e}", self.now()),
+                    detail: format!("{MOST_STEPS} steps of one {what} reached t = {:e}", self.now()),
                 });
             }
             self.step(stretch, target)?;

@@ -1,6 +1,6 @@
 //! The first contact: relaxed or just touched, under any control.
 
-use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius, trial_of_radius};
+use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius, trial_of_radius, widest_stable};
 use super::history::Controlled;
 use super::line::Contact;
 use super::panel::Panel;
@@ -15,10 +15,10 @@ pub(super) fn size_of(profile: &Profile, function: impl Fn(f64) -> f64, value: f
         return 0.0;
     }
     let mut high = 1.0;
-    while function(high) < value && high < 1e30 {
+    while function(high) < value && high < 1e300 {
         high *= 2.0;
     }
-    while function(high) > value && high > 1e-30 {
+    while function(high) > value && high > 1e-300 {
         high *= 0.5;
     }
     let (mut low, mut top) = (high, 2.0 * high);
@@ -74,25 +74,16 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
                 _ => state.force,
             };
             let by_radius = |a: f64| trial_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
-            // The largest contact in equilibrium: from far out, inwards, to the first value below the imposed one.
-            let mut high = 1.01 * adhesion.process_zone;
-            let mut beyond = 0;
-            while beyond < 60 {
-                beyond = if imposed(&by_radius(high)?) > value { beyond + 1 } else { 0 };
-                high *= 1.02;
-            }
-            let mut low = high;
-            while imposed(&by_radius(low)?) > value {
-                high = low;
-                low /= 1.02;
-                if low <= adhesion.process_zone {
+            let [mut low, mut high] = match widest_stable(adhesion.process_zone, value, |a| Ok(imposed(&by_radius(a)?)))? {
+                Ok(bracket) => bracket,
+                Err(least) => {
                     return Err(Refusal::NoSuchState {
                         reason: format!("the value {value:e} pulls more than any contact can hold"),
-                        limit_name: "the process zone",
-                        limit: adhesion.process_zone,
+                        limit_name: "the least value of a contact in equilibrium",
+                        limit: least,
                     });
                 }
-            }
+            };
             for _ in 0..100 {
                 let middle = 0.5 * (low + high);
                 if imposed(&by_radius(middle)?) > value { high = middle } else { low = middle }

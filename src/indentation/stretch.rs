@@ -27,8 +27,6 @@ pub(super) struct Place {
     pub(super) cycle: u64,
     /// Steps of the march at which it gives up.
     pub(super) budget: u64,
-    /// The same, counted from the start of the stretch.
-    pub(super) most_steps: u64,
 }
 
 impl Stretch {

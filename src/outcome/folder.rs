@@ -85,12 +85,7 @@ impl RunFolder {
     /// # Errors
     /// A folder that exists (without `force`), an unfinished run of something else, or a file system that refuses.
     pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<(Self, Vec<Vec<Row>>), FolderError> {
-        if target.exists() && !force {
-            return Err(FolderError::Exists(target.display().to_string()));
-        }
-        if target.exists() && !replaceable(target) {
-            return Err(FolderError::NotARun(target.display().to_string()));
-        }
+        writable(target, force)?;
         let partial = partial_of(target);
         let journal_path = partial.join(JOURNAL);
         if is_held(&journal_path) {
@@ -164,17 +159,26 @@ impl RunFolder {
     }
 }
 
-/// Writes files that are all there already: beside the place of the folder, then moved there in one step.
+/// Whether a folder of files may be written there.
 ///
 /// # Errors
-/// A folder that exists (without `force`) or was not written by a run, or a file system that refuses.
-pub fn write_whole(target: &Path, force: bool, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
+/// A folder that exists (without `force`) or was not written by a run.
+pub fn writable(target: &Path, force: bool) -> Result<(), FolderError> {
     if target.exists() && !force {
         return Err(FolderError::Exists(target.display().to_string()));
     }
     if target.exists() && !replaceable(target) {
         return Err(FolderError::NotARun(target.display().to_string()));
     }
+    Ok(())
+}
+
+/// Writes files that are all there already: beside the place of the folder, then moved there in one step.
+///
+/// # Errors
+/// Those of [`writable`], or a file system that refuses.
+pub fn write_whole(target: &Path, force: bool, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
+    writable(target, force)?;
     let partial = beside(target, &format!(".partial-{}", std::process::id()));
     std::fs::create_dir_all(&partial).map_err(io(&partial))?;
     for (name, bytes) in files {

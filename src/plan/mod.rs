@@ -183,7 +183,13 @@ impl Plan {
     }
 
     /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
-    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+    #[must_use]
+    pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+        self.solve_at(&Desk::new(state, None, &|_| ()), state, swept)
+    }
+
+    /// The same, telling a desk how far it is, and from the checkpoint that is there.
+    fn solve_at(&self, desk: &Desk<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
         let mut rows = self.problem.solve(state, swept, desk);
         if let Some(unfelt) = &self.unfelt {
             unfelt.widen(&mut rows);

@@ -114,14 +114,14 @@ fn solve_state(document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize
     let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
     let solved = || -> Result<Vec<Row>, String> {
         if scene.sweeps.is_empty() {
-            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve(state, &swept, desk));
+            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept));
         }
         let mut varied = document.clone();
         for (sweep, &index) in scene.sweeps.iter().zip(&places) {
             sweep.put(&mut varied, index).map_err(|error| error.to_string())?;
         }
         let varied = read::read_state(&varied).map_err(|error| error.to_string())?;
-        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve(state, &swept, desk))
+        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept))
     };
     solved().unwrap_or_else(|reason| {
         // The swept value contradicts the rest of the scene: one row that says so.

@@ -2,5 +2,6 @@
 
 pub mod annulus_indentation;
 mod dense;
+pub mod growth_stepping;
 pub mod raw_crack_work;
 pub mod sliding_collocation;

@@ -14,7 +14,7 @@
 use super::contact::{
     ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork,
 };
-use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals};
+use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals, largest};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use std::cell::Cell;
@@ -115,6 +115,8 @@ const DIFFERENCE: f64 = 1e-6;
 const MOST_OF_ROOM: f64 = 1e-3;
 /// Rounding of a condition over the size of its terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Rounding of the load, over itself: it opens or closes a gap by itself times the half-width of the gap.
+const LOAD_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// A gap this far below zero, over the largest, is rounding.
 const GAP_ROUNDING: f64 = 1e-13;
 
@@ -136,6 +138,10 @@ pub struct EdgeStates {
 impl TwoResiduals for EdgeStates {
     fn residual(&self) -> [f64; 2] {
         self.residual
+    }
+
+    fn rounding(&self) -> f64 {
+        largest(self.rounding)
     }
 }
 
@@ -254,7 +260,14 @@ impl EdgeBalance {
         let works = (trailing.work(&state, &tensions.0), leading.work(&state, &tensions.1));
         let residual = [defect(works.0.value, targets[0], amplitudes.0), defect(works.1.value, targets[1], amplitudes.1)];
         let digits = 1.0 + state.condition().ln();
-        let rounding = [ROUNDING * digits * works.0.size / targets[0], ROUNDING * digits * works.1.size / targets[1]];
+        // The amplitude of an edge is what two loads of the size of the whole differ by, times cos(a/2): nothing but rounding where adhesion is weak enough.
+        let cosine = if edges.half_gap.is_finite() { (0.5 * edges.half_gap).sin() } else { 1.0 };
+        let load = state.mean_pressure().abs() * cosine + self.indenter.half_angle_scale(edges.half_width);
+        let lost = |amplitude: f64| ROUNDING * self.memory.stiffening_ratio() * load / amplitude.abs();
+        let rounding = [
+            (ROUNDING * digits * works.0.size / targets[0]).max(lost(amplitudes.0)),
+            (ROUNDING * digits * works.1.size / targets[1]).max(lost(amplitudes.1)),
+        ];
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }
@@ -368,9 +381,15 @@ impl EdgeBalance {
                 largest = largest.max(gap);
             }
         }
-        // Without adhesion the gap opens as the distance to the power 3/2 and may be lost to rounding at the edge.
-        let rounding = if states.moved.is_none() { GAP_ROUNDING * largest } else { 0.0 };
-        Ok(Admissibility { edges_pulled, smallest_gap: (smallest + rounding) / largest })
+        // Without adhesion the gap opens as the distance to the power 3/2 and may be lost to rounding at the edge; a narrow one is lost as a whole to that of the load,
+        // which differs from the load of full contact by the square of the gap.
+        let rounding = if states.moved.is_none() {
+            let load = state.mean_pressure().abs() + self.indenter.half_angle_scale(half_width);
+            GAP_ROUNDING * largest + LOAD_ROUNDING * load * half_gap.min(1.0)
+        } else {
+            0.0
+        };
+        Ok(Admissibility { edges_pulled, smallest_gap: (smallest + rounding) / largest.max(rounding) })
     }
 
     /// Solves both conditions and checks the root.

@@ -2,12 +2,13 @@
 
 import cracks
 import elastic
+import elements
 import peers
 import sliding
 import special
 import sphere
 
-SOURCES = (special, cracks, sliding, sphere, elastic, peers)
+SOURCES = (special, cracks, sliding, sphere, elements, elastic, peers)
 
 
 def everything(harness):

@@ -23,6 +23,7 @@ SCRIPTS = {
     "sphere_annuli": ["mpmath", "numpy", "scipy"],
     "elliptic": ["mpmath"],
     "delayed_fracture": ["mpmath"],
+    "rolling_cylinders": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],
     "sliding_hysteresis": ["mpmath"],
     "sliding_wave": ["mpmath"],

@@ -6,9 +6,10 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 REFERENCES = os.path.join(ROOT, "verification", "references")
+FENICSX = os.path.join(ROOT, "verification", "fenicsx")
 TARGET = os.environ.get("CARGO_TARGET_DIR", os.path.join(ROOT, "target"))
 # Packages of Debian by the modules that they bring.
-PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "mpmath": "python3-mpmath"}
+PACKAGES = {"numpy": "python3-numpy", "scipy": "python3-scipy", "mpmath": "python3-mpmath", "dolfinx": "python3-dolfinx"}
 sys.dont_write_bytecode = True
 
 

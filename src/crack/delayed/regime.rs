@@ -90,6 +90,9 @@ pub fn regime(problem: &GrowthProblem<'_>, intensity: f64) -> Result<RegimeRepor
     };
     let regime = if intensity * intensity == 0.0 {
         Regime::NoGrowth
+    } else if !(intensity * intensity * problem.interface.body.deformable_halves()).is_finite() {
+        // No work of adhesion that is a double balances a release that is none.
+        Regime::Immediate
     } else {
         let needed = creep_needed(problem, intensity);
         if needed.to_come <= 0.0 {

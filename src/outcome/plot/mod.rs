@@ -35,6 +35,8 @@ mod figure;
 #[cfg(feature = "plots")]
 mod canvas;
 #[cfg(feature = "plots")]
+mod inline;
+#[cfg(feature = "plots")]
 mod inset;
 #[cfg(feature = "plots")]
 mod interval;
@@ -112,5 +114,35 @@ pub fn png(figure: &Figure) -> Result<Vec<u8>, PlotError> {
     {
         let _ = figure;
         Err(PlotError::NotBuilt)
+    }
+}
+
+/// Draws the figure as a part of an HTML page: an `<svg>` element as wide as its place, described by `label`, whose ink is the colour of the text around it,
+/// whose paper is `var(--paper)` and whose curves take `var(--curve-0)` to `var(--curve-6)`, see [`curve_colours`].
+///
+/// # Errors
+/// Those of [`svg`].
+pub fn inline_svg(figure: &Figure, label: &str) -> Result<String, PlotError> {
+    #[cfg(feature = "plots")]
+    {
+        Ok(inline::inline(&render::svg(figure)?, label))
+    }
+    #[cfg(not(feature = "plots"))]
+    {
+        let _ = (figure, label);
+        Err(PlotError::NotBuilt)
+    }
+}
+
+/// The colours of curves on white paper, as `#rrggbb`, by index; none in a build without plots.
+#[must_use]
+pub fn curve_colours() -> Vec<String> {
+    #[cfg(feature = "plots")]
+    {
+        inline::palette()
+    }
+    #[cfg(not(feature = "plots"))]
+    {
+        Vec::new()
     }
 }

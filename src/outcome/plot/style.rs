@@ -43,7 +43,8 @@ pub(super) const INK: Rgb = (0, 0, 0);
 pub(super) const PAPER: Rgb = (255, 255, 255);
 
 /// Okabe and Ito, "Color Universal Design" (2008), without their yellow, which white paper swallows; neighbours differ in lightness.
-const PALETTE: [Rgb; 7] = [(0, 114, 178), (230, 159, 0), (0, 0, 0), (0, 158, 115), (213, 94, 0), (86, 180, 233), (204, 121, 167)];
+pub(super) const PALETTE: [Rgb; 7] =
+    [(0, 114, 178), (230, 159, 0), (0, 0, 0), (0, 158, 115), (213, 94, 0), (86, 180, 233), (204, 121, 167)];
 
 /// The order in which [`Line::Automatic`] goes through the strokes.
 const STROKES: [Line; 6] = [Line::Solid, Line::LongDashed, Line::DashDotted, Line::Dashed, Line::DashDoubleDotted, Line::Dotted];

@@ -9,9 +9,11 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::steady::{PartialContact, SlidingOutcome, Start, steady_sliding, steady_sliding_near};
+use crate::sliding::steady::{PartialContact, SlidingOutcome, SlidingProblem, Start, steady_sliding, steady_sliding_near};
 use nalgebra::Vector3;
 
+/// Contacts that slopes are taken at are solved at least this well.
+const CONTACT_ACCURACY: f64 = 1e-9;
 /// Evaluations for the slopes at one resolution: four along each of three unknowns, and one where they are wanted.
 const SLOPE_EVALUATIONS: u64 = 13;
 
@@ -41,7 +43,9 @@ pub fn load_slopes(
     if problem.path != BranchPath::Loads {
         return Err(Refusal::Undefined { quantity: "the slope of the load", reason: "the branch is not one of loads".into() });
     }
+    // Slopes are taken at the contact that is found: what it is off counts in them, and their bars do not see it.
     let steady = problem.steady(0.0, SlidingControl::HalfWidth(half_width));
+    let steady = SlidingProblem { accuracy: steady.accuracy.min(CONTACT_ACCURACY), ..steady };
     let contact = match start {
         Some((pressure, eccentricity)) => steady_sliding_near(material, &steady, &Start::at(pressure, eccentricity))?,
         None => match steady_sliding(material, &steady)? {

@@ -4,6 +4,9 @@ use crate::material::Material;
 use crate::refusal::{Refusal, require_non_negative};
 use crate::sliding::memory::{MemoryTerm, SlidingMemory};
 
+/// Sliding ratios of the slowest term below this leave no trace in any output, and their squares are no doubles.
+const AT_REST: f64 = 1e-200;
+
 /// A relaxation term: its relative modulus E_i/E0 and its sliding ratio ε_i = kvρ_i.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RelaxationMode {
@@ -28,7 +31,9 @@ impl ContactMemory {
     pub fn new(material: &Material, rate: f64) -> Result<Self, Refusal> {
         let rate = require_non_negative("rate", rate)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
-        if rate == 0.0 {
+        // So slow that no digit of any term has a place in a double: at rest.
+        let slowest = material.longest_retardation_time().map_or(0.0, |time| rate * time);
+        if rate == 0.0 || (slowest < AT_REST && !material.is_elastic()) {
             return Ok(Self { kernel: SlidingMemory::new(1.0, &[])?, stiffening_ratio: 1.0, creep: Vec::new(), relaxation: Vec::new() });
         }
         let kernel = SlidingMemory::of_material(material, rate, 1.0)?;

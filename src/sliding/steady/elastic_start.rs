@@ -11,7 +11,7 @@
 use super::problem::SlidingProblem;
 use super::uneven_start::{is_uneven_wave, mean_work, uneven_parabola_shift, uneven_unknowns};
 use crate::continuation::root::{LogSlope, increasing_root};
-use crate::elastic::johnson_wave::WaveBranch;
+use crate::elastic::johnson_wave::{PARTIAL_CONTACT_LIMIT, WaveBranch};
 use crate::elastic::{EquilibriumBranch, JohnsonWave, WestergaardWave};
 use crate::refusal::Refusal;
 use crate::sliding::contact::Indenter;
@@ -63,6 +63,16 @@ fn elastic_unknown(problem: &SlidingProblem<'_>, work: f64, modulus: f64) -> Res
             let wave = WestergaardWave::new(1.0, 2.0 * PI, 1.0)?;
             let adhesive = (work > 0.0).then(|| JohnsonWave::new(wave, PI * work / modulus)).transpose()?;
             let state = match (control, adhesive) {
+                // Every partial contact is unstable, and under no pull there is none.
+                (SlidingControl::MeanPressure(pressure), Some(wave)) if wave.adhesion_parameter() >= PARTIAL_CONTACT_LIMIT => {
+                    let (limit_name, limit) = if pressure >= 0.0 {
+                        ("the mean pressure of the last partial contact", 0.0)
+                    } else {
+                        ("Johnson's adhesion parameter from which on no partial contact is stable", PARTIAL_CONTACT_LIMIT)
+                    };
+                    let reason = "adhesion is so strong that every partial contact of the elastic wave is unstable".into();
+                    return Err(Refusal::NoSuchState { reason, limit_name, limit });
+                }
                 (SlidingControl::MeanPressure(pressure), Some(wave)) => {
                     wave.state_by_mean_pressure(0.5 * pressure / modulus, WaveBranch::Stable)
                 }

@@ -11,8 +11,12 @@ use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
+use crate::sliding::branch::{BranchProblem, strength};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
+
+/// Folds are located this well, or to the accuracy of the problem if that is less.
+const FOLD_ACCURACY: f64 = 1e-9;
 
 /// The steady contact of a material on a sliding indenter.
 ///
@@ -84,9 +88,30 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
             limit_name: "rate kv (1/s)",
             limit: last,
         }),
-        (None, Some(refusal)) => Err(refusal),
+        (None, Some(refusal)) => beyond_a_fold(material, problem, work).unwrap_or(Err(refusal)),
         (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
     }
+}
+
+/// What a load is that no contact was found for although the elastic one of a short zone bears it: within a process zone of a fold the branch of loads tells on which side.
+fn beyond_a_fold(material: &Material, problem: &SlidingProblem<'_>, work: SlidingWork) -> Option<Result<SlidingOutcome, Refusal>> {
+    let (Indenter::Wave, SlidingControl::MeanPressure(pressure), Some(adhesion)) = (problem.indenter, problem.control, problem.adhesion)
+    else {
+        return None;
+    };
+    let loads = BranchProblem::loads(problem.rate, adhesion, problem.accuracy.max(FOLD_ACCURACY));
+    let found = strength(material, &BranchProblem { work_by_speed: problem.work_by_speed, ..loads }).ok()?;
+    if let Some(fold) = &found.pull_off
+        && pressure <= fold.value.value + fold.value.error
+    {
+        return Some(Err(Refusal::NoSuchState {
+            reason: "the load pulls harder than a contact at this speed can hold".into(),
+            limit_name: "mean pressure of pull-off",
+            limit: fold.value.value,
+        }));
+    }
+    let snap_in = found.snap_in.as_ref().map(|fold| fold.value).filter(|limit| pressure >= limit.value - limit.error)?;
+    Some(full_contact(material, problem, "mean pressure of snap-in", snap_in.value, work))
 }
 
 /// The steady contact near another one of the same control, without a path.

@@ -15,7 +15,7 @@ fn run_scene<'py>(py: Python<'py>, text: String, folder: &str) -> PyResult<Bound
     let mut document = Document::parse("scene", text, Path::new(folder)).map_err(wrong)?;
     read::resolve_includes(&mut document).map_err(wrong)?;
     let scene = read::read(&document).map_err(wrong)?;
-    let outcome = plan::run(&document, &scene, Vec::new(), None, &|_, _| {}).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let outcome = plan::run(&document, &scene, Vec::new(), None, &|_| {}).map_err(|error| PyValueError::new_err(error.to_string()))?;
     py.import("json")?.call_method1("loads", (summary(&outcome).to_string(),))
 }
 

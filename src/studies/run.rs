@@ -1,0 +1,125 @@
+//! All studies in one run.
+
+use super::section::{Check, Effort, Progress, Section, Verdict};
+use super::stamp::Stamp;
+use super::{STUDIES, Study};
+use rayon::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
+use thiserror::Error;
+
+/// Why nothing was run.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum StudiesError {
+    /// There is no such study.
+    #[error("there is no study `{name}`: there are {known}")]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+}
+
+/// The sections of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// How much was computed.
+    pub effort: Effort,
+    /// Where, when and by what.
+    pub stamp: Stamp,
+    /// In the order of the page.
+    pub sections: Vec<Section>,
+    /// Wall time of the whole run (s).
+    pub seconds: f64,
+}
+
+impl Report {
+    /// Number of checks that ended in a way.
+    #[must_use]
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.sections.iter().map(|section| section.count(verdict)).sum()
+    }
+
+    /// Every check that ended in a way, with its section.
+    pub fn ended(&self, verdict: Verdict) -> impl Iterator<Item = (&Section, &Check)> {
+        self.sections
+            .iter()
+            .flat_map(move |section| section.checks.iter().filter(move |check| check.verdict == verdict).map(move |check| (section, check)))
+    }
+
+    /// The table on the screen: a line a section, then every check that failed, then the closing line.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let mut text = format!("{:<24} {:>7} {:>7} {:>7} {:>8}\n", "section", "passed", "stated", "failed", "seconds");
+        let counts = |section: &Section| [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| section.count(verdict));
+        for section in &self.sections {
+            let [passed, stated, failed] = counts(section);
+            text.push_str(&format!("{:<24} {passed:>7} {stated:>7} {failed:>7} {:>8.1}\n", section.identifier, section.seconds));
+        }
+        for (section, check) in self.ended(Verdict::Stated) {
+            text.push_str(&format!("stated {}: {} (expected {}; found {})\n", section.identifier, check.name, check.expected, check.found));
+        }
+        for (section, check) in self.ended(Verdict::Failed) {
+            text.push_str(&format!("FAILED {}: {} (expected {}; found {})\n", section.identifier, check.name, check.expected, check.found));
+        }
+        text.push_str(&self.closing_line());
+        text
+    }
+
+    /// What the run comes to, in one line.
+    #[must_use]
+    pub fn closing_line(&self) -> String {
+        let effort = self.effort.choose("reduced", "full");
+        format!(
+            "verify ({effort}): {} checks passed, {} stated, {} failed in {} sections, {:.0} s\n",
+            self.count(Verdict::Passed),
+            self.count(Verdict::Stated),
+            self.count(Verdict::Failed),
+            self.sections.len(),
+            self.seconds
+        )
+    }
+}
+
+/// The studies of these names, all of them for no name.
+///
+/// # Errors
+/// [`StudiesError::Unknown`].
+pub fn chosen(names: &[String]) -> Result<Vec<Study>, StudiesError> {
+    for name in names {
+        if !STUDIES.iter().any(|study| study.identifier == name) {
+            let known = STUDIES.iter().map(|study| study.identifier).collect::<Vec<_>>().join(", ");
+            return Err(StudiesError::Unknown { name: name.clone(), known });
+        }
+    }
+    Ok(STUDIES.iter().filter(|study| names.is_empty() || names.iter().any(|name| name == study.identifier)).copied().collect())
+}
+
+/// Runs studies: first side by side those that measure no times, then the others one by one on one thread.
+#[must_use]
+pub fn run(studies: &[Study], effort: Effort, progress: &Progress) -> Report {
+    let begin = Instant::now();
+    let mut sections: Vec<Option<Section>> =
+        studies.par_iter().map(|study| (!study.alone).then(|| section(study, effort, progress))).collect();
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    for (place, study) in sections.iter_mut().zip(studies).filter(|(place, _)| place.is_none()) {
+        *place = Some(match &alone {
+            Ok(pool) => pool.install(|| section(study, effort, progress)),
+            Err(_) => section(study, effort, progress),
+        });
+    }
+    Report { effort, stamp: Stamp::now(), sections: sections.into_iter().flatten().collect(), seconds: begin.elapsed().as_secs_f64() }
+}
+
+/// One section. A panic is a defect of a solver or of the study: it fails the section and leaves the others.
+fn section(study: &Study, effort: Effort, progress: &Progress) -> Section {
+    let begin = Instant::now();
+    let mut section = catch_unwind(AssertUnwindSafe(|| (study.compute)(effort, progress))).unwrap_or_else(|_| {
+        let mut section = Section::new(study.identifier, study.identifier);
+        section.checks.push(Check::new("the study itself", "it ends", "it panicked: a defect", false));
+        section
+    });
+    section.seconds = begin.elapsed().as_secs_f64();
+    section
+}

@@ -1,0 +1,58 @@
+//! Source: the command line, `viscotack verify`.
+//!
+//! Goal: wrong calls end with 2 and write nothing; an existing folder is refused before the work, not after it, and replaced only by force and only if it is
+//! a report; a run ends with 0 and leaves one whole folder.
+//!
+//! Parameters: the quickest study. Oracle: exit codes, files. Tolerance: none.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use assert_cmd::Command;
+use std::path::Path;
+
+fn verify(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("viscotack").unwrap().current_dir(folder).arg("verify").args(arguments).assert()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn wrong_calls_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for arguments in [&["--ful"][..], &["--out"], &["no_such_study"], &["--full=yes"], &["--effort", "full"]] {
+        let assert = verify(folder.path(), arguments).code(2);
+        assert!(!text(&assert.get_output().stderr).is_empty());
+    }
+    let assert = verify(folder.path(), &["no_such_study"]).code(2);
+    let message = text(&assert.get_output().stderr);
+    assert!(message.contains("`no_such_study`") && message.contains("convergence_crack"), "{message}");
+    assert!(std::fs::read_dir(folder.path()).unwrap().next().is_none(), "nothing was written");
+}
+
+#[test]
+fn a_report_is_written_whole_and_an_existing_folder_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let assert = verify(folder.path(), &["convergence_crack", "--out", "report"]).code(0);
+    let out = text(&assert.get_output().stdout);
+    assert!(out.contains("verify (reduced):") && out.contains("0 failed") && out.contains("wrote report"), "{out}");
+    let report = folder.path().join("report");
+    for name in ["report.html", "summary.json", "checks.csv", "convergence_crack_lines.csv", "convergence_crack_lines_plot.csv"] {
+        assert!(report.join(name).is_file(), "{name}");
+    }
+    assert!(std::fs::read_dir(folder.path()).unwrap().count() == 1, "nothing half-written beside it");
+    // Refused at once, and untouched.
+    let before = std::fs::metadata(report.join("report.html")).unwrap().modified().unwrap();
+    let message = text(&verify(folder.path(), &["convergence_crack", "--out", "report"]).code(2).get_output().stderr);
+    assert!(message.contains("exists already"), "{message}");
+    assert!(std::fs::metadata(report.join("report.html")).unwrap().modified().unwrap() == before);
+    verify(folder.path(), &["convergence_crack", "--out", "report", "--force"]).code(0);
+    assert!(std::fs::metadata(report.join("report.html")).unwrap().modified().unwrap() > before);
+    // Other work is not replaced, force or not.
+    let other = folder.path().join("other");
+    std::fs::create_dir(&other).unwrap();
+    std::fs::write(other.join("thesis.txt"), "years of work").unwrap();
+    let message = text(&verify(folder.path(), &["convergence_crack", "--out", "other", "--force"]).code(2).get_output().stderr);
+    assert!(message.contains("not replaced"), "{message}");
+    assert!(other.join("thesis.txt").is_file());
+}

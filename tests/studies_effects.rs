@@ -1,0 +1,62 @@
+//! Source: `studies::effects`; the README's "a table that is absent is an effect that is not simulated".
+//!
+//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing.
+//!
+//! Parameters: three of its effects.
+//!
+//! Oracle: the scenes themselves, and the same with an effect that is not neutral.
+//!
+//! Tolerance: as each effect states.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use viscotack::studies::effects::scenes::{Effect, effects};
+use viscotack::studies::effects::{cheaper, difference, equal, solved};
+
+fn named(name: &str) -> Effect {
+    effects().into_iter().find(|effect| effect.name == name).unwrap()
+}
+
+fn judged(effect: &Effect) -> (bool, bool) {
+    let (with, without) = (solved(&effect.with, 1).unwrap().0, solved(&effect.without, 1).unwrap().0);
+    let (off, compared) = difference(effect, &with, &without);
+    println!("{}: {off:e} of {compared}; {} | {}", effect.name, with.work(), without.work());
+    (equal(effect.tolerance, off, compared), cheaper(effect, with.work(), without.work()))
+}
+
+#[test]
+fn neutral_effects_change_nothing_and_others_are_seen() {
+    for (name, neutral, real) in [
+        ("one more relaxation term (steady crack)", "fraction = 1e-12", "fraction = 1e-3"),
+        ("an elastic counter body (sliding)", "modulus = 1e19", "modulus = 1e8"),
+        ("fields (steady crack)", "points = 30", "points = 31"),
+    ] {
+        let effect = named(name);
+        assert_eq!(judged(&effect), (true, true), "{name}");
+        assert!(effect.with.contains(neutral), "{name}");
+        let changed = Effect { with: effect.with.replace("0.999999999999", "0.999").replace(neutral, real), ..effect.clone() };
+        assert_eq!(judged(&changed).0, name.starts_with("fields"), "{name}");
+    }
+}
+
+#[test]
+fn an_effect_that_costs_nothing_is_seen() {
+    let effect = named("fields (steady crack)");
+    let idle = Effect { with: effect.without.clone(), ..effect };
+    assert_eq!(judged(&idle), (true, false));
+}
+
+#[test]
+fn every_effect_has_two_scenes() {
+    let all = effects();
+    assert!(all.len() >= 20);
+    // A piece that is not in its scene would leave the effect as it was, and the comparison without one.
+    for effect in all {
+        assert!(effect.with != effect.without, "{}", effect.name);
+    }
+}
+
+#[test]
+fn values_that_are_not_there_are_no_agreement() {
+    let effect = Effect { columns: &["no such column"], ..named("fields (steady crack)") };
+    assert!(!judged(&effect).0);
+}

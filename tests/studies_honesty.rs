@@ -1,0 +1,66 @@
+//! Source: this crate's claim that every number carries an honest error bar; `studies::honesty`.
+//!
+//! Goal: the study sees dishonest bars: one that is too short, one that is a thousand times too wide, an answer that is lost; and it passes over honest ones.
+//!
+//! Parameters: forty steady contacts and a hundred steady cracks of the study's own scenes.
+//!
+//! Oracle: falsification: bars divided by a thousand, values moved by two bars, bars times a thousand.
+//!
+//! Tolerance: the promises of the study: no miss, median at most 10, 95th percentile at most 100.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use rayon::prelude::*;
+use viscotack::Estimate;
+use viscotack::studies::honesty::tally::{Compared, Judged, Tally, Truth};
+use viscotack::studies::honesty::{crack, sliding};
+
+fn scenes() -> Vec<Judged> {
+    let contacts = (0..40_u64).into_par_iter().map(sliding::judged);
+    let cracks = (0..100_u64).into_par_iter().map(crack::judged);
+    contacts.chain(cracks).collect()
+}
+
+fn with_bars(judged: &[Judged], change: impl Fn(&Compared) -> Estimate) -> Vec<Judged> {
+    let changed = |one: &Compared| Compared { found: change(one), ..*one };
+    judged.iter().map(|scene| Judged { compared: scene.compared.iter().map(changed).collect(), ..scene.clone() }).collect()
+}
+
+#[test]
+fn honest_bars_pass_and_falsified_ones_do_not() {
+    let judged = scenes();
+    let tally = Tally::of(&judged);
+    println!("{} values, widths {:?} {:?} of {}", tally.values, tally.width(0.5), tally.width(0.95), tally.widths.len());
+    assert!(tally.misses.is_empty() && tally.troubles.is_empty(), "{:?} {:?}", tally.misses, tally.troubles);
+    assert!(tally.values > 300 && 20 * tally.by_another_route >= tally.scenes);
+
+    let short = Tally::of(&with_bars(&judged, |one| Estimate::new(one.found.value, 1e-3 * one.found.error)));
+    assert!(short.misses.len() * 20 > tally.values, "bars a thousandth as long miss in {} of {}", short.misses.len(), tally.values);
+    let moved = Tally::of(&with_bars(&judged, |one| Estimate::new(one.found.value + 3.0 * one.found.error, one.found.error)));
+    assert!(moved.misses.len() * 4 > tally.values, "values moved by three bars miss in {} of {}", moved.misses.len(), tally.values);
+    let wide = Tally::of(&with_bars(&judged, |one| Estimate::new(one.found.value, 1e3 * one.found.error)));
+    assert!(wide.width(0.5).unwrap() > 10.0 * tally.width(0.5).unwrap(), "{:?} {:?}", wide.width(0.5), tally.width(0.5));
+}
+
+#[test]
+fn what_is_no_number_is_missed() {
+    let one = |found: Estimate, truth: Estimate| Compared { quantity: "x", found, truth, scale: 1.0 };
+    assert!(one(Estimate::new(f64::NAN, 1.0), Estimate::exact(1.0)).is_missed());
+    assert!(one(Estimate::new(1.0, f64::NAN), Estimate::exact(1.0)).is_missed());
+    assert!(!one(Estimate::new(1.0, 0.1), Estimate::new(1.15, 0.06)).is_missed());
+    assert!(one(Estimate::new(1.0, 0.1), Estimate::new(1.17, 0.06)).is_missed());
+    // A bar above rounding over an error that is known: 0.1/0.02.
+    assert!((one(Estimate::new(1.0, 0.1), Estimate::exact(1.02)).width().unwrap() - 5.0).abs() < 1e-9);
+    // Not told where the truth is hardly better, or the bar is rounding.
+    assert!(one(Estimate::new(1.0, 0.1), Estimate::new(1.02, 0.05)).width().is_none());
+    assert!(one(Estimate::new(1.0, 1e-15), Estimate::exact(1.0)).width().is_none());
+    // A scene without an answer counts as lost, not as honest.
+    let lost = Judged {
+        scene: 0,
+        accuracy: 1e-3,
+        described: String::new(),
+        compared: Vec::new(),
+        truth: Truth::Tighter,
+        trouble: Some("no".into()),
+    };
+    assert_eq!(Tally::of(&[lost]).troubles.len(), 1);
+}
