@@ -227,3 +227,23 @@ fn a_speed_factor_is_a_clock() {
         }
     }
 }
+
+/// δ = αE0*Δγ/(πσ²): that of K² = 2E0*Δγ on a half-space against a rigid body, δ = α(K/(√(2π)σ))². In reduced units σ is in πE0*, so δ = αγ̃/(π²σ̃²).
+#[test]
+fn a_cohesive_stress_gives_the_zone_of_the_relaxed_body() {
+    let rest = "[indentation]\nsphere = {}\nstart = \"relaxed\"\npenetration = 0.032\ninstants = 4\n[[history]]\npenetration = 0.02\nrate = 0.002\n";
+    let by_length = solved(&format!("{REDUCED}{rest}"));
+    let factor = 0.5;
+    let stress = (factor * 1.6e-4 / (PI * PI * 0.013)).sqrt();
+    let cohesive = format!("process_zone = {{ cohesive_stress = {stress:e}, factor = {factor} }}");
+    let by_stress = solved(&format!("{}{rest}", REDUCED.replace("process_zone = { length = 0.013 }", &cohesive)));
+    let (first, second) = (instants(&by_length), instants(&by_stress));
+    assert!(first.len() >= 5 && first.len() == second.len());
+    for (one, other) in first.iter().zip(&second) {
+        for name in ["force", "contact_radius"] {
+            let (left, right) = (value(&by_length, one, name), value(&by_stress, other, name));
+            // The two lengths differ by rounding, and so may the steps of the marches: their accuracy is 1e-4.
+            assert!((left - right).abs() <= 1e-4 * left.abs(), "{name}: {left:e} {right:e}");
+        }
+    }
+}
