@@ -54,7 +54,12 @@ pub fn stored_runs() -> Vec<StoredRun> {
 #[must_use]
 pub fn parse(text: &str) -> Vec<StoredRun> {
     let run = |row: &Row| StoredRun {
-        problem: row.text("problem").to_owned(),
+        problem: match row.text("problem") {
+            // Names in words of the finite elements.
+            "sphere, retraction along a prescribed edge, one relaxation time" => "sphere_prescribed_edge".to_owned(),
+            "flat punch pressed at once and held, elastic bulk, viscoelastic shear" => "flat_punch_elastic_bulk".to_owned(),
+            name => name.to_owned(),
+        },
         method: row.text("method").to_owned(),
         setting: row.text("setting").to_owned(),
         error: Some(row.number("error")).filter(|error| error.is_finite()),

@@ -1,19 +1,15 @@
 #!/usr/bin/env python3
-"""Error against time of programs that are not this one, on problems of `viscotack verify`; writes verification/peers/work_precision.csv.
+"""Error against time of the references in numpy, on problems of `viscotack verify`; writes verification/peers/work_precision.csv.
 
     FOLDER/bin/python verification/peers/work_precision.py        one thread, some ten minutes
 
-FOLDER needs numpy, scipy and mpmath, and for the elastic wave tamaas and ContactMechanics (verification/peers/setup.sh makes one); what is missing is left out
-and said. Seconds: median processor time of several solutions in one process, imports not counted. The same problems, truths and measures as
+FOLDER needs numpy, scipy and mpmath (verification/peers/setup.sh makes one). Tamaas, ContactMechanics and Adhesion: work_precision_peers.py. Seconds: median processor time of several solutions in one process, imports not counted. The same problems, truths and measures as
 in src/studies/precision:
 
-elastic_wave        no adhesion, half of full contact: penetration and interface work against Westergaard's closed form, over max(|value|, 1), worse of both
 delayed_fracture    verification/references/delayed_fracture.py, the thesis's stepping in numpy: largest |place - closed form|/zone at 2 to 6 delays
 sphere_retraction   verification/references/sphere_annuli.py, dense annuli with exact memories: force at t = 10, 14 and 18 over the largest, against the extrapolated values
                     of reference_data/sphere_annuli.csv (of the same program on finer meshes: an estimate of its error, sure to 3e-7)
 sphere_prescribed_edge   the same along a prescribed edge, against the extrapolated force (sure to 2e-9)
-
-Tamaas has viscoelastic solids (generalised Maxwell, first order in time) and adhesive ones (elastic), but not both: it has no run on the adhesive sliding wave.
 """
 
 import os
@@ -65,38 +61,6 @@ def timed(work, most=5, patience=2.0):
         result = work()
         seconds.append(time.process_time() - begun)
     return result, statistics.median(seconds)
-
-
-# ---------------------------------------------------------------- elastic wave
-
-PRESSURE = 0.5
-PENETRATION = PRESSURE * (1.0 - math.log(PRESSURE))
-WORK = 0.5 * (2.0 * math.pi * PRESSURE - math.pi * PRESSURE ** 2 + 2.0 * math.pi * (PENETRATION - 1.0) * PRESSURE)
-
-
-def wave_error(points, pressure, displacement):
-    displacement = displacement - displacement.mean()
-    work = 0.5 * float(np.mean(pressure * displacement)) * 2.0 * math.pi
-    return max(abs(float(displacement[0]) - PENETRATION), abs(work - WORK) / max(WORK, 1.0))
-
-
-def elastic_wave():
-    import logging
-    logging.disable(logging.WARNING)
-    import elastic_wave as peers            # beside this file
-    names = {"Tamaas, conjugate gradients": (peers.by_tamaas, ("tamaas",)),
-             "ContactMechanics, conjugate gradients": (peers.by_contact_mechanics, ("ContactMechanics",))}
-    for method, (solve, packages) in names.items():
-        for points in (32, 64, 128, 256, 512, 1024, 2048, 4096):
-            try:
-                (pressure, displacement), seconds = timed(lambda: solve(points, PRESSURE))
-                sign = 1.0 if pressure.mean() > 0.0 else -1.0
-                error = wave_error(points, sign * pressure, displacement)
-            except (AssertionError, RuntimeError) as reason:
-                print(method, points, reason)
-                error, seconds = None, None
-            if seconds:
-                yield "elastic_wave", method, f"{points} points", error, seconds, version(*packages)
 
 
 # ---------------------------------------------------------------- growth of a crack
@@ -163,14 +127,10 @@ def main():
     stamp = {"machine": machine(), "date": datetime.date.today().isoformat()}
     path = os.path.join(HERE, "work_precision.csv")
     rows = []
-    for part in (growth, sphere, elastic_wave):
-        try:
-            for problem, method, setting, error, seconds, packages in part():
-                print(f"{problem:24} {method:40} {setting:20} error {error if error is None else format(error, '.2e')}  {seconds:.3g} s", flush=True)
-                rows.append({"problem": problem, "method": method, "setting": setting, "error": "" if error is None else f"{error:.2e}",
-                             "seconds": f"{seconds:.3g}", "version": packages, **stamp})
-        except ImportError as missing:
-            print(f"left out, {part.__name__}: {missing}")
+    for part in (growth, sphere):
+        for problem, method, setting, error, seconds, packages in part():
+            print(f"{problem:24} {method:40} {setting:20} error {error:.2e}  {seconds:.3g} s", flush=True)
+            rows.append({"problem": problem, "method": method, "setting": setting, "error": f"{error:.2e}", "seconds": f"{seconds:.3g}", "version": packages, **stamp})
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()

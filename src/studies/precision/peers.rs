@@ -63,7 +63,22 @@ fn known(problem: &str) -> (String, &'static str, Vec<Method>) {
             "largest error",
             sample("to rounding", timed(elastic_wave)),
         ),
-        "sphere_prescribed_edge" | "sphere, retraction along a prescribed edge, one relaxation time" => (
+        "sliding_without_adhesion" => (
+            "A wave that slides without adhesion over a solid of one time, by Tamaas's generalised Maxwell half-space stepped in time, and by this program (stored in the same run).".into(),
+            "largest error",
+            Vec::new(),
+        ),
+        "adhesive_elastic_wave" => (
+            "An elastic adhesive wave in the limit of a short range (Johnson's wave): the peers have an exponential attraction of a range, refined with the grid.".into(),
+            "error of the mean pressure",
+            Vec::new(),
+        ),
+        "flat_punch_elastic_bulk" => (
+            "A flat punch pressed at once and held on a solid of elastic bulk and viscoelastic shear: error of the force, by finite elements.".into(),
+            r"error of $F/F_{\mathrm{max}}$",
+            Vec::new(),
+        ),
+        "sphere_prescribed_edge" => (
             "A sphere retracted along a prescribed edge, one relaxation time: error of the force at the end over the largest. Of this program it is the distance from the \
              stored annuli, which are sure to 2·10⁻⁹; it needs two steps, as the line is exact for straight ways."
                 .into(),
