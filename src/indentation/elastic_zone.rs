@@ -8,12 +8,12 @@ use super::zone::{Zone, zone_work};
 use crate::refusal::{Refusal, require_finite, require_positive};
 use std::f64::consts::PI;
 
-/// Ratio of neighbouring trial radii of a search.
-const SEARCH_RATIO: f64 = 1.02;
+/// Ratio of neighbouring trial radii of a search: a stride over a stable contact and an unstable one is found by the least value between.
+const SEARCH_RATIO: f64 = 1.1;
 /// So many strides on a rising value are far out.
-const STRIDES_BEYOND: u32 = 60;
+const STRIDES_BEYOND: u32 = 13;
 /// Strides of a search at most: 170 decades.
-const MOST_STRIDES: u32 = 20_000;
+const MOST_STRIDES: u32 = 4_100;
 
 /// A contact in elastic equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
