@@ -34,7 +34,7 @@ const TIGHTEST: f64 = 1e-9;
 /// Solves a history to its accuracy: `material` in moduli E* = E/(1 − ν²).
 ///
 /// # Errors
-/// Every refusal of [`march`].
+/// Every refusal of [`march`](crate::indentation::march).
 pub fn run(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
     run_watched(material, problem, None, None)
 }
