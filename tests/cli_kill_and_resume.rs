@@ -264,7 +264,7 @@ process_zone = {{ length = "1 µm" }}
 sphere = {{ radius = "1 mm" }}
 start = "relaxed"
 penetration = "5 µm"
-energies = {}
+energies = {{}}
 instants = 20
 
 [[history]]
