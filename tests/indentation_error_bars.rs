@@ -63,7 +63,7 @@ fn bars_cover_and_are_not_wide() {
     for case in 0..60 {
         let accuracy = [1e-3, 1e-4, 1e-5][case % 3];
         let (material, asked) = problem(&mut random, accuracy);
-        let (found, exact) = match (run(&material, &asked), march(&material, &asked, 3e-3 * accuracy)) {
+        let (found, exact) = match (run(&material, &asked), march(&material, &asked, 1e-3 * accuracy)) {
             (Ok(found), Ok(exact)) => (found, exact),
             (found, exact) => {
                 println!("case {case}: {:?} {:?}", found.err(), exact.err());
@@ -89,7 +89,8 @@ fn bars_cover_and_are_not_wide() {
                     outside += 1;
                     println!("case {case} ({accuracy:e}): {name} {:e} ± {:e}, off {error:e}", one.value, one.error);
                 }
-                if error > 1e-9 * one.value.abs() && one.error.is_finite() {
+                // Below a thousandth of the accuracy bars keep a floor, and errors say nothing.
+                if error > 1e-3 * accuracy * scale && one.error.is_finite() {
                     ratios.push(one.error / error);
                 }
             }
@@ -105,7 +106,7 @@ fn bars_cover_and_are_not_wide() {
         ratios.len()
     );
     assert_eq!(refused, 0);
-    assert!(outside * 50 <= inside);
+    assert_eq!(outside, 0);
     assert!(at(0.5) < 30.0);
     assert!(reached >= 58);
 }

@@ -37,7 +37,7 @@ const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
-const MOST_TURNS: usize = 8;
+const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
 /// Tolerance at which steps are as large as they may be.
 const LOOSEST: f64 = 0.03;
