@@ -57,7 +57,7 @@ def to_scipy(form):
 
 class HalfSpace:
     def __init__(self, grid, degree, ratio, far="boussinesq"):
-        # What Python has let go of PETSc keeps until it is told: factors of bodies before, 0.3 GB each, 19 GB in the end.
+        # What Python has let go PETSc keeps until it is told: the factors of earlier bodies, 19 GB by the end of a whole run.
         PETSc.garbage_cleanup(MPI.COMM_SELF)
         cell = ufl.Cell("quadrilateral", geometric_dimension=2)
         domain = ufl.Mesh(ufl.VectorElement("Lagrange", cell, 1))
