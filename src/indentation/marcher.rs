@@ -37,7 +37,7 @@ const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
-const MOST_TURNS: usize = 4;
+const MOST_TURNS: usize = 8;
 const SAME_TURN: f64 = 1e-2;
 /// Tolerance at which steps are as large as they may be.
 const LOOSEST: f64 = 0.03;
@@ -281,6 +281,8 @@ impl<'a> Marcher<'a> {
     pub(super) fn restart_at_landmark(&mut self) {
         let (corner, dt) = (self.corner, self.dt);
         self.restart();
+        // The surface keeps the corner: an edge that comes back meets it again.
+        self.remember_turn(self.contact.radius());
         self.corner = corner;
         // The edge keeps its pace; a short step of its own, not of time, begins the new stretch of the path.
         self.dt = dt;
