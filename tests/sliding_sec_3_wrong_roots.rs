@@ -25,6 +25,7 @@ use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use support::sliding::{contact_at_rate, contact_near};
+use viscotack::continuation::two_unknowns::TwoResiduals;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, Resolution, WaveContact, edge_work};
 use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{SlidingControl, WaveAdhesion};
@@ -251,6 +252,11 @@ fn edges_are_pulled_where_the_pressure_beside_them_says_so() {
             let six = [tensile(&states.state), tensile(trailing), tensile(leading)];
             let said = balance.admissibility(&states).unwrap().edges_pulled;
             assert_eq!(said, six.iter().flatten().all(|pulled| *pulled), "{edges:?}: {six:?}");
+            // A pressed edge does the work of a pulled one; its residual has no zero.
+            let residual = states.residual();
+            for (edge, pulled) in six[0].into_iter().enumerate() {
+                assert!(pulled || residual[edge] <= -1.0, "{edges:?}: {residual:?}, pulled {:?}", six[0]);
+            }
             quadrants[usize::from(six[0][0])][usize::from(six[0][1])] += 1;
         }
     }
