@@ -21,7 +21,9 @@ const AT_FOLD: f64 = 2e-3;
 /// Where the edge is looked at to tell a fold from a path that only slows down, over the distance of the fold: the residual of a step at once, straight
 /// less a square, has its zero at twice that distance.
 const BEYOND_FOLD: f64 = 3.0;
-/// The same at least, over the process zone: below it the residual is noise.
+/// The same at least, over the process zone.
+const SHORTEST_LOOK: f64 = 0.15;
+/// And where a fold has been reached: below it the residual is noise.
 const SMALLEST_BEYOND: f64 = 1e-2;
 /// Shortest step, over the time since the last corner.
 const SHORTEST: f64 = 1e-12;
@@ -70,12 +72,14 @@ impl Marcher<'_> {
             reach = reach.min(0.25 * a);
         }
         if let Some(distance) = self.fold_ahead() {
-            // A path that slows down foresees folds that never come: as long as the glassy edge is stable well beyond it, there is none.
-            let unstable = self.is_unstable(imposed, BEYOND_FOLD * distance)?;
-            if unstable == Some(true) && distance < AT_FOLD * self.length {
-                return self.lost(true, Some(distance), imposed);
-            }
-            if unstable != Some(false) {
+            // A path that slows down foresees folds that never come: where the glassy edge is stable well beyond one, the fold is further than half of that.
+            let beyond = (BEYOND_FOLD * distance).max(SHORTEST_LOOK * self.length);
+            if self.is_unstable(imposed, beyond)? == Some(false) {
+                reach = reach.min(0.5 * TOWARDS_FOLD * beyond);
+            } else {
+                if distance < AT_FOLD * self.length && self.is_unstable(imposed, 0.0)? == Some(true) {
+                    return self.lost(true, Some(distance), imposed);
+                }
                 reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * AT_FOLD * self.length));
             }
         }

@@ -1,9 +1,9 @@
 //! Numbers with errors from three marches, of which the finest is told.
 
-use super::convergence::{Changes, Convergence};
+use super::convergence::left;
 use super::cycle::Cycle;
 use super::problem::IndentationProblem;
-use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+use super::solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::estimate::Estimate;
 use std::f64::consts::PI;
 
@@ -12,7 +12,9 @@ const SAFETY: f64 = 3.0;
 /// The largest that was left so far, of any quantity over its scale, stays in every later bound by this part: errors of a march hand on.
 const MEMORY: f64 = 0.3;
 /// Part of the accuracy that every bar keeps: far inside it, marches may agree by chance.
-const FLOOR: f64 = 9e-3;
+const FLOOR: f64 = 0.03;
+/// Bound over what is left of the force and the radius at which an edge is lost: at a fold both go with the root of the way left, which scatters most.
+const AT_FOLDS: f64 = 12.0;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
 /// Part of the largest force below which a tension is rounding of none.
@@ -27,7 +29,6 @@ pub(super) fn judged(
 ) -> IndentationSolution {
     let others = [coarser.first(), coarser.get(1)];
     let mut instants = Vec::with_capacity(fine.kept.len());
-    let mut convergence = Convergence::default();
     // The largest that was left so far: of the state over its scales, and of each energy.
     let (mut worst, mut largest) = (0.0_f64, [0.0_f64; 8]);
     let mut scales = fine.summary.scales;
@@ -42,26 +43,20 @@ pub(super) fn judged(
         let others = others.map(|other| other.and_then(|other| other.path.get(*other.kept.get(index)?)));
         let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64, more: f64| {
             let value = of(point);
-            let changes = Changes::of(value, others.map(|other| other.map(of)));
+            let left = left(value, others.map(|other| other.map(of)));
             let scale = scales.get(quantity);
-            let left = match scale {
+            let memory = match scale {
                 Some(scale) => {
-                    convergence.see(changes, *scale);
-                    let left = convergence.remaining(changes);
                     worst = worst.max(if *scale > 0.0 { left / scale } else { 0.0 });
-                    (SAFETY * left).max(MEMORY * worst * scale)
+                    worst * scale
                 }
-                None => {
-                    let left = convergence.remaining(changes);
-                    let most = largest.get_mut(quantity).map_or(left, |most| {
-                        *most = most.max(left);
-                        *most
-                    });
-                    (SAFETY * left).max(MEMORY * most)
-                }
+                None => largest.get_mut(quantity).map_or(left, |most| {
+                    *most = most.max(left);
+                    *most
+                }),
             };
             let floor = FLOOR * problem.accuracy * scale.unwrap_or(&0.0);
-            let error = left.max(floor) + ROUNDING * value.abs();
+            let error = (SAFETY * left).max(MEMORY * memory).max(floor) + ROUNDING * value.abs();
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
             }
@@ -89,8 +84,8 @@ pub(super) fn judged(
             energies: point.energies.is_some().then(|| {
                 [estimate(4, &energy(0), 0.0), estimate(5, &energy(1), 0.0), estimate(6, &energy(2), 0.0), estimate(7, &energy(3), 0.0)]
             }),
-            tip_release_rate: release(point, others, &convergence, |energies| Some(energies.tip_release_rate)),
-            energy_release_rate: release(point, others, &convergence, |energies| energies.energy_release_rate),
+            tip_release_rate: release(point, others, |energies| Some(energies.tip_release_rate)),
+            energy_release_rate: release(point, others, |energies| energies.energy_release_rate),
             residual: point.residual,
         });
     }
@@ -100,10 +95,11 @@ pub(super) fn judged(
         .enumerate()
         .map(|(index, event)| {
             let others = others.map(|other| other.and_then(|other| other.events.get(index)).filter(|other| other.kind == event.kind));
+            let safety = if matches!(event.kind, EventKind::JumpIn | EventKind::ZoneReached) { SAFETY } else { AT_FOLDS };
             let estimate = |of: fn(&Event<f64>) -> f64, scale: f64| {
-                let left = convergence.remaining(Changes::of(of(event), others.map(|other| other.map(of))));
+                let left = left(of(event), others.map(|other| other.map(of)));
                 let least = (MEMORY * worst).max(FLOOR * problem.accuracy) * scale;
-                Estimate::new(of(event), (SAFETY * left).max(least) + ROUNDING * of(event).abs())
+                Estimate::new(of(event), (safety * left).max(least) + ROUNDING * of(event).abs())
             };
             Event {
                 kind: event.kind,
@@ -116,7 +112,7 @@ pub(super) fn judged(
         })
         .collect();
     let largest_tension = fine.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
-        let left = convergence.remaining(Changes::of(value, others.map(|other| other.map(|other| other.largest_tension().unwrap_or(0.0)))));
+        let left = left(value, others.map(|other| other.map(|other| other.largest_tension().unwrap_or(0.0))));
         let floor = FLOOR * problem.accuracy * scales[1];
         Estimate::new(value, (SAFETY * left).max(MEMORY * worst * scales[1]).max(floor) + ROUNDING * value)
     });
@@ -126,7 +122,7 @@ pub(super) fn judged(
     for event in &events {
         reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE) * 10.0;
     }
-    let cycles = judged_cycles(problem, others, &fine, &convergence, &mut reached);
+    let cycles = judged_cycles(problem, others, &fine, &mut reached);
     let residual = fine.summary.residual;
     IndentationSolution {
         instants,
@@ -167,26 +163,15 @@ fn swing_at_turn(path: &[PathPoint], place: usize, known: f64) -> f64 {
 }
 
 /// A release rate with its error; none where nothing of it is known.
-fn release(
-    fine: &PathPoint,
-    others: [Option<&PathPoint>; 2],
-    convergence: &Convergence,
-    of: impl Fn(&Energies) -> Option<f64>,
-) -> Option<Estimate> {
+fn release(fine: &PathPoint, others: [Option<&PathPoint>; 2], of: impl Fn(&Energies) -> Option<f64>) -> Option<Estimate> {
     let value = of(&fine.energies?)?;
     let others = others.map(|other| other.and_then(|other| of(&other.energies?)));
-    let error = SAFETY * convergence.remaining(Changes::of(value, others)) + ROUNDING * value.abs();
+    let error = SAFETY * left(value, others) + ROUNDING * value.abs();
     (error <= value.abs()).then(|| Estimate::new(value, error))
 }
 
 /// Cycles with errors, over the scales of all cycles.
-fn judged_cycles(
-    problem: &IndentationProblem,
-    others: [Option<&Trace>; 2],
-    fine: &Trace,
-    convergence: &Convergence,
-    reached: &mut bool,
-) -> Vec<Cycle<Estimate>> {
+fn judged_cycles(problem: &IndentationProblem, others: [Option<&Trace>; 2], fine: &Trace, reached: &mut bool) -> Vec<Cycle<Estimate>> {
     let largest = |of: fn(&Cycle<f64>) -> f64| fine.cycles.iter().fold(0.0, |most: f64, cycle| most.max(of(cycle).abs()));
     let stiffness = largest(|cycle| cycle.storage_stiffness.hypot(cycle.loss_stiffness));
     let scales = [
@@ -209,7 +194,7 @@ fn judged_cycles(
         });
         cycles.push(cycle.judged(others, |place, value, others| {
             let scale = scales.get(place).copied().unwrap_or(0.0);
-            let left = convergence.remaining(Changes::of(value, others));
+            let left = left(value, others);
             let error = (SAFETY * left).max(FLOOR * problem.accuracy * scale) + ROUNDING * value.abs();
             *reached &= error <= problem.accuracy * scale;
             Estimate::new(value, error)
