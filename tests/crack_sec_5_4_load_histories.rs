@@ -12,7 +12,7 @@
 //! computed trajectory; closed forms at rest; invariances.
 //!
 //! Tolerance: 3e-4 for the closure by trapezia over a trajectory sampled at 4000 times, some tens a zone (their own error); 1e-4 of a zone against
-//! 192 raw steps, whose error falls at second order; rounding (1e-11) for invariances; error bars must hold.
+//! 192 raw steps, whose error falls at second order; 1e-9 for the place of a kink, which is landed on; rounding (1e-11) for invariances; error bars must hold.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 #[path = "support/physics.rs"]
@@ -153,6 +153,32 @@ fn eq_5_54_with_5_67_stepped_raw_agrees() {
         assert!(count >= 30, "{name}");
         assert!(orders.iter().all(|order| *order > 1.3), "{name}: {orders:?}");
     }
+}
+
+/// The speed jumps where the far end of the zone leaves the place of rest: x₀ = δ(K) at that instant, by the definition of both. Under a load that grows no line of the
+/// grid is there.
+#[test]
+fn a_kink_is_where_the_growing_zone_leaves_the_place_of_rest() {
+    let material = one_term();
+    let mut worst = 0.0_f64;
+    for (first, last, duration) in [(0.45, 0.75, 0.4), (0.5, 0.9, 0.3), (0.6, 0.45, 1.0), (0.4, 0.8, 2.0)] {
+        let limit = problem(&material).glassy_limit();
+        let stress = first * limit / (TAU * ZONE).sqrt();
+        let process_zone = ProcessZone::Growing { cohesive_stress: stress, factor: 1.0 };
+        let interface = Interface { work_of_adhesion: WORK, process_zone, body: CrackBody::AgainstRigid };
+        let following = GrowthProblem::following(&material, interface).unwrap();
+        let segments = [LoadSegment::Step { load: first * limit }, LoadSegment::Ramp { duration, load: last * limit }];
+        let history = LoadHistory::from_segments(&segments).unwrap();
+        let found = trajectory(&following, &history, &[duration], Resolution { lines_per_zone: 32, ..Resolution::default() }).unwrap();
+        let kink = found.events.iter().find(|event| matches!(event.kind, EventKind::Kink { .. })).unwrap();
+        let load = limit * (first + (last - first) * kink.time.value / duration);
+        let zone = load * load / (TAU * stress * stress);
+        assert!((zone / ZONE - 1.0).abs() > 0.02, "the zone has changed by then: {zone:e}");
+        let off = (kink.growth.value / zone - 1.0).abs();
+        println!("{first} to {last} in {duration} s: kink at {:.6} s, x₀/δ − 1 = {off:.1e}", kink.time.value);
+        worst = worst.max(off);
+    }
+    assert!(worst < 1e-9, "{worst:e}");
 }
 
 #[test]

@@ -1,9 +1,10 @@
-//! Source: Lee & Radok, J. Appl. Mech. 27 (1960) 438; Ting, J. Appl. Mech. 33 (1966) 845; thesis Eqs 4.19, 4.20.
+//! Source: Sneddon, Int. J. Eng. Sci. 3 (1965) 47; Lee & Radok, J. Appl. Mech. 27 (1960) 438; Ting, J. Appl. Mech. 33 (1966) 845; thesis Eqs 4.19, 4.20.
 //!
 //! Goal: the line is exact for any number of terms and any history of the edge, re-advancing too.
 //!
 //! ```text
 //! flat punch      a const, Δ steps or ramps:    F = 2a ∫R dΔ
+//! cone            a const after a step of Δ:    F = (2/π) R Δ²/slope, Δ = (π/2)·slope·a
 //! advancing       Lee–Radok:                    F = ∫R(t − t′) d(4a³/3R)
 //! receding        Ting:                         F = ∫₀^{t₁}R(t − t′) d(4a³/3R), t₁ the time at which the advancing edge stood here
 //! re-advancing    point by point                Q = ∫R(t − t′) d(W − residual of the first contact)
@@ -74,6 +75,43 @@ fn flat_punch_steps_and_ramps() {
         punch = punch.moved(a, 2e-6, 7.0, Sweep::Linear).unwrap();
         let exact = 2.0 * a * 2e-6 * material.mean_relaxation(7.0).value;
         assert!((punch.force() / exact - 1.0).abs() < 1e-12);
+    }
+}
+
+/// Sneddon's cone of half angle α to its axis, elastic: Δ = (π/2) a cot α and F = (2/π) E* Δ² tan α; pressed in at once, a viscoelastic one holds F = R(t)·(2/π) Δ² tan α
+/// with a at rest. Pressure (E*/2) cot α · acosh(a/r).
+#[test]
+fn a_cone_is_sneddons() {
+    for (modulus, angle) in [(1.3, 1.2_f64), (4.1e6, 1.5)] {
+        let slope = 1.0 / angle.tan();
+        let springs_of = |material: &Material| Springs::new(material).unwrap();
+        let solid = Material::elastic(modulus);
+        let elastic = springs_of(&solid.unwrap());
+        let a = 2e-4;
+        let depth = 0.5 * std::f64::consts::PI * a * slope;
+        let cone = Contact::untouched(&elastic, Profile::Cone { slope }, a, depth).unwrap();
+        let exact = 2.0 / std::f64::consts::PI * modulus * depth * depth * angle.tan();
+        assert!((cone.force() / exact - 1.0).abs() < 1e-12, "{} {exact}", cone.force());
+        // Without adhesion the edge bears nothing.
+        assert!(cone.stress_intensity_factor().abs() < 1e-12 * modulus * slope * a.sqrt());
+        let problem =
+            IndentationProblem { accuracy: 1e-8, ..IndentationProblem::new(Profile::Cone { slope }, None, History::penetration(depth)) };
+        let trace = march(&Material::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
+        let start = trace.path[0];
+        assert!((start.contact_radius / a - 1.0).abs() < 1e-12 && (start.force / exact - 1.0).abs() < 1e-12, "{start:?}");
+    }
+    for material in solids() {
+        let springs = Springs::new(&material).unwrap();
+        let (slope, a) = (0.2, 2e-4);
+        let depth = 0.5 * std::f64::consts::PI * a * slope;
+        let mut cone = Contact::untouched(&springs, Profile::Cone { slope }, a, depth).unwrap();
+        let mut time = 0.0;
+        for dt in [1e-3, 0.1, 2.0, 30.0] {
+            cone = cone.moved(a, depth, dt, Sweep::Linear).unwrap();
+            time += dt;
+            let exact = 2.0 / std::f64::consts::PI * depth * depth / slope * material.relaxation(time);
+            assert!((cone.force() / exact - 1.0).abs() < 1e-12, "{:e}", cone.force() / exact - 1.0);
+        }
     }
 }
 

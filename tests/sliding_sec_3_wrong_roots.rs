@@ -23,9 +23,12 @@ mod support;
 
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use std::sync::Arc;
 use support::sliding::{contact_at_rate, contact_near};
-use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
-use viscotack::sliding::steady::WaveAdhesion;
+use viscotack::continuation::two_unknowns::TwoResiduals;
+use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, Resolution, WaveContact, edge_work};
+use viscotack::sliding::edge_balance::EdgeBalance;
+use viscotack::sliding::steady::{SlidingControl, WaveAdhesion};
 use viscotack::{Material, Refusal};
 
 const STARTS: u32 = 1000;
@@ -220,4 +223,43 @@ fn of_all_roots_of_the_two_closures_one_can_exist() {
             }
         }
     }
+}
+
+/// What is said of the edges is the sign of the pressure beside each of the six: the contact and both moved ones, in all four quadrants of the edges.
+#[test]
+fn edges_are_pulled_where_the_pressure_beside_them_says_so() {
+    let (time, ratio) = (0.2, 0.3);
+    let material = Material::standard_solid(0.7e6, 0.7e6 * 20.0, time).unwrap();
+    let adhesion = WaveAdhesion::even(0.002, 1e-3);
+    let on_path = contact_at_rate(&material, ratio / time, Some(adhesion), Prescribed::MeanPressure(0.1), 1e-10).unwrap();
+    let penetration = on_path.state.penetration();
+    let memory = ContactMemory::new(&material, ratio / time).unwrap();
+    let control = SlidingControl::Penetration(penetration);
+    let balance = EdgeBalance::new(Arc::new(memory), Indenter::Wave, Some(adhesion), control, Resolution::Finest);
+    // Singular as the inverse root of the distance: a millionth of the width is nearer than anything else that the pressure does.
+    let tensile = |contact: &ContactState| {
+        let near = 2e-6 * contact.contact().half_width;
+        let behind = contact.pressure(contact.inside_trailing(near).unwrap());
+        let ahead = contact.pressure(contact.inside_leading(near).unwrap());
+        [behind < 0.0, ahead < 0.0]
+    };
+    let mut quadrants = [[0_u32; 2]; 2];
+    for row in 0..16 {
+        for column in 0..16 {
+            let edges = WaveContact { half_width: 0.1 + 0.12 * f64::from(row), eccentricity: 0.08 * (f64::from(column) - 7.5) };
+            let Ok(states) = balance.evaluate_at(edges, Prescribed::Penetration(penetration)) else { continue };
+            let (trailing, leading) = states.moved.as_ref().unwrap();
+            let six = [tensile(&states.state), tensile(trailing), tensile(leading)];
+            let said = balance.admissibility(&states).unwrap().edges_pulled;
+            assert_eq!(said, six.iter().flatten().all(|pulled| *pulled), "{edges:?}: {six:?}");
+            // A pressed edge does the work of a pulled one; its residual has no zero.
+            let residual = states.residual();
+            for (edge, pulled) in six[0].into_iter().enumerate() {
+                assert!(pulled || residual[edge] <= -1.0, "{edges:?}: {residual:?}, pulled {:?}", six[0]);
+            }
+            quadrants[usize::from(six[0][0])][usize::from(six[0][1])] += 1;
+        }
+    }
+    println!("[trailing][leading] pressed and pulled: {quadrants:?}");
+    assert!(quadrants.iter().flatten().all(|count| *count >= 5), "{quadrants:?}");
 }

@@ -8,7 +8,7 @@
 //! layer is a row of springs, whose displacement is that of ζdw/dx chains (closed form); a free one is a plate, Σ cos mx/m⁴ (a polynomial); an
 //! incompressible confined one nowhere, but for the load itself, where all are half-planes.
 //!
-//! Tolerance: the error bars, and these below 1e-12 of the kernel's size; limits at their own order in kd.
+//! Tolerance: the error bars, and these below 1e-12 of the kernel's size; limits at their own order in kd; 1e-11 for sums that end, whose rounding is 1/kd times that of a double.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
@@ -71,6 +71,27 @@ fn the_integral_is_the_series_where_the_series_ends() {
         }
     }
     println!("against the series: worst {worst:.1e} of the first harmonic");
+}
+
+/// Where harmonics are summed one by one nothing that counts is left out: the series goes on to 30/kd here, and its terms fall as e^{−2mkd}.
+#[test]
+fn a_sum_that_ends_has_left_out_nothing() {
+    for memory in memories() {
+        for (backing, poisson_ratio) in [(Backing::Confined, 0.0), (Backing::Confined, 0.5), (Backing::Free, 0.3)] {
+            for thickness in [1e-3, 2e-2, 0.3, 2.0] {
+                let layer = Layer::new(backing, poisson_ratio, thickness).unwrap();
+                let green = LayerGreen::new(HalfPlaneGreen::new(memory.clone()).unwrap(), layer);
+                assert!(green.harmonics() > 0);
+                let scale = layer.correction(1.0).abs().max(1.0);
+                for x in [0.0, 0.3 * thickness, 0.2, -0.2, 1.7, PI] {
+                    let (found, expected) = (green.correction(x).unwrap(), series(&memory, &layer, x));
+                    let error = (found.value - expected).abs();
+                    assert!(error < 1e-11 * scale, "{backing:?} ν = {poisson_ratio} kd = {thickness} x = {x}: {} {expected}", found.value);
+                    assert!(found.error < 1e-11 * scale, "{:e}", found.error);
+                }
+            }
+        }
+    }
 }
 
 /// A plate of stiffness d³/6 in units of the half-plane: 𝒢 → −(6/(π(kd)³)) Σ cos mx/m⁴ = −(6/(π(kd)³))(π⁴/90 − π²x²/12 + πx³/12 − x⁴/48), to order (kd)².

@@ -393,6 +393,58 @@ mod tests {
         }
     }
 
+    /// Exact by the SI Brochure (BIPM): base and derived units, prefixes, minute and hour, degree Celsius; bar, ångström and poise as in its 8th edition.
+    #[test]
+    fn units_and_prefixes_are_those_of_the_si_brochure() {
+        for (text, value) in [
+            ("1 m", 1.0),
+            ("1 g", 1e-3),
+            ("1 s", 1.0),
+            ("1 K", 1.0),
+            ("1 N", 1.0),
+            ("1 Pa", 1.0),
+            ("1 bar", 1e5),
+            ("1 mbar", 100.0),
+            ("1 J", 1.0),
+            ("1 W", 1.0),
+            ("1 Hz", 1.0),
+            ("1 P", 0.1),
+            ("1 cP", 1e-3),
+            ("1 min", 60.0),
+            ("1 h", 3600.0),
+            ("1 Å", 1e-10),
+            ("1 %", 0.01),
+            ("1 rad", 1.0),
+            ("1 mol", 1.0),
+            ("1 fm", 1e-15),
+            ("1 pm", 1e-12),
+            ("1 nm", 1e-9),
+            ("1 µm", 1e-6),
+            ("1 mm", 1e-3),
+            ("1 cm", 1e-2),
+            ("1 km", 1e3),
+            ("1 MPa", 1e6),
+            ("1 GPa", 1e9),
+            ("1 TPa", 1e12),
+            ("0 °C", 273.15),
+            ("-273.15 °C", 0.0),
+            ("20 degC", 293.15),
+        ] {
+            assert_eq!(parse_quantity(text).unwrap().value, value, "{text}");
+        }
+        // A bar is a pressure, a poise a viscosity, and so on: one of each in base units.
+        for (text, same) in [
+            ("1 bar", "1 kg/m/s^2"),
+            ("1 P", "1 kg/m/s"),
+            ("1 J", "1 kg m^2/s^2"),
+            ("1 W", "1 kg m^2/s^3"),
+            ("1 N", "1 kg m/s^2"),
+            ("1 Hz", "1 1/s"),
+        ] {
+            assert_eq!(parse_quantity(text).unwrap().dimension, parse_quantity(same).unwrap().dimension, "{text}");
+        }
+    }
+
     #[test]
     fn what_is_no_quantity_says_why() {
         assert_eq!(parse_quantity("MPa"), Err(UnitError::NoNumber));

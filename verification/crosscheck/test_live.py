@@ -24,6 +24,7 @@ SCRIPTS = {
     "elliptic": ["mpmath"],
     "delayed_fracture": ["mpmath"],
     "rolling_cylinders": ["mpmath", "numpy", "scipy"],
+    "contact_rolling": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],
     "sliding_hysteresis": ["mpmath"],
     "sliding_wave": ["mpmath"],

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Deliberate faults: each is put into a copy of the source by itself, and its check must fail by an assertion.
 
-    python3 verification/faults/run.py                 all of faults.toml (about an hour on two cores); those caught go into caught.csv
+    python3 verification/faults/run.py                 all of faults.toml (a third of an hour when built); those caught go into caught.csv
     python3 verification/faults/run.py NAME ...        these only, in this order
     python3 verification/faults/run.py --rest          those that caught.csv does not have as they stand in the list
     python3 verification/faults/run.py --list          what there is
