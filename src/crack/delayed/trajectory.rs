@@ -275,3 +275,13 @@ fn events(runs: &[Run; 3], irregular: f64, zone: f64, until: f64) -> Vec<Event> 
         })
         .collect()
 }
+
+/// TEMPORARY: raw values of runs.
+#[must_use]
+pub fn raw_values(problem: &GrowthProblem<'_>, history: &LoadHistory, outputs: &[f64], lines: u32) -> Option<(Vec<(u8, f64, f64, bool, f64, f64)>, Vec<(u8, f64, f64, f64, f64, f64, f64)>, u64)> {
+    let until = outputs.last().copied()?;
+    let run = run(problem, history, outputs, until, lines, 50_000_000).ok()?;
+    let samples = run.samples.iter().map(|s| (u8::from(s.bounded), s.place, s.speed, s.moving, s.doubts[0], s.doubts[1])).collect();
+    let events = run.events.iter().map(|e| (e.kind as u8, e.time, e.place, e.speeds[0], e.speeds[1], e.jump, e.doubt)).collect();
+    Some((samples, events, run.work.closure_evaluations))
+}

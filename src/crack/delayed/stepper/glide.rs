@@ -3,6 +3,7 @@
 use super::super::memory::Step;
 use super::super::quasi_steady::Steadiness;
 use super::grid::Grid;
+use super::record::Between;
 use super::{Ahead, Stepper};
 
 impl Stepper<'_> {
@@ -39,7 +40,7 @@ impl Stepper<'_> {
             let doubt = now.doubt().max(four.doubt());
             self.doubts[0] += doubt * advance;
             self.doubts[1] = doubt * now.speed.max(four.speed);
-            self.write_outputs(ahead, duration, advance, [now.speed, four.speed]);
+            self.write_outputs(ahead, duration, advance, [now.speed, four.speed], Between::Read);
             self.memory.clock += duration;
             self.memory.place += advance;
             ahead.pass(duration);

@@ -1,9 +1,12 @@
 //! Growth: from one line to the next, from one time to the next, or an arrest.
 
-use super::super::memory::SAME_PLACE;
+use super::super::memory::{SAME_PLACE, Step};
 use super::bracket::bracketed;
-use super::record::RawKind;
+use super::record::{Between, RawKind};
 use super::{Ahead, Stepper};
+
+/// An arrest is closed in on down to this part of a step: below it the closure that is gained, of second order in the step, is rounding.
+const SHORTEST_STEP: f64 = 1e-7;
 
 impl Stepper<'_> {
     /// Whether a place of rest is within the zone of a load.
@@ -25,7 +28,7 @@ impl Stepper<'_> {
             if left > 4.0 * crossing {
                 self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
                 let advance = zone * (left / crossing);
-                self.accept(ahead, left, advance, [zone / crossing; 2]);
+                self.accept(ahead, left, advance, [zone / crossing; 2], Between::Read);
                 self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
                 return;
             }
@@ -53,22 +56,58 @@ impl Stepper<'_> {
                 let guess = whole_at(0.0) / self.speed;
                 let time = bracketed(duration, guess, |time, this: &mut Self| this.excess(&probe.step(time, whole_at(time))), self);
                 let whole = whole_at(time);
-                self.advance(ahead, time, whole, whole >= line);
-                return;
+                if self.still_moves(&probe.step(time, whole), &probe) {
+                    self.advance(ahead, time, whole, whole >= line);
+                    return;
+                }
+                duration = time;
+            } else if self.excess(&probe.step(duration, 0.0)) > 0.0 {
+                let place = self.place_at(&probe, duration, whole_at(duration));
+                if self.still_moves(&probe.step(duration, place), &probe) {
+                    self.advance(ahead, duration, place, false);
+                    return;
+                }
+            } else {
+                duration *= 0.5;
+                if duration <= SHORTEST_STEP * usual.min(longest) || duration < 1e-15 * self.time() {
+                    self.arrest(self.speed);
+                    return;
+                }
+                continue;
             }
-            if self.excess(&probe.step(duration, 0.0)) > 0.0 {
-                let whole = whole_at(duration);
-                let guess = (self.speed * duration).min(0.5 * whole);
-                let place = bracketed(whole, guess, |place, this: &mut Self| -this.excess(&probe.step(duration, place)), self);
-                self.advance(ahead, duration, place, false);
-                return;
+            // The tip has stopped on the way, where the speed that the closure wants is zero.
+            let last = bracketed(
+                duration,
+                0.5 * duration,
+                |time, this: &mut Self| {
+                    let place = this.place_at(&probe, time, whole_at(time));
+                    -this.wanted_speed(&probe.step(time, place), &probe)
+                },
+                self,
+            );
+            let place = self.place_at(&probe, last, whole_at(last));
+            self.advance(ahead, last, place, false);
+            if self.moving {
+                self.arrest(self.speed.max(0.0));
             }
-            duration *= 0.5;
-            if duration <= 1e-3 / f64::from(self.lines_per_zone) * usual.min(longest) || duration < 1e-15 * self.time() {
-                self.arrest(self.speed);
-                return;
-            }
+            return;
         }
+    }
+
+    /// Where the closure is met at the end of a step that ends short of `whole`.
+    fn place_at(&mut self, ahead: &Ahead, duration: f64, whole: f64) -> f64 {
+        let guess = (self.speed * duration).min(0.5 * whole);
+        bracketed(whole, guess, |place, this: &mut Self| -this.excess(&ahead.step(duration, place)), self)
+    }
+
+    /// The speed at the end of a step with which the closure goes on to hold; negative where it asks the tip to go back.
+    fn wanted_speed(&mut self, step: &Step, ahead: &Ahead) -> f64 {
+        let sums = self.sums(step);
+        self.speed_of(&sums, step.loads[1], ahead.slope)
+    }
+
+    fn still_moves(&mut self, step: &Step, ahead: &Ahead) -> bool {
+        self.wanted_speed(step, ahead) > 0.0
     }
 
     fn advance(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, on_line: bool) {
@@ -88,7 +127,7 @@ impl Stepper<'_> {
             }
         }
         let within: Vec<f64> = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).collect();
-        self.accept(ahead, duration, advance, [self.speed, before]);
+        self.accept(ahead, duration, advance, [self.speed, before], Between::Solved);
         self.speed = before;
         if within.iter().any(|rest| !self.in_zone(*rest, ahead.load)) {
             // The lines of the zone behind leave as the tip goes on: none of those ahead is wider.

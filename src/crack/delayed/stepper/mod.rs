@@ -26,6 +26,7 @@ use super::zone::RelativeZone;
 use crate::refusal::Refusal;
 use bracket::bracketed;
 use grid::Grid;
+use record::Between;
 pub use record::GrowthWork;
 pub(crate) use record::{RawEvent, RawKind, RawSample, Run};
 
@@ -289,8 +290,8 @@ impl Stepper<'_> {
     }
 
     /// Takes a step and writes the outputs that lie in it.
-    fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2]) {
-        self.write_outputs(ahead, duration, advance, speeds);
+    fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
+        self.write_outputs(ahead, duration, advance, speeds, between);
         self.memory.take(&ahead.step(duration, advance));
         ahead.pass(duration);
         self.run.work.steps += 1;

@@ -69,14 +69,26 @@ pub(crate) struct Run {
     pub(crate) work: GrowthWork,
 }
 
+/// How places and speeds at outputs within a step are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Between {
+    /// The closure is solved there.
+    Solved,
+    /// Read from the cubic with the places and speeds of both ends: motion that is uniform, or known in closed form.
+    Read,
+}
+
+/// Secants of an output within a step; the cubic of the step is eight digits there, each secant adds as many as the ones before.
+const MOST_SECANTS: u32 = 12;
+
 impl Stepper<'_> {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
         let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0] };
         self.run.events.push(event);
     }
 
-    /// Writes the outputs that lie in a step; between its ends x is the cubic with both speeds.
-    pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2]) {
+    /// Writes the outputs that lie in a step.
+    pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         let (start, from) = (self.time(), self.place());
         // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
         let end = if ahead.left <= duration { ahead.end } else { start + duration };
@@ -90,9 +102,14 @@ impl Stepper<'_> {
                 let [a, b] = speeds.map(|speed| (speed * duration).clamp(0.0, 3.0 * advance));
                 let place = u * u * (3.0 - 2.0 * u) * advance + u * (1.0 - u) * ((1.0 - u) * a - u * b);
                 let slope = 6.0 * u * (1.0 - u) * advance + (1.0 - u) * (1.0 - 3.0 * u) * a + u * (3.0 * u - 2.0) * b;
+                let read = [place.clamp(0.0, advance), slope.max(0.0) / duration];
+                let [place, speed] = match between {
+                    Between::Solved if u > 0.0 => self.solved_within(ahead, u * duration, read[0], advance).unwrap_or(read),
+                    Between::Solved | Between::Read => read,
+                };
                 RawSample {
-                    place: from + place.clamp(0.0, advance),
-                    speed: slope.max(0.0) / duration,
+                    place: from + place,
+                    speed,
                     moving: true,
                     bounded: true,
                     doubts: self.doubts,
@@ -102,6 +119,30 @@ impl Stepper<'_> {
             };
             self.run.samples.push(sample);
         }
+    }
+
+    /// Place and speed at a time within a step, from the closure of a step that ends there: a cubic's slope would carry the step's own error over
+    /// the step, differently at every part of it.
+    fn solved_within(&mut self, ahead: &Ahead, duration: f64, guess: f64, advance: f64) -> Option<[f64; 2]> {
+        let (mut place, mut before) = (guess, None);
+        for _ in 0..MOST_SECANTS {
+            let step = ahead.step(duration, place);
+            let sums = self.sums(&step);
+            let load = step.loads[1];
+            let excess = load * (load + sums.memory) - 1.0;
+            let slope = match before {
+                Some((earlier, earlier_excess)) if excess != earlier_excess => (excess - earlier_excess) / (place - earlier),
+                _ => -load * sums.exposure / step.zone,
+            };
+            let next = (place - excess / slope).clamp(0.0, advance);
+            if (next - place).abs() <= 4.0 * f64::EPSILON * (1.0 + place) || excess.abs() <= 2.0 * f64::EPSILON {
+                let speed = self.speed_of(&sums, load, ahead.slope);
+                return (speed > 0.0 && speed.is_finite()).then_some([next, speed]);
+            }
+            before = Some((place, excess));
+            place = next;
+        }
+        None
     }
 
     pub(super) fn unbounded(&mut self, time: f64) {

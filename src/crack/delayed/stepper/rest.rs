@@ -1,7 +1,7 @@
 //! Rest: the tip stops, waits, and starts again.
 
 use super::super::first_crossing::Rest;
-use super::record::RawKind;
+use super::record::{Between, RawKind};
 use super::{Ahead, RESTART_THRESHOLD, Stepper};
 
 impl Stepper<'_> {
@@ -20,7 +20,7 @@ impl Stepper<'_> {
         self.run.work.closure_evaluations += u64::from(count);
         self.run.work.kernel_evaluations += u64::from(count) * self.memory.terms.len() as u64;
         let duration = crossing.unwrap_or(longest);
-        self.accept(ahead, duration, 0.0, [0.0; 2]);
+        self.accept(ahead, duration, 0.0, [0.0; 2], Between::Read);
         if crossing.is_none() {
             return;
         }
