@@ -14,6 +14,11 @@ impl Stepper<'_> {
         rest + self.zone.at(load) > self.memory.place + SAME_PLACE
     }
 
+    /// The first place of rest that leaves the zone as the tip goes on.
+    pub(super) fn rest_leaving(&self, load: f64) -> f64 {
+        self.rests.iter().copied().filter(|rest| self.in_zone(*rest, load)).fold(f64::INFINITY, f64::min)
+    }
+
     /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
     pub(super) fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
         let zone = ahead.zone.at(ahead.load);
@@ -43,10 +48,11 @@ impl Stepper<'_> {
         }
         let line = self.grid.next_line() - self.memory.place;
         // The nearest place of rest at the far end of the zone: where it leaves, the speed jumps.
-        let rest = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).fold(f64::INFINITY, f64::min);
+        let rest = self.rest_leaving(ahead.load);
         let place = self.memory.place;
+        let nearest = line.min(self.longest_advance);
         let probe = *ahead;
-        let whole_at = |duration: f64| line.min((rest + probe.zone.at(probe.load_after(duration)) - place).max(0.0));
+        let whole_at = |duration: f64| nearest.min((rest + probe.zone.at(probe.load_after(duration)) - place).max(0.0));
         let longest = ahead.left.min(ahead.longest_step);
         let mut duration = longest.min(2.0 * whole_at(0.0) / self.speed);
         let usual = duration;
@@ -85,10 +91,16 @@ impl Stepper<'_> {
                 },
                 self,
             );
+            if self.first_step && last < 0.5 * ahead.longest_step {
+                // The whole growth would be one step of the same length in every run.
+                self.first_step = false;
+                ahead.longest_step = 2.0 * last / f64::from(self.lines_per_zone);
+                return;
+            }
             let place = self.place_at(&probe, last, whole_at(last));
             self.advance(ahead, last, place, false);
             if self.moving {
-                self.arrest(self.speed.max(0.0));
+                self.arrest(0.0);
             }
             return;
         }
@@ -126,8 +138,9 @@ impl Stepper<'_> {
                 self.doubts[1] = 0.0;
             }
         }
+        let between = if std::mem::take(&mut self.first_step) { Between::Read } else { Between::Solved };
         let within: Vec<f64> = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).collect();
-        self.accept(ahead, duration, advance, [self.speed, before], Between::Solved);
+        self.accept(ahead, duration, advance, [self.speed, before], between);
         self.speed = before;
         if within.iter().any(|rest| !self.in_zone(*rest, ahead.load)) {
             // The lines of the zone behind leave as the tip goes on: none of those ahead is wider.

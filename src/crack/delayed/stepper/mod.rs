@@ -59,6 +59,10 @@ struct Stepper<'a> {
     /// What is not known of place and speed after quasi-steady growth.
     doubts: [f64; 2],
     moving: bool,
+    /// No step of growth has been taken since it began, or since the load changed its slope.
+    first_step: bool,
+    /// The longest advance of a step: a place of rest near the end of the zone is reached by as many steps as lie in half a zone.
+    longest_advance: f64,
     ever_moved: bool,
     speed: f64,
     threshold: f64,
@@ -130,6 +134,8 @@ pub(crate) fn run(
         undisturbed: 0,
         doubts: [0.0; 2],
         moving: false,
+        first_step: false,
+        longest_advance: f64::INFINITY,
         ever_moved: false,
         speed: 0.0,
         threshold: 0.0,
@@ -138,7 +144,8 @@ pub(crate) fn run(
         run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
     };
     for stretch in history.stretches() {
-        if stretch.start > until {
+        // A load that jumps at the very end is not seen any more, in no run.
+        if stretch.start > until || (stretch.start > 0.0 && until - stretch.start <= 4.0 * f64::EPSILON * until) {
             break;
         }
         let mut duration = stretch.duration;
@@ -258,6 +265,9 @@ impl Stepper<'_> {
     fn restart_grid(&mut self, ahead: &Ahead) {
         let zone = ahead.zone.at(ahead.load);
         self.undisturbed = 0;
+        self.first_step = true;
+        let leaving = self.rest_leaving(ahead.load) + zone - self.memory.place;
+        self.longest_advance = 2.0 * leaving / f64::from(self.lines_per_zone);
         let sums = self.sums(&Step::none(ahead.load, zone));
         self.speed = self.speed_of(&sums, ahead.load, ahead.slope);
         let layer = self.speed * self.shortest_time / zone;

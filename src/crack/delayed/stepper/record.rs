@@ -74,7 +74,8 @@ pub(crate) struct Run {
 pub(super) enum Between {
     /// The closure is solved there.
     Solved,
-    /// Read from the cubic with the places and speeds of both ends: motion that is uniform, or known in closed form.
+    /// Read from the cubic with the places and speeds of both ends: motion that is uniform, or known in closed form; and a first step, of which a part would be the same
+    /// in every run and show no error.
     Read,
 }
 

@@ -33,6 +33,8 @@ impl Stepper<'_> {
             let kind = if self.ever_moved { RawKind::Restarts } else { RawKind::Begins };
             self.event(kind, [0.0, self.speed], 0.0);
             self.rests.push(self.memory.place);
+            // What is left of the stretch takes as many steps as a whole one.
+            ahead.longest_step = 2.0 * ahead.left / f64::from(self.lines_per_zone);
             self.moving = true;
             self.ever_moved = true;
             self.uniform = (0.0, 0);
