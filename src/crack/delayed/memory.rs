@@ -19,6 +19,9 @@ use std::collections::VecDeque;
 /// Positions closer than this (in process zones) are the same.
 pub(crate) const SAME_PLACE: f64 = 1e-12;
 
+/// Halvings of a piece for the time at a place in it: beyond, the rounding of the place.
+const HALVINGS: u32 = 40;
+
 /// One creep term, or the flow: gain (1/s) and rate (1/s).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Term {
@@ -46,6 +49,8 @@ struct Piece {
     duration: f64,
     places: [f64; 2],
     loads: [f64; 2],
+    /// Speeds at both ends, where they are known.
+    speeds: Option<[f64; 2]>,
     /// Of a rest: what it left in each term's P and Q at its end. Rests at one place become one piece, whatever the loads were.
     rested: Option<Vec<[f64; 2]>>,
 }
@@ -62,6 +67,7 @@ impl Piece {
             duration: (end - start) * self.duration,
             places: [from, to],
             loads: [load(start), load(end)],
+            speeds: None,
             rested: None,
         }
     }
@@ -210,6 +216,30 @@ impl Memory {
         sums
     }
 
+    /// What ΣP_j gains after a step when the tip entered the window not on the straight line of its piece but on the cubic with the speeds of its
+    /// ends. The window ends anywhere in a piece, and the chord is off by the square of the piece there: a part of the speed's error that would
+    /// not fall in proportion from run to run. (The closure itself has no weight at the end of the window.)
+    pub(crate) fn exposure_beyond_chord(&self, step: &Step) -> f64 {
+        let back = self.place + step.advance - step.zone;
+        let after = self.pieces.partition_point(|piece| piece.places[1] <= back);
+        let Some(piece) = self.pieces.get(after).filter(|piece| piece.places[0] < back) else { return 0.0 };
+        let Some(speeds) = piece.speeds else { return 0.0 };
+        let [from, to] = piece.places;
+        let wanted = (back - from) / (to - from);
+        // Monotone: Fritsch and Carlson (1980).
+        let [first, last] = speeds.map(|speed| (speed * piece.duration / (to - from)).clamp(0.0, 3.0));
+        let place = |u: f64| u * u * (3.0 - 2.0 * u) + u * (1.0 - u) * ((1.0 - u) * first - u * last);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if place(middle) < wanted { low = middle } else { high = middle }
+        }
+        let earlier = (wanted - 0.5 * (low + high)) * piece.duration;
+        let ago = self.clock + step.duration - (piece.end - (1.0 - wanted) * piece.duration);
+        let load = piece.loads[0] + wanted * (piece.loads[1] - piece.loads[0]);
+        self.terms.iter().map(|term| term.gain * (-term.rate * ago).exp()).sum::<f64>() * load * earlier
+    }
+
     /// Each term's M_j here and now, in a zone.
     pub(crate) fn memories_in(&self, zone: f64) -> Vec<f64> {
         let exchanged = self.exchanged(self.place - zone);
@@ -228,7 +258,7 @@ impl Memory {
     }
 
     /// Takes a step; what is then behind the window goes, and what is again in it comes back.
-    pub(crate) fn take(&mut self, step: &Step) {
+    pub(crate) fn take(&mut self, step: &Step, speeds: Option<[f64; 2]>) {
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
@@ -245,7 +275,7 @@ impl Memory {
         self.clock += step.duration;
         self.place += step.advance;
         if step.duration > 0.0 {
-            self.remember(step, from);
+            self.remember(step, from, speeds);
         }
         let back = self.place - self.zone;
         let mut rest_left = false;
@@ -285,8 +315,8 @@ impl Memory {
     }
 
     /// Adds the step to the pieces; a rest joins a rest at the same place.
-    fn remember(&mut self, step: &Step, from: f64) {
-        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], loads: step.loads, rested: None };
+    fn remember(&mut self, step: &Step, from: f64, speeds: Option<[f64; 2]>) {
+        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], loads: step.loads, speeds, rested: None };
         if step.advance == 0.0 {
             let joined = match self.pieces.back_mut() {
                 Some(last) if last.rested.is_some() && last.places[1].to_bits() == from.to_bits() => self.pieces.pop_back(),
@@ -393,6 +423,7 @@ impl Memory {
                     duration: earlier - later,
                     places: [self.place - from, self.place - to],
                     loads: [*first, *last],
+                    speeds: None,
                     rested: None,
                 });
                 self.load = *last;

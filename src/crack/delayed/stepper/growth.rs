@@ -115,7 +115,7 @@ impl Stepper<'_> {
     /// The speed at the end of a step with which the closure goes on to hold; negative where it asks the tip to go back.
     fn wanted_speed(&mut self, step: &Step, ahead: &Ahead) -> f64 {
         let sums = self.sums(step);
-        self.speed_of(&sums, step.loads[1], ahead.slope)
+        self.speed_of(&sums, step, ahead.slope)
     }
 
     fn still_moves(&mut self, step: &Step, ahead: &Ahead) -> bool {
@@ -127,7 +127,7 @@ impl Stepper<'_> {
         let sums = self.sums(&step);
         let load = step.loads[1];
         self.run.residual = self.run.residual.max((load * (load + sums.memory) - 1.0).abs());
-        let before = self.speed_of(&sums, step.loads[1], ahead.slope);
+        let before = self.speed_of(&sums, &step, ahead.slope);
         if on_line {
             if self.grid.is_even() {
                 self.undisturbed = self.undisturbed.saturating_add(1);

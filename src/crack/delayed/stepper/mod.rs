@@ -221,11 +221,11 @@ impl Stepper<'_> {
     }
 
     /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ.
-    fn speed_of(&self, sums: &Sums, load: f64, load_slope: f64) -> f64 {
-        let zone = self.zone.at(load);
+    fn speed_of(&self, sums: &Sums, step: &Step, load_slope: f64) -> f64 {
+        let (load, zone) = (step.loads[1], step.zone);
         let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
         let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
-        let speed = zone * rate / (load * sums.exposure);
+        let speed = zone * rate / (load * (sums.exposure + self.memory.exposure_beyond_chord(step)));
         if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
     }
 
@@ -247,7 +247,7 @@ impl Stepper<'_> {
             }
             self.event(RawKind::Jumps, [before, before], advance);
             self.rests.push(self.memory.place);
-            self.memory.take(&Step { advance, ..here });
+            self.memory.take(&Step { advance, ..here }, None);
             self.moving = true;
             self.ever_moved = true;
         } else if self.moving && excess < -1e-12 {
@@ -268,8 +268,9 @@ impl Stepper<'_> {
         self.first_step = true;
         let leaving = self.rest_leaving(ahead.load) + zone - self.memory.place;
         self.longest_advance = 2.0 * leaving / f64::from(self.lines_per_zone);
-        let sums = self.sums(&Step::none(ahead.load, zone));
-        self.speed = self.speed_of(&sums, ahead.load, ahead.slope);
+        let here = Step::none(ahead.load, zone);
+        let sums = self.sums(&here);
+        self.speed = self.speed_of(&sums, &here, ahead.slope);
         let layer = self.speed * self.shortest_time / zone;
         self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
     }
@@ -302,7 +303,7 @@ impl Stepper<'_> {
     /// Takes a step and writes the outputs that lie in it.
     fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         self.write_outputs(ahead, duration, advance, speeds, between);
-        self.memory.take(&ahead.step(duration, advance));
+        self.memory.take(&ahead.step(duration, advance), Some(speeds));
         ahead.pass(duration);
         self.run.work.steps += 1;
     }

@@ -137,7 +137,7 @@ impl Stepper<'_> {
             };
             let next = (place - excess / slope).clamp(0.0, advance);
             if (next - place).abs() <= 4.0 * f64::EPSILON * (1.0 + place) || excess.abs() <= 2.0 * f64::EPSILON {
-                let speed = self.speed_of(&sums, load, ahead.slope);
+                let speed = self.speed_of(&sums, &step, ahead.slope);
                 return (speed > 0.0 && speed.is_finite()).then_some([next, speed]);
             }
             before = Some((place, excess));
