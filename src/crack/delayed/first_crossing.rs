@@ -51,7 +51,7 @@ impl Rest<'_> {
     fn memories_at(&self, time: f64, starts: &[f64]) -> Vec<f64> {
         let load = self.load_at(time);
         let evolved = |(term, memory): (&Term, &f64)| {
-            let (decay, [n0, n1, _]) = fading_moments(term.rate * time);
+            let (decay, [n0, n1, ..]) = fading_moments(term.rate * time);
             decay * memory + term.gain * time * (load * n0 + (self.loads[0] - load) * n1)
         };
         self.terms.iter().zip(starts).map(evolved).collect()

@@ -48,6 +48,8 @@ struct Piece {
     end: f64,
     duration: f64,
     places: [f64; 2],
+    /// How far the way bends off the chord: x = chord + bend·v(1 − v).
+    bend: f64,
     loads: [f64; 2],
     /// Speeds at both ends, where they are known.
     speeds: Option<[f64; 2]>,
@@ -56,16 +58,25 @@ struct Piece {
 }
 
 impl Piece {
+    /// The part of its duration that has passed when the tip is at a place.
+    fn when(&self, place: f64) -> f64 {
+        // Δσ + bσ(1 − σ) = y, |b| ≤ Δ.
+        let [first, last] = self.places;
+        let (way, sum) = (place - first, last - first + self.bend);
+        let root = (sum * sum - 4.0 * self.bend * way).max(0.0).sqrt();
+        (2.0 * way / (sum + root)).clamp(0.0, 1.0)
+    }
+
     /// The part between two places, of a piece that is no rest.
     fn part(&self, from: f64, to: f64) -> Self {
-        let [first, last] = self.places;
-        let at = |place: f64| ((place - first) / (last - first)).clamp(0.0, 1.0);
+        let at = |place: f64| self.when(place);
         let (start, end) = (at(from), at(to));
         let load = |part: f64| self.loads[0] + part * (self.loads[1] - self.loads[0]);
         Self {
             end: self.end - (1.0 - end) * self.duration,
             duration: (end - start) * self.duration,
             places: [from, to],
+            bend: self.bend * (end - start) * (end - start),
             loads: [load(start), load(end)],
             speeds: None,
             rested: None,
@@ -78,13 +89,15 @@ impl Piece {
 pub(crate) struct Step {
     pub(crate) duration: f64,
     pub(crate) advance: f64,
+    /// See [`Piece::bend`]; the tip does not turn: at most the advance.
+    pub(crate) bend: f64,
     pub(crate) loads: [f64; 2],
     pub(crate) zone: f64,
 }
 
 impl Step {
     pub(crate) const fn none(load: f64, zone: f64) -> Self {
-        Self { duration: 0.0, advance: 0.0, loads: [load, load], zone }
+        Self { duration: 0.0, advance: 0.0, bend: 0.0, loads: [load, load], zone }
     }
 }
 
@@ -168,7 +181,7 @@ impl Memory {
             let distance = place - piece.places[1];
             return Held { exposure, lag: exposure * distance, weighted: exposure * (1.0 - distance / zone) };
         }
-        let (_, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
+        let (_, [n0, n1, n2, n3]) = fading_moments(term.rate * piece.duration);
         let scale = term.gain * piece.duration * fade;
         let [first, last] = piece.loads;
         let load_slope = first - last;
@@ -179,7 +192,8 @@ impl Memory {
             let slope = before - after;
             scale * (last * after * n0 + (last * slope + load_slope * after) * n1 + load_slope * slope * n2)
         };
-        Held { exposure: scale * (last * n0 + load_slope * n1), lag: product(distances), weighted: product(weights) }
+        let bent = scale * piece.bend * (last * (n1 - n2) + load_slope * (n2 - n3));
+        Held { exposure: scale * (last * n0 + load_slope * n1), lag: product(distances) - bent, weighted: product(weights) + bent / zone }
     }
 
     /// The sums after a step that is not taken.
@@ -189,16 +203,18 @@ impl Memory {
         let mut sums = Sums { memory: 0.0, exposure: 0.0, lag: 0.0, growth: 0.0 };
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
-            let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
+            let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
             let own = gain * (last * n0 + (first - last) * n1);
             let mut exposure = old + own;
-            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+            let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             // 1 − Δx·v/z is the weight of the step itself.
             let advance = step.advance / zone;
             let mut memory = (old - decay * self.lag[index] / zone - advance * old)
-                + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2);
+                + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2)
+                + bent / zone;
             let mut lack = self.lack_after(index, step, decay, n0);
             for (sign, piece) in &exchanged {
                 let held = Self::held(*term, index, piece, clock, place, zone);
@@ -216,27 +232,31 @@ impl Memory {
         sums
     }
 
-    /// What ΣP_j gains after a step when the tip entered the window not on the straight line of its piece but on the cubic with the speeds of its
-    /// ends. The window ends anywhere in a piece, and the chord is off by the square of the piece there: a part of the speed's error that would
+    /// What ΣP_j gains after a step when the tip entered the window not on the parabola of its piece but on the cubic with the speeds of its
+    /// ends. The window ends anywhere in a piece, and the parabola is off by the cube of the piece there: a part of the speed's error that would
     /// not fall in proportion from run to run. (The closure itself has no weight at the end of the window.)
-    pub(crate) fn exposure_beyond_chord(&self, step: &Step) -> f64 {
+    pub(crate) fn exposure_beyond_parabola(&self, step: &Step) -> f64 {
         let back = self.place + step.advance - step.zone;
         let after = self.pieces.partition_point(|piece| piece.places[1] <= back);
         let Some(piece) = self.pieces.get(after).filter(|piece| piece.places[0] < back) else { return 0.0 };
         let Some(speeds) = piece.speeds else { return 0.0 };
         let [from, to] = piece.places;
-        let wanted = (back - from) / (to - from);
+        let (wanted, passed) = ((back - from) / (to - from), piece.when(back));
         // Monotone: Fritsch and Carlson (1980).
         let [first, last] = speeds.map(|speed| (speed * piece.duration / (to - from)).clamp(0.0, 3.0));
         let place = |u: f64| u * u * (3.0 - 2.0 * u) + u * (1.0 - u) * ((1.0 - u) * first - u * last);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if place(middle) < wanted { low = middle } else { high = middle }
+            if place(middle) < wanted {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
-        let earlier = (wanted - 0.5 * (low + high)) * piece.duration;
-        let ago = self.clock + step.duration - (piece.end - (1.0 - wanted) * piece.duration);
-        let load = piece.loads[0] + wanted * (piece.loads[1] - piece.loads[0]);
+        let earlier = (passed - 0.5 * (low + high)) * piece.duration;
+        let ago = self.clock + step.duration - (piece.end - (1.0 - passed) * piece.duration);
+        let load = piece.loads[0] + passed * (piece.loads[1] - piece.loads[0]);
         self.terms.iter().map(|term| term.gain * (-term.rate * ago).exp()).sum::<f64>() * load * earlier
     }
 
@@ -261,11 +281,12 @@ impl Memory {
     pub(crate) fn take(&mut self, step: &Step, speeds: Option<[f64; 2]>) {
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
-            let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
+            let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
             self.lack[index] = self.lack_after(index, step, decay, n0);
-            self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+            let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+            self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
         }
         self.kernel_evaluations += self.terms.len() as u64;
@@ -316,7 +337,7 @@ impl Memory {
 
     /// Adds the step to the pieces; a rest joins a rest at the same place.
     fn remember(&mut self, step: &Step, from: f64, speeds: Option<[f64; 2]>) {
-        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], loads: step.loads, speeds, rested: None };
+        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], bend: step.bend, loads: step.loads, speeds, rested: None };
         if step.advance == 0.0 {
             let joined = match self.pieces.back_mut() {
                 Some(last) if last.rested.is_some() && last.places[1].to_bits() == from.to_bits() => self.pieces.pop_back(),
@@ -330,7 +351,7 @@ impl Memory {
                 .iter()
                 .enumerate()
                 .map(|(index, term)| {
-                    let (decay, [n0, n1, _]) = fading_moments(term.rate * step.duration);
+                    let (decay, [n0, n1, ..]) = fading_moments(term.rate * step.duration);
                     let [before, lack] = earlier.and_then(|values| values.get(index)).copied().unwrap_or([0.0; 2]);
                     let lack = lack + term.gain * (first - earlier_load);
                     [
@@ -364,9 +385,9 @@ impl Memory {
             self.jump(piece.places[0] - last_place);
             let [first, last] = piece.loads;
             let advance = piece.places[1] - piece.places[0];
-            let step = Step { duration: piece.duration, advance, loads: piece.loads, zone: self.zone };
+            let step = Step { duration: piece.duration, advance, bend: piece.bend, loads: piece.loads, zone: self.zone };
             for (index, term) in self.terms.iter().enumerate() {
-                let (decay, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
+                let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * piece.duration);
                 let gain = term.gain * piece.duration;
                 let old = decay * self.exposure[index];
                 if let Some([rested, lack]) = piece.rested.as_ref().and_then(|values| values.get(index)) {
@@ -376,7 +397,8 @@ impl Memory {
                     continue;
                 }
                 self.lack[index] = self.lack_after(index, &step, decay, n0);
-                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2));
+                let bent = gain * piece.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
                 self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
             }
             self.load = last;
@@ -411,8 +433,8 @@ impl Memory {
     }
 
     /// Replaces the history: the tip came here through places at these distances behind it (falling to zero), so long ago (s), under
-    /// these loads.
-    pub(crate) fn replace(&mut self, way: &[[f64; 3]]) {
+    /// these loads, steadily gaining speed.
+    pub(crate) fn replace(&mut self, way: &[[f64; 3]], acceleration: f64) {
         self.pieces.clear();
         self.first = 0;
         for pair in way.windows(2) {
@@ -422,6 +444,7 @@ impl Memory {
                     end: self.clock - later,
                     duration: earlier - later,
                     places: [self.place - from, self.place - to],
+                    bend: (-0.5 * acceleration * (earlier - later) * (earlier - later)).clamp(to - from, from - to),
                     loads: [*first, *last],
                     speeds: None,
                     rested: None,

@@ -66,7 +66,7 @@ impl QuasiSteady {
     fn sums(&self, time: f64) -> [f64; 4] {
         let mut sums = [0.0; 4];
         for term in &self.terms {
-            let (_, [n0, n1, n2]) = fading_moments(term.rate * time);
+            let (_, [n0, n1, n2, _]) = fading_moments(term.rate * time);
             let gain = term.gain * time;
             for (sum, part) in sums.iter_mut().zip([n0 - n1, n1, n2, n1 - n2]) {
                 *sum += gain * part;

@@ -63,7 +63,7 @@ impl Stepper<'_> {
         // The way is as good as the motion: its duration is set such that the closure holds to rounding, and the next step starts from there.
         let mut factor = 1.0;
         for _ in 0..4 {
-            self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone, factor));
+            self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone, factor), now.acceleration / (factor * factor));
             let excess = self.excess(&Step::none(ahead.load, zone));
             factor *= 1.0 - excess / now.sensitivity;
             if excess.abs() < 1e-14 {

@@ -22,6 +22,7 @@ impl Stepper<'_> {
     /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
     pub(super) fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
         let zone = ahead.zone.at(ahead.load);
+        ahead.speed = self.speed;
         let calm = !self.rests.iter().any(|rest| self.in_zone(*rest, ahead.load));
         if self.uniform.1 > self.lines_per_zone + 2 && calm && ahead.slope == 0.0 {
             // Steps agree to their own rounding, which is that of many lines: the steady motion is known better.
@@ -31,10 +32,11 @@ impl Stepper<'_> {
             let crossing = if (steady / stepped - 1.0).abs() < 1e-9 { steady } else { stepped };
             let left = ahead.left.min(self.until - self.time());
             if left > 4.0 * crossing {
-                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
+                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]], 0.0);
                 let advance = zone * (left / crossing);
+                ahead.speed = zone / crossing;
                 self.accept(ahead, left, advance, [zone / crossing; 2], Between::Read);
-                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]]);
+                self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]], 0.0);
                 return;
             }
         }

@@ -84,6 +84,8 @@ struct Ahead {
     /// When the stretch ends, by the clock of the history.
     end: f64,
     longest_step: f64,
+    /// The speed of the tip now.
+    speed: f64,
     zone: RelativeZone,
 }
 
@@ -94,7 +96,8 @@ impl Ahead {
 
     fn step(&self, duration: f64, advance: f64) -> Step {
         let load = self.load_after(duration);
-        Step { duration, advance, loads: [self.load, load], zone: self.zone.at(load) }
+        let bend = (self.speed * duration - advance).clamp(-advance, advance);
+        Step { duration, advance, bend, loads: [self.load, load], zone: self.zone.at(load) }
     }
 
     /// Whether the zone changes in this stretch.
@@ -162,7 +165,7 @@ pub(crate) fn run(
         let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
         let longest_step = 2.0 * duration / f64::from(lines_per_zone);
         let mut ahead =
-            Ahead { load: first, slope, left: duration, last, whole: duration, end: stretch.start + duration, longest_step, zone };
+            Ahead { load: first, slope, left: duration, last, whole: duration, end: stretch.start + duration, longest_step, speed: 0.0, zone };
         stepper.enter(&ahead);
         stepper.pass(&mut ahead, breaks)?;
         if stepper.is_over() {
@@ -225,7 +228,7 @@ impl Stepper<'_> {
         let (load, zone) = (step.loads[1], step.zone);
         let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
         let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
-        let speed = zone * rate / (load * (sums.exposure + self.memory.exposure_beyond_chord(step)));
+        let speed = zone * rate / (load * (sums.exposure + self.memory.exposure_beyond_parabola(step)));
         if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
     }
 
