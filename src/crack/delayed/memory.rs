@@ -1,7 +1,7 @@
 //! The memory of a moving window: three numbers per creep term, whatever the length of the history.
 //!
 //! Loads over the glassy limit (κ), lengths over the greatest process zone of the history (x; the present zone is z ≤ 1), the history as
-//! pieces on which both are straight in time:
+//! pieces on which the load is straight in time and the tip's way a parabola, chord + bend·v(1 − v):
 //! ```text
 //! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        over x(t₁) > x − z
 //! M_j = P_j − R_j/z        Q_j = g_jκ − l_jP_j        N_j = g_jκ − l_jM_j = Q_j + l_jR_j/z
@@ -42,7 +42,7 @@ pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
     terms
 }
 
-/// A piece of history: straight in time from (x, κ) to (x, κ), or a rest at one place under any load.
+/// A piece of history: a parabola in time from x to x, straight from κ to κ, or a rest at one place under any load.
 #[derive(Debug, Clone)]
 struct Piece {
     end: f64,

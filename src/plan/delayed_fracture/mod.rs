@@ -106,8 +106,7 @@ impl DelayedFracturePlan {
         squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
     }
 
-    /// How finely the history is stepped: extrapolated, the error falls with the fourth power of the lines for one term, with the second and
-    /// more for many.
+    /// How finely the history is stepped: the error falls with the third power of the lines.
     fn resolution(&self) -> Resolution {
         let finer = (1e-4 / self.accuracy).cbrt();
         let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
