@@ -260,6 +260,16 @@ impl Memory {
         self.terms.iter().map(|term| term.gain * (-term.rate * ago).exp()).sum::<f64>() * load * earlier
     }
 
+    /// ∂(zΣN_j)/∂v: how the rate at which ΣM_j grows follows the slope with which the step's own way ends, over the exposure.
+    pub(crate) fn rate_by_last_slope(&self, step: &Step) -> f64 {
+        // x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that counts.
+        let of_term = |term: &Term| {
+            let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);
+            term.gain * term.rate * step.duration * step.duration * (n1 - 2.0 * n2 + n3)
+        };
+        step.loads[1] * self.terms.iter().map(of_term).sum::<f64>()
+    }
+
     /// Each term's M_j here and now, in a zone.
     pub(crate) fn memories_in(&self, zone: f64) -> Vec<f64> {
         let exchanged = self.exchanged(self.place - zone);

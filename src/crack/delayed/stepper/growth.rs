@@ -128,6 +128,7 @@ impl Stepper<'_> {
         let step = ahead.step(duration, advance);
         let sums = self.sums(&step);
         let load = step.loads[1];
+        let by_last_slope = self.memory.rate_by_last_slope(&step);
         self.run.residual = self.run.residual.max((load * (load + sums.memory) - 1.0).abs());
         let before = self.speed_of(&sums, &step, ahead.slope);
         if on_line {
@@ -144,6 +145,9 @@ impl Stepper<'_> {
         let within: Vec<f64> = self.rests.iter().copied().filter(|rest| self.in_zone(*rest, ahead.load)).collect();
         self.accept(ahead, duration, advance, [self.speed, before], between);
         self.speed = before;
+        if advance > 0.0 {
+            self.unseen = by_last_slope * (before - (advance - step.bend) / duration);
+        }
         if within.iter().any(|rest| !self.in_zone(*rest, ahead.load)) {
             // The lines of the zone behind leave as the tip goes on: none of those ahead is wider.
             let layer = self.grid.layer();

@@ -38,6 +38,9 @@ const RESTART_THRESHOLD: f64 = 1e-13;
 /// Zones per second from which on a speed counts as this: a start within an ulp of the glassy limit has no memory to divide by.
 const FASTEST: f64 = 1e150;
 
+/// Where more of the exposure than this is of terms that answer within the step, dividing by the rest would cost its digits.
+const MOST_IMPLICIT: f64 = 0.999;
+
 /// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
 const NEAREST: f64 = 1e-8;
 
@@ -65,6 +68,8 @@ struct Stepper<'a> {
     first_step: bool,
     /// The longest advance of a step: a place of rest near the end of the zone is reached by as many steps as lie in half a zone.
     longest_advance: f64,
+    /// What z ΣN_j lacks after the last step because its way ended with the slope of its parabola and not with the speed.
+    unseen: f64,
     ever_moved: bool,
     speed: f64,
     threshold: f64,
@@ -141,6 +146,7 @@ pub(crate) fn run(
         moving: false,
         first_step: false,
         longest_advance: f64::INFINITY,
+        unseen: 0.0,
         ever_moved: false,
         speed: 0.0,
         threshold: 0.0,
@@ -230,7 +236,15 @@ impl Stepper<'_> {
         let (load, zone) = (step.loads[1], step.zone);
         let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
         let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
-        let speed = zone * rate / (load * (sums.exposure + self.memory.exposure_beyond_parabola(step)));
+        let exposure = sums.exposure + self.memory.exposure_beyond_parabola(step);
+        let speed = zone * rate / (load * exposure);
+        // Terms that answer within the step hold the slope with which its way ends, not that of the parabola: v = v₀ + C(v − slope).
+        let part = self.memory.rate_by_last_slope(step) / exposure;
+        let speed = if step.advance > 0.0 && step.duration > 0.0 && part < MOST_IMPLICIT {
+            (speed - part * (step.advance - step.bend) / step.duration) / (1.0 - part)
+        } else {
+            speed
+        };
         if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
     }
 
@@ -275,7 +289,10 @@ impl Stepper<'_> {
         self.longest_advance = 2.0 * leaving / f64::from(self.lines_per_zone);
         let here = Step::none(ahead.load, zone);
         let sums = self.sums(&here);
-        self.speed = self.speed_of(&sums, &here, ahead.slope);
+        self.speed = self.speed_of(&sums, &here, ahead.slope) + self.unseen / sums.exposure;
+        if !self.speed.is_finite() {
+            self.speed = 0.0;
+        }
         let layer = self.speed * self.shortest_time / zone;
         self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
     }
@@ -307,6 +324,8 @@ impl Stepper<'_> {
 
     /// Takes a step and writes the outputs that lie in it.
     fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
+        self.unseen = 0.0;
+        if std::env::var_os("LATE").is_some() { eprintln!("m {} t {:.12e} x {:.12e} dt {:.6e} dx {:.6e} v {:.9e} {:.9e} bend {:.3e} {between:?}", self.lines_per_zone, self.time(), self.place(), duration, advance, speeds[0], speeds[1], ahead.step(duration, advance).bend / advance); }
         self.write_outputs(ahead, duration, advance, speeds, between);
         self.memory.take(&ahead.step(duration, advance), Some(speeds));
         ahead.pass(duration);
