@@ -165,7 +165,8 @@ fn kink_is_landed_on_and_both_speeds_are_right() {
     let intensity = problem.relaxed_limit() * 2.1;
     let history = LoadHistory::constant(intensity).unwrap();
     let Onset::After { delay, initial_speed, .. } = onset(&problem, intensity).unwrap() else { panic!() };
-    let found = trajectory(&problem, &history, &[4.0 * delay.value + 3.0], Resolution::default()).unwrap();
+    let resolution = Resolution { lines_per_zone: 128, ..Resolution::default() };
+    let found = trajectory(&problem, &history, &[4.0 * delay.value + 3.0], resolution).unwrap();
     let EventKind::GrowthBegins { speed } = found.events[0].kind else { panic!("{:?}", found.events) };
     assert!(relative(speed.value, initial_speed.value) < 1e-14 && relative(found.events[0].time.value, delay.value) < 1e-14);
     let EventKind::Kink { speed_before, speed_after } = found.events[1].kind else { panic!("{:?}", found.events) };

@@ -20,7 +20,7 @@ impl Steadiness {
     /// The greatest difference between the cubic of a panel and its quadrature, over the way in it.
     pub(super) const PANEL: f64 = 1e-10;
 
-    /// The greatest squared correction. It falls with the lines as the error of stepping does, so that three runs show the error of both, down
+    /// The greatest squared correction. It falls with the lines as the error of stepping does, so that the runs show the error of both, down
     /// to where as many zones would have to be stepped as pass in a change of the speed by 1 in 2000.
     pub(super) fn tolerance(lines_per_zone: u32) -> f64 {
         let lines = f64::from(lines_per_zone);

@@ -2,10 +2,10 @@
 //!
 //! # How the errors are known
 //! The runs have ½, 1, 2 and 4 times the lines per process zone, and the values are those of the finest: of third order in the step, with a
-//! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences say so
-//! (8 is perfect), the error is a seventh of the last difference, and the bar is four times that. It is never less than what a tenth of the difference before
-//! would give: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the bar is half as much again as the
-//! greatest of the differences, the first one taken as an eighth.
+//! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
+//! error is a seventh of the last difference and the bar is that difference; where they are of that kind, four times as much. No difference counts as less than third order would
+//! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
+//! bar is two and a half times the greatest of the differences, the first one taken as an eighth.
 //!
 //! Nothing is extrapolated. What an extrapolation leaves is a hundredth of its own correction in the median and a quarter in one value of ten thousand (1200 random
 //! histories), and no rule on four runs told which: bars that held were fifty times the error, bars of ten times the error missed one value in two hundred.
@@ -18,6 +18,7 @@ use super::stepper::{GrowthWork, RawEvent, RawKind, RawSample, Run, run};
 use crate::Estimate;
 use crate::crack::{Motion, SteadyState, at_drive, virtual_work::VirtualWork};
 use crate::refusal::{Refusal, require_non_negative};
+use std::ops::Range;
 
 /// How finely a history is stepped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -193,36 +194,41 @@ pub fn tends_to(problem: &GrowthProblem<'_>, intensity: f64, tolerance: f64) -> 
     at_drive(&curve, interface.body.drive(interface.work_of_adhesion, intensity), tolerance)
 }
 
-/// Rounding of a place or speed in the units of the runs, relative to itself and to one process zone, at [`ROUNDING_LINES`]; sums over the lines of a window let it
-/// grow with them (measured: 8e-14 at 2048 lines).
-const ROUNDING: f64 = 1e-14;
-/// Lines per process zone.
-const ROUNDING_LINES: f64 = 64.0;
+/// Rounding of a place in process zones, relative to itself and to one zone, at 64 lines; sums over the lines of a window let it grow with them.
+const ROUNDING: f64 = 3e-14;
+/// The same of speeds and times, relative to themselves, at 16 lines: slopes of steps and their terms lose more (measured: 6e-12 at 2048 lines).
+const ROUNDING_OF_RATES: f64 = 1e-13;
 
-/// Ratios of neighbouring differences, the first and the last, within which the third order is seen: 8 but for what is left of lower and higher orders.
-const REGULAR: [std::ops::Range<f64>; 2] = [5.0..11.0, 6.5..9.5];
+/// Ratios of neighbouring differences, the first and the last, where nothing but third order is left; 8 is perfect.
+const PERFECT: [Range<f64>; 2] = [6.0..10.5, 7.0..9.2];
+/// The bar there, over the last difference, of which the error is a seventh (2700 random histories: most need 0.143, the worst 0.93).
+const PERFECT_PART: f64 = 1.0;
 
-/// The bar of a regular value over the last difference, of which the error is a seventh. Measured over 2900 random histories: most values need 0.143, the worst 0.52.
-const REGULAR_PART: f64 = 0.6;
+/// Ratios where something else is left besides third order.
+const SIMILAR: [Range<f64>; 2] = [4.0..16.0, 5.0..12.0];
+/// The bar there, over the last difference.
+const SIMILAR_PART: f64 = 4.0;
 
-/// The last difference counts as no less than this part of the one before, of which it is an eighth where it is not small by chance.
-const LEAST_PART: f64 = 0.1;
+/// The bar of any other value, over the greatest difference.
+const IRREGULAR_PART: f64 = 2.5;
 
-/// The bar of any other value over the greatest difference.
-const IRREGULAR_PART: f64 = 1.5;
+/// A difference counts as no less than this part of the one before.
+const THIRD_ORDER: f64 = 0.125;
 
-/// The first difference counts as this part, to which third order would bring it by the second.
-const FIRST_PART: f64 = 0.125;
-
-/// The value and error that four runs of third order give, before units; `scale` is what rounding is measured against.
+/// The value and error that four runs of third order give, before units; a place has one process zone as the scale of its rounding, rates and times have none.
 fn judged([coarsest, coarse, middle, fine]: [f64; 4], scale: f64, lines: f64) -> Estimate {
     let [first, second, third] = [coarse - coarsest, middle - coarse, fine - middle];
-    let rounding = ROUNDING * (1.0 + lines / ROUNDING_LINES) * (fine.abs() + scale);
-    let regular = REGULAR[0].contains(&(first / second)) && REGULAR[1].contains(&(second / third));
-    let bar = if regular {
-        REGULAR_PART * third.abs().max(LEAST_PART * second.abs())
+    let part = if scale > 0.0 { ROUNDING * (1.0 + lines / 64.0) } else { ROUNDING_OF_RATES * (1.0 + lines / 16.0) };
+    let rounding = part * (fine.abs() + scale);
+    let are = |ranges: &[Range<f64>; 2]| ranges[0].contains(&(first / second)) && ranges[1].contains(&(second / third));
+    let [first, second, third] = [first.abs() * THIRD_ORDER, second.abs(), third.abs()];
+    let expected = third.max(THIRD_ORDER * second.max(first));
+    let bar = if are(&PERFECT) {
+        PERFECT_PART * expected
+    } else if are(&SIMILAR) {
+        SIMILAR_PART * expected
     } else {
-        IRREGULAR_PART * third.abs().max(second.abs()).max(FIRST_PART * first.abs())
+        IRREGULAR_PART * third.max(second).max(first)
     };
     Estimate::new(fine, bar + rounding)
 }
@@ -269,7 +275,11 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
                 if together { estimate } else { Estimate::new(estimate.value, range) }
             };
             let place = fine.place.abs().max(1.0);
-            let speed = |side: usize| number(&|event| event.speeds[side], 0.0, fine.speeds[side].abs().max(place / until)).scaled(zone);
+            let speed = |side: usize| {
+                let estimate = number(&|event| event.speeds[side], 0.0, fine.speeds[side].abs().max(place / until));
+                let doubt = if fine.speeds[side] > 0.0 { fine.speed_doubt } else { 0.0 };
+                Estimate::new(estimate.value, estimate.error + doubt).scaled(zone)
+            };
             let kind = match fine.kind {
                 RawKind::Begins => EventKind::GrowthBegins { speed: speed(1) },
                 RawKind::Restarts => EventKind::Restart { speed: speed(1) },
@@ -283,15 +293,4 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
             Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.doubt).scaled(zone) }
         })
         .collect()
-}
-
-
-/// TEMPORARY: raw values of runs.
-#[must_use]
-pub fn raw_values(problem: &GrowthProblem<'_>, history: &LoadHistory, outputs: &[f64], lines: u32) -> Option<(Vec<(u8, f64, f64, bool, f64, f64)>, Vec<(u8, f64, f64, f64, f64, f64, f64)>, u64)> {
-    let until = outputs.last().copied()?;
-    let run = run(problem, history, outputs, until, lines, 50_000_000).ok()?;
-    let samples = run.samples.iter().map(|s| (u8::from(s.bounded), s.place, s.speed, s.moving, s.doubts[0], s.doubts[1])).collect();
-    let events = run.events.iter().map(|e| (e.kind as u8, e.time, e.place, e.speeds[0], e.speeds[1], e.jump, e.doubt)).collect();
-    Some((samples, events, run.work.closure_evaluations))
 }

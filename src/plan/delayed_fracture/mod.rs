@@ -41,7 +41,7 @@ pub(super) struct DelayedFracturePlan {
 }
 
 /// Lines per process zone at an accuracy of 1e-4, at least and at most.
-const LINES: f64 = 768.0;
+const LINES: f64 = 192.0;
 const FEWEST_LINES: f64 = 64.0;
 const MOST_LINES: f64 = 4096.0;
 /// Steps of one run before it is refused.

@@ -135,10 +135,3 @@ pub fn work(scene: u64) -> Option<[u64; 2]> {
     let asked = drawn(&mut Draw::of(SEED ^ 3, scene)).ok()?;
     Some([asked.solved(1e-3).ok()?.curve_points, asked.solved(1e-9).ok()?.curve_points])
 }
-
-/// TEMPORARY: points at tolerances.
-#[must_use]
-pub fn parts(scene: u64) -> Option<Vec<u64>> {
-    let asked = drawn(&mut Draw::of(SEED ^ 3, scene)).ok()?;
-    [1.0, 0.1, 1e-2, 1e-3, 1e-6, 1e-9, 1e-12].iter().map(|tolerance| Some(asked.solved(*tolerance).ok()?.curve_points)).collect()
-}

@@ -192,31 +192,3 @@ pub fn work(scene: u64) -> Option<[u64; 2]> {
     let counted = |lines: u32| Some(asked.solved(lines).ok()?.work.closure_evaluations);
     Some([counted(64)?, counted(2048)?])
 }
-
-/// TEMPORARY.
-pub fn dump(seed: u64, scene: u64, runs: &[u32]) -> String {
-    use crate::crack::delayed::trajectory::raw_values;
-    let mut out = String::new();
-    let mut draw = Draw::of(seed ^ 4, scene);
-    let lines = LINES[(scene / ANOTHER_ROUTE + scene) as usize % LINES.len()];
-    let another = scene.is_multiple_of(ANOTHER_ROUTE);
-    let (material, interface, history, times, known) = if another {
-        let Ok(known) = known_growth(&mut draw) else { return out };
-        (known.material, known.interface, known.history, vec![known.until], Some(known.known))
-    } else {
-        let Ok(asked) = drawn(&mut draw) else { return out };
-        (asked.material, asked.interface, asked.history, asked.times, None)
-    };
-    let Ok(problem) = GrowthProblem::new(&material, interface, 0.0) else { return out };
-    let kind = if another { 9 } else { history.stretches().len() };
-    out += &format!("scene {scene} lines {lines} terms {} kind {kind} until {:e} zone {:e} known {known:?}\n", material.creep_terms().len(), times.last().copied().unwrap_or(0.0), problem.process_zone_at(0.0));
-    for run in runs {
-        let many = if *run >= 1000 { run / 1000 * lines } else { run * lines / 4 };
-        let clock = std::time::Instant::now();
-        let Some((samples, events, work)) = raw_values(&problem, &history, &times, many) else { continue };
-        out += &format!("run {many} work {work} seconds {:e}\n", clock.elapsed().as_secs_f64());
-        for s in samples { out += &format!("s {} {:e} {:e} {} {:e} {:e}\n", s.0, s.1, s.2, u8::from(s.3), s.4, s.5); }
-        for e in events { out += &format!("e {} {:e} {:e} {:e} {:e} {:e} {:e}\n", e.0, e.1, e.2, e.3, e.4, e.5, e.6); }
-    }
-    out
-}

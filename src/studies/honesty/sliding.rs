@@ -158,21 +158,3 @@ pub fn work(scene: u64) -> Option<[u64; 2]> {
     let of = |work: SlidingWork| work.contacts;
     Some([of(counted(1e-3)?), of(counted(1e-9)?)])
 }
-
-/// TEMPORARY: contacts at 1e-3, at 1e-9; of these without the path: both; evaluations the same; path steps.
-#[must_use]
-pub fn parts(scene: u64) -> Option<Vec<u64>> {
-    use crate::sliding::steady::steady_sliding_near;
-    let (material, problem) = drawn(&mut Draw::of(SEED ^ 1, scene)).ok()?;
-    let cold = |accuracy: f64| match steady_sliding(&material, &SlidingProblem { accuracy, ..problem }) {
-        Ok(SlidingOutcome::Partial(contact)) => Some(contact),
-        _ => None,
-    };
-    let (loose, tight) = (cold(1e-3)?, cold(1e-9)?);
-    let warm = |accuracy: f64| match steady_sliding_near(&material, &SlidingProblem { accuracy, ..problem }, &loose.start) {
-        Ok(contact) => Some(contact.work),
-        _ => None,
-    };
-    let (a, b) = (warm(1e-3)?, warm(1e-9)?);
-    Some(vec![loose.work.contacts, tight.work.contacts, a.contacts, b.contacts, loose.work.closure_evaluations, tight.work.closure_evaluations, a.closure_evaluations, b.closure_evaluations, tight.work.path_steps])
-}

@@ -114,10 +114,3 @@ pub fn work(scene: u64) -> Option<[u64; 2]> {
     let counted = |accuracy: f64| Some(strength(&material, &BranchProblem { accuracy, ..problem }).ok()?.work.closure_evaluations);
     Some([counted(1e-3)?, counted(1e-9)?])
 }
-
-/// TEMPORARY: evaluations at accuracies.
-#[must_use]
-pub fn parts(scene: u64) -> Option<Vec<u64>> {
-    let (material, problem) = drawn(&mut Draw::of(SEED ^ 2, scene)).ok()?;
-    [1e-2, 1e-3, 1e-6, 1e-9].iter().map(|accuracy| Some(strength(&material, &BranchProblem { accuracy: *accuracy, ..problem }).ok()?.work.closure_evaluations)).collect()
-}

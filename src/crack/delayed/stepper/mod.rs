@@ -57,6 +57,8 @@ struct Stepper<'a> {
     shortest_time: f64,
     /// Places of rests that are, or may come, within the zone.
     rests: Vec<f64>,
+    /// Those of them where a falling load let the tip stop bit by bit.
+    slow_rests: Vec<f64>,
     zone: RelativeZone,
     quasi_steady: QuasiSteady,
     /// Lines passed since the motion was last disturbed.
@@ -139,6 +141,7 @@ pub(crate) fn run(
         grid: Grid::even(0.0, 1.0, lines_per_zone),
         shortest_time: 1.0 / terms_of(problem.material).iter().map(|term| term.rate).fold(0.0, f64::max),
         rests: Vec::new(),
+        slow_rests: Vec::new(),
         zone,
         quasi_steady: QuasiSteady::new(terms_of(problem.material), zone),
         undisturbed: 0,
@@ -214,7 +217,7 @@ impl Stepper<'_> {
         self.base[0] += time;
         self.base[1] += place;
         self.grid.shift(place);
-        for rest in &mut self.rests {
+        for rest in self.rests.iter_mut().chain(&mut self.slow_rests) {
             *rest -= place;
         }
     }
@@ -325,7 +328,6 @@ impl Stepper<'_> {
     /// Takes a step and writes the outputs that lie in it.
     fn accept(&mut self, ahead: &mut Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         self.unseen = 0.0;
-        if std::env::var_os("LATE").is_some() { eprintln!("m {} t {:.12e} x {:.12e} dt {:.6e} dx {:.6e} v {:.9e} {:.9e} bend {:.3e} {between:?}", self.lines_per_zone, self.time(), self.place(), duration, advance, speeds[0], speeds[1], ahead.step(duration, advance).bend / advance); }
         self.write_outputs(ahead, duration, advance, speeds, between);
         self.memory.take(&ahead.step(duration, advance), Some(speeds));
         ahead.pass(duration);

@@ -23,6 +23,8 @@ pub(crate) struct RawEvent {
     pub(crate) jump: f64,
     /// What is not known of the place, beyond the error of stepping.
     pub(crate) doubt: f64,
+    /// The same of the speeds.
+    pub(crate) speed_doubt: f64,
 }
 
 /// The tip at an output time.
@@ -84,7 +86,7 @@ const MOST_SECANTS: u32 = 12;
 
 impl Stepper<'_> {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
-        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0] };
+        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };
         self.run.events.push(event);
     }
 
@@ -162,6 +164,7 @@ impl Stepper<'_> {
             speeds: [self.speed.max(0.0), 0.0],
             jump: 0.0,
             doubt: self.doubts[0],
+            speed_doubt: self.doubts[1],
         };
         self.run.events.push(event);
         let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false, doubts: [0.0; 2] };
