@@ -3,9 +3,9 @@
 //! # How the errors are known
 //! The runs have ½, 1, 2 and 4 times the lines per process zone, and the values are those of the finest: of third order in the step, with a
 //! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
-//! error is a seventh of the last difference and the bar is that difference; where they are of that kind, four times as much. No difference counts as less than third order would
+//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, four times as much. No difference counts as less than third order would
 //! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
-//! bar is two and a half times the greatest of the differences, the first one taken as an eighth.
+//! bar is two and a half times the greatest of the differences, the first one taken as a sixteenth.
 //!
 //! Nothing is extrapolated. What an extrapolation leaves is a hundredth of its own correction in the median and a quarter in one value of ten thousand (1200 random
 //! histories), and no rule on four runs told which: bars that held were fifty times the error, bars of ten times the error missed one value in two hundred.
@@ -204,8 +204,8 @@ const PERFECT: [Range<f64>; 2] = [6.0..10.5, 7.0..9.2];
 /// The bar there, over the last difference, of which the error is a seventh (2700 random histories: most need 0.143, the worst 0.93).
 const PERFECT_PART: f64 = 1.0;
 
-/// Ratios where something else is left besides third order.
-const SIMILAR: [Range<f64>; 2] = [4.0..16.0, 5.0..12.0];
+/// Ratios of the last differences where something else is left besides third order, or what is left falls faster.
+const SIMILAR: Range<f64> = 4.5..40.0;
 /// The bar there, over the last difference.
 const SIMILAR_PART: f64 = 4.0;
 
@@ -215,20 +215,23 @@ const IRREGULAR_PART: f64 = 2.5;
 /// A difference counts as no less than this part of the one before.
 const THIRD_ORDER: f64 = 0.125;
 
+/// The part of the first difference that counts where nothing is regular.
+const FIRST_PART: f64 = 1.0 / 16.0;
+
 /// The value and error that four runs of third order give, before units; a place has one process zone as the scale of its rounding, rates and times have none.
 fn judged([coarsest, coarse, middle, fine]: [f64; 4], scale: f64, lines: f64) -> Estimate {
     let [first, second, third] = [coarse - coarsest, middle - coarse, fine - middle];
     let part = if scale > 0.0 { ROUNDING * (1.0 + lines / 64.0) } else { ROUNDING_OF_RATES * (1.0 + lines / 16.0) };
     let rounding = part * (fine.abs() + scale);
-    let are = |ranges: &[Range<f64>; 2]| ranges[0].contains(&(first / second)) && ranges[1].contains(&(second / third));
-    let [first, second, third] = [first.abs() * THIRD_ORDER, second.abs(), third.abs()];
-    let expected = third.max(THIRD_ORDER * second.max(first));
-    let bar = if are(&PERFECT) {
+    let ratios = [first / second, second / third];
+    let [first, second, third] = [first, second, third].map(f64::abs);
+    let expected = third.max(THIRD_ORDER * second.max(THIRD_ORDER * first));
+    let bar = if PERFECT[0].contains(&ratios[0]) && PERFECT[1].contains(&ratios[1]) {
         PERFECT_PART * expected
-    } else if are(&SIMILAR) {
+    } else if SIMILAR.contains(&ratios[1]) {
         SIMILAR_PART * expected
     } else {
-        IRREGULAR_PART * third.max(second).max(first)
+        IRREGULAR_PART * third.max(second).max(FIRST_PART * first)
     };
     Estimate::new(fine, bar + rounding)
 }

@@ -1,7 +1,7 @@
 //! Growth: from one line to the next, from one time to the next, or an arrest.
 
 use super::super::memory::{SAME_PLACE, Step};
-use super::bracket::bracketed;
+use super::bracket::{bracketed, bracketed_to};
 use super::record::{Between, RawKind};
 use super::{Ahead, Stepper};
 
@@ -11,6 +11,9 @@ const SHORTEST_STEP: f64 = 1e-7;
 /// Where a place of slow arrest leaves the zone, the speed before goes like the root of what is left of the way, which no step follows: terms that answer within the
 /// step see the change of speed too late. Measured: the worst of 4200 random histories was off by 3e-4 of that change.
 const SLOW_KINK_PART: f64 = 5e-3;
+
+/// The time of an arrest within its step is solved for to this part: the place is known to its square.
+const ARREST: f64 = 1e-9;
 
 /// A step on the way to an end that lies between this step and the next: half of what is left. From a line that all runs have in common the last step to an end within
 /// their lines would be the same in all of them, and what it errs by would not be seen.
@@ -94,7 +97,8 @@ impl Stepper<'_> {
                 continue;
             }
             // The tip has stopped on the way, where the speed that the closure wants is zero.
-            let last = bracketed(
+            let last = bracketed_to(
+                ARREST,
                 duration,
                 0.5 * duration,
                 |time, this: &mut Self| {
