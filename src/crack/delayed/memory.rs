@@ -347,7 +347,15 @@ impl Memory {
 
     /// Adds the step to the pieces; a rest joins a rest at the same place.
     fn remember(&mut self, step: &Step, from: f64, speeds: Option<[f64; 2]>) {
-        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], bend: step.bend, loads: step.loads, speeds, rested: None };
+        let mut piece = Piece {
+            end: self.clock,
+            duration: step.duration,
+            places: [from, self.place],
+            bend: step.bend,
+            loads: step.loads,
+            speeds,
+            rested: None,
+        };
         if step.advance == 0.0 {
             let joined = match self.pieces.back_mut() {
                 Some(last) if last.rested.is_some() && last.places[1].to_bits() == from.to_bits() => self.pieces.pop_back(),

@@ -196,8 +196,29 @@ pub fn tends_to(problem: &GrowthProblem<'_>, intensity: f64, tolerance: f64) -> 
 
 /// Rounding of a place in process zones, relative to itself and to one zone, at 64 lines; sums over the lines of a window let it grow with them.
 const ROUNDING: f64 = 3e-14;
-/// The same of speeds and times, relative to themselves, at 16 lines: slopes of steps and their terms lose more (measured: 6e-12 at 2048 lines).
+/// The same of speeds, relative to themselves, at 16 lines: slopes of steps and their terms lose more (measured: 6e-12 at 2048 lines).
 const ROUNDING_OF_RATES: f64 = 1e-13;
+/// Rounding of a time, relative to itself: the clock is that of the history.
+const ROUNDING_OF_TIMES: f64 = 1e-14;
+
+/// What a value is, which says how it is rounded.
+#[derive(Debug, Clone, Copy)]
+enum Quantity {
+    /// In process zones; rounded relative to itself and to one zone.
+    Place,
+    Rate,
+    Time,
+}
+
+impl Quantity {
+    fn rounding(self, value: f64, lines: f64) -> f64 {
+        match self {
+            Self::Place => ROUNDING * (1.0 + lines / 64.0) * (value.abs() + 1.0),
+            Self::Rate => ROUNDING_OF_RATES * (1.0 + lines / 16.0) * value.abs(),
+            Self::Time => ROUNDING_OF_TIMES * value.abs(),
+        }
+    }
+}
 
 /// Ratios of neighbouring differences, the first and the last, where nothing but third order is left; 8 is perfect.
 const PERFECT: [Range<f64>; 2] = [6.0..10.5, 7.0..9.2];
@@ -218,11 +239,9 @@ const THIRD_ORDER: f64 = 0.125;
 /// The part of the first difference that counts where nothing is regular.
 const FIRST_PART: f64 = 1.0 / 16.0;
 
-/// The value and error that four runs of third order give, before units; a place has one process zone as the scale of its rounding, rates and times have none.
-fn judged([coarsest, coarse, middle, fine]: [f64; 4], scale: f64, lines: f64) -> Estimate {
+/// The value and error that four runs of third order give, before units.
+fn judged([coarsest, coarse, middle, fine]: [f64; 4], quantity: Quantity, lines: f64) -> Estimate {
     let [first, second, third] = [coarse - coarsest, middle - coarse, fine - middle];
-    let part = if scale > 0.0 { ROUNDING * (1.0 + lines / 64.0) } else { ROUNDING_OF_RATES * (1.0 + lines / 16.0) };
-    let rounding = part * (fine.abs() + scale);
     let ratios = [first / second, second / third];
     let [first, second, third] = [first, second, third].map(f64::abs);
     let expected = third.max(THIRD_ORDER * second.max(THIRD_ORDER * first));
@@ -233,7 +252,7 @@ fn judged([coarsest, coarse, middle, fine]: [f64; 4], scale: f64, lines: f64) ->
     } else {
         IRREGULAR_PART * third.max(second).max(FIRST_PART * first)
     };
-    Estimate::new(fine, bar + rounding)
+    Estimate::new(fine, bar + quantity.rounding(fine, lines))
 }
 
 fn sample(runs: &[Run; 4], lines: f64, index: usize, time: f64, intensity: f64, zone: f64) -> Sample {
@@ -250,8 +269,8 @@ fn sample(runs: &[Run; 4], lines: f64, index: usize, time: f64, intensity: f64, 
     let speeds = [coarsest.speed, coarse.speed, middle.speed, fine.speed];
     let doubted = |estimate: Estimate, doubt: f64| Estimate::new(estimate.value, estimate.error + doubt);
     let growth =
-        if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { doubted(judged(places, 1.0, lines), fine.doubts[0]) };
-    let speed = if resting { Estimate::exact(0.0) } else { doubted(judged(speeds, 0.0, lines), fine.doubts[1]) };
+        if resting && fine.place == 0.0 { Estimate::exact(0.0) } else { doubted(judged(places, Quantity::Place, lines), fine.doubts[0]) };
+    let speed = if resting { Estimate::exact(0.0) } else { doubted(judged(speeds, Quantity::Rate, lines), fine.doubts[1]) };
     let state = if fine.moving { TipState::Growing } else { TipState::Resting };
     Sample { time, intensity, state, growth: Some(growth.scaled(zone)), speed: Some(speed.scaled(zone)) }
 }
@@ -272,14 +291,14 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
             let coarsest = same(&runs[0]).filter(|_| all_together && together);
             all_together = coarsest.is_some();
             let coarsest = coarsest.unwrap_or(coarse);
-            let number = |of: &dyn Fn(&RawEvent) -> f64, scale: f64, range: f64| {
-                let estimate = judged([of(&coarsest), of(&coarse), of(&middle), of(fine)], scale, lines);
+            let number = |of: &dyn Fn(&RawEvent) -> f64, quantity: Quantity, range: f64| {
+                let estimate = judged([of(&coarsest), of(&coarse), of(&middle), of(fine)], quantity, lines);
                 // The runs no longer tell the same story: all that is certain is the range.
                 if together { estimate } else { Estimate::new(estimate.value, range) }
             };
             let place = fine.place.abs().max(1.0);
             let speed = |side: usize| {
-                let estimate = number(&|event| event.speeds[side], 0.0, fine.speeds[side].abs().max(place / until));
+                let estimate = number(&|event| event.speeds[side], Quantity::Rate, fine.speeds[side].abs().max(place / until));
                 let doubt = if fine.speeds[side] > 0.0 { fine.speed_doubt } else { 0.0 };
                 Estimate::new(estimate.value, estimate.error + doubt).scaled(zone)
             };
@@ -287,12 +306,12 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
                 RawKind::Begins => EventKind::GrowthBegins { speed: speed(1) },
                 RawKind::Restarts => EventKind::Restart { speed: speed(1) },
                 RawKind::Arrests => EventKind::Arrest { speed_before: speed(0) },
-                RawKind::Jumps => EventKind::Jump { distance: number(&|event| event.jump, 1.0, 1.0).scaled(zone) },
+                RawKind::Jumps => EventKind::Jump { distance: number(&|event| event.jump, Quantity::Place, 1.0).scaled(zone) },
                 RawKind::Kinks => EventKind::Kink { speed_before: speed(0), speed_after: speed(1) },
                 RawKind::Unbounded => EventKind::Unbounded,
             };
-            let time = number(&|event| event.time, 0.0, until);
-            let growth = number(&|event| event.place, 1.0, place);
+            let time = number(&|event| event.time, Quantity::Time, until);
+            let growth = number(&|event| event.place, Quantity::Place, place);
             Event { kind, time, growth: Estimate::new(growth.value, growth.error + fine.doubt).scaled(zone) }
         })
         .collect()

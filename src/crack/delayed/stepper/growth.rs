@@ -13,7 +13,7 @@ const SHORTEST_STEP: f64 = 1e-7;
 const SLOW_KINK_PART: f64 = 5e-3;
 
 /// The time of an arrest within its step is solved for to this part: the place is known to its square.
-const ARREST: f64 = 1e-9;
+const ARREST: f64 = 1e-12;
 
 /// A step on the way to an end that lies between this step and the next: half of what is left. From a line that all runs have in common the last step to an end within
 /// their lines would be the same in all of them, and what it errs by would not be seen.
@@ -91,6 +91,7 @@ impl Stepper<'_> {
             } else {
                 duration *= 0.5;
                 if duration <= SHORTEST_STEP * usual.min(longest) || duration < 1e-15 * self.time() {
+                    self.sure = 0.1 * usual.min(longest);
                     self.arrest(self.speed);
                     return;
                 }
@@ -114,6 +115,7 @@ impl Stepper<'_> {
                 return;
             }
             let place = self.place_at(&probe, last, whole_at(last));
+            self.sure = duration - last;
             self.advance(ahead, last, place, false);
             if self.moving {
                 self.arrest(0.0);

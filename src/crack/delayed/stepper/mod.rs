@@ -75,6 +75,8 @@ struct Stepper<'a> {
     ever_moved: bool,
     speed: f64,
     threshold: f64,
+    /// How long after an arrest the closure is known to ask the tip to go back (s).
+    sure: f64,
     /// The step all steps of late agree with, and how many do.
     uniform: (f64, u32),
     /// Steps taken when the memory's zero was last moved.
@@ -153,6 +155,7 @@ pub(crate) fn run(
         ever_moved: false,
         speed: 0.0,
         threshold: 0.0,
+        sure: 0.0,
         uniform: (0.0, 0),
         rebased_at: 0,
         run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
@@ -175,8 +178,17 @@ pub(crate) fn run(
         }
         let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
         let longest_step = 2.0 * duration / f64::from(lines_per_zone);
-        let mut ahead =
-            Ahead { load: first, slope, left: duration, last, whole: duration, end: stretch.start + duration, longest_step, speed: 0.0, zone };
+        let mut ahead = Ahead {
+            load: first,
+            slope,
+            left: duration,
+            last,
+            whole: duration,
+            end: stretch.start + duration,
+            longest_step,
+            speed: 0.0,
+            zone,
+        };
         stepper.enter(&ahead);
         stepper.pass(&mut ahead, breaks)?;
         if stepper.is_over() {

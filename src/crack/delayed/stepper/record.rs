@@ -86,7 +86,8 @@ const MOST_SECANTS: u32 = 12;
 
 impl Stepper<'_> {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
-        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };
+        let event =
+            RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };
         self.run.events.push(event);
     }
 
@@ -110,13 +111,7 @@ impl Stepper<'_> {
                     Between::Solved if u > 0.0 => self.solved_within(ahead, u * duration, read[0], advance).unwrap_or(read),
                     Between::Solved | Between::Read => read,
                 };
-                RawSample {
-                    place: from + place,
-                    speed,
-                    moving: true,
-                    bounded: true,
-                    doubts: self.doubts,
-                }
+                RawSample { place: from + place, speed, moving: true, bounded: true, doubts: self.doubts }
             } else {
                 RawSample { place: from, speed: 0.0, moving: false, bounded: true, doubts: self.doubts }
             };
