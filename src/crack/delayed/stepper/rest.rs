@@ -12,7 +12,7 @@ impl Stepper<'_> {
         if ahead.zone_changes()
             && sure > 0.0
             && sure < longest
-            && [0.25, 0.5, 1.0].iter().all(|part| self.excess(&ahead.step(part * sure, 0.0)) <= 0.0)
+            && [0.25, 0.5, 1.0].iter().all(|part| self.excess(&ahead.step(part * sure, 0.0)) <= self.threshold)
         {
             self.accept(ahead, sure, 0.0, [0.0; 2], Between::Read);
             return;
