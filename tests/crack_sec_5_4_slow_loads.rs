@@ -25,7 +25,7 @@ const LENGTH: f64 = 1.3e-6;
 const WORK: f64 = 0.7;
 /// Steps and most pieces held.
 const PINNED_HELD: (u64, u64) = (2878, 129);
-const PINNED_CYCLES: (u64, u64) = (9066, 1097);
+const PINNED_CYCLES: (u64, u64) = (9068, 1097);
 
 fn one_term() -> Material {
     Material::standard_solid(1.1e6, 1.1e7, 0.3).unwrap()
@@ -181,7 +181,7 @@ fn counters_of_the_stepper_are_pinned() {
     let per_cycle = (hundred.steps - fifty.steps) as f64 / 50.0;
     assert!(((fifty.steps - ten.steps) as f64 / 40.0 / per_cycle - 1.0).abs() < 0.1, "{per_cycle}");
     assert!(hundred.most_pieces <= ten.most_pieces + 2);
-    assert!(hundred.kernel_evaluations < 11 * ten.kernel_evaluations);
+    assert!(40 * (hundred.kernel_evaluations - fifty.kernel_evaluations) < 55 * (fifty.kernel_evaluations - ten.kernel_evaluations));
     // Linear in the terms: twice the integrals, and no step more.
     let two = run(&doubled, 10, 32);
     assert_eq!((two.steps, two.most_pieces), (ten.steps, ten.most_pieces));

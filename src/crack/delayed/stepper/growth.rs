@@ -91,7 +91,7 @@ impl Stepper<'_> {
             } else {
                 duration *= 0.5;
                 if duration <= SHORTEST_STEP * usual.min(longest) || duration < 1e-15 * self.time() {
-                    self.sure = 0.1 * usual.min(longest);
+                    self.sure = 0.5 * usual.min(longest);
                     self.arrest(self.speed);
                     return;
                 }
@@ -115,7 +115,7 @@ impl Stepper<'_> {
                 return;
             }
             let place = self.place_at(&probe, last, whole_at(last));
-            self.sure = duration - last;
+            self.sure = (duration - last).max(0.5 * usual.min(longest));
             self.advance(ahead, last, place, false);
             if self.moving {
                 self.arrest(0.0);
