@@ -3,7 +3,7 @@
 //! # How the errors are known
 //! The runs have ½, 1, 2 and 4 times the lines per process zone, and the values are those of the finest: of third order in the step, with a
 //! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
-//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, four times as much. No difference counts as less than third order would
+//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would
 //! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
 //! bar is two and a half times the greatest of the differences, the first one taken as a sixteenth.
 //!
@@ -228,7 +228,7 @@ const PERFECT_PART: f64 = 1.0;
 /// Ratios of the last differences where something else is left besides third order, or what is left falls faster.
 const SIMILAR: Range<f64> = 4.5..40.0;
 /// The bar there, over the last difference.
-const SIMILAR_PART: f64 = 4.0;
+const SIMILAR_PART: f64 = 5.0;
 
 /// The bar of any other value, over the greatest difference.
 const IRREGULAR_PART: f64 = 2.5;

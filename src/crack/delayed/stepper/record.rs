@@ -134,7 +134,9 @@ impl Stepper<'_> {
             let load = step.loads[1];
             let excess = load * (load + sums.memory) - 1.0;
             let slope = match before {
-                Some((earlier, earlier_excess)) if excess != earlier_excess => (excess - earlier_excess) / (place - earlier),
+                Some((earlier, earlier_excess)) if (excess - earlier_excess).abs() > 0.0 && (place - earlier).abs() > 0.0 => {
+                    (excess - earlier_excess) / (place - earlier)
+                }
                 _ => -load * sums.exposure / step.zone,
             };
             let next = (place - excess / slope).clamp(0.0, advance);
