@@ -3,7 +3,7 @@
 use super::edge::{Drive, Imposed, Trial};
 use super::elastic_zone::tension_root;
 use super::line::NARROWEST;
-use super::marcher::Marcher;
+use super::marcher::{CLOCK, Marcher};
 use super::motion::{Motion, Passage};
 use super::past::Node;
 use super::solution::EventKind;
@@ -18,6 +18,15 @@ const SMALLEST_REACH: f64 = 1e-5;
 const FOLD_TOLERANCE: f64 = 1e-13;
 /// Distance from the fold of t(a), over the process zone, at which it is taken as reached.
 const AT_FOLD: f64 = 2e-3;
+/// Where the edge is looked at to tell a fold from a path that only slows down, over the distance of the fold: the residual of a step at once, straight
+/// less a square, has its zero at twice that distance.
+const BEYOND_FOLD: f64 = 3.0;
+/// The same at least, over the process zone.
+const SHORTEST_LOOK: f64 = 0.15;
+/// And where a fold has been reached: below it the residual is noise.
+const SMALLEST_BEYOND: f64 = 1e-2;
+/// Shortest step, over the time since the last corner.
+const SHORTEST: f64 = 1e-12;
 /// Part of the way to a fold that one step goes.
 const TOWARDS_FOLD: f64 = 0.6;
 /// Points behind an extrapolation: more only amplify what is not smooth.
@@ -62,16 +71,22 @@ impl Marcher<'_> {
         } else if self.problem.adhesion.is_none() {
             reach = reach.min(0.25 * a);
         }
-        let mut forced: Option<Choice> = None;
-        let mut was_far = false;
-        let mut turnings = 0;
-        for _ in 0..MOST_ATTEMPTS {
-            if let Some(distance) = self.fold_ahead() {
-                if distance < AT_FOLD * self.length && self.is_unstable(imposed)? {
+        if let Some(distance) = self.fold_ahead() {
+            // A path that slows down foresees folds that never come: where the glassy edge is stable well beyond one, the fold is further than half of that.
+            let beyond = (BEYOND_FOLD * distance).max(SHORTEST_LOOK * self.length);
+            if self.is_unstable(imposed, beyond)? == Some(false) {
+                reach = reach.min(0.5 * TOWARDS_FOLD * beyond);
+            } else {
+                if distance < AT_FOLD * self.length && self.is_unstable(imposed, 0.0)? == Some(true) {
                     return self.lost(true, Some(distance), imposed);
                 }
                 reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * AT_FOLD * self.length));
             }
+        }
+        let mut forced: Option<Choice> = None;
+        let mut was_far = false;
+        let mut turnings = 0;
+        for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
                 None => self.choose(reach, cap),
@@ -175,7 +190,7 @@ impl Marcher<'_> {
             let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { FASTEST };
             let factor = ideal.clamp(SLOWEST, FASTEST);
             if error > self.tolerance && factor < 0.9 {
-                let smallest = reach < 1e-7 * self.length || cap < 1e-12 * (self.time - self.corner);
+                let smallest = reach < 1e-7 * self.length || cap < self.shortest_step();
                 if !smallest {
                     if by_edge {
                         reach *= factor
@@ -327,15 +342,20 @@ impl Marcher<'_> {
         (bend < 0.0 && slope > 0.0).then(|| -slope / bend).filter(|distance| *distance < 4.0 * first.abs().max(self.reach))
     }
 
-    /// Whether the edge has no stable neighbour a little further on.
-    pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
-        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(false) };
-        let way = 1e-2 * self.length * (now.radius - before.radius).signum();
-        if now.radius + way <= self.smallest() {
-            return Ok(false);
+    /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.
+    pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<bool>, Refusal> {
+        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
+        let way = way.max(SMALLEST_BEYOND * self.length) * (now.radius - before.radius).signum();
+        if now.radius + way <= self.smallest() || now.radius + way >= self.contact.profile().rim() {
+            return Ok(None);
         }
         let (_, value) = self.edge.jumped(&self.contact, now.radius + way, imposed)?;
-        Ok(if way < 0.0 { value >= 0.0 } else { value <= 0.0 })
+        Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
+    }
+
+    /// No step is made shorter for its error than this.
+    fn shortest_step(&self) -> f64 {
+        (SHORTEST * (self.time - self.corner)).max(CLOCK * f64::EPSILON * self.time)
     }
 
     /// A step of a prescribed edge.
@@ -351,7 +371,7 @@ impl Marcher<'_> {
             let error = error / self.opening;
             let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { FASTEST };
             let factor = ideal.clamp(SLOWEST, FASTEST);
-            if error > self.tolerance && factor < 0.9 && cap > 1e-12 * (self.time - self.corner) {
+            if error > self.tolerance && factor < 0.9 && cap > self.shortest_step() {
                 cap *= factor;
                 continue;
             }

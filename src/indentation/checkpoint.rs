@@ -32,8 +32,8 @@ pub struct Checkpoint {
     /// Marches that are finished, and the tolerance of the one under way.
     pub(super) finished: u32,
     pub(super) tolerance: f64,
-    /// The last finished one.
-    pub(super) coarse: Option<Trace>,
+    /// The last two finished ones, the newest first.
+    pub(super) coarser: Vec<Trace>,
     pub(super) work: IndentationWork,
     pub(super) march: MarchState,
 }
@@ -185,7 +185,7 @@ impl Marcher<'_> {
             observer.watch.checkpoint(&Checkpoint {
                 finished: observer.finished,
                 tolerance: self.tolerance,
-                coarse: observer.coarse.cloned(),
+                coarser: observer.coarser.to_vec(),
                 work: observer.work,
                 march: self.state(),
             });
@@ -197,6 +197,6 @@ impl Marcher<'_> {
 pub(super) struct Observer<'a> {
     pub(super) watch: &'a dyn Watch,
     pub(super) finished: u32,
-    pub(super) coarse: Option<&'a Trace>,
+    pub(super) coarser: &'a [Trace],
     pub(super) work: IndentationWork,
 }

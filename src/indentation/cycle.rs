@@ -37,12 +37,16 @@ pub struct Cycle<T> {
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among ten, its value and that of another march.
-    pub(super) fn judged(&self, other: Option<&Self>, mut estimate: impl FnMut(usize, f64, Option<f64>) -> Estimate) -> Cycle<Estimate> {
+    /// With errors by a function of the place of a quantity among ten, its value and those of two other marches.
+    pub(super) fn judged(
+        &self,
+        others: [Option<&Self>; 2],
+        mut estimate: impl FnMut(usize, f64, [Option<f64>; 2]) -> Estimate,
+    ) -> Cycle<Estimate> {
         let mut place = 0;
         let mut one = |of: fn(&Self) -> f64| {
             place += 1;
-            estimate(place - 1, of(self), other.map(of))
+            estimate(place - 1, of(self), others.map(|other| other.map(of)))
         };
         Cycle {
             segment: self.segment,

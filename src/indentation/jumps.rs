@@ -42,7 +42,7 @@ impl Marcher<'_> {
         let was_inwards = self.past.nodes().get(..2).map(|nodes| nodes[0].radius < nodes[1].radius);
         let inwards = match (fold, was_inwards) {
             (Some(_), Some(was)) => was,
-            (None, Some(was)) if was != inwards && self.is_unstable(imposed)? => was,
+            (None, Some(was)) if was != inwards && self.is_unstable(imposed, 0.0)? == Some(true) => was,
             _ => inwards,
         };
         let found = self.elsewhere(self.contact.radius(), inwards, imposed)?;

@@ -7,7 +7,7 @@
 //! and both its updates, before and after, are exact.
 
 use super::motion::{Motion, Passage, STRAIGHT};
-use super::panel::{POINTS, Panel, RULE, value_at};
+use super::panel::{POINTS, Panel, RULE};
 use super::passing::Passing;
 use super::profile::Profile;
 use super::springs::{DEGREE, Springs};
@@ -289,9 +289,23 @@ impl<'a> Contact<'a> {
     }
 
     /// Q(a) (Pa m) just inside the edge; 0 without contact.
+    ///
+    /// Strains go on through the edge, so both sides know it: Q from within, −E∞*D from without. The side that the edge has left or just passed has
+    /// layers as thin as its way in the shortest relaxation time, which no panel may resolve; the other one is smooth, and is taken.
     #[must_use]
     pub fn edge_load(&self) -> f64 {
-        if self.radius > 0.0 { value_at(&self.line_load(), self.radius) } else { 0.0 }
+        let first_free = self.cells.partition_point(|cell| cell.bonded);
+        let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return 0.0 };
+        let Some(cell) = self.cells.get(last_bonded) else { return 0.0 };
+        let within = Panel { lower: cell.low, upper: cell.high, values: self.loads(last_bonded, cell) };
+        let (mut strain, mut doubt) = (0.0, 0.0);
+        if let Some(cell) = self.cells.get(first_free) {
+            let strains = Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(first_free) };
+            (strain, doubt) = strains.at_end(self.radius);
+        }
+        let glassy = self.springs.glassy;
+        let (load, own) = within.at_end(self.radius);
+        if own < glassy * doubt { load } else { glassy * (self.penetration - self.profile.line(self.radius) - strain) }
     }
 
     /// K_I (Pa√m), tension positive; 0 without contact.

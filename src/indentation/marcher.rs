@@ -20,6 +20,8 @@ use std::f64::consts::PI;
 const FIRST_TIME: f64 = 0.1;
 /// First step of an edge, over the process zone, likewise.
 const FIRST_REACH: f64 = 0.3;
+/// Ulp of the time below which no step goes: a clock that does not move is a march that stands still.
+pub(super) const CLOCK: f64 = 4.0;
 /// Relative change of a rate that is no corner.
 const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
@@ -35,7 +37,7 @@ const MOST_STEPS: u64 = 6_000;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
-const MOST_TURNS: usize = 4;
+const MOST_TURNS: usize = 8;
 const SAME_TURN: f64 = 1e-2;
 /// Tolerance at which steps are as large as they may be.
 const LOOSEST: f64 = 0.03;
@@ -251,7 +253,7 @@ impl<'a> Marcher<'a> {
         self.corner = self.time;
         let root = self.tolerance.sqrt();
         self.reach = FIRST_REACH * root * self.length;
-        self.dt = self.first * root;
+        self.dt = self.first_step();
         self.landmarks.clear();
         let (a, zone) = (self.contact.radius(), self.edge.zone());
         if zone > 0.0 && a > 0.0 {
@@ -279,6 +281,8 @@ impl<'a> Marcher<'a> {
     pub(super) fn restart_at_landmark(&mut self) {
         let (corner, dt) = (self.corner, self.dt);
         self.restart();
+        // The surface keeps the corner: an edge that comes back meets it again.
+        self.remember_turn(self.contact.radius());
         self.corner = corner;
         // The edge keeps its pace; a short step of its own, not of time, begins the new stretch of the path.
         self.dt = dt;
@@ -383,7 +387,7 @@ impl<'a> Marcher<'a> {
     /// One step towards a target time.
     fn step(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
-        let grown = (self.first * self.tolerance.sqrt()).max(self.stride() * (self.time - self.corner));
+        let grown = self.first_step().max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
         let cap = if cap >= 0.999 * left { left } else { cap };
         let now = self.time;
@@ -470,6 +474,11 @@ impl<'a> Marcher<'a> {
     /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
     pub(super) fn largest_reach(&self) -> f64 {
         LARGEST_REACH * self.stride() * self.length
+    }
+
+    /// The first step after a corner: what the clock can still tell, or more.
+    fn first_step(&self) -> f64 {
+        (self.first * self.tolerance.sqrt()).max(CLOCK * f64::EPSILON * self.time)
     }
 
     fn stride(&self) -> f64 {

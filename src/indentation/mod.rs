@@ -35,6 +35,7 @@
 mod advance;
 mod checkpoint;
 mod coarsening;
+mod convergence;
 mod cycle;
 mod edge;
 mod elastic_zone;
@@ -42,6 +43,7 @@ mod elliptic;
 mod energies;
 mod fields;
 mod history;
+mod judgement;
 mod jumps;
 mod line;
 mod marcher;

@@ -70,6 +70,19 @@ impl Panel {
         factors.iter().zip(&self.values).map(|(factor, value)| factor * value).sum()
     }
 
+    /// The interpolant at an end of the panel, and by how much it would differ without the node furthest from there.
+    pub(super) fn at_end(&self, s: f64) -> (f64, f64) {
+        let value = self.at(s);
+        let x = (s - self.lower) / (self.upper - self.lower);
+        let far = if x > 0.5 { 0 } else { POINTS - 1 };
+        let weight = |l: usize| {
+            let others = (0..POINTS).filter(move |&k| k != l && k != far);
+            others.map(|k| (x - RULE.nodes[k]) / (RULE.nodes[l] - RULE.nodes[k])).product::<f64>()
+        };
+        let fewer: f64 = (0..POINTS).filter(|&l| l != far).map(|l| weight(l) * self.values[l]).sum();
+        (value, (value - fewer).abs())
+    }
+
     /// ∫ over the panel.
     #[must_use]
     pub fn integral(&self) -> f64 {

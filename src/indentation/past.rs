@@ -95,7 +95,8 @@ impl Past {
                 conditions.pop();
             }
         }
-        for (at_rest, node) in conditions.into_iter().take(most) {
+        // A straight line is judged as well: by the term that it leaves out.
+        for (at_rest, node) in conditions.into_iter().take(most.max(1)) {
             let (x, v) = of(node);
             let first = bridge.degree == 1;
             let added = if at_rest { sum.add_rest(x, v) } else { sum.add(x, v) };
@@ -103,7 +104,7 @@ impl Past {
             if held.is_none() && !first && size > FALLS * bridge.error {
                 break;
             }
-            if !rises(&sum.coefficients) {
+            if most == 0 || !rises(&sum.coefficients) {
                 if first {
                     bridge.error = size;
                 }

@@ -10,7 +10,6 @@ use super::past::Node;
 use super::solution::{Energies, Event, EventKind, PathPoint, Trace};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::PI;
 
 /// Most points of a path, and most cycles, that are held; kept instants come on top.
 const MOST_POINTS: usize = 40_000;
@@ -128,7 +127,7 @@ impl<'a> Record<'a> {
         let loads = contact.line_load();
         let force = 2.0 * loads.iter().map(super::panel::Panel::integral).sum::<f64>();
         let a = contact.radius();
-        let intensity = if a > 0.0 { -super::panel::value_at(&loads, a) / (PI * a).sqrt() } else { 0.0 };
+        let intensity = contact.stress_intensity_factor();
         let energies = self.energies.then(|| self.account(contact, force));
         self.push(PathPoint {
             time,

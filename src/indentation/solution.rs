@@ -186,12 +186,12 @@ pub struct Instant {
     pub residual: f64,
 }
 
-/// A history of contact with errors: the finer of two marches, the coarser as its judge.
+/// A history of contact with errors: the finest of three marches or more, those before it as its judges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
     /// The kept instants.
     pub instants: Vec<Instant>,
-    /// Events of the finer march; errors by the same event of the coarser one, infinite if it has none.
+    /// Events of the finest march; errors by the same events of those before it, infinite if the last of these has none.
     pub events: Vec<Event<Estimate>>,
     /// Whole cycles of stretches that oscillate.
     pub cycles: Vec<Cycle<Estimate>>,
@@ -207,8 +207,10 @@ pub struct IndentationSolution {
     pub reached: bool,
     /// Largest defect of the edge condition.
     pub residual: f64,
-    /// The finer march itself.
+    /// Tolerance of the finest march.
+    pub tolerance: f64,
+    /// The finest march itself.
     pub fine: Trace,
-    /// Counters of both marches together.
+    /// Counters of all marches together.
     pub work: IndentationWork,
 }

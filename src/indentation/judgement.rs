@@ -1,0 +1,204 @@
+//! Numbers with errors from three marches, of which the finest is told.
+
+use super::convergence::left;
+use super::cycle::Cycle;
+use super::problem::IndentationProblem;
+use super::solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+use crate::estimate::Estimate;
+use std::f64::consts::PI;
+
+/// Bound over what is left of an error: single numbers scatter about it.
+const SAFETY: f64 = 3.0;
+/// The largest that was left so far, of any quantity over its scale, stays in every later bound by this part: errors of a march hand on.
+const MEMORY: f64 = 0.3;
+/// Part of the accuracy that every bar keeps: far inside it, marches may agree by chance.
+const FLOOR: f64 = 0.03;
+/// Bound over what is left of the force and the radius at which an edge is lost: at a fold both go with the root of the way left, which scatters most.
+const AT_FOLDS: f64 = 12.0;
+/// What the tolerance of the edge condition leaves.
+const ROUNDING: f64 = 1e-10;
+/// Part of the largest force below which a tension is rounding of none.
+const NO_FORCE: f64 = 1e-12;
+
+/// Judges the finest march by those before it, the newest first: two, or one.
+pub(super) fn judged(
+    problem: &IndentationProblem,
+    coarser: &[Trace],
+    (tolerance, fine): (f64, Trace),
+    work: IndentationWork,
+) -> IndentationSolution {
+    let others = [coarser.first(), coarser.get(1)];
+    let mut instants = Vec::with_capacity(fine.kept.len());
+    // The largest that was left so far: of the state over its scales, and of each energy.
+    let (mut worst, mut largest) = (0.0_f64, [0.0_f64; 8]);
+    let mut scales = fine.summary.scales;
+    let [_, force, a, _] = scales;
+    if problem.adhesion.is_none() {
+        // Without adhesion K is rounding; it is seen against the one that the force would have at the rim of a punch.
+        scales[3] = if a > 0.0 { force / (2.0 * a * (PI * a).sqrt()) } else { 0.0 };
+    }
+    let mut reached = true;
+    for (index, &place) in fine.kept.iter().enumerate() {
+        let Some(point) = fine.path.get(place) else { continue };
+        let others = others.map(|other| other.and_then(|other| other.path.get(*other.kept.get(index)?)));
+        let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64, more: f64| {
+            let value = of(point);
+            let left = left(value, others.map(|other| other.map(of)));
+            let scale = scales.get(quantity);
+            let memory = match scale {
+                Some(scale) => {
+                    worst = worst.max(if *scale > 0.0 { left / scale } else { 0.0 });
+                    worst * scale
+                }
+                None => largest.get_mut(quantity).map_or(left, |most| {
+                    *most = most.max(left);
+                    *most
+                }),
+            };
+            let floor = FLOOR * problem.accuracy * scale.unwrap_or(&0.0);
+            let error = (SAFETY * left).max(MEMORY * memory).max(floor) + ROUNDING * value.abs();
+            if let Some(scale) = scale {
+                reached &= error <= problem.accuracy * scale;
+            }
+            Estimate::new(value, error + more)
+        };
+        let energy = |which: usize| {
+            move |point: &PathPoint| {
+                point.energies.map_or(0.0, |energies| match which {
+                    0 => energies.stored,
+                    1 => energies.dissipated_power,
+                    2 => energies.external_work,
+                    _ => energies.dissipated,
+                })
+            }
+        };
+        let (penetration, force) = (estimate(0, &|point| point.penetration, 0.0), estimate(1, &|point| point.force, 0.0));
+        let contact_radius = estimate(2, &|point| point.contact_radius, 0.0);
+        let swing = swing_at_turn(&fine.path, place, contact_radius.error);
+        instants.push(Instant {
+            time: point.time,
+            penetration,
+            force,
+            contact_radius,
+            stress_intensity_factor: estimate(3, &|point| point.stress_intensity_factor, swing),
+            energies: point.energies.is_some().then(|| {
+                [estimate(4, &energy(0), 0.0), estimate(5, &energy(1), 0.0), estimate(6, &energy(2), 0.0), estimate(7, &energy(3), 0.0)]
+            }),
+            tip_release_rate: release(point, others, |energies| Some(energies.tip_release_rate)),
+            energy_release_rate: release(point, others, |energies| energies.energy_release_rate),
+            residual: point.residual,
+        });
+    }
+    let events: Vec<Event<Estimate>> = fine
+        .events
+        .iter()
+        .enumerate()
+        .map(|(index, event)| {
+            let others = others.map(|other| other.and_then(|other| other.events.get(index)).filter(|other| other.kind == event.kind));
+            let safety = if matches!(event.kind, EventKind::JumpIn | EventKind::ZoneReached) { SAFETY } else { AT_FOLDS };
+            let estimate = |of: fn(&Event<f64>) -> f64, scale: f64| {
+                let left = left(of(event), others.map(|other| other.map(of)));
+                let least = (MEMORY * worst).max(FLOOR * problem.accuracy) * scale;
+                Estimate::new(of(event), (safety * left).max(least) + ROUNDING * of(event).abs())
+            };
+            Event {
+                kind: event.kind,
+                // What the march knows of time it knows from the penetration.
+                time: estimate(|event| event.time, 0.0),
+                penetration: estimate(|event| event.penetration, 0.0),
+                force: estimate(|event| event.force, scales[1]),
+                contact_radius: estimate(|event| event.contact_radius, scales[2]),
+            }
+        })
+        .collect();
+    let largest_tension = fine.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
+        let left = left(value, others.map(|other| other.map(|other| other.largest_tension().unwrap_or(0.0))));
+        let floor = FLOOR * problem.accuracy * scales[1];
+        Estimate::new(value, (SAFETY * left).max(MEMORY * worst * scales[1]).max(floor) + ROUNDING * value)
+    });
+    if let Some(tension) = largest_tension {
+        reached &= tension.error <= problem.accuracy * scales[1];
+    }
+    for event in &events {
+        reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE) * 10.0;
+    }
+    let cycles = judged_cycles(problem, others, &fine, &mut reached);
+    let residual = fine.summary.residual;
+    IndentationSolution {
+        instants,
+        events,
+        cycles,
+        largest_tension,
+        balance_defect: fine.balance_defect(),
+        smallest_stress_intensity_factor: fine.smallest_stress_intensity_factor,
+        smallest_gap_factor: fine.smallest_gap_factor,
+        reached,
+        residual,
+        tolerance,
+        fine,
+        work,
+    }
+}
+
+/// By how much K differs since the edge turned, where it turned no further away than its place is known: the surface that it comes back over was
+/// left a moment ago, and K goes with the root of the way. A tighter march knows the place better, but turns elsewhere: this does not ask for one.
+fn swing_at_turn(path: &[PathPoint], place: usize, known: f64) -> f64 {
+    let Some(here) = path.get(place) else { return 0.0 };
+    let (mut swing, mut sign, mut last) = (0.0_f64, 0.0, here.contact_radius);
+    for point in path.iter().take(place).rev() {
+        if (point.contact_radius - here.contact_radius).abs() > known || point.contact_radius == 0.0 {
+            return 0.0;
+        }
+        let way = last - point.contact_radius;
+        if way * sign < 0.0 {
+            return swing;
+        }
+        if way != 0.0 {
+            sign = way;
+        }
+        swing = swing.max((point.stress_intensity_factor - here.stress_intensity_factor).abs());
+        last = point.contact_radius;
+    }
+    0.0
+}
+
+/// A release rate with its error; none where nothing of it is known.
+fn release(fine: &PathPoint, others: [Option<&PathPoint>; 2], of: impl Fn(&Energies) -> Option<f64>) -> Option<Estimate> {
+    let value = of(&fine.energies?)?;
+    let others = others.map(|other| other.and_then(|other| of(&other.energies?)));
+    let error = SAFETY * left(value, others) + ROUNDING * value.abs();
+    (error <= value.abs()).then(|| Estimate::new(value, error))
+}
+
+/// Cycles with errors, over the scales of all cycles.
+fn judged_cycles(problem: &IndentationProblem, others: [Option<&Trace>; 2], fine: &Trace, reached: &mut bool) -> Vec<Cycle<Estimate>> {
+    let largest = |of: fn(&Cycle<f64>) -> f64| fine.cycles.iter().fold(0.0, |most: f64, cycle| most.max(of(cycle).abs()));
+    let stiffness = largest(|cycle| cycle.storage_stiffness.hypot(cycle.loss_stiffness));
+    let scales = [
+        largest(|cycle| cycle.work.abs().max(0.25 * (cycle.force[1] - cycle.force[0]) * (cycle.penetration[1] - cycle.penetration[0]))),
+        stiffness,
+        stiffness,
+        1.0,
+        fine.summary.scales[0],
+        fine.summary.scales[0],
+        fine.summary.scales[1],
+        fine.summary.scales[1],
+        fine.summary.scales[2],
+        fine.summary.scales[2],
+    ];
+    let mut cycles = Vec::with_capacity(fine.cycles.len());
+    for (index, cycle) in fine.cycles.iter().enumerate() {
+        let others = others.map(|other| {
+            let other = other.and_then(|other| other.cycles.get(index));
+            other.filter(|other| (other.segment, other.number) == (cycle.segment, cycle.number))
+        });
+        cycles.push(cycle.judged(others, |place, value, others| {
+            let scale = scales.get(place).copied().unwrap_or(0.0);
+            let left = left(value, others);
+            let error = (SAFETY * left).max(FLOOR * problem.accuracy * scale) + ROUNDING * value.abs();
+            *reached &= error <= problem.accuracy * scale;
+            Estimate::new(value, error)
+        }));
+    }
+    cycles
+}
