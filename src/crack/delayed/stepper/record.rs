@@ -127,12 +127,13 @@ impl Stepper<'_> {
     /// Place and speed at a time within a step, from the closure of a step that ends there: a cubic's slope would carry the step's own error over
     /// the step, differently at every part of it.
     fn solved_within(&mut self, ahead: &Ahead, duration: f64, guess: f64, advance: f64) -> Option<[f64; 2]> {
-        let (mut place, mut before) = (guess, None);
+        let mut place = guess;
+        let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_SECANTS {
             let step = ahead.step(duration, place);
             let sums = self.sums(&step);
             let load = step.loads[1];
-            let excess = load * (load + sums.memory) - 1.0;
+            let excess: f64 = load * (load + sums.memory) - 1.0;
             let slope = match before {
                 Some((earlier, earlier_excess)) if (excess - earlier_excess).abs() > 0.0 && (place - earlier).abs() > 0.0 => {
                     (excess - earlier_excess) / (place - earlier)
