@@ -13,8 +13,8 @@
 //! Oracle: the same run at 512 lines (order needs no other truth; the raw stepping of the equations is in
 //! `crack_sec_5_4_load_histories.rs`).
 //!
-//! Tolerance: a term whose place ẋ₀τ_j is less than a line errs by ẋ₀τ_j/(δm), the others by 1/m² before and 1/m⁴ after extrapolation: so the
-//! order of single cases scatters about 2 and 4, their mean is above 2; the worst place of all is within a quarter of the former bound for each halving.
+//! Tolerance: a term whose place ẋ₀τ_j is less than a line errs by ẋ₀τ_j/(δm²), the others by 1/m³: so the order of single cases scatters about 3
+//! and below, their mean is above 2; the worst place of all falls by four for each halving.
 //! Bars must hold throughout.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 

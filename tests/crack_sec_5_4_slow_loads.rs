@@ -24,8 +24,8 @@ use viscotack::material::CreepTerm;
 const LENGTH: f64 = 1.3e-6;
 const WORK: f64 = 0.7;
 /// Steps and most pieces held.
-const PINNED_HELD: (u64, u64) = (2610, 129);
-const PINNED_CYCLES: (u64, u64) = (2154, 231);
+const PINNED_HELD: (u64, u64) = (2878, 129);
+const PINNED_CYCLES: (u64, u64) = (9068, 1097);
 
 fn one_term() -> Material {
     Material::standard_solid(1.1e6, 1.1e7, 0.3).unwrap()
@@ -175,13 +175,13 @@ fn counters_of_the_stepper_are_pinned() {
         let history = LoadHistory::from_segments(&[cycles]).unwrap();
         trajectory(&problem, &history, &[0.4 * f64::from(count)], lines(lines_per_zone)).unwrap().work
     };
-    let (ten, hundred) = (run(&material, 10, 32), run(&material, 100, 32));
-    println!("10 cycles {ten:?}\n100 cycles {hundred:?}");
+    let (ten, fifty, hundred) = (run(&material, 10, 32), run(&material, 50, 32), run(&material, 100, 32));
+    println!("10 cycles {ten:?}\n50 cycles {fifty:?}\n100 cycles {hundred:?}");
     // Linear in the history, in bounded memory.
-    let per_cycle = (hundred.steps - ten.steps) as f64 / 90.0;
-    assert!((ten.steps as f64 / 10.0 / per_cycle - 1.0).abs() < 0.1, "{per_cycle}");
+    let per_cycle = (hundred.steps - fifty.steps) as f64 / 50.0;
+    assert!(((fifty.steps - ten.steps) as f64 / 40.0 / per_cycle - 1.0).abs() < 0.1, "{per_cycle}");
     assert!(hundred.most_pieces <= ten.most_pieces + 2);
-    assert!(hundred.kernel_evaluations < 11 * ten.kernel_evaluations);
+    assert!(40 * (hundred.kernel_evaluations - fifty.kernel_evaluations) < 55 * (fifty.kernel_evaluations - ten.kernel_evaluations));
     // Linear in the terms: twice the integrals, and no step more.
     let two = run(&doubled, 10, 32);
     assert_eq!((two.steps, two.most_pieces), (ten.steps, ten.most_pieces));

@@ -2,8 +2,9 @@
 //!
 //! At rest in a zone of one length every M_j obeys Ṁ_j = g_jκ − l_jM_j with κ straight in time, so M_j(t) is a straight line plus one
 //! exponential: convex or concave throughout. A zone that follows the load grows and shrinks with it, and M_j grows with the zone: the greater
-//! zone of an interval, kept fixed over it, bounds M_j from above. Over an interval a convex one is at most its greater end, a concave one at most the crossing of its end tangents; so
-//! κ(κ + ΣM_j) has an upper bound, and an interval whose bound is below Δγ holds no start. Others are halved, the earlier half first.
+//! zone of an interval, kept fixed over it, bounds M_j from above. Over an interval a convex one is at most its chord, a concave one at most a parallel to it through the
+//! crossing of its end tangents; so κ(κ + ΣM_j) is at most a parabola, and an interval in which that stays below Δγ holds no start. Others are halved, the earlier half
+//! first. The bound is of second order in the width: after a slow arrest the work falls away from Δγ like the square of the time.
 
 use super::memory::Term;
 use super::moments::fading_moments;
@@ -50,7 +51,7 @@ impl Rest<'_> {
     fn memories_at(&self, time: f64, starts: &[f64]) -> Vec<f64> {
         let load = self.load_at(time);
         let evolved = |(term, memory): (&Term, &f64)| {
-            let (decay, [n0, n1, _]) = fading_moments(term.rate * time);
+            let (decay, [n0, n1, ..]) = fading_moments(term.rate * time);
             decay * memory + term.gain * time * (load * n0 + (self.loads[0] - load) * n1)
         };
         self.terms.iter().zip(starts).map(evolved).collect()
@@ -69,25 +70,34 @@ impl Rest<'_> {
     /// An upper bound of the excess between two moments.
     fn bound(&self, start: &Moment, end: &Moment) -> f64 {
         let width = end.time - start.time;
-        let mut sum = 0.0;
         // In the greater of the zones.
         let (firsts, lasts) = match (self.follows, start.load < end.load) {
             (false, _) => (start.memories.clone(), end.memories.clone()),
             (true, true) => (self.memories_at(start.time, &end.starts), end.memories.clone()),
             (true, false) => (start.memories.clone(), self.memories_at(end.time, &start.starts)),
         };
+        // Each M_j is below its chord, raised by how far the crossing of its end tangents is above it.
+        let [mut before, mut after] = [0.0; 2];
         for ((term, first), last) in self.terms.iter().zip(&firsts).zip(&lasts) {
             let slopes = [term.gain * start.load - term.rate * first, term.gain * end.load - term.rate * last];
-            sum += if slopes[0] > 0.0 && slopes[1] < 0.0 {
+            let chord = (last - first) / width;
+            let raised = if slopes[0] > slopes[1] {
                 // first + s₀u = last − s₁(w − u)
-                let crossing = (last - first - slopes[1] * width) / (slopes[0] - slopes[1]);
-                (first + slopes[0] * crossing.clamp(0.0, width)).max(first.max(*last))
+                let crossing = ((last - first - slopes[1] * width) / (slopes[0] - slopes[1])).clamp(0.0, width);
+                ((slopes[0] - chord) * crossing).max(0.0)
             } else {
-                first.max(*last)
+                0.0
             };
+            before += first + raised;
+            after += last + raised;
         }
-        let load = start.load.max(end.load);
-        load * (load + sum) - 1.0 - self.threshold
+        // Both factors of κ(κ + M) are straight now: the greatest value of a parabola.
+        let [load, rise] = [start.load, end.load - start.load];
+        let [sum, gain] = [start.load + before, end.load + after - (start.load + before)];
+        let at = |part: f64| (load + rise * part) * (sum + gain * part);
+        let top = -0.5 * (load * gain + rise * sum) / (rise * gain);
+        let within = if top > 0.0 && top < 1.0 { at(top) } else { 0.0 };
+        at(0.0).max(at(1.0)).max(within) - 1.0 - self.threshold
     }
 
     /// The time from the start of the rest to the first start of growth, or none; and how many moments it took.

@@ -1,7 +1,7 @@
 //! The memory of a moving window: three numbers per creep term, whatever the length of the history.
 //!
 //! Loads over the glassy limit (κ), lengths over the greatest process zone of the history (x; the present zone is z ≤ 1), the history as
-//! pieces on which both are straight in time:
+//! pieces on which the load is straight in time and the tip's way a parabola, chord + bend·v(1 − v):
 //! ```text
 //! P_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) dt₁        R_j = g_j ∫ e^{−l_j(t − t₁)} κ(t₁) (x − x(t₁)) dt₁        over x(t₁) > x − z
 //! M_j = P_j − R_j/z        Q_j = g_jκ − l_jP_j        N_j = g_jκ − l_jM_j = Q_j + l_jR_j/z
@@ -18,6 +18,9 @@ use std::collections::VecDeque;
 
 /// Positions closer than this (in process zones) are the same.
 pub(crate) const SAME_PLACE: f64 = 1e-12;
+
+/// Halvings of a piece for the time at a place in it: beyond, the rounding of the place.
+const HALVINGS: u32 = 40;
 
 /// One creep term, or the flow: gain (1/s) and rate (1/s).
 #[derive(Debug, Clone, Copy)]
@@ -39,29 +42,43 @@ pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
     terms
 }
 
-/// A piece of history: straight in time from (x, κ) to (x, κ), or a rest at one place under any load.
+/// A piece of history: a parabola in time from x to x, straight from κ to κ, or a rest at one place under any load.
 #[derive(Debug, Clone)]
 struct Piece {
     end: f64,
     duration: f64,
     places: [f64; 2],
+    /// How far the way bends off the chord: x = chord + bend·v(1 − v).
+    bend: f64,
     loads: [f64; 2],
+    /// Speeds at both ends, where they are known.
+    speeds: Option<[f64; 2]>,
     /// Of a rest: what it left in each term's P and Q at its end. Rests at one place become one piece, whatever the loads were.
     rested: Option<Vec<[f64; 2]>>,
 }
 
 impl Piece {
+    /// The part of its duration that has passed when the tip is at a place.
+    fn when(&self, place: f64) -> f64 {
+        // Δσ + bσ(1 − σ) = y, |b| ≤ Δ.
+        let [first, last] = self.places;
+        let (way, sum) = (place - first, last - first + self.bend);
+        let root = (sum * sum - 4.0 * self.bend * way).max(0.0).sqrt();
+        (2.0 * way / (sum + root)).clamp(0.0, 1.0)
+    }
+
     /// The part between two places, of a piece that is no rest.
     fn part(&self, from: f64, to: f64) -> Self {
-        let [first, last] = self.places;
-        let at = |place: f64| ((place - first) / (last - first)).clamp(0.0, 1.0);
+        let at = |place: f64| self.when(place);
         let (start, end) = (at(from), at(to));
         let load = |part: f64| self.loads[0] + part * (self.loads[1] - self.loads[0]);
         Self {
             end: self.end - (1.0 - end) * self.duration,
             duration: (end - start) * self.duration,
             places: [from, to],
+            bend: self.bend * (end - start) * (end - start),
             loads: [load(start), load(end)],
+            speeds: None,
             rested: None,
         }
     }
@@ -72,13 +89,15 @@ impl Piece {
 pub(crate) struct Step {
     pub(crate) duration: f64,
     pub(crate) advance: f64,
+    /// See [`Piece::bend`]; the tip does not turn: at most the advance.
+    pub(crate) bend: f64,
     pub(crate) loads: [f64; 2],
     pub(crate) zone: f64,
 }
 
 impl Step {
     pub(crate) const fn none(load: f64, zone: f64) -> Self {
-        Self { duration: 0.0, advance: 0.0, loads: [load, load], zone }
+        Self { duration: 0.0, advance: 0.0, bend: 0.0, loads: [load, load], zone }
     }
 }
 
@@ -162,7 +181,7 @@ impl Memory {
             let distance = place - piece.places[1];
             return Held { exposure, lag: exposure * distance, weighted: exposure * (1.0 - distance / zone) };
         }
-        let (_, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
+        let (_, [n0, n1, n2, n3]) = fading_moments(term.rate * piece.duration);
         let scale = term.gain * piece.duration * fade;
         let [first, last] = piece.loads;
         let load_slope = first - last;
@@ -173,7 +192,8 @@ impl Memory {
             let slope = before - after;
             scale * (last * after * n0 + (last * slope + load_slope * after) * n1 + load_slope * slope * n2)
         };
-        Held { exposure: scale * (last * n0 + load_slope * n1), lag: product(distances), weighted: product(weights) }
+        let bent = scale * piece.bend * (last * (n1 - n2) + load_slope * (n2 - n3));
+        Held { exposure: scale * (last * n0 + load_slope * n1), lag: product(distances) - bent, weighted: product(weights) + bent / zone }
     }
 
     /// The sums after a step that is not taken.
@@ -183,16 +203,18 @@ impl Memory {
         let mut sums = Sums { memory: 0.0, exposure: 0.0, lag: 0.0, growth: 0.0 };
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
-            let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
+            let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
             let own = gain * (last * n0 + (first - last) * n1);
             let mut exposure = old + own;
-            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+            let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             // 1 − Δx·v/z is the weight of the step itself.
             let advance = step.advance / zone;
             let mut memory = (old - decay * self.lag[index] / zone - advance * old)
-                + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2);
+                + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2)
+                + bent / zone;
             let mut lack = self.lack_after(index, step, decay, n0);
             for (sign, piece) in &exchanged {
                 let held = Self::held(*term, index, piece, clock, place, zone);
@@ -208,6 +230,44 @@ impl Memory {
         }
         self.kernel_evaluations += (self.terms.len() * (1 + exchanged.len())) as u64;
         sums
+    }
+
+    /// What ΣP_j gains after a step when the tip entered the window not on the parabola of its piece but on the cubic with the speeds of its
+    /// ends. The window ends anywhere in a piece, and the parabola is off by the cube of the piece there: a part of the speed's error that would
+    /// not fall in proportion from run to run. (The closure itself has no weight at the end of the window.)
+    pub(crate) fn exposure_beyond_parabola(&self, step: &Step) -> f64 {
+        let back = self.place + step.advance - step.zone;
+        let after = self.pieces.partition_point(|piece| piece.places[1] <= back);
+        let Some(piece) = self.pieces.get(after).filter(|piece| piece.places[0] < back) else { return 0.0 };
+        let Some(speeds) = piece.speeds else { return 0.0 };
+        let [from, to] = piece.places;
+        let (wanted, passed) = ((back - from) / (to - from), piece.when(back));
+        // Monotone: Fritsch and Carlson (1980).
+        let [first, last] = speeds.map(|speed| (speed * piece.duration / (to - from)).clamp(0.0, 3.0));
+        let place = |u: f64| u * u * (3.0 - 2.0 * u) + u * (1.0 - u) * ((1.0 - u) * first - u * last);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if place(middle) < wanted {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let earlier = (passed - 0.5 * (low + high)) * piece.duration;
+        let ago = self.clock + step.duration - (piece.end - (1.0 - passed) * piece.duration);
+        let load = piece.loads[0] + passed * (piece.loads[1] - piece.loads[0]);
+        self.terms.iter().map(|term| term.gain * (-term.rate * ago).exp()).sum::<f64>() * load * earlier
+    }
+
+    /// ∂(zΣN_j)/∂v: how the rate at which ΣM_j grows follows the slope with which the step's own way ends, over the exposure.
+    pub(crate) fn rate_by_last_slope(&self, step: &Step) -> f64 {
+        // x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that counts.
+        let of_term = |term: &Term| {
+            let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);
+            term.gain * term.rate * step.duration * step.duration * (n1 - 2.0 * n2 + n3)
+        };
+        step.loads[1] * self.terms.iter().map(of_term).sum::<f64>()
     }
 
     /// Each term's M_j here and now, in a zone.
@@ -228,14 +288,15 @@ impl Memory {
     }
 
     /// Takes a step; what is then behind the window goes, and what is again in it comes back.
-    pub(crate) fn take(&mut self, step: &Step) {
+    pub(crate) fn take(&mut self, step: &Step, speeds: Option<[f64; 2]>) {
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
-            let (decay, [n0, n1, n2]) = fading_moments(term.rate * step.duration);
+            let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
             let old = decay * self.exposure[index];
             self.lack[index] = self.lack_after(index, step, decay, n0);
-            self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2));
+            let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+            self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
         }
         self.kernel_evaluations += self.terms.len() as u64;
@@ -245,7 +306,7 @@ impl Memory {
         self.clock += step.duration;
         self.place += step.advance;
         if step.duration > 0.0 {
-            self.remember(step, from);
+            self.remember(step, from, speeds);
         }
         let back = self.place - self.zone;
         let mut rest_left = false;
@@ -285,8 +346,16 @@ impl Memory {
     }
 
     /// Adds the step to the pieces; a rest joins a rest at the same place.
-    fn remember(&mut self, step: &Step, from: f64) {
-        let mut piece = Piece { end: self.clock, duration: step.duration, places: [from, self.place], loads: step.loads, rested: None };
+    fn remember(&mut self, step: &Step, from: f64, speeds: Option<[f64; 2]>) {
+        let mut piece = Piece {
+            end: self.clock,
+            duration: step.duration,
+            places: [from, self.place],
+            bend: step.bend,
+            loads: step.loads,
+            speeds,
+            rested: None,
+        };
         if step.advance == 0.0 {
             let joined = match self.pieces.back_mut() {
                 Some(last) if last.rested.is_some() && last.places[1].to_bits() == from.to_bits() => self.pieces.pop_back(),
@@ -300,7 +369,7 @@ impl Memory {
                 .iter()
                 .enumerate()
                 .map(|(index, term)| {
-                    let (decay, [n0, n1, _]) = fading_moments(term.rate * step.duration);
+                    let (decay, [n0, n1, ..]) = fading_moments(term.rate * step.duration);
                     let [before, lack] = earlier.and_then(|values| values.get(index)).copied().unwrap_or([0.0; 2]);
                     let lack = lack + term.gain * (first - earlier_load);
                     [
@@ -334,9 +403,9 @@ impl Memory {
             self.jump(piece.places[0] - last_place);
             let [first, last] = piece.loads;
             let advance = piece.places[1] - piece.places[0];
-            let step = Step { duration: piece.duration, advance, loads: piece.loads, zone: self.zone };
+            let step = Step { duration: piece.duration, advance, bend: piece.bend, loads: piece.loads, zone: self.zone };
             for (index, term) in self.terms.iter().enumerate() {
-                let (decay, [n0, n1, n2]) = fading_moments(term.rate * piece.duration);
+                let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * piece.duration);
                 let gain = term.gain * piece.duration;
                 let old = decay * self.exposure[index];
                 if let Some([rested, lack]) = piece.rested.as_ref().and_then(|values| values.get(index)) {
@@ -346,7 +415,8 @@ impl Memory {
                     continue;
                 }
                 self.lack[index] = self.lack_after(index, &step, decay, n0);
-                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2));
+                let bent = gain * piece.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
+                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
                 self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
             }
             self.load = last;
@@ -381,8 +451,8 @@ impl Memory {
     }
 
     /// Replaces the history: the tip came here through places at these distances behind it (falling to zero), so long ago (s), under
-    /// these loads.
-    pub(crate) fn replace(&mut self, way: &[[f64; 3]]) {
+    /// these loads, steadily gaining speed.
+    pub(crate) fn replace(&mut self, way: &[[f64; 3]], acceleration: f64) {
         self.pieces.clear();
         self.first = 0;
         for pair in way.windows(2) {
@@ -392,7 +462,9 @@ impl Memory {
                     end: self.clock - later,
                     duration: earlier - later,
                     places: [self.place - from, self.place - to],
+                    bend: (-0.5 * acceleration * (earlier - later) * (earlier - later)).clamp(to - from, from - to),
                     loads: [*first, *last],
+                    speeds: None,
                     rested: None,
                 });
                 self.load = *last;

@@ -38,7 +38,7 @@
 //! | [`quasi_steady`] | growth over very many zones under a slow load |
 //! | [`zone`] | the process zone over the greatest one |
 //! | [`stepper`] | one run at one step size |
-//! | [`mod@trajectory`] | three runs, extrapolated, with an error for every number |
+//! | [`mod@trajectory`] | four runs, with an error for every number |
 //! | [`validity`] | numbers that say where the model's assumptions end |
 //!
 //! # A zone that follows the load

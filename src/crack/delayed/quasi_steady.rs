@@ -20,7 +20,7 @@ impl Steadiness {
     /// The greatest difference between the cubic of a panel and its quadrature, over the way in it.
     pub(super) const PANEL: f64 = 1e-10;
 
-    /// The greatest squared correction. It falls with the lines as the error of stepping does, so that three runs show the error of both, down
+    /// The greatest squared correction. It falls with the lines as the error of stepping does, so that the runs show the error of both, down
     /// to where as many zones would have to be stepped as pass in a change of the speed by 1 in 2000.
     pub(super) fn tolerance(lines_per_zone: u32) -> f64 {
         let lines = f64::from(lines_per_zone);
@@ -66,7 +66,7 @@ impl QuasiSteady {
     fn sums(&self, time: f64) -> [f64; 4] {
         let mut sums = [0.0; 4];
         for term in &self.terms {
-            let (_, [n0, n1, n2]) = fading_moments(term.rate * time);
+            let (_, [n0, n1, n2, _]) = fading_moments(term.rate * time);
             let gain = term.gain * time;
             for (sum, part) in sums.iter_mut().zip([n0 - n1, n1, n2, n1 - n2]) {
                 *sum += gain * part;

@@ -88,7 +88,7 @@ const COLUMNS: [Definition; 15] = [
         reduced_unit: "1",
         meaning: "Summary: cK²/(2E∞Δγ) at the greatest load; from 1 on growth is immediate and without bound.",
     },
-    Definition { name: "steps", si_unit: "1", reduced_unit: "1", meaning: "Summary: steps of all three runs." },
+    Definition { name: "steps", si_unit: "1", reduced_unit: "1", meaning: "Summary: steps of all four runs." },
     Definition { name: "most_pieces", si_unit: "1", reduced_unit: "1", meaning: "Summary: the most pieces of history held at a time." },
 ];
 

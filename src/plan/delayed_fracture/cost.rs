@@ -6,8 +6,8 @@ use crate::crack::delayed::{GrowthProblem, Onset, onset};
 use crate::outcome::Work;
 use std::collections::HashMap;
 
-/// Steps of three runs with 1, 2 and 4 times the lines.
-const RUNS: f64 = 7.0;
+/// Steps of four runs with ½, 1, 2 and 4 times the lines.
+const RUNS: f64 = 7.5;
 /// Balances of a step, and integrals of a term in a balance: measured over the shipped scenes, 6 to 9 and 2 to 2.5.
 const BALANCES: f64 = 7.5;
 const INTEGRALS: f64 = 2.3;
@@ -52,7 +52,7 @@ impl DelayedFracturePlan {
         Work { closure_evaluations: balances as u64, kernel_evaluations: (terms * integrals) as u64, ..Work::default() }
     }
 
-    /// Steps of growth, and stretches at rest, of all three runs.
+    /// Steps of growth, and stretches at rest, of all four runs.
     fn expected_steps(&self, problem: &GrowthProblem<'_>) -> (f64, f64) {
         let lines = f64::from(self.resolution().lines_per_zone);
         // Cycles look at the same loads again and again.

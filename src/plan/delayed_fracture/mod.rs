@@ -41,7 +41,7 @@ pub(super) struct DelayedFracturePlan {
 }
 
 /// Lines per process zone at an accuracy of 1e-4, at least and at most.
-const LINES: f64 = 768.0;
+const LINES: f64 = 192.0;
 const FEWEST_LINES: f64 = 64.0;
 const MOST_LINES: f64 = 4096.0;
 /// Steps of one run before it is refused.
@@ -106,8 +106,7 @@ impl DelayedFracturePlan {
         squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
     }
 
-    /// How finely the history is stepped: extrapolated, the error falls with the fourth power of the lines for one term, with the second and
-    /// more for many.
+    /// How finely the history is stepped: the error falls with the third power of the lines.
     fn resolution(&self) -> Resolution {
         let finer = (1e-4 / self.accuracy).cbrt();
         let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);

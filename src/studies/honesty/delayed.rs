@@ -92,7 +92,13 @@ fn speeds(event: &Event) -> Vec<(&'static str, Estimate)> {
 /// A scene, judged.
 #[must_use]
 pub fn judged(scene: u64) -> Judged {
-    let mut draw = Draw::of(SEED ^ 4, scene);
+    judged_of(SEED, scene)
+}
+
+/// A scene of another seed, judged.
+#[must_use]
+pub fn judged_of(seed: u64, scene: u64) -> Judged {
+    let mut draw = Draw::of(seed ^ 4, scene);
     let lines = LINES[(scene / ANOTHER_ROUTE + scene) as usize % LINES.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };

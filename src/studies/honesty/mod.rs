@@ -55,16 +55,12 @@ struct Judge {
 /// Where bars are known to miss, at most this part may.
 const RARE: f64 = 0.04;
 /// Paths in speed cost the same at any accuracy.
-const PATHS: &str = "the path in speed to the contact costs the same at any accuracy";
+const PATHS: &str = "the path in speed to the contact (of a strength, the branch) costs the same at any accuracy, and is 97 % of the contacts at 1e-9 (named gaps)";
 /// Newton's method doubles digits with each step.
-const NEWTON: &str = "Newton's method doubles the digits with each step: a few evaluations give three digits, one or two more give nine";
+const NEWTON: &str = "Newton's method doubles the digits with each step: with a tolerance of 1, no digit at all, 70 % of the points of 1e-9 are evaluated (named gaps)";
 /// Two marches.
 const TWO_MARCHES: &str =
     "bars are judged by two marches, which may agree by chance, and the finer one is some ten times better than their difference";
-/// Three runs.
-const THREE_RUNS: &str = "solids with several times hold the whole last difference of three runs, of which the extrapolated value is far better; where a load falls so \
-     slowly that the tip stops between two lines, all three runs see it late, and what follows inherits that";
-
 const JUDGES: [Judge; 5] = [
     Judge {
         name: "steady sliding",
@@ -103,7 +99,7 @@ const JUDGES: [Judge; 5] = [
         work: delayed::work,
         counter: "evaluations of the closure",
         counted: (4, 40),
-        loses: Some(THREE_RUNS),
+        loses: None,
         costs: None,
     },
     Judge {

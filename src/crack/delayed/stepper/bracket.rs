@@ -3,6 +3,11 @@
 /// The place in 0…`upper` where a function negative at 0 and positive at `upper` changes sign: the rule of Anderson and Björck (1973,
 /// BIT 13, 253) with halving as its safeguard.
 pub(super) fn bracketed<C>(upper: f64, guess: f64, function: impl Fn(f64, &mut C) -> f64, context: &mut C) -> f64 {
+    bracketed_to(2.0 * f64::EPSILON, upper, guess, function, context)
+}
+
+/// The same, to a part of itself.
+pub(super) fn bracketed_to<C>(part: f64, upper: f64, guess: f64, function: impl Fn(f64, &mut C) -> f64, context: &mut C) -> f64 {
     let (mut low, mut high) = (0.0, upper);
     let (mut f_low, mut f_high) = (f64::NAN, f64::NAN);
     let mut x = if guess > 0.0 && guess < upper { guess } else { 0.5 * upper };
@@ -26,7 +31,7 @@ pub(super) fn bracketed<C>(upper: f64, guess: f64, function: impl Fn(f64, &mut C
         } else {
             high = x;
         }
-        if high - low <= 2.0 * f64::EPSILON * high {
+        if high - low <= part * high {
             return high;
         }
         slow = if high - low > 0.5 * width { slow + 1 } else { 0 };

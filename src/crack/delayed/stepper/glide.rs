@@ -3,6 +3,7 @@
 use super::super::memory::Step;
 use super::super::quasi_steady::Steadiness;
 use super::grid::Grid;
+use super::record::Between;
 use super::{Ahead, Stepper};
 
 impl Stepper<'_> {
@@ -39,7 +40,7 @@ impl Stepper<'_> {
             let doubt = now.doubt().max(four.doubt());
             self.doubts[0] += doubt * advance;
             self.doubts[1] = doubt * now.speed.max(four.speed);
-            self.write_outputs(ahead, duration, advance, [now.speed, four.speed]);
+            self.write_outputs(ahead, duration, advance, [now.speed, four.speed], Between::Read);
             self.memory.clock += duration;
             self.memory.place += advance;
             ahead.pass(duration);
@@ -62,7 +63,7 @@ impl Stepper<'_> {
         // The way is as good as the motion: its duration is set such that the closure holds to rounding, and the next step starts from there.
         let mut factor = 1.0;
         for _ in 0..4 {
-            self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone, factor));
+            self.memory.replace(&now.way(ahead.load, ahead.slope, zone, self.lines_per_zone, factor), now.acceleration / (factor * factor));
             let excess = self.excess(&Step::none(ahead.load, zone));
             factor *= 1.0 - excess / now.sensitivity;
             if excess.abs() < 1e-14 {

@@ -6,7 +6,7 @@
 //! dx/ds = min(1, (x + ℓ)/σ)      x(2) = 1 sets σ: twice as many lines in the first zone
 //! x = ℓ(e^{s/σ} − 1)             up to dx/ds = 1; evenly from there
 //! ```
-//! The map does not know m, so lines of a coarse grid are lines of a finer one and the error goes by even powers of 1/m. The second zone
+//! The map does not know m, so lines of a coarse grid are lines of a finer one and the error goes by powers of 1/m. The second zone
 //! starts at its kink, where the places of the graded lines leave the process zone, with a grading of its own.
 
 /// Layers wider than this are resolved by even lines.

@@ -23,6 +23,8 @@ pub(crate) struct RawEvent {
     pub(crate) jump: f64,
     /// What is not known of the place, beyond the error of stepping.
     pub(crate) doubt: f64,
+    /// The same of the speeds.
+    pub(crate) speed_doubt: f64,
 }
 
 /// The tip at an output time.
@@ -69,14 +71,31 @@ pub(crate) struct Run {
     pub(crate) work: GrowthWork,
 }
 
+/// How places and speeds at outputs within a step are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Between {
+    /// The closure is solved there.
+    Solved,
+    /// Read from the cubic with the places and speeds of both ends: motion that is uniform, or known in closed form; and a first step, of which a part would be the same
+    /// in every run and show no error.
+    Read,
+}
+
+/// What is not known of a speed within a step, over its difference to the slope of the cubic; measured: the worst of 3000 random histories was off by 1e-11.
+const WITHIN_PART: f64 = 0.03;
+
+/// Secants of an output within a step; the cubic of the step is eight digits there, each secant adds as many as the ones before.
+const MOST_SECANTS: u32 = 12;
+
 impl Stepper<'_> {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
-        let event = RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0] };
+        let event =
+            RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };
         self.run.events.push(event);
     }
 
-    /// Writes the outputs that lie in a step; between its ends x is the cubic with both speeds.
-    pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2]) {
+    /// Writes the outputs that lie in a step.
+    pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         let (start, from) = (self.time(), self.place());
         // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
         let end = if ahead.left <= duration { ahead.end } else { start + duration };
@@ -90,18 +109,46 @@ impl Stepper<'_> {
                 let [a, b] = speeds.map(|speed| (speed * duration).clamp(0.0, 3.0 * advance));
                 let place = u * u * (3.0 - 2.0 * u) * advance + u * (1.0 - u) * ((1.0 - u) * a - u * b);
                 let slope = 6.0 * u * (1.0 - u) * advance + (1.0 - u) * (1.0 - 3.0 * u) * a + u * (3.0 * u - 2.0) * b;
-                RawSample {
-                    place: from + place.clamp(0.0, advance),
-                    speed: slope.max(0.0) / duration,
-                    moving: true,
-                    bounded: true,
-                    doubts: self.doubts,
-                }
+                let read = [place.clamp(0.0, advance), slope.max(0.0) / duration];
+                let [place, speed] = match between {
+                    Between::Solved if u > 0.0 => self.solved_within(ahead, u * duration, read[0], advance).unwrap_or(read),
+                    Between::Solved | Between::Read => read,
+                };
+                // A part of a step from a line that all runs have in common may be the same in all of them.
+                let doubt = self.doubts[1] + WITHIN_PART * (speed - read[1]).abs();
+                RawSample { place: from + place, speed, moving: true, bounded: true, doubts: [self.doubts[0], doubt] }
             } else {
                 RawSample { place: from, speed: 0.0, moving: false, bounded: true, doubts: self.doubts }
             };
             self.run.samples.push(sample);
         }
+    }
+
+    /// Place and speed at a time within a step, from the closure of a step that ends there: a cubic's slope would carry the step's own error over
+    /// the step, differently at every part of it.
+    fn solved_within(&mut self, ahead: &Ahead, duration: f64, guess: f64, advance: f64) -> Option<[f64; 2]> {
+        let mut place = guess;
+        let mut before: Option<(f64, f64)> = None;
+        for _ in 0..MOST_SECANTS {
+            let step = ahead.step(duration, place);
+            let sums = self.sums(&step);
+            let load = step.loads[1];
+            let excess: f64 = load * (load + sums.memory) - 1.0;
+            let slope = match before {
+                Some((earlier, earlier_excess)) if (excess - earlier_excess).abs() > 0.0 && (place - earlier).abs() > 0.0 => {
+                    (excess - earlier_excess) / (place - earlier)
+                }
+                _ => -load * sums.exposure / step.zone,
+            };
+            let next = (place - excess / slope).clamp(0.0, advance);
+            if (next - place).abs() <= 4.0 * f64::EPSILON * (1.0 + place) || excess.abs() <= 2.0 * f64::EPSILON {
+                let speed = self.speed_of(&sums, &step, ahead.slope);
+                return (speed > 0.0 && speed.is_finite()).then_some([next, speed]);
+            }
+            before = Some((place, excess));
+            place = next;
+        }
+        None
     }
 
     pub(super) fn unbounded(&mut self, time: f64) {
@@ -120,6 +167,7 @@ impl Stepper<'_> {
             speeds: [self.speed.max(0.0), 0.0],
             jump: 0.0,
             doubt: self.doubts[0],
+            speed_doubt: self.doubts[1],
         };
         self.run.events.push(event);
         let gone = RawSample { place: self.place(), speed: 0.0, moving: true, bounded: false, doubts: [0.0; 2] };
