@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 const SAFETY: f64 = 3.0;
 /// The largest that was left so far, of any quantity over its scale, stays in every later bound by this part: errors of a march hand on.
 const MEMORY: f64 = 0.3;
-/// Part of the accuracy that every bar keeps: far inside it, marches may agree by chance.
+/// Part of the accuracy, of the value itself, that every bar keeps: far inside it, marches may agree by chance.
 const FLOOR: f64 = 0.03;
 /// Bound over what is left of the force and the radius at which an edge is lost: at a fold both go with the root of the way left, which scatters most.
 const AT_FOLDS: f64 = 12.0;
@@ -55,7 +55,7 @@ pub(super) fn judged(
                     *most
                 }),
             };
-            let floor = FLOOR * problem.accuracy * scale.unwrap_or(&0.0);
+            let floor = if scale.is_some() { FLOOR * problem.accuracy * value.abs() } else { 0.0 };
             let error = (SAFETY * left).max(MEMORY * memory).max(floor) + ROUNDING * value.abs();
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
@@ -98,7 +98,8 @@ pub(super) fn judged(
             let safety = if matches!(event.kind, EventKind::JumpIn | EventKind::ZoneReached) { SAFETY } else { AT_FOLDS };
             let estimate = |of: fn(&Event<f64>) -> f64, scale: f64| {
                 let left = left(of(event), others.map(|other| other.map(of)));
-                let least = (MEMORY * worst).max(FLOOR * problem.accuracy) * scale;
+                let floor = if scale > 0.0 { FLOOR * problem.accuracy * of(event).abs() } else { 0.0 };
+                let least = (MEMORY * worst * scale).max(floor);
                 Estimate::new(of(event), (safety * left).max(least) + ROUNDING * of(event).abs())
             };
             Event {
@@ -113,7 +114,7 @@ pub(super) fn judged(
         .collect();
     let largest_tension = fine.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
         let left = left(value, others.map(|other| other.map(|other| other.largest_tension().unwrap_or(0.0))));
-        let floor = FLOOR * problem.accuracy * scales[1];
+        let floor = FLOOR * problem.accuracy * value;
         Estimate::new(value, (SAFETY * left).max(MEMORY * worst * scales[1]).max(floor) + ROUNDING * value)
     });
     if let Some(tension) = largest_tension {
@@ -195,7 +196,7 @@ fn judged_cycles(problem: &IndentationProblem, others: [Option<&Trace>; 2], fine
         cycles.push(cycle.judged(others, |place, value, others| {
             let scale = scales.get(place).copied().unwrap_or(0.0);
             let left = left(value, others);
-            let error = (SAFETY * left).max(FLOOR * problem.accuracy * scale) + ROUNDING * value.abs();
+            let error = (SAFETY * left).max(FLOOR * problem.accuracy * value.abs()) + ROUNDING * value.abs();
             *reached &= error <= problem.accuracy * scale;
             Estimate::new(value, error)
         }));
