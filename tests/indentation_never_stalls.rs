@@ -258,3 +258,47 @@ fn a_rim_gives_way_in_every_cycle() {
     }
     assert!(receded > 0, "no rim gave way");
 }
+
+/// A contact lost late in a stretch, in a solid whose shortest time is below what the clock can tell there: the open surface goes on from a step that the clock sees.
+/// The pull-off is JKR's of the relaxed solid, within what the process zone and the last of the spectrum leave.
+#[test]
+fn a_late_pull_off_with_times_below_the_clock() {
+    let terms: Vec<RelaxationTerm> =
+        (0..20).map(|k| RelaxationTerm { modulus: 2.0, relaxation_time: 10f64.powf(-14.0 + 12.0 * f64::from(k) / 19.0) }).collect();
+    let material = Material::from_relaxation(1.0, &terms).unwrap();
+    let mut problem = asked(History::penetration(0.02).at_speed(-0.06, 0.01)).relaxed();
+    problem.accuracy = 1e-2;
+    let found = run(&material, &problem).unwrap();
+    println!("{} steps, {:?}", found.work.steps, found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>());
+    assert_eq!(happened(&found, EventKind::Detachment) + happened(&found, EventKind::ZoneReached), 1);
+    let pull_off = found.largest_tension.unwrap().value;
+    let jkr = 1.5 * PI * WORK;
+    assert!(pull_off > 0.9 * jkr && pull_off < 40.0 * jkr, "{:e}", pull_off / jkr);
+    // The whole stretch was done.
+    assert!((found.instants.last().unwrap().penetration.value + 0.06).abs() < 1e-12);
+}
+
+/// Over a surface that was never touched the line load at the edge is E∞*(Δ − f(a)): no memory, however thin the layer behind the edge.
+#[test]
+fn intensity_of_an_edge_over_a_virgin_surface() {
+    let terms = [(99.0, 1e-9), (60.0, 1.0), (20.0, 30.0)].map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time });
+    let material = Material::from_relaxation(1.0, &terms).unwrap();
+    let history = History::penetration(0.0).at_speed(0.05, 1e-3);
+    let trace = march(&material, &asked(history), 1e-4).unwrap();
+    let mut seen = 0;
+    for pair in trace.path.windows(2) {
+        let point = pair[1];
+        let a = point.contact_radius;
+        if a <= pair[0].contact_radius {
+            continue;
+        }
+        let intensity = 180.0 * (a * a - point.penetration) / (PI * a).sqrt();
+        assert!(
+            (point.stress_intensity_factor / intensity - 1.0).abs() < 1e-9,
+            "a = {a}: {:e}",
+            point.stress_intensity_factor / intensity - 1.0
+        );
+        seen += 1;
+    }
+    assert!(seen > 20);
+}

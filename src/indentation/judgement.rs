@@ -17,6 +17,8 @@ const FLOOR: f64 = 0.03;
 const AT_FOLDS: f64 = 12.0;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
+/// Change, over the value, of what is imposed: rounding.
+const SAME: f64 = 1e-12;
 /// Part of the largest force below which a tension is rounding of none.
 const NO_FORCE: f64 = 1e-12;
 
@@ -55,7 +57,7 @@ pub(super) fn judged(
                     *most
                 }),
             };
-            let floor = if scale.is_some() { FLOOR * problem.accuracy * value.abs() } else { 0.0 };
+            let floor = if scale.is_some() { floor(problem, left, value) } else { 0.0 };
             let error = (SAFETY * left).max(MEMORY * memory).max(floor) + ROUNDING * value.abs();
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
@@ -98,8 +100,7 @@ pub(super) fn judged(
             let safety = if matches!(event.kind, EventKind::JumpIn | EventKind::ZoneReached) { SAFETY } else { AT_FOLDS };
             let estimate = |of: fn(&Event<f64>) -> f64, scale: f64| {
                 let left = left(of(event), others.map(|other| other.map(of)));
-                let floor = if scale > 0.0 { FLOOR * problem.accuracy * of(event).abs() } else { 0.0 };
-                let least = (MEMORY * worst * scale).max(floor);
+                let least = if scale > 0.0 && left > 0.0 { (MEMORY * worst * scale).max(floor(problem, left, of(event))) } else { 0.0 };
                 Estimate::new(of(event), (safety * left).max(least) + ROUNDING * of(event).abs())
             };
             Event {
@@ -114,14 +115,14 @@ pub(super) fn judged(
         .collect();
     let largest_tension = fine.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
         let left = left(value, others.map(|other| other.map(|other| other.largest_tension().unwrap_or(0.0))));
-        let floor = FLOOR * problem.accuracy * value;
+        let floor = floor(problem, left, value);
         Estimate::new(value, (SAFETY * left).max(MEMORY * worst * scales[1]).max(floor) + ROUNDING * value)
     });
     if let Some(tension) = largest_tension {
         reached &= tension.error <= problem.accuracy * scales[1];
     }
     for event in &events {
-        reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE) * 10.0;
+        reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE);
     }
     let cycles = judged_cycles(problem, others, &fine, &mut reached);
     let residual = fine.summary.residual;
@@ -139,6 +140,11 @@ pub(super) fn judged(
         fine,
         work,
     }
+}
+
+/// The least bar of a value that marches may agree on by chance; of one that is imposed, and the same in all of them, none.
+fn floor(problem: &IndentationProblem, left: f64, value: f64) -> f64 {
+    if left > SAME * value.abs() { FLOOR * problem.accuracy * value.abs() } else { 0.0 }
 }
 
 /// By how much K differs since the edge turned, where it turned no further away than its place is known: the surface that it comes back over was
@@ -196,7 +202,7 @@ fn judged_cycles(problem: &IndentationProblem, others: [Option<&Trace>; 2], fine
         cycles.push(cycle.judged(others, |place, value, others| {
             let scale = scales.get(place).copied().unwrap_or(0.0);
             let left = left(value, others);
-            let error = (SAFETY * left).max(FLOOR * problem.accuracy * value.abs()) + ROUNDING * value.abs();
+            let error = (SAFETY * left).max(floor(problem, left, value)) + ROUNDING * value.abs();
             *reached &= error <= problem.accuracy * scale;
             Estimate::new(value, error)
         }));

@@ -22,11 +22,11 @@ pub fn fading_moments(z: f64) -> (f64, [f64; 4]) {
         let second = (2.0 * first - decay) / z;
         return (decay, [zeroth, first, second, (3.0 * second - decay) / z]);
     }
-    // Start above: n_K ≈ e^{−z}/(K+1)·(1 + z/(K+2)); error z²/K² at the start, times z^{K−2}·2/K! at k = 2.
+    // Start above: n_K ≈ e^{−z}/(K+1)·(1 + z/(K+2)); error z²/K² at the start, times z^{K−3}·6/K! at k = 3.
     let start: i32 = if z < 0.01 {
-        6
+        7
     } else if z < 0.3 {
-        11
+        12
     } else {
         24
     };
