@@ -122,7 +122,11 @@ pub(super) fn judged(
         reached &= tension.error <= problem.accuracy * scales[1];
     }
     for event in &events {
-        reached &= event.force.error <= problem.accuracy * scales[1].max(f64::MIN_POSITIVE);
+        // The radius at a fold goes with the root of what is not known of the load.
+        let radius_scale = AT_FOLDS * scales[2];
+        for (estimate, scale) in [(event.penetration, scales[0]), (event.force, scales[1]), (event.contact_radius, radius_scale)] {
+            reached &= estimate.error <= problem.accuracy * scale.max(f64::MIN_POSITIVE);
+        }
     }
     let cycles = judged_cycles(problem, others, &fine, &mut reached);
     let residual = fine.summary.residual;
