@@ -21,6 +21,9 @@ const GRADING: f64 = 2.0;
 /// Panels narrower than this part of the contact are not made: places are only known to 1e-16 of it, nodes then to 1e-5 of a panel.
 pub(super) const NARROWEST: f64 = 1e-11;
 
+/// Difference of the loads on either side of an edge that an unresolved layer explains, over what one node makes of the extrapolation to the edge.
+const UNRESOLVED: f64 = 10.0;
+
 /// How the edge passes a stretch within a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sweep {
@@ -290,8 +293,9 @@ impl<'a> Contact<'a> {
 
     /// Q(a) (Pa m) just inside the edge; 0 without contact.
     ///
-    /// Strains go on through the edge, so both sides know it: Q from within, −E∞*D from without. The side that the edge has left or just passed has
-    /// layers as thin as its way in the shortest relaxation time, which no panel may resolve; the other one is smooth, and is taken.
+    /// Where the edge moves, strains go on through it, and both sides know Q: the panel within, and −E∞*D from without. Behind an edge that advances quickly lies
+    /// a layer as thin as its way in the shortest relaxation time, which no panel may resolve: where the two differ by no more than that explains,
+    /// the smooth side without is taken. At an edge that rests they differ by what the solid has relaxed, and the side within is right.
     #[must_use]
     pub fn edge_load(&self) -> f64 {
         let first_free = self.cells.partition_point(|cell| cell.bonded);
@@ -305,7 +309,8 @@ impl<'a> Contact<'a> {
         }
         let glassy = self.springs.glassy;
         let (load, own) = within.at_end(self.radius);
-        if own < glassy * doubt { load } else { glassy * (self.penetration - self.profile.line(self.radius) - strain) }
+        let without = glassy * (self.penetration - self.profile.line(self.radius) - strain);
+        if glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own { without } else { load }
     }
 
     /// K_I (Pa√m), tension positive; 0 without contact.

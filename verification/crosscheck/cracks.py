@@ -74,7 +74,7 @@ def delayed(harness, solids):
                            independent=made_apart(row))
         elif quantity == "time_at":
             found = harness.delayed_trajectory(material, work, "constant", [zone], [intensity], [float(row["value"])], reference=intensity,
-                                               lines_per_zone=256)
+                                               lines_per_zone=2048)
             # The place is exact; the time is its reference. Convergence is algebraic: 1e-10.
             place = float(row["place"])
             yield Value("cracks, late", "delayed_fracture.csv", f"{row['case']} {row['place']}", "place_at", found["growth"][0] / zone, row["place"], place,
