@@ -58,7 +58,7 @@ def test_functions_that_no_file_holds(harness, need, draw):
             assert abs(harness.special("memory_of_logarithm", -y)[0] - ahead) < 1e-13, y
             assert abs(harness.zeta_tail(s, n) / tail - 1) < 1e-13, (s, n)
             moments = harness.fading_moments(b)[0]
-            for k in range(3):
+            for k in range(4):
                 expected = mp.quad(lambda v: mp.exp(-b * v) * v ** k, [0, min(1.0, 5.0 / b), 1]) if b < 50 else mp.gammainc(k + 1, 0, b) / mp.mpf(b) ** (k + 1)
                 assert abs(moments[k] / expected - 1) < 1e-13, (b, k)
 

@@ -66,11 +66,11 @@ fn zeta_tail(exponent: u32, last_left_out: u32) -> f64 {
     viscotack::special::even_zeta::zeta_tail(exponent, last_left_out)
 }
 
-/// ∫₀¹ e^{−zv} v^k dv, k = 0, 1, 2, row by row.
+/// ∫₀¹ e^{−zv} v^k dv, k = 0, 1, 2, 3, row by row.
 #[pyfunction]
 fn fading_moments<'py>(py: Python<'py>, arguments: Numbers) -> PyResult<Bound<'py, PyAny>> {
     let rows: Vec<f64> = arguments.0.iter().flat_map(|&z| viscotack::crack::delayed::moments::fading_moments(z).1).collect();
-    array(py, &rows)?.call_method1("reshape", (arguments.0.len(), 3))
+    array(py, &rows)?.call_method1("reshape", (arguments.0.len(), 4))
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
