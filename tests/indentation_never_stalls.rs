@@ -277,28 +277,3 @@ fn a_late_pull_off_with_times_below_the_clock() {
     // The whole stretch was done.
     assert!((found.instants.last().unwrap().penetration.value + 0.06).abs() < 1e-12);
 }
-
-/// Over a surface that was never touched the line load at the edge is E∞*(Δ − f(a)): no memory, however thin the layer behind the edge.
-#[test]
-fn intensity_of_an_edge_over_a_virgin_surface() {
-    let terms = [(99.0, 1e-9), (60.0, 1.0), (20.0, 30.0)].map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time });
-    let material = Material::from_relaxation(1.0, &terms).unwrap();
-    let history = History::penetration(0.0).at_speed(0.05, 1e-3);
-    let trace = march(&material, &asked(history), 1e-4).unwrap();
-    let mut seen = 0;
-    for pair in trace.path.windows(2) {
-        let point = pair[1];
-        let a = point.contact_radius;
-        if a <= pair[0].contact_radius {
-            continue;
-        }
-        let intensity = 180.0 * (a * a - point.penetration) / (PI * a).sqrt();
-        assert!(
-            (point.stress_intensity_factor / intensity - 1.0).abs() < 1e-9,
-            "a = {a}: {:e}",
-            point.stress_intensity_factor / intensity - 1.0
-        );
-        seen += 1;
-    }
-    assert!(seen > 20);
-}
