@@ -54,8 +54,6 @@ const STILL: f64 = 1e-2;
 /// Accuracy of the instant at which the edge turns, over the step that leads there, and attempts at it.
 const AT_TURN: f64 = 3e-3;
 const MOST_TURNINGS: u32 = 8;
-/// Part of a first step below which a turn is none: at a fold the residual is flat, and its rounding moves the edge to and fro while time stands still.
-const QUICKEST_TURN: f64 = 1e-6;
 
 /// What drives the next attempt.
 enum Choice {
@@ -166,7 +164,7 @@ impl Marcher<'_> {
             let Some((trial, by_edge)) = found else { continue };
             // The edge turns: a step ends there, and the path starts anew.
             let mut turned = false;
-            if !by_edge && a > 0.0 && turnings < MOST_TURNINGS && cap > QUICKEST_TURN * self.first_step() && self.moves(trial.motion.to) {
+            if !by_edge && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;

@@ -484,7 +484,7 @@ impl<'a> Marcher<'a> {
     }
 
     /// The first step after a corner: what the clock can still tell, or more.
-    pub(super) fn first_step(&self) -> f64 {
+    fn first_step(&self) -> f64 {
         (self.first * self.tolerance.sqrt()).max(CLOCK * f64::EPSILON * self.time)
     }
 
