@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Everything that must pass: format, lints, documentation, tests, cross-checks against references.
 #   ci/test.sh           about twenty minutes on two cores from nothing, ten when built
-#   ci/test.sh --full    also regenerates every reference at full precision and compares, and puts deliberate faults into the source that the tests
-#                        must catch (about an hour each)
+#   ci/test.sh --full    also regenerates every reference at full precision and compares (an hour of one core), and puts deliberate faults into the
+#                        source that the tests must catch (a third of an hour)
 # Needs Rust. The cross-checks need Debian's python3 with NumPy, SciPy, mpmath and pytest, some of them dolfinx: as root, or where CI=true, they are installed;
 # otherwise, if they are missing, the line to run is printed and the cross-checks are skipped in plain words, which is a failure where CI=true.
 set -euo pipefail

@@ -1,7 +1,7 @@
 //! Source: the command line, `viscotack verify`.
 //!
 //! Goal: wrong calls end with 2 and write nothing; an existing folder is refused before the work, not after it, and replaced only by force and only if it is
-//! a report; a run ends with 0 and leaves one whole folder.
+//! a report; a run ends with 0 and leaves one whole folder; without a terminal standard error gets one plain line a section.
 //!
 //! Parameters: the quickest study. Oracle: exit codes, files. Tolerance: none.
 #![allow(clippy::unwrap_used, missing_docs)]
@@ -36,6 +36,11 @@ fn a_report_is_written_whole_and_an_existing_folder_is_kept() {
     let assert = verify(folder.path(), &["convergence_crack", "--out", "report"]).code(0);
     let out = text(&assert.get_output().stdout);
     assert!(out.contains("verify (reduced):") && out.contains("0 failed") && out.contains("wrote report"), "{out}");
+    // No terminal here: a line that a log can hold, and nothing else.
+    let log = text(&assert.get_output().stderr);
+    assert_eq!(log.lines().filter(|line| line.starts_with("section convergence_crack: ") && line.ends_with(" s")).count(), 1, "{log}");
+    assert!(log.lines().all(|line| line.starts_with("section ") || line.contains(" parts after ")), "{log}");
+    assert!(log.ends_with('\n') && log.chars().all(|letter| letter == '\n' || !letter.is_control()), "{log:?}");
     let report = folder.path().join("report");
     for name in ["report.html", "summary.json", "checks.csv", "convergence_crack_lines.csv", "convergence_crack_lines_plot.csv"] {
         assert!(report.join(name).is_file(), "{name}");

@@ -1,6 +1,7 @@
 //! Source: `studies::effects`; the README's "a table that is absent is an effect that is not simulated".
 //!
-//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing.
+//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing; a thick layer is a half-plane,
+//! to the bit, and a thinner one is not.
 //!
 //! Parameters: three of its effects.
 //!
@@ -10,7 +11,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::studies::effects::scenes::{Effect, effects};
-use viscotack::studies::effects::{cheaper, difference, equal, solved};
+use viscotack::studies::effects::{cheaper, difference, equal, layer, solved};
 
 fn named(name: &str) -> Effect {
     effects().into_iter().find(|effect| effect.name == name).unwrap()
@@ -59,4 +60,16 @@ fn every_effect_has_two_scenes() {
 fn values_that_are_not_there_are_no_agreement() {
     let effect = Effect { columns: &["no such column"], ..named("fields (steady crack)") };
     assert!(!judged(&effect).0);
+}
+
+#[test]
+fn a_thick_layer_is_a_half_plane_and_a_thinner_one_is_not() {
+    let thick = layer::compared(layer::THICK, 1).unwrap();
+    assert!(thick.values > 1000 && thick.difference.to_bits() == 0.0_f64.to_bits(), "{thick:?}");
+    assert!(thick.evaluations[1] < thick.evaluations[0], "{thick:?}");
+    // A = 4(kd)²e^{−2kd} = 0.0045, of a kernel of order one.
+    let thinner = layer::compared(5.0, 1).unwrap();
+    assert!((1e-4..1e-2).contains(&thinner.difference), "{thinner:?}");
+    assert!(thinner.evaluations[0] > thick.evaluations[0] && thinner.evaluations[1] == thick.evaluations[1]);
+    assert!(layer::compared(0.0, 1).is_err());
 }

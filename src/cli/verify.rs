@@ -4,32 +4,69 @@ use super::{Failure, print};
 use crate::outcome::folder;
 use crate::studies::{Effort, Progress, Verdict, chosen, files, run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{IsTerminal, Write};
 use std::path::Path;
-use std::time::Duration;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
 /// A check failed.
 const FAILED: u8 = 1;
+/// Without a terminal: no longer than this without a line, as long as pieces are done.
+const QUIET: Duration = Duration::from_secs(30);
 
 pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> Result<u8, Failure> {
     let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
     let studies = chosen(names).map_err(|error| wrong(error.to_string()))?;
     // Before the minutes, not after them.
     folder::writable(out, force)?;
-    let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} parts, {elapsed}") {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(200));
-    let watched = bar.clone();
-    let progress = Progress::new(move |done, expected| {
-        watched.set_length(expected);
-        watched.set_position(done);
-    });
-    let report = run(&studies, if full { Effort::Full } else { Effort::Reduced }, &progress);
-    bar.finish_and_clear();
+    let effort = if full { Effort::Full } else { Effort::Reduced };
+    let report = if std::io::stderr().is_terminal() {
+        let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} parts, {elapsed}") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(200));
+        let watched = bar.clone();
+        let progress = Progress::new(move |done, expected| {
+            watched.set_length(expected);
+            watched.set_position(done);
+        });
+        let report = run(&studies, effort, &progress);
+        bar.finish_and_clear();
+        report
+    } else {
+        run(&studies, effort, &plain_progress())
+    };
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
     folder::write_whole(out, force, &files)?;
     print(&report.table())?;
     print(&format!("wrote {}: report.html, summary.json and {} tables\n", out.display(), files.len() - 2))?;
     Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
+}
+
+/// Plain lines for a log: one as each section ends, and the parts done where none has for a while.
+fn plain_progress() -> Progress {
+    let begin = Instant::now();
+    let last = Arc::new(Mutex::new(begin));
+    let of_sections = Arc::clone(&last);
+    Progress::new(move |done, expected| {
+        // Whoever holds the clock writes the line.
+        if let Ok(mut last) = last.try_lock()
+            && last.elapsed() >= QUIET
+        {
+            *last = Instant::now();
+            line(&format!("{done} of {expected} parts after {:.0} s", begin.elapsed().as_secs_f64()));
+        }
+    })
+    .with_sections(move |identifier, seconds| {
+        if let Ok(mut last) = of_sections.lock() {
+            *last = Instant::now();
+        }
+        line(&format!("section {identifier}: {seconds:.1} s"));
+    })
+}
+
+/// A line on standard error; nobody may be reading, and that is no error.
+fn line(text: &str) {
+    let _ = std::io::stderr().lock().write_all(format!("{text}\n").as_bytes());
 }

@@ -3,6 +3,8 @@
 //! Counters are of this program and do not depend on the machine but in the last bits of a step. One that has grown by more than a tenth is a
 //! regression and fails; one that has fallen by more than a tenth is good news, and the page says that the file wants it:
 //! `verification/update_study_counters.py` takes a report over.
+//!
+//! The file holds both efforts. A run of the same name is the same run in both: what its work depends on is in the name, the number of loads or speeds as well.
 
 use super::reference::rows;
 use super::section::{Cell, Check, Column, Table};
@@ -16,7 +18,7 @@ const ALLOWED: f64 = 1.1;
 pub struct Counter {
     /// Identifier of the diagram.
     pub problem: String,
-    /// Method and setting.
+    /// Method and setting, with all that the count depends on.
     pub run: String,
     /// What is counted.
     pub counted: &'static str,

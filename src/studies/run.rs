@@ -121,5 +121,6 @@ fn section(study: &Study, effort: Effort, progress: &Progress) -> Section {
         section
     });
     section.seconds = begin.elapsed().as_secs_f64();
+    progress.ended(study.identifier, section.seconds);
     section
 }

@@ -230,18 +230,29 @@ impl Section {
 /// Whoever watches: pieces of work done, pieces expected so far.
 type Watcher = dyn Fn(u64, u64) + Send + Sync;
 
+/// Whoever waits for sections: the identifier of one that has ended, and what it took (s).
+type SectionWatcher = dyn Fn(&str, f64) + Send + Sync;
+
 /// How far all studies together are: each announces its pieces of work once and reports each when done.
 pub struct Progress {
     done: AtomicU64,
     expected: AtomicU64,
     watcher: Box<Watcher>,
+    sections: Box<SectionWatcher>,
 }
 
 impl Progress {
     /// Calls `watcher(done, expected)` after each change.
     #[must_use]
     pub fn new(watcher: impl Fn(u64, u64) + Send + Sync + 'static) -> Self {
-        Self { done: AtomicU64::new(0), expected: AtomicU64::new(0), watcher: Box::new(watcher) }
+        Self { done: AtomicU64::new(0), expected: AtomicU64::new(0), watcher: Box::new(watcher), sections: Box::new(|_, _| {}) }
+    }
+
+    /// Also calls `sections(identifier, seconds)` as each section ends, in the order in which they do.
+    #[must_use]
+    pub fn with_sections(mut self, sections: impl Fn(&str, f64) + Send + Sync + 'static) -> Self {
+        self.sections = Box::new(sections);
+        self
     }
 
     /// Nobody watches: for tests.
@@ -254,6 +265,11 @@ impl Progress {
     pub fn expect(&self, pieces: u64) {
         let expected = self.expected.fetch_add(pieces, Ordering::Relaxed) + pieces;
         (self.watcher)(self.done.load(Ordering::Relaxed), expected);
+    }
+
+    /// A section has ended.
+    pub(super) fn ended(&self, identifier: &str, seconds: f64) {
+        (self.sections)(identifier, seconds);
     }
 
     /// This many pieces are done.

@@ -262,12 +262,18 @@ impl Memory {
 
     /// ∂(zΣN_j)/∂v: how the rate at which ΣM_j grows follows the slope with which the step's own way ends, over the exposure.
     pub(crate) fn rate_by_last_slope(&self, step: &Step) -> f64 {
-        // x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that counts.
-        let of_term = |term: &Term| {
-            let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);
-            term.gain * term.rate * step.duration * step.duration * (n1 - 2.0 * n2 + n3)
-        };
-        step.loads[1] * self.terms.iter().map(of_term).sum::<f64>()
+        self.terms.iter().map(|term| term.rate * Self::by_last_slope(term, step)).sum()
+    }
+
+    /// −∂(zΣM_j)/∂v of the same slope: over the exposure, how much further the closure would have the tip.
+    pub(crate) fn place_by_last_slope(&self, step: &Step) -> f64 {
+        self.terms.iter().map(|term| Self::by_last_slope(term, step)).sum()
+    }
+
+    /// x₁ + εσ²(σ − 1), σ = 1 − v, has ε more slope at its end: δM_j = −(εg_jΔt/z) ∫ e^{−l_jΔt v} κ v(1 − v)² dv, where the load is that at the end to the order that counts.
+    fn by_last_slope(term: &Term, step: &Step) -> f64 {
+        let (_, [_, n1, n2, n3]) = fading_moments(term.rate * step.duration);
+        step.loads[1] * term.gain * step.duration * step.duration * (n1 - 2.0 * n2 + n3)
     }
 
     /// Each term's M_j here and now, in a zone.

@@ -1,7 +1,9 @@
 //! What each effect adds: the value with it neutral equals the value without it, and without it the run costs less.
 //!
-//! Each effect is a pair of scenes, read and solved as a user's: one leaves it out, the other has it with a value that changes nothing.
+//! Each effect is a pair of scenes, read and solved as a user's: one leaves it out, the other has it with a value that changes nothing. The thickness of a layer has no
+//! scene: its kernel stands for it ([`layer`]).
 
+pub mod layer;
 pub mod scenes;
 
 use super::cells::{count, number, word};
@@ -119,15 +121,112 @@ pub fn cheaper(effect: &Effect, with: Work, without: Work) -> bool {
     }
 }
 
+/// One effect with its value neutral beside the same without it.
+struct Pair {
+    name: &'static str,
+    neutral: String,
+    /// Which values are held against one another.
+    compared: String,
+    tolerance: Tolerance,
+    difference: f64,
+    values: usize,
+    /// Whether it must cost evaluations.
+    costs: bool,
+    cheaper: bool,
+    /// Work in words; with, without.
+    work: [String; 2],
+    evaluations: [u64; 2],
+    seconds: [f64; 2],
+}
+
+impl Pair {
+    fn of_scenes(effect: &Effect, runs: u32) -> Result<Self, String> {
+        let (with, seconds_with) = solved(&effect.with, runs)?;
+        let (without, seconds_without) = solved(&effect.without, runs)?;
+        let (off, values) = difference(effect, &with, &without);
+        let work = [with.work(), without.work()];
+        let total = |work: Work| work.closure_evaluations + work.kernel_evaluations + work.linear_solves + work.field_evaluations;
+        Ok(Self {
+            name: effect.name,
+            neutral: effect.neutral.to_owned(),
+            compared: format!("{} of all rows", effect.columns.join(", ")),
+            tolerance: effect.tolerance,
+            difference: off,
+            values,
+            costs: effect.costs,
+            cheaper: cheaper(effect, work[0], work[1]),
+            work: work.map(|work| work.to_string()),
+            evaluations: work.map(total),
+            seconds: [seconds_with, seconds_without],
+        })
+    }
+
+    fn of_layer(runs: u32) -> Result<Self, String> {
+        let found = layer::compared(layer::THICK, runs).map_err(|refusal| refusal.to_string())?;
+        Ok(Self {
+            name: LAYER,
+            neutral: format!("a layer of kd = {}, confined and free", layer::THICK),
+            compared: "the kernel and its integral around the load; no contact, as none is solved on layers".into(),
+            tolerance: Tolerance::Exact,
+            difference: found.difference,
+            values: found.values,
+            costs: true,
+            cheaper: found.evaluations[1] < found.evaluations[0],
+            work: found.evaluations.map(|count| format!("{count} terms of kernels")),
+            evaluations: found.evaluations,
+            seconds: found.seconds,
+        })
+    }
+
+    /// Adds both checks and the row.
+    fn told(self, section: &mut Section, table: &mut Table) {
+        let tolerance = match self.tolerance {
+            Tolerance::Exact => "to the bit".to_owned(),
+            Tolerance::Relative(most, reason) => format!("{most:.0e}: {reason}"),
+        };
+        section.checks.push(Check::new(
+            format!("{}: neutral, it changes nothing", self.name),
+            tolerance.as_str(),
+            format!("{:.1e}, {} values", self.difference, self.values),
+            equal(self.tolerance, self.difference, self.values),
+        ));
+        let [work_with, work_without] = &self.work;
+        section.checks.push(Check::new(
+            format!("{}: left out, it costs nothing", self.name),
+            if self.costs { "fewer evaluations" } else { "no more evaluations" },
+            format!("with {work_with}; without {work_without}"),
+            self.cheaper,
+        ));
+        let [evaluations_with, evaluations_without] = self.evaluations.map(|total| count(total as usize));
+        let [seconds_with, seconds_without] = self.seconds.map(number);
+        table.rows.push(vec![
+            word(self.name),
+            word(self.neutral),
+            word(self.compared),
+            count(self.values),
+            number(self.difference),
+            word(tolerance),
+            evaluations_with,
+            evaluations_without,
+            seconds_with,
+            seconds_without,
+        ]);
+    }
+}
+
+/// The effect that has no scene.
+const LAYER: &str = "thickness of the layer (sliding)";
+
 /// The study.
 #[must_use]
 pub fn study(effort: Effort, progress: &Progress) -> Section {
     let effects = effects();
-    progress.expect(effects.len() as u64);
+    progress.expect(effects.len() as u64 + 1);
     let mut section = Section::new("effects", "What each effect adds");
     section.say(
         "A table that is absent from a scene is an effect that is not simulated. Each effect is put into a scene with a value that changes nothing: the results must be those \
-         of the scene without it, to the bit or to a stated tolerance, and the scene without it must cost less, by the solver's own counters. Times are the least of some runs.",
+         of the scene without it, to the bit or to a stated tolerance, and the scene without it must cost less, by the solver's own counters. Times are the least of some runs. \
+         Contacts on layers are not there: of a layer its kernel is held against the half-plane's.",
     );
     let mut table = Table::new(
         "effects",
@@ -135,6 +234,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         vec![
             Column::words("effect"),
             Column::words("made neutral by"),
+            Column::words("compared"),
             Column::new("values compared", "1"),
             Column::new("largest difference", "1"),
             Column::words("tolerance, and why"),
@@ -145,47 +245,18 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         ],
     );
     let runs = effort.choose(2, 5);
+    let mut pairs: Vec<(&'static str, Result<Pair, String>)> = Vec::new();
     for effect in &effects {
-        let solved = solved(&effect.with, runs).and_then(|with| Ok((with, solved(&effect.without, runs)?)));
+        pairs.push((effect.name, Pair::of_scenes(effect, runs)));
         progress.advance(1);
-        let ((with, seconds_with), (without, seconds_without)) = match solved {
-            Ok(both) => both,
-            Err(reason) => {
-                section.checks.push(Check::new(effect.name, "two scenes that are solved", reason, false));
-                continue;
-            }
-        };
-        let (off, compared) = difference(effect, &with, &without);
-        let tolerance = match effect.tolerance {
-            Tolerance::Exact => "to the bit".to_owned(),
-            Tolerance::Relative(most, reason) => format!("{most:.0e}: {reason}"),
-        };
-        section.checks.push(Check::new(
-            format!("{}: neutral, it changes nothing", effect.name),
-            tolerance.as_str(),
-            format!("{off:.1e}, {compared} values"),
-            equal(effect.tolerance, off, compared),
-        ));
-        let (work_with, work_without) = (with.work(), without.work());
-        section.checks.push(Check::new(
-            format!("{}: left out, it costs nothing", effect.name),
-            if effect.costs { "fewer evaluations" } else { "no more evaluations" },
-            format!("with {work_with}; without {work_without}"),
-            cheaper(effect, work_with, work_without),
-        ));
-        let total =
-            |work: Work| (work.closure_evaluations + work.kernel_evaluations + work.linear_solves + work.field_evaluations) as usize;
-        table.rows.push(vec![
-            word(effect.name),
-            word(effect.neutral),
-            count(compared),
-            number(off),
-            word(tolerance),
-            count(total(work_with)),
-            count(total(work_without)),
-            number(seconds_with),
-            number(seconds_without),
-        ]);
+    }
+    pairs.push((LAYER, Pair::of_layer(runs)));
+    progress.advance(1);
+    for (name, pair) in pairs {
+        match pair {
+            Ok(pair) => pair.told(&mut section, &mut table),
+            Err(reason) => section.checks.push(Check::new(name, "both are solved", reason, false)),
+        }
     }
     section.tables.push(table);
     section

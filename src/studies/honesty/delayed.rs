@@ -15,7 +15,7 @@ use crate::refusal::Refusal;
 
 /// Lines a zone of the coarsest run, in turn: the fewest that a scene takes, and twice as many.
 const LINES: [u32; 2] = [64, 128];
-/// So many more for the truth: of second order 1/1024 of the error.
+/// So many more for the truth: of third order 1/32768 of the error.
 const MORE: u32 = 32;
 /// Steps of a run at most.
 const MOST_STEPS: u64 = 20_000_000;

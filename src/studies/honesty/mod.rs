@@ -58,8 +58,6 @@ const RARE: f64 = 1e-3;
 const PATHS: &str = "the path in speed to the contact (of a strength, the branch) costs the same at any accuracy, and is 97 % of the contacts at 1e-9 (named gaps)";
 /// Newton's method doubles digits with each step.
 const NEWTON: &str = "Newton's method doubles the digits with each step: with a tolerance of 1, no digit at all, 70 % of the points of 1e-9 are evaluated (named gaps)";
-/// Kinks of slow arrests.
-const AFTER_ARRESTS: &str = "a speed beside the kink that a slow arrest leaves is known less well than four runs tell (named gaps)";
 /// Marches whose steps differ.
 const SCATTER: &str = "steps follow the errors of each march, so that single numbers scatter: bars of a third of this width miss one value in five hundred (named gaps)";
 const JUDGES: [Judge; 5] = [
@@ -100,7 +98,7 @@ const JUDGES: [Judge; 5] = [
         work: delayed::work,
         counter: "evaluations of the closure",
         counted: (4, 40),
-        loses: Some(AFTER_ARRESTS),
+        loses: None,
         costs: None,
     },
     Judge {

@@ -87,7 +87,8 @@ fn diagram(name: &str, words: &'static str, motion: Motion, identifier: &'static
         return Err(Refusal::Undefined { quantity: "the stored cracks", reason: format!("no rows of {name}") });
     }
     let sample = |tolerance: f64, Timed { seconds, runs, result: found }: Timed<Result<ErrorAndWork, Refusal>>| {
-        let setting = format!("{tolerance:.0e}");
+        // Full and reduced studies take different speeds: work over both would have one name.
+        let setting = format!("{tolerance:.0e}, {} speeds", asked.len());
         let seconds = seconds / asked.len() as f64;
         match found {
             Ok((error, [points, kernels])) => Sample {

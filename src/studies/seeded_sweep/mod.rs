@@ -188,7 +188,7 @@ const PROBLEMS: [Problem; 4] = [
         name: "delayed crack",
         scene: |scene| drawn(3, scene, known_growth, delayed, KnownGrowth::described),
         scenes: (100, 1200),
-        tolerance: "1e-5 of the value: 64 lines a zone, three runs, of second order early in the first zone",
+        tolerance: "1e-5 of the value: 64 lines a zone, four runs, of third order",
     },
     Problem {
         name: "sphere",
