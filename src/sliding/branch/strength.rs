@@ -1,7 +1,7 @@
 //! Pull-off, snap-in and toughness over speeds and works of adhesion (thesis Fig 3.14).
 
 use super::conditions::BranchProblem;
-use super::fold::Fold;
+use super::fold::{Fold, FoldQuantity};
 use super::stability::Stability;
 use super::toughness::{Toughness, of_branch};
 use super::trace::{BranchWork, trace};
@@ -24,8 +24,18 @@ pub struct Strength {
     pub zero_load: Option<PartialValues>,
     /// The work to separate; or why it is none.
     pub toughness: Result<Toughness, Refusal>,
+    /// Turns of load and penetration that were seen and not solved: those of the above that are none may be among them.
+    pub unlocated: Vec<(FoldQuantity, Refusal)>,
     /// What the branch took.
     pub work: BranchWork,
+}
+
+impl Strength {
+    /// Why a turn of a quantity is none though the branch turns, if that is so.
+    #[must_use]
+    pub fn why_not(&self, quantity: FoldQuantity) -> Option<&Refusal> {
+        self.unlocated.iter().find(|(turned, _)| *turned == quantity).map(|(_, refusal)| refusal)
+    }
 }
 
 /// A strength at its speed and adhesion.
@@ -66,6 +76,7 @@ pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength
         pull_off: branch.pull_off(problem).cloned(),
         snap_in: branch.snap_in().cloned(),
         separation: branch.separation().cloned(),
+        unlocated: branch.unlocated.iter().map(|(quantity, _, refusal)| (*quantity, refusal.clone())).collect(),
         work: BranchWork {
             closure_evaluations: branch.work.closure_evaluations + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
             ..branch.work
