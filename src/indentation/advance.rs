@@ -25,6 +25,8 @@ const BEYOND_FOLD: f64 = 3.0;
 const SHORTEST_LOOK: f64 = 0.15;
 /// And where a fold has been reached: below it the residual is noise.
 const SMALLEST_BEYOND: f64 = 1e-2;
+/// Distance of a fold, over the process zone, that is near.
+const NEAR_FOLD: f64 = 0.5;
 /// Shortest step, over the time since the last corner.
 const SHORTEST: f64 = 1e-12;
 /// Part of the way to a fold that one step goes.
@@ -291,9 +293,7 @@ impl Marcher<'_> {
     }
 
     fn stepper(&mut self) -> Stepper<'_, '_> {
-        // Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
-        let near_fold = self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < 0.5 * self.length);
-        let tolerance = if near_fold { FOLD_TOLERANCE } else { self.edge_tolerance() };
+        let tolerance = if self.is_near_fold() { FOLD_TOLERANCE } else { self.edge_tolerance() };
         Stepper { edge: &mut self.edge, contact: &self.contact, past: &self.past, tolerance, slopes: &mut self.slopes }
     }
 
@@ -340,6 +340,11 @@ impl Marcher<'_> {
         let slope = fast + 0.5 * bend * first.abs();
         // Only a fold that is near counts; further away the path will show itself.
         (bend < 0.0 && slope > 0.0).then(|| -slope / bend).filter(|distance| *distance < 4.0 * first.abs().max(self.reach))
+    }
+
+    /// Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
+    pub(super) fn is_near_fold(&self) -> bool {
+        self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < NEAR_FOLD * self.length)
     }
 
     /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.

@@ -13,7 +13,8 @@ const SAFETY: f64 = 3.0;
 const MEMORY: f64 = 0.3;
 /// Part of the accuracy, of the value itself, that every bar keeps: far inside it, marches may agree by chance.
 const FLOOR: f64 = 0.03;
-/// Bound over what is left of the force and the radius at which an edge is lost: at a fold both go with the root of the way left, which scatters most.
+/// Bound over what is left of the numbers of an event in which an edge is lost: at a fold force and radius go with the root of the way left, which scatters most;
+/// time and depth, which hardly scatter, are widened with them.
 const AT_FOLDS: f64 = 12.0;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;

@@ -153,7 +153,7 @@ impl<'a> Contact<'a> {
 
     /// The contact after a motion that ends at `penetration`.
     pub(super) fn after(&self, motion: &Motion, penetration: f64) -> Self {
-        let (cells, values) = self.cut(motion.to, motion.time, (0.0, f64::INFINITY));
+        let (cells, values) = self.cut((motion.to, motion.time), motion.towards_rest(&self.profile), (0.0, f64::INFINITY));
         let mut next = Self {
             springs: self.springs,
             profile: self.profile.clone(),
@@ -184,9 +184,10 @@ impl<'a> Contact<'a> {
     }
 
     /// The cells that touch a window, cut at both edges and graded in the stretch that an edge at `radius` will have swept after `time`.
-    pub(super) fn cut(&self, radius: f64, time: f64, window: (f64, f64)) -> (Vec<Cell>, Vec<f64>) {
+    /// `more`: further cuts.
+    pub(super) fn cut(&self, (radius, time): (f64, f64), more: Vec<f64>, window: (f64, f64)) -> (Vec<Cell>, Vec<f64>) {
         let n = self.springs.terms();
-        let cuts = self.cuts(radius, time);
+        let cuts = self.cuts(radius, time, more);
         let outer = self.radius.max(radius);
         let end = self.cells.last().map_or(0.0, |cell| cell.high);
         let narrow = NARROWEST * outer.max(end);
@@ -220,8 +221,9 @@ impl<'a> Contact<'a> {
     }
 
     /// Panel ends of a move: both edges, and a graded mesh in the swept stretch.
-    fn cuts(&self, radius: f64, time: f64) -> Vec<f64> {
-        let mut cuts = vec![self.radius, radius];
+    fn cuts(&self, radius: f64, time: f64, more: Vec<f64>) -> Vec<f64> {
+        let mut cuts = more;
+        cuts.extend([self.radius, radius]);
         let shortest = self.springs.shortest_time();
         let mut lag = 0.5 * shortest;
         while lag < time && shortest.is_finite() {

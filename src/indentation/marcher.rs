@@ -27,13 +27,15 @@ const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
-const COARSENING_TOLERANCE: f64 = 1e-2;
+const COARSENING_TOLERANCE: f64 = 1e-3;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
 const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
-/// Most steps of one stretch of a history, or of one of its cycles.
-const MOST_STEPS: u64 = 6_000;
+/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of a millionth or more; below it they grow with the steps of a march.
+const MOST_STEPS: f64 = 6_000.0;
+/// See [`MOST_STEPS`].
+const TIGHT: f64 = 1e-6;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
@@ -319,7 +321,7 @@ impl<'a> Marcher<'a> {
             duration: self.record.end_of(index).unwrap_or(segment.duration),
             instant: 1,
             cycle: 1,
-            budget: self.record.trace.work.steps + MOST_STEPS,
+            budget: self.record.trace.work.steps + self.most_steps(),
         };
     }
 
@@ -340,7 +342,7 @@ impl<'a> Marcher<'a> {
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.place.cycle += 1;
                 // What one cycle leaves of its steps is not the next one's: a march that stands still would go through all of it.
-                self.place.budget = self.record.trace.work.steps + MOST_STEPS;
+                self.place.budget = self.record.trace.work.steps + self.most_steps();
                 let stationary =
                     self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
@@ -373,11 +375,12 @@ impl<'a> Marcher<'a> {
                 let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
                 return Err(Refusal::NotConverged {
                     what: "the march",
-                    detail: format!("{MOST_STEPS} steps of one {what} reached t = {:e}", self.now()),
+                    detail: format!("{} steps of one {what} reached t = {:e}", self.most_steps(), self.now()),
                 });
             }
             self.step(stretch, target)?;
-            if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) {
+            // Near a fold what joining changes would move the edge by its root, to and fro.
+            if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) && !self.is_near_fold() {
                 self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
             }
         }
@@ -469,6 +472,10 @@ impl<'a> Marcher<'a> {
             }
         }
         Ok(())
+    }
+
+    fn most_steps(&self) -> u64 {
+        (MOST_STEPS * (TIGHT / self.tolerance).powf(1.0 / 6.0).max(1.0)) as u64
     }
 
     /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.

@@ -11,6 +11,11 @@ use std::f64::consts::PI;
 /// Iterations of an inverse: Newton, halved when it leaves its bracket.
 const MOST_ITERATIONS: u32 = 60;
 
+/// Rate of an edge at an end of a step, over its mean, below which it rests there: the time at which it passes a place goes with a root, then.
+const AT_REST: f64 = 0.5;
+/// Halvings of the time towards a rest.
+const MOST_HALVINGS: u32 = 16;
+
 /// How the edge passes a stretch within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Passage {
@@ -98,6 +103,26 @@ impl Motion {
             Passage::PlaceOfTime(c) => inverse(c, ((profile.coordinate(s) - self.start) / self.way).clamp(0.0, 1.0)),
         };
         part.clamp(0.0, 1.0)
+    }
+
+    /// Places that halve the time towards an end of the step at which the edge rests: between two of them a polynomial follows the root.
+    pub(super) fn towards_rest(&self, profile: &Profile) -> Vec<f64> {
+        let Passage::PlaceOfTime(c) = &self.passage else { return Vec::new() };
+        let mut places = Vec::new();
+        for end in [0.0, 1.0] {
+            let rate = slope(c, end).abs();
+            let mut left = 0.5;
+            // The rate is twice that of the end where as much has been added to it as there was.
+            for _ in 0..MOST_HALVINGS {
+                if rate > AT_REST || 2.0 * left < rate {
+                    break;
+                }
+                let x = polynomial(c, (end - left).abs()).clamp(0.0, 1.0);
+                places.push(profile.inverse_coordinate(self.start + self.way * x, self.from, self.to));
+                left *= 0.5;
+            }
+        }
+        places
     }
 
     /// W − W₀ as powers of the part of a first stretch of the time.

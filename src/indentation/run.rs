@@ -56,17 +56,18 @@ pub fn run_watched(
         let observer = watch.map(|watch| Observer { watch, finished, coarser: &coarser, work });
         // Stretches that were stationary early are as long for every tighter march.
         let stops = coarser.first().map_or(&[][..], |coarse| &coarse.shortened);
-        let fine = march_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer })?;
+        let mut fine = march_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer })?;
         finished += 1;
         work.add(&fine.work);
         if finished > 1 {
             let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * fine.cycles.last().map_or(0, |cycle| cycle.number);
             let last = finished > MOST_MARCHES || tolerance <= TIGHTEST || work.closure_evaluations > most;
             if last || finished >= FEWEST_MARCHES {
-                let judged = judged(problem, &coarser, (tolerance, fine.clone()), work);
+                let judged = judged(problem, &coarser, (tolerance, fine), work);
                 if judged.reached || last {
                     return Ok(judged);
                 }
+                fine = judged.fine;
             }
         }
         coarser.insert(0, fine);

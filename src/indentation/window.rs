@@ -27,7 +27,7 @@ impl Window {
     /// The cells within `reach` of both edges; `whole`: the inner rest, for forces.
     pub(super) fn new(contact: &Contact<'_>, radius: f64, time: f64, reach: f64, whole: bool) -> Self {
         let bounds = (contact.radius.min(radius - reach), contact.radius.max(radius + reach));
-        let (cells, values) = contact.cut(radius, time, bounds);
+        let (cells, values) = contact.cut((radius, time), Vec::new(), bounds);
         let heights = cells.iter().flat_map(|cell| (0..POINTS).map(|g| contact.profile.line(cell.node(g)))).collect();
         let n = contact.springs.terms();
         let mut rest = (0.0, 0.0, vec![0.0; n]);
