@@ -44,7 +44,7 @@ pub(super) fn judged(
     for (index, &place) in fine.kept.iter().enumerate() {
         let Some(point) = fine.path.get(place) else { continue };
         let others = others.map(|other| other.and_then(|other| other.path.get(*other.kept.get(index)?)));
-        let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64, more: f64| {
+        let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64| {
             let value = of(point);
             let left = left(value, others.map(|other| other.map(of)));
             let scale = scales.get(quantity);
@@ -63,7 +63,7 @@ pub(super) fn judged(
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
             }
-            Estimate::new(value, error + more)
+            Estimate::new(value, error)
         };
         let energy = |which: usize| {
             move |point: &PathPoint| {
@@ -75,18 +75,18 @@ pub(super) fn judged(
                 })
             }
         };
-        let (penetration, force) = (estimate(0, &|point| point.penetration, 0.0), estimate(1, &|point| point.force, 0.0));
-        let contact_radius = estimate(2, &|point| point.contact_radius, 0.0);
-        let swing = swing_at_turn(&fine.path, place, contact_radius.error);
+        let (penetration, force) = (estimate(0, &|point| point.penetration), estimate(1, &|point| point.force));
+        let contact_radius = estimate(2, &|point| point.contact_radius);
         instants.push(Instant {
             time: point.time,
             penetration,
             force,
             contact_radius,
-            stress_intensity_factor: estimate(3, &|point| point.stress_intensity_factor, swing),
-            energies: point.energies.is_some().then(|| {
-                [estimate(4, &energy(0), 0.0), estimate(5, &energy(1), 0.0), estimate(6, &energy(2), 0.0), estimate(7, &energy(3), 0.0)]
-            }),
+            stress_intensity_factor: estimate(3, &|point| point.stress_intensity_factor),
+            energies: point
+                .energies
+                .is_some()
+                .then(|| [estimate(4, &energy(0)), estimate(5, &energy(1)), estimate(6, &energy(2)), estimate(7, &energy(3))]),
             tip_release_rate: release(point, others, |energies| Some(energies.tip_release_rate)),
             energy_release_rate: release(point, others, |energies| energies.energy_release_rate),
             residual: point.residual,
@@ -150,28 +150,6 @@ pub(super) fn judged(
 /// The least bar of a value that marches may agree on by chance; of one that is imposed, and the same in all of them, none.
 fn floor(problem: &IndentationProblem, left: f64, value: f64) -> f64 {
     if left > SAME * value.abs() { FLOOR * problem.accuracy * value.abs() } else { 0.0 }
-}
-
-/// By how much K differs since the edge turned, where it turned no further away than its place is known: the surface that it comes back over was
-/// left a moment ago, and K goes with the root of the way. A tighter march knows the place better, but turns elsewhere: this does not ask for one.
-fn swing_at_turn(path: &[PathPoint], place: usize, known: f64) -> f64 {
-    let Some(here) = path.get(place) else { return 0.0 };
-    let (mut swing, mut sign, mut last) = (0.0_f64, 0.0, here.contact_radius);
-    for point in path.iter().take(place).rev() {
-        if (point.contact_radius - here.contact_radius).abs() > known || point.contact_radius == 0.0 {
-            return 0.0;
-        }
-        let way = last - point.contact_radius;
-        if way * sign < 0.0 {
-            return swing;
-        }
-        if way != 0.0 {
-            sign = way;
-        }
-        swing = swing.max((point.stress_intensity_factor - here.stress_intensity_factor).abs());
-        last = point.contact_radius;
-    }
-    0.0
 }
 
 /// A release rate with its error; none where nothing of it is known.
