@@ -52,10 +52,10 @@ impl<T> ThreeEquations<'_, T> {
         let mut evaluations = 1;
         let (mut solution, first) = (self.evaluate)(unknowns)?;
         let mut here = Vector3::from(first);
-        let mut fresh = false;
+        let (mut fresh, mut stuck) = (false, false);
         for _ in 0..MOST_STEPS {
             let size = largest(&here);
-            if size <= tolerance {
+            if size <= tolerance || stuck {
                 return Ok(ThreeSolution { unknowns, solution, residual: size, jacobian, evaluations });
             }
             let matrix = if let Some(matrix) = jacobian {
@@ -83,8 +83,14 @@ impl<T> ThreeEquations<'_, T> {
                 match (self.evaluate)(tried) {
                     Ok((found, residual)) if largest(&Vector3::from(residual)) < size => {
                         let there = Vector3::from(residual);
-                        jacobian = if largest(&there) > 0.5 * size && part >= 1.0 {
+                        // Below rounding a step that hardly helps tells nothing of the derivatives; if they are true ones, no further step helps either.
+                        let slow = largest(&there) > 0.5 * size;
+                        let lost = slow && size <= self.rounding;
+                        stuck = lost && fresh;
+                        jacobian = if slow && part >= 1.0 && !stuck {
                             None
+                        } else if lost {
+                            Some(matrix)
                         } else {
                             let missed = there - here - matrix * moved;
                             Some(matrix + missed * moved.transpose() / moved.norm_squared())

@@ -105,6 +105,8 @@ impl Admissibility {
     }
 }
 
+/// Steps of the search for the least gap between its neighbours: a thousandth of their distance.
+const LEAST_STEPS: u32 = 14;
 /// Points at which the gap is looked at, on each side of the contact.
 const GAP_POINTS: u32 = 16;
 /// Longest step of an unknown in units of the room that it has.
@@ -371,14 +373,24 @@ impl EdgeBalance {
             Indenter::Wave => state.edges().half_gap,
             Indenter::Parabola => 10.0 * half_width,
         };
-        let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
-        for index in 1..=GAP_POINTS {
-            // Dense at both edges, where interpenetration begins.
-            let part = 1.0 - (0.5 * PI * f64::from(index) / f64::from(GAP_POINTS)).cos();
-            for point in [state.behind_trailing(part * half_gap)?, state.ahead_of_leading(part * half_gap)?] {
-                let gap = rough.gap(point);
-                smallest = smallest.min(gap);
-                largest = largest.max(gap);
+        // From the leading edge around to the trailing one: t in half gaps.
+        let gap_at = |t: f64| -> Result<f64, Refusal> {
+            let point = if t <= 1.0 { state.ahead_of_leading(t * half_gap)? } else { state.behind_trailing((2.0 - t) * half_gap)? };
+            Ok(rough.gap(point))
+        };
+        // Dense at both edges, where interpenetration begins.
+        let part = |index: u32| 1.0 - (0.5 * PI * f64::from(index) / f64::from(GAP_POINTS)).cos();
+        let places: Vec<f64> = (1..=GAP_POINTS).map(part).chain((1..GAP_POINTS).rev().map(|index| 2.0 - part(index))).collect();
+        let gaps = places.iter().map(|&t| gap_at(t)).collect::<Result<Vec<f64>, Refusal>>()?;
+        let largest = gaps.iter().copied().fold(0.0, f64::max);
+        let mut smallest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        // Between two points faces may meet unseen.
+        for (place, gap) in places.windows(3).zip(gaps.windows(3)) {
+            if let ([from, _, to], [before, middle, after]) = (place, gap)
+                && middle <= before
+                && middle <= after
+            {
+                smallest = smallest.min(least(*from, *to, gap_at)?);
             }
         }
         // Without adhesion the gap opens as the distance to the power 3/2 and may be lost to rounding at the edge; a narrow one is lost as a whole to that of the load,
@@ -413,4 +425,25 @@ impl EdgeBalance {
             })
         }
     }
+}
+
+/// The least value of a function between two arguments, by the golden section.
+fn least(mut low: f64, mut high: f64, function: impl Fn(f64) -> Result<f64, Refusal>) -> Result<f64, Refusal> {
+    // 2/(1 + √5)
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut one, mut other) = inner(low, high);
+    let (mut at_one, mut at_other) = (function(one)?, function(other)?);
+    for _ in 0..LEAST_STEPS {
+        if at_one < at_other {
+            (high, other, at_other) = (other, one, at_one);
+            one = inner(low, high).0;
+            at_one = function(one)?;
+        } else {
+            (low, one, at_one) = (one, other, at_other);
+            other = inner(low, high).1;
+            at_other = function(other)?;
+        }
+    }
+    Ok(at_one.min(at_other))
 }

@@ -2,6 +2,7 @@
 
 use super::SlidingPlan;
 use super::extra_columns::{has_works, outputs_of_state, outputs_of_strength};
+use super::strength_rows::turns_missing;
 use crate::estimate::Estimate;
 use crate::outcome::Work;
 use crate::refusal::Refusal;
@@ -170,6 +171,15 @@ impl SlidingPlan {
                         twin.separation.as_ref().map(|fold| fold.value),
                         twin.toughness.as_ref().ok().map(|toughness| stiffer(toughness.value, modulus)),
                     ]);
+                    extras.notes.extend(turns_missing(&twin, true, "elastic "));
+                    if let Err(refusal) = &twin.toughness {
+                        // Its limits are in units of its own modulus.
+                        let reason = match refusal {
+                            Refusal::NoSuchState { reason, .. } => reason.clone(),
+                            other => other.to_string(),
+                        };
+                        extras.notes.push(format!("no elastic toughness: {reason}"));
+                    }
                 }
                 Err(refusal) => {
                     extras.values.extend([None; 6]);

@@ -6,7 +6,7 @@ use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::SlidingContact;
-use crate::sliding::branch::{Fold, Strength, strength};
+use crate::sliding::branch::{Fold, FoldQuantity, Strength, strength};
 use crate::sliding::steady::PartialValues;
 
 /// Contacts solved for one balance: as it is, and with each edge moved.
@@ -26,7 +26,7 @@ impl SlidingPlan {
         let problem = self.every_load()?;
         let found = strength(&self.material, &problem)?;
         let extras = self.extras_of_strength(&problem, &found)?;
-        let Strength { pull_off, snap_in, separation, zero_load, toughness, work } = &found;
+        let Strength { pull_off, snap_in, separation, zero_load, toughness, work, .. } = &found;
         let adhesion = self.reduced_adhesion();
         let contact = |fold: &Option<Fold>| fold.as_ref().map(|fold| fold.contact);
         let (pulled, snapped, apart) = (contact(pull_off), contact(snap_in), contact(separation));
@@ -67,16 +67,10 @@ impl SlidingPlan {
         let narrowest = [pulled, apart, *zero_load].into_iter().flatten().map(|values| values.half_width.value).reduce(f64::min);
         row.assumptions = self.assumed(narrowest.map(|width| width * self.scale.length), zones.unwrap_or([None, None]));
         let mut missing = extras.notes;
-        for (is_there, name, why) in [
-            (pull_off.is_some(), "pull-off", "no load of the branch is smallest"),
-            (zero_load.is_some(), "zero load", "no stable contact is without load"),
-            (snap_in.is_some() || !self.is_wave(), "snap-in", "no load of the branch is largest"),
-            (separation.is_some() || !self.is_wave(), "separation", "no penetration of the branch is smallest"),
-        ] {
-            if !is_there {
-                missing.push(format!("no {name}: {why}"));
-            }
+        if zero_load.is_none() {
+            missing.push("no zero load: no stable contact is without load".into());
         }
+        missing.extend(turns_missing(&found, self.is_wave(), ""));
         if let (Err(refusal), true) = (toughness, self.is_wave()) {
             missing.push(format!("no toughness: {}", self.sentence(refusal)));
         }
@@ -85,4 +79,23 @@ impl SlidingPlan {
         }
         Ok(())
     }
+}
+
+/// Which turns of a strength are not there and why, each after a word of whom it is spoken.
+pub(super) fn turns_missing(found: &Strength, is_wave: bool, of: &str) -> Vec<String> {
+    let Strength { pull_off, snap_in, separation, .. } = found;
+    let (load, penetration) = (FoldQuantity::MeanPressure, FoldQuantity::Penetration);
+    let turns = [
+        (pull_off.is_some(), "pull-off", load, "no load of the branch is smallest"),
+        (snap_in.is_some() || !is_wave, "snap-in", load, "no load of the branch is largest"),
+        (separation.is_some() || !is_wave, "separation", penetration, "no penetration of the branch is smallest"),
+    ];
+    turns
+        .into_iter()
+        .filter(|(is_there, ..)| !is_there)
+        .map(|(_, name, quantity, why)| match found.why_not(quantity) {
+            Some(refusal) => format!("no {of}{name}: {refusal}"),
+            None => format!("no {of}{name}: {why}"),
+        })
+        .collect()
 }

@@ -9,13 +9,13 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::steady::{PartialContact, SlidingOutcome, SlidingProblem, Start, steady_sliding, steady_sliding_near};
+use crate::sliding::steady::{PartialContact, PartialValues, SlidingOutcome, SlidingProblem, Start, steady_sliding, steady_sliding_near};
 use nalgebra::Vector3;
 
 /// Contacts that slopes are taken at are solved at least this well.
 const CONTACT_ACCURACY: f64 = 1e-9;
 /// Evaluations for the slopes at one resolution: four along each of three unknowns, and one where they are wanted.
-const SLOPE_EVALUATIONS: u64 = 13;
+pub(super) const SLOPE_EVALUATIONS: u64 = 13;
 
 /// A contact of given half-width and how its load follows it.
 #[derive(Debug, Clone)]
@@ -59,29 +59,40 @@ pub fn load_slopes(
             }
         },
     };
-    let edges = ContactEdges::new(problem.indenter, WaveContact { half_width, eccentricity: contact.values.eccentricity.value });
-    let unknowns = [edges.place(), contact.values.eccentricity.value, contact.values.mean_pressure.value];
-    let slopes = |resolution: Resolution, step: f64| -> Result<([f64; 2], f64), Refusal> {
-        let equations = BranchEquations::new(material, problem, resolution)?;
-        let scales = equations.natural(unknowns);
-        let rows = gradients(&equations, unknowns, scales, step)?;
-        let tangent = tangent_of(&rows)?;
-        let width = tangent[0] * scales[0] * edges.width_by_place();
-        let here = equations.evaluate(unknowns)?;
-        let depth = match problem.indenter {
-            Indenter::Wave => here.state.state.mean_separation(),
-            Indenter::Parabola => 1.0,
-        };
-        let penetration = depth * Vector3::from(rows[2]).dot(&tangent);
-        // Half the sum and the difference of both roundings are never largest together: their sum is the larger bound.
-        Ok(([tangent[2] * scales[2] / width, penetration / width], here.rounding[0].max(here.rounding[1])))
+    let slopes = |resolution: Resolution, step: f64| {
+        slopes_at(&BranchEquations::new(material, problem, resolution)?, problem, &contact.values, step)
     };
     let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
-    let (best, rounding) = slopes(Resolution::Finest, CENTRAL_STEP)?;
-    // Rounding of the differences, over sizes of order one in scaled unknowns.
-    let floor = (rounding + f64::EPSILON) / CENTRAL_STEP;
-    let scale = 1.0 / edges.narrower();
-    let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor * (best[index].abs() + scale));
+    let (best, floor) = slopes(Resolution::Finest, CENTRAL_STEP)?;
+    let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor[index]);
     let closure_evaluations = contact.work.closure_evaluations + 2 * SLOPE_EVALUATIONS;
     Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact, closure_evaluations })
+}
+
+/// dp̄/da and dΔ/da at a contact of known half-width, by equations of one resolution and differences of one step; and what rounding leaves uncertain of both.
+///
+/// # Errors
+/// Those of the equations.
+pub(super) fn slopes_at(
+    equations: &BranchEquations<'_>,
+    problem: &BranchProblem,
+    values: &PartialValues,
+    step: f64,
+) -> Result<([f64; 2], [f64; 2]), Refusal> {
+    let edges =
+        ContactEdges::new(problem.indenter, WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value });
+    let unknowns = [edges.place(), values.eccentricity.value, values.mean_pressure.value];
+    let scales = equations.natural(unknowns);
+    let rows = gradients(equations, unknowns, scales, step)?;
+    let tangent = tangent_of(&rows)?;
+    let width = tangent[0] * scales[0] * edges.width_by_place();
+    let here = equations.evaluate(unknowns)?;
+    let depth = match problem.indenter {
+        Indenter::Wave => here.state.state.mean_separation(),
+        Indenter::Parabola => 1.0,
+    };
+    let slopes = [tangent[2] * scales[2] / width, depth * Vector3::from(rows[2]).dot(&tangent) / width];
+    // Half the sum and the difference of both roundings are never largest together: their sum is the larger bound. Over sizes of order one in scaled unknowns.
+    let floor = (here.rounding[0].max(here.rounding[1]) + f64::EPSILON) / CENTRAL_STEP;
+    Ok((slopes, slopes.map(|slope| floor * (slope.abs() + 1.0 / edges.narrower()))))
 }

@@ -44,6 +44,7 @@ pub use fold::{Fold, FoldQuantity, Turn};
 pub use load::{LoadSlopes, load_slopes};
 pub use no_contact::{Everywhere, NoContactBetween, SpeedFolds, beyond_both_ends, speed_folds};
 pub use point::BranchPoint;
+pub(super) use scan::contacts_of;
 pub use scan::{EveryBranch, Scan, contacts_of_width, every_branch};
 pub use stability::{SecondVariations, Stability};
 pub use strength::{Strength, StrengthAt, strength, strengths};

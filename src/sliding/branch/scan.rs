@@ -91,7 +91,7 @@ fn row(problem: &BranchProblem, count: usize) -> Vec<f64> {
 }
 
 /// The contacts of a control, and how often both edge conditions were evaluated, at the rate and adhesion of a value of the third unknown.
-pub(super) fn contacts_of(
+pub(in crate::sliding) fn contacts_of(
     material: &Material,
     problem: &BranchProblem,
     control: Option<SlidingControl>,

@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
 use crate::sliding::steady::{
-    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_sliding,
+    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_by_paths, steady_sliding,
 };
 
 /// The half-width at which the loads of one speed are begun, if it is asked for.
@@ -27,9 +27,11 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 
 /// The unknowns at which a branch begins.
 pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
+    // What is found where paths fail is found by these very branches.
+    let solve = if matches!(problem.path, BranchPath::Loads | BranchPath::Zones(_)) { steady_by_paths } else { steady_sliding };
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
         let problem = at_start(problem, rate, control);
-        match steady_sliding(material, &problem)? {
+        match solve(material, &problem)? {
             SlidingOutcome::Partial(contact) => {
                 work.closure_evaluations += contact.work.closure_evaluations;
                 Ok((contact.values, contact.values.half_width.value))

@@ -1,12 +1,13 @@
 //! Pull-off, snap-in and toughness over speeds and works of adhesion (thesis Fig 3.14).
 
-use super::conditions::BranchProblem;
-use super::fold::Fold;
+use super::conditions::{BranchPath, BranchProblem};
+use super::fold::{Fold, FoldQuantity};
 use super::stability::Stability;
 use super::toughness::{Toughness, of_branch};
-use super::trace::{BranchWork, trace};
+use super::trace::{Branch, BranchWork, as_far_as_snap_in, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
+use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::WaveAdhesion;
 use crate::sliding::steady::PartialValues;
 use rayon::prelude::*;
@@ -24,8 +25,18 @@ pub struct Strength {
     pub zero_load: Option<PartialValues>,
     /// The work to separate; or why it is none.
     pub toughness: Result<Toughness, Refusal>,
+    /// Turns of load and penetration that were seen and not solved: those of the above that are none may be among them.
+    pub unlocated: Vec<(FoldQuantity, Refusal)>,
     /// What the branch took.
     pub work: BranchWork,
+}
+
+impl Strength {
+    /// Why a turn of a quantity is none though the branch turns, if that is so.
+    #[must_use]
+    pub fn why_not(&self, quantity: FoldQuantity) -> Option<&Refusal> {
+        self.unlocated.iter().find(|(turned, _)| *turned == quantity).map(|(_, refusal)| refusal)
+    }
 }
 
 /// A strength at its speed and adhesion.
@@ -58,19 +69,37 @@ pub fn strengths(material: &Material, rates: &[f64], works: &[f64], adhesion: Wa
 /// # Errors
 /// Those of [`trace`].
 pub fn strength(material: &Material, problem: &BranchProblem) -> Result<Strength, Refusal> {
-    let branch = trace(material, problem)?;
-    let toughness = of_branch(material, problem, &branch);
+    let mut work = BranchWork::default();
+    // Of a cylinder no load is the largest.
+    if problem.path == BranchPath::Loads
+        && problem.indenter == Indenter::Wave
+        && let Some(branch) = as_far_as_snap_in(material, problem, &mut work)?
+    {
+        let strength = of_branch_of_loads(material, problem, &branch);
+        if strength.toughness.is_ok() {
+            return Ok(strength);
+        }
+    }
+    // What is missing may lie beyond, or the whole branch tells why.
+    let mut branch = trace(material, problem)?;
+    branch.work.closure_evaluations += work.closure_evaluations;
+    Ok(of_branch_of_loads(material, problem, &branch))
+}
+
+fn of_branch_of_loads(material: &Material, problem: &BranchProblem, branch: &Branch) -> Strength {
+    let toughness = of_branch(material, problem, branch);
     let stable = || branch.zero_load.iter().find(|point| point.variations.under_load() == Stability::Stable).map(|point| point.values);
     let zero_load = toughness.as_ref().map_or_else(|_| stable(), |toughness| Some(toughness.unloaded));
-    Ok(Strength {
+    Strength {
         pull_off: branch.pull_off(problem).cloned(),
         snap_in: branch.snap_in().cloned(),
         separation: branch.separation().cloned(),
+        unlocated: branch.unlocated.iter().map(|(quantity, _, refusal)| (*quantity, refusal.clone())).collect(),
         work: BranchWork {
             closure_evaluations: branch.work.closure_evaluations + toughness.as_ref().map_or(0, |toughness| toughness.closure_evaluations),
             ..branch.work
         },
         zero_load,
         toughness,
-    })
+    }
 }

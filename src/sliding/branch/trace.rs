@@ -3,7 +3,7 @@
 use super::conditions::{BranchPath, BranchProblem};
 use super::end::{BranchEnd, border, impossible};
 use super::equations::BranchEquations;
-use super::fold::{Fold, FoldQuantity, located_fold};
+use super::fold::{Fold, FoldQuantity, Turn, located_fold};
 use super::point::{BranchPoint, VARIATIONS, accurate_point, variations_at};
 use super::start::start;
 use crate::continuation::arclength::{Curve, CurveEnd, Steps, follow, landed};
@@ -15,6 +15,7 @@ use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
 use crate::sliding::edge_balance::{EdgeStates, SlidingControl};
 use crate::sliding::steady::{PartialContact, Prepared, SlidingProblem, SlidingWork, Start, near_counted};
+use std::cell::Cell;
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
 const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7 };
@@ -103,17 +104,56 @@ pub(super) fn parameter_of(problem: &BranchProblem, third: f64) -> f64 {
 /// [`Refusal::NotConverged`] if no admissible one is found there.
 pub fn trace(material: &Material, problem: &BranchProblem) -> Result<Branch, Refusal> {
     let mut work = BranchWork::default();
-    let (curve, begins, ends) = coarse(material, problem, &mut work)?;
+    let (curve, begins, ends) = coarse(material, problem, false, &mut work)?;
     let (folds, unlocated) = folds(material, problem, &curve, &mut work);
     let (points, mut left_out) = kept(material, problem, &curve, &mut work)?;
     let zero_load = zero_load(material, problem, &curve, &mut left_out, &mut work)?;
     Ok(Branch { points, left_out, folds, unlocated, zero_load, begins, ends, work, curve })
 }
 
-/// The coarse curve from end to end.
+/// The branch of loads as far as snap-in, with pull-off, snap-in and separation alone among its turns and no kept points; none if one of them was not found, so that the
+/// whole branch has to tell why.
+///
+/// # Errors
+/// Those of [`trace`].
+pub(super) fn as_far_as_snap_in(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<Option<Branch>, Refusal> {
+    let (curve, begins, ends) = coarse(material, problem, true, work)?;
+    let Some(mut folds) = bearing(material, problem, &curve, work) else { return Ok(None) };
+    folds.sort_by(|first, second| first.arclength.total_cmp(&second.arclength));
+    let mut left_out = Vec::new();
+    let zero_load = zero_load(material, problem, &curve, &mut left_out, work)?;
+    Ok(Some(Branch { points: Vec::new(), left_out, folds, unlocated: Vec::new(), zero_load, begins, ends, work: *work, curve }))
+}
+
+/// Snap-in, pull-off and separation of a coarse curve of loads: the first largest load, the last smallest one before it, the first smallest penetration.
+fn bearing(material: &Material, problem: &BranchProblem, curve: &[Coarse], work: &mut BranchWork) -> Option<Vec<Fold>> {
+    let mut located = |quantity: FoldQuantity, turn: Turn, before: f64, last: bool| -> Option<Fold> {
+        let unknown = quantity.unknown();
+        let turns = changes(curve, move |point| point.slope(unknown)).filter(|(from, to)| {
+            let minimum = from.slope(unknown) < 0.0;
+            minimum == (turn == Turn::Minimum)
+                && from.arclength < before
+                && border(problem, from).is_none()
+                && border(problem, to).is_none()
+        });
+        let mut turns: Vec<_> = turns.collect();
+        if last {
+            turns.reverse();
+        }
+        let (from, to) = *turns.first()?;
+        located_fold(material, problem, quantity, from, to, work).ok()
+    };
+    let snap_in = located(FoldQuantity::MeanPressure, Turn::Maximum, f64::INFINITY, false)?;
+    let pull_off = located(FoldQuantity::MeanPressure, Turn::Minimum, snap_in.arclength, true)?;
+    let separation = located(FoldQuantity::Penetration, Turn::Minimum, f64::INFINITY, false)?;
+    Some(vec![separation, pull_off, snap_in])
+}
+
+/// The coarse curve from end to end, or forward only to the first point but one past a largest load.
 pub(super) fn coarse(
     material: &Material,
     problem: &BranchProblem,
+    to_snap_in: bool,
     work: &mut BranchWork,
 ) -> Result<(Vec<Coarse>, BranchEnd, BranchEnd), Refusal> {
     problem.checked()?;
@@ -121,8 +161,14 @@ pub(super) fn coarse(
     let start = start(material, problem, work)?;
     let toward = if problem.path == BranchPath::Loads { Quantity::Unknown(0) } else { Quantity::Unknown(2) };
     let border = |point: &Coarse| border(problem, point);
-    let inside = |point: &Coarse| border(point).is_none();
     let mut run = |sign: f64| -> Result<(Vec<Coarse>, BranchEnd), Refusal> {
+        let (before, turned) = (Cell::new(f64::NAN), Cell::new(false));
+        let inside = |point: &Coarse| {
+            let slope = point.slope(Quantity::Unknown(2));
+            let past = turned.get();
+            turned.set(past || (before.replace(slope) > 0.0 && slope < 0.0));
+            border(point).is_none() && !(to_snap_in && sign > 0.0 && past)
+        };
         let Curve { points, end, refused } = follow(&equations, start, toward, sign, &STEPS, &inside)?;
         work.refused_steps += refused;
         work.curve_points += points.len() as u64;

@@ -50,6 +50,8 @@ pub struct ContactState {
     separation: f64,
     /// ∫p e^{−iy}dy of a wave; a parabola has moments instead ([`super::moments`]).
     first_harmonic: (f64, f64),
+    /// The sizes of the terms that both parts of it are sums of.
+    harmonic_sizes: (f64, f64),
     condition: f64,
 }
 
@@ -148,9 +150,9 @@ impl ContactState {
         let mean_pressure = square * shift.1 + 0.5 * flat_strength;
         let penetration = fixed + flat_strength * per_flat;
         let separation = trough - flat_strength * per_flat;
-        let first_harmonic = match indenter {
+        let (first_harmonic, harmonic_sizes) = match indenter {
             Indenter::Wave => first_harmonic(memory, (square, eccentricity), flat_strength, &loads, &outside),
-            Indenter::Parabola => (0.0, 0.0),
+            Indenter::Parabola => ((0.0, 0.0), (0.0, 0.0)),
         };
         let state = Self {
             edges,
@@ -165,6 +167,7 @@ impl ContactState {
             penetration,
             separation,
             first_harmonic,
+            harmonic_sizes,
             condition: condition_number(&condition_of),
         };
         require_finite("mean_pressure", state.mean_pressure)?;
@@ -245,6 +248,15 @@ impl ContactState {
         }
     }
 
+    /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are told.
+    pub(in crate::sliding) fn harmonic_sizes(&self) -> (f64, f64) {
+        let (sin_e, cos_e) = self.edges.eccentricity.sin_cos();
+        let (real, imaginary) = self.harmonic_sizes;
+        let friction = (imaginary * cos_e.abs() + real * sin_e.abs()) / (2.0 * PI);
+        let profile = real * cos_e.abs() + imaginary * sin_e.abs();
+        (friction, 0.5 * profile + PI * (1.0 + self.penetration.abs()) * self.mean_pressure.abs())
+    }
+
     /// U = ½∫p w in E0*Λ²/2: ½[Re(e^{−ie}∫p e^{−iy}) + 2π(Δ − 1)p̄], of a parabola ½[2πp̄Δ − ½∫p (y + e)²].
     #[must_use]
     pub fn interface_work(&self) -> f64 {
@@ -323,14 +335,14 @@ fn separation_of_wave(arcs: &Arcs) -> f64 {
     sum
 }
 
-/// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}.
+/// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}; and the size of these terms.
 fn first_harmonic(
     memory: &ContactMemory,
     (square, eccentricity): (f64, f64),
     flat_strength: f64,
     loads: &[f64],
     outside: &[OutsideIntegrals],
-) -> (f64, f64) {
+) -> ((f64, f64), (f64, f64)) {
     let root = |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(outside).map(|(load, integrals)| load * part(integrals)).sum::<f64>();
     let (sin_e, cos_e) = eccentricity.sin_cos();
     let elastic = PI * square * (2.0 - square);
@@ -340,5 +352,13 @@ fn first_harmonic(
     );
     let (real, imaginary) = memory.kernel().harmonic_compliance(1.0);
     let norm = real * real + imaginary * imaginary;
-    ((effective.0 * real + effective.1 * imaginary) / norm, (effective.1 * real - effective.0 * imaginary) / norm)
+    let remembered =
+        |part: fn(&OutsideIntegrals) -> f64| loads.iter().zip(outside).map(|(load, integrals)| (load * part(integrals)).abs()).sum::<f64>();
+    let sizes = (
+        cos_e.abs() * elastic + PI * flat_strength.abs() * (1.0 - square) + remembered(|integrals| integrals.root_sine),
+        sin_e.abs() * elastic + remembered(|integrals| integrals.root_cosine),
+    );
+    let turned = |(first, second): (f64, f64)| ((first * real + second * imaginary) / norm, (second * real - first * imaginary) / norm);
+    let (real_size, imaginary_size) = (real.abs() / norm, imaginary.abs() / norm);
+    (turned(effective), (sizes.0 * real_size + sizes.1 * imaginary_size, sizes.1 * real_size + sizes.0 * imaginary_size))
 }

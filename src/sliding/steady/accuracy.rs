@@ -4,8 +4,9 @@
 //! inverse Jacobian and each output by its own derivatives, which differences give as well; that, and the change of the output itself from level to
 //! level, is the error of the coarser level but for a small part, as the error falls by two digits or more from one level to the next:
 //! ```text
-//! error of an output = (1 + margin)·|∂output/∂unknowns · J⁻¹ · finer residual + finer output − output| + rounding
+//! error of an output = (1 + margin)·|∂output/∂unknowns · J⁻¹ · finer residual + finer output − output| + bend + rounding
 //! ```
+//! Large first-order terms may cancel in it; what is left of them is the bend: the derivatives are differences over a step, and moving the unknowns is no straight line.
 //! Where it is above the request, the next level follows.
 
 use super::path::Start;
@@ -23,6 +24,8 @@ use std::f64::consts::PI;
 const MARGIN: f64 = 0.3;
 /// Rounding of a condition, and of an output over its size.
 const ROUNDING: f64 = 40.0 * f64::EPSILON;
+/// Rounding of a sum of a few products, over the size of its terms.
+const TERMS: f64 = 4.0 * f64::EPSILON;
 /// The residual asked for, over the accuracy.
 const RESIDUAL_SHARE: f64 = 0.03;
 /// A larger residual would leave errors of second order.
@@ -80,13 +83,15 @@ pub(super) fn solved(
         let moved = solve_two_by_two(&jacobian, fine.residual()).ok_or_else(singular)?;
         let own = rounding_of_outputs(&found.solution, problem.adhesion, release_rounding);
         let of_conditions = found.solution.rounding;
+        let bend = Bend::new(&balance, found.unknowns, moved, &jacobian);
+        let scales = scales_of_outputs(&found.solution, problem.adhesion);
         let estimates: Vec<Estimate> = (0..OUTPUTS)
             .map(|output| {
                 let slope = slopes[output];
                 let change = fine_outputs[output] - here[output] - slope[0] * moved[0] - slope[1] * moved[1];
                 let through = |column: [f64; 2]| (slope[0] * column[0] + slope[1] * column[1]).abs();
                 let rounding = own[output] + of_conditions[0] * through(inverse[0]) + of_conditions[1] * through(inverse[1]);
-                Estimate::new(here[output], (1.0 + MARGIN) * change.abs() + rounding)
+                Estimate::new(here[output], (1.0 + MARGIN) * change.abs() + bend.of(slope, moved, scales[output]) + rounding)
             })
             .collect();
         let partial = partial_values(&estimates, problem.adhesion.is_some());
@@ -112,6 +117,34 @@ pub(super) fn solved(
         start = Start { unknowns: [found.unknowns[0] - moved[0], found.unknowns[1] - moved[1]], jacobian: Some(jacobian) };
         resolution = finer;
         balance = fine_balance;
+    }
+}
+
+/// What first derivatives leave out of a move of the unknowns.
+///
+/// A condition changes by one, and its slopes and those of the release rates by as much as themselves, where an unknown moves by 1/|J|; other outputs are products of
+/// unknowns, whose second derivatives are their size over two rooms.
+struct Bend {
+    /// Relative change of slopes over half a difference step and half the move.
+    of_slopes: f64,
+    /// The square of the move over the room.
+    of_products: f64,
+}
+
+impl Bend {
+    fn new(balance: &EdgeBalance, unknowns: [f64; 2], moved: [f64; 2], jacobian: &Jacobian) -> Self {
+        let (steps, room) = (balance.differences(unknowns), balance.room(unknowns));
+        let (mut of_slopes, mut part) = (0.0, 0.0);
+        for index in 0..2 {
+            let bends = jacobian.iter().fold(1.0 / room[index], |most: f64, row| most.max(row[index].abs()));
+            of_slopes += 0.5 * (moved[index].abs() + steps[index]) * bends;
+            part += moved[index].abs() / room[index];
+        }
+        Self { of_slopes, of_products: part * part }
+    }
+
+    fn of(&self, slope: [f64; 2], moved: [f64; 2], scale: f64) -> f64 {
+        self.of_slopes * ((slope[0] * moved[0]).abs() + (slope[1] * moved[1]).abs()) + self.of_products * scale
     }
 }
 
@@ -176,22 +209,34 @@ fn outputs(balance: &EdgeBalance, states: &EdgeStates) -> Result<(Outputs, [f64;
 
 fn rounding_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>, release_rounding: [f64; 2]) -> Outputs {
     let state = &states.state;
-    let WaveSizes { length, pressure, penetration, friction, energy } = sizes(states);
-    let unit = ROUNDING * (1.0 + state.condition().ln());
-    let mut rounding = [0.0; OUTPUTS];
-    for (index, size) in [length, length, length, length, penetration, pressure].into_iter().enumerate() {
-        rounding[index] = unit * size;
-    }
-    rounding[6] = unit * friction;
-    rounding[7] = unit * friction / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
-    rounding[8] = unit * energy;
+    let sizes = sizes(states);
+    let digits = 1.0 + state.condition().ln();
+    let unit = ROUNDING * digits;
+    let mut rounding = scales_of(&sizes, state.mean_pressure(), adhesion).map(|scale| unit * scale);
+    // Stiff solids and narrow contacts: the first harmonic of the wave is a small difference of loads as large as the whole, divided by its small compliance.
+    let (friction, energy) = state.harmonic_sizes();
+    rounding[6] += TERMS * digits * friction;
+    rounding[7] = rounding[6] / state.mean_pressure().abs() + ROUNDING * (state.friction_stress() / state.mean_pressure()).abs();
+    rounding[8] += TERMS * digits * energy;
     if let Some(adhesion) = adhesion {
         // Integrals over the same zones as the conditions; the gap of the reversed contact may be the larger one.
         rounding[9] = states.rounding[0].max(release_rounding[0]);
         rounding[10] = states.rounding[1].max(release_rounding[1]);
-        rounding[11] = adhesion.trailing_work.max(adhesion.leading_work) * (rounding[9] + rounding[10]);
+        rounding[11] = adhesion.larger_work() * (rounding[9] + rounding[10]);
     }
     rounding
+}
+
+/// The sizes of all outputs, whose parts of second order they are multiplied with.
+fn scales_of_outputs(states: &EdgeStates, adhesion: Option<WaveAdhesion>) -> Outputs {
+    scales_of(&sizes(states), states.state.mean_pressure(), adhesion)
+}
+
+fn scales_of(sizes: &WaveSizes, mean_pressure: f64, adhesion: Option<WaveAdhesion>) -> Outputs {
+    let &WaveSizes { length, pressure, penetration, friction, energy } = sizes;
+    let release = if adhesion.is_some() { 1.0 } else { 0.0 };
+    let work = adhesion.map_or(0.0, |adhesion| adhesion.larger_work());
+    [length, length, length, length, penetration, pressure, friction, friction / mean_pressure.abs(), energy, release, release, work]
 }
 
 /// The sizes of the terms that outputs are sums of.

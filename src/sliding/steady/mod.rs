@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod elastic_start;
+mod elsewhere;
 mod path;
 mod prepared;
 mod problem;
@@ -17,5 +18,5 @@ pub(super) use prepared::Prepared;
 pub use problem::SlidingProblem;
 pub(super) use problem::adhesion_at;
 pub use solution::{AdhesiveValues, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
-pub(super) use solve::near_counted;
 pub use solve::{full_contact_friction, steady_sliding, steady_sliding_near};
+pub(super) use solve::{near_counted, steady_by_paths};

@@ -1,9 +1,11 @@
 //! Solving a [`SlidingProblem`].
 //!
 //! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, for a pull,
-//! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form.
+//! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form;
+//! else, where paths lead to no contact that can exist, what [`super::elsewhere`] finds.
 
 use super::accuracy::solved;
+use super::elsewhere::elsewhere;
 use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
@@ -11,33 +13,51 @@ use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::branch::{BranchProblem, strength};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-
-/// Folds are located this well, or to the accuracy of the problem if that is less.
-const FOLD_ACCURACY: f64 = 1e-9;
 
 /// The steady contact of a material on a sliding indenter.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off and past a fold where the contact
-/// was narrowing; [`Refusal::NotConverged`] is a defect.
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, past a fold where the contact
+/// was narrowing, and where an edge would be pressed or the faces would meet; [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
+    match by_paths(material, problem, &prepared, &mut work) {
+        Err(refusal @ Refusal::NotConverged { .. }) => elsewhere(material, problem, &prepared, &mut work).unwrap_or(Err(refusal)),
+        known => known,
+    }
+}
+
+/// The same by paths alone, for the starts of branches: a contact that cannot exist at the end of a path is [`Refusal::NotConverged`].
+///
+/// # Errors
+/// As [`steady_sliding`].
+pub(in crate::sliding) fn steady_by_paths(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+    problem.checked()?;
+    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    by_paths(material, problem, &prepared, &mut SlidingWork::default())
+}
+
+fn by_paths(
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    prepared: &Prepared,
+    work: &mut SlidingWork,
+) -> Result<SlidingOutcome, Refusal> {
     let mut not_converged = None;
-    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(&prepared, problem, start, work) {
+    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(prepared, problem, start, work) {
         Ok(contact) => Some(SlidingOutcome::Partial(Box::new(contact))),
         Err(refusal) => {
             not_converged = Some(refusal);
             None
         }
     };
-    let slow = match start_at_rate(material, problem, From::Slow, &mut work) {
+    let slow = match start_at_rate(material, problem, From::Slow, work) {
         Ok(start) => {
-            if let Some(outcome) = finish(&start, &mut work) {
+            if let Some(outcome) = finish(&start, work) {
                 return Ok(outcome);
             }
             None
@@ -47,8 +67,8 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
     };
     let remembers = !material.is_elastic() && problem.rate > 0.0;
     if remembers
-        && let Ok(start) = start_at_rate(material, problem, From::Fast, &mut work)
-        && let Some(outcome) = finish(&start, &mut work)
+        && let Ok(start) = start_at_rate(material, problem, From::Fast, work)
+        && let Some(outcome) = finish(&start, work)
     {
         return Ok(outcome);
     }
@@ -57,9 +77,9 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
         && let SlidingControl::MeanPressure(pressure) = problem.control
         && pressure < 0.0
     {
-        match start_by_pulling(material, problem, &mut work) {
+        match start_by_pulling(material, problem, work) {
             Ok(start) => {
-                if let Some(outcome) = finish(&start, &mut work) {
+                if let Some(outcome) = finish(&start, work) {
                     return Ok(outcome);
                 }
             }
@@ -75,12 +95,12 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
     }
     match (slow, not_converged) {
         (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
-            full_contact(material, problem, limit_name, limit, work)
+            full_contact(material, problem, limit_name, limit, *work)
         }
         (Some(NoStart::Fold(PathEnd { last, widening: true })), _)
             if problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(_)) =>
         {
-            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last, work)
+            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last, *work)
         }
         (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
         (Some(NoStart::Fold(PathEnd { last, .. })), _) => Err(Refusal::NoSuchState {
@@ -88,30 +108,9 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
             limit_name: "rate kv (1/s)",
             limit: last,
         }),
-        (None, Some(refusal)) => beyond_a_fold(material, problem, work).unwrap_or(Err(refusal)),
+        (None, Some(refusal)) => Err(refusal),
         (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
     }
-}
-
-/// What a load is that no contact was found for although the elastic one of a short zone bears it: within a process zone of a fold the branch of loads tells on which side.
-fn beyond_a_fold(material: &Material, problem: &SlidingProblem<'_>, work: SlidingWork) -> Option<Result<SlidingOutcome, Refusal>> {
-    let (Indenter::Wave, SlidingControl::MeanPressure(pressure), Some(adhesion)) = (problem.indenter, problem.control, problem.adhesion)
-    else {
-        return None;
-    };
-    let loads = BranchProblem::loads(problem.rate, adhesion, problem.accuracy.max(FOLD_ACCURACY));
-    let found = strength(material, &BranchProblem { work_by_speed: problem.work_by_speed, ..loads }).ok()?;
-    if let Some(fold) = &found.pull_off
-        && pressure <= fold.value.value + fold.value.error
-    {
-        return Some(Err(Refusal::NoSuchState {
-            reason: "the load pulls harder than a contact at this speed can hold".into(),
-            limit_name: "mean pressure of pull-off",
-            limit: fold.value.value,
-        }));
-    }
-    let snap_in = found.snap_in.as_ref().map(|fold| fold.value).filter(|limit| pressure >= limit.value - limit.error)?;
-    Some(full_contact(material, problem, "mean pressure of snap-in", snap_in.value, work))
 }
 
 /// The steady contact near another one of the same control, without a path.
@@ -144,7 +143,7 @@ fn may_fill(problem: &SlidingProblem<'_>, limit: f64) -> bool {
     problem.indenter == Indenter::Wave && asked >= limit
 }
 
-fn full_contact(
+pub(super) fn full_contact(
     material: &Material,
     problem: &SlidingProblem<'_>,
     limit_name: &'static str,
