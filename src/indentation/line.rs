@@ -187,10 +187,10 @@ impl<'a> Contact<'a> {
     /// `more`: further cuts.
     pub(super) fn cut(&self, (radius, time): (f64, f64), more: Vec<f64>, window: (f64, f64)) -> (Vec<Cell>, Vec<f64>) {
         let n = self.springs.terms();
-        let cuts = self.cuts(radius, time, more);
         let outer = self.radius.max(radius);
         let end = self.cells.last().map_or(0.0, |cell| cell.high);
         let narrow = NARROWEST * outer.max(end);
+        let cuts = self.cuts(radius, time, more, narrow);
         // Less than a narrowest panel beyond the last one is left for a later step.
         let virgin = (outer > end + narrow).then_some(Cell { low: end, high: outer, bonded: false });
         let first_cell = self.cells.partition_point(|cell| cell.high < window.0);
@@ -221,15 +221,17 @@ impl<'a> Contact<'a> {
     }
 
     /// Panel ends of a move: both edges, and a graded mesh in the swept stretch.
-    fn cuts(&self, radius: f64, time: f64, more: Vec<f64>) -> Vec<f64> {
+    fn cuts(&self, radius: f64, time: f64, more: Vec<f64>, narrow: f64) -> Vec<f64> {
         let mut cuts = more;
-        cuts.extend([self.radius, radius]);
         let shortest = self.springs.shortest_time();
         let mut lag = 0.5 * shortest;
         while lag < time && shortest.is_finite() {
             cuts.push(radius + (self.radius - radius) * (lag / time));
             lag *= GRADING;
         }
+        // Nothing may stand so near an edge that its own cut would be left out.
+        cuts.retain(|cut| [radius, self.radius].iter().all(|edge| (cut - edge).abs() > 2.0 * narrow));
+        cuts.extend([self.radius, radius]);
         cuts.sort_by(f64::total_cmp);
         cuts
     }

@@ -57,6 +57,7 @@ const fn alone(identifier: &'static str, compute: fn(Effort, &Progress) -> Secti
 /// All studies, in the order of the page.
 pub const STUDIES: &[Study] = &[
     alone("precision_sliding", precision::sliding::study),
+    alone("precision_strength", precision::strength::study),
     alone("precision_sphere", precision::sphere::study),
     alone("precision_growth", precision::growth::study),
     alone("precision_steady_crack", precision::steady_crack::study),

@@ -77,14 +77,19 @@ pub fn judged(scene: u64) -> Judged {
 /// Pull-off as the least load of five half-widths.
 fn by_widths(material: &Material, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
     let fold = found.pull_off.as_ref()?;
-    let middle = fold.contact.half_width.value;
+    let least = least_load(material, problem, fold.contact.half_width.value, STEP)?;
+    Some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0 })
+}
+
+/// The least load of contacts of five held half-widths, `step` over the middle one apart; none if it is not among them.
+pub(in crate::studies) fn least_load(material: &Material, problem: &BranchProblem<'_>, middle: f64, step: f64) -> Option<f64> {
     let load = |part: f64| -> Option<f64> {
         let asked = SlidingProblem {
             rate: problem.rate,
             indenter: Indenter::Wave,
             adhesion: Some(problem.adhesion),
             work_by_speed: None,
-            control: SlidingControl::HalfWidth(middle * (1.0 + part * STEP)),
+            control: SlidingControl::HalfWidth(middle * (1.0 + part * step)),
             accuracy: 1e-10,
         };
         match steady_sliding(material, &asked) {
@@ -104,7 +109,7 @@ fn by_widths(material: &Material, problem: &BranchProblem<'_>, found: &Strength)
         x -= (slope + x * (second + x * (0.5 * third + x * fourth / 6.0))) / (second + x * (third + 0.5 * x * fourth));
     }
     let least = c + x * (slope + x * (0.5 * second + x * (third / 6.0 + x * fourth / 24.0)));
-    (x.abs() < 2.0).then_some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0 })
+    (x.abs() < 2.0).then_some(least)
 }
 
 /// Evaluations of both edge conditions at 1e-3 and at 1e-9.

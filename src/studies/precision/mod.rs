@@ -3,6 +3,7 @@
 //! | file | problem | rivals |
 //! |---|---|---|
 //! | `sliding` | an equilibrium of a sliding wave, one and twelve terms | collocation as printed, aligned, extrapolated |
+//! | `strength` | pull-off of a sliding wave | loads lowered, with our contacts and with the thesis's |
 //! | `sphere` | a retraction | dense annuli, as printed and with factors kept |
 //! | `steady_crack` | G(v) of twelve terms | the raw double integral |
 //! | `growth` | delayed growth | stepping as printed |
@@ -16,6 +17,7 @@ pub(super) mod peers;
 pub(super) mod sliding;
 pub(super) mod sphere;
 pub(super) mod steady_crack;
+pub(super) mod strength;
 
 pub use domination::{Contest, contest};
 

@@ -25,34 +25,35 @@ const ORDERS: [f64; 3] = [3.0, 3.0, 4.0];
 const UNKNOWNS: &str = "unknowns of all linear systems";
 const ACCURACIES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12];
 
-struct State {
-    material: Material,
-    memory: ContactMemory,
-    adhesion: WaveAdhesion,
-    pressure: f64,
+/// A stored contact of another program.
+pub(super) struct State {
+    pub(super) material: Material,
+    pub(super) memory: ContactMemory,
+    pub(super) adhesion: WaveAdhesion,
+    pub(super) pressure: f64,
     truth: Numbers,
 }
 
-fn state(case: &str) -> Result<State, Refusal> {
-    let all = rows(SLIDING_WAVE);
-    let own = || all.iter().filter(|row| row.text("asked") == "equilibrium" && row.text("case") == case);
-    let value = |quantity: &str| own().find(|row| row.text("quantity") == quantity).map_or(f64::NAN, |row| row.number("value"));
-    let row = own().next().ok_or_else(|| Refusal::Undefined { quantity: "the stored contact", reason: format!("no case {case}") })?;
-    let material = material_of(row)?;
-    let memory = ContactMemory::new(&material, 1.0)?;
-    let mut truth = [row.number("a"); 6];
-    truth.iter_mut().skip(1).zip(QUANTITIES).for_each(|(number, quantity)| *number = value(quantity));
-    let adhesion = WaveAdhesion::even(value("reduced_work"), row.number("zone"));
-    Ok(State { material, memory, adhesion, pressure: row.number("mean_pressure"), truth })
-}
-
 impl State {
+    pub(super) fn stored(case: &str) -> Result<Self, Refusal> {
+        let all = rows(SLIDING_WAVE);
+        let own = || all.iter().filter(|row| row.text("asked") == "equilibrium" && row.text("case") == case);
+        let value = |quantity: &str| own().find(|row| row.text("quantity") == quantity).map_or(f64::NAN, |row| row.number("value"));
+        let row = own().next().ok_or_else(|| Refusal::Undefined { quantity: "the stored contact", reason: format!("no case {case}") })?;
+        let material = material_of(row)?;
+        let memory = ContactMemory::new(&material, 1.0)?;
+        let mut truth = [row.number("a"); 6];
+        truth.iter_mut().skip(1).zip(QUANTITIES).for_each(|(number, quantity)| *number = value(quantity));
+        let adhesion = WaveAdhesion::even(value("reduced_work"), row.number("zone"));
+        Ok(Self { material, memory, adhesion, pressure: row.number("mean_pressure"), truth })
+    }
+
     /// One percent off: the warm start of a sweep, and all that the rivals get.
-    fn start(&self) -> WaveContact {
+    pub(super) fn start(&self) -> WaveContact {
         WaveContact { half_width: 0.99 * self.truth[0], eccentricity: self.truth[1] + 0.005 }
     }
 
-    fn problem(&self, accuracy: f64) -> SlidingProblem<'static> {
+    pub(super) fn problem(&self, accuracy: f64) -> SlidingProblem<'static> {
         SlidingProblem {
             rate: 1.0,
             indenter: Indenter::Wave,
@@ -198,7 +199,7 @@ fn rivals(state: &State, meshes: &[usize]) -> Vec<Method> {
 }
 
 fn diagram(case: &str, identifier: &'static str, words: &str, meshes: &[usize], headline: bool) -> Result<Diagram, Refusal> {
-    let state = state(case)?;
+    let state = State::stored(case)?;
     let mut methods = own(&state).to_vec();
     methods.extend(rivals(&state, meshes));
     Ok(Diagram {
