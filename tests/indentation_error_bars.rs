@@ -87,7 +87,7 @@ fn bars_cover_and_are_not_wide() {
                     inside += 1;
                 } else {
                     outside += 1;
-                    println!("case {case} ({accuracy:e}): {name} {:e} ± {:e}, off {error:e}", one.value, one.error);
+                    println!("case {case} ({accuracy:e}): {name} {:e} ± {:e}, off {error:e}, of {scale:e}", one.value, one.error);
                 }
                 // Below a thousandth of the accuracy bars keep a floor, and errors say nothing.
                 if error > 1e-3 * accuracy * scale && one.error.is_finite() {

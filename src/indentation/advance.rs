@@ -3,7 +3,7 @@
 use super::edge::{Drive, Imposed, Trial};
 use super::elastic_zone::tension_root;
 use super::line::NARROWEST;
-use super::marcher::{CLOCK, Marcher};
+use super::marcher::{CLOCK, HALF, LOOSEST, Marcher, NEARLY};
 use super::motion::{Motion, Passage};
 use super::past::Node;
 use super::solution::EventKind;
@@ -33,8 +33,8 @@ const SHORTEST: f64 = 1e-12;
 const TOWARDS_FOLD: f64 = 0.6;
 /// Points behind an extrapolation: more only amplify what is not smooth.
 const EXTRAPOLATION: usize = 5;
-/// Change of a step from one to the next.
-const FASTEST: f64 = 2.0;
+/// Change of a step from one to the next: polynomials through points whose distances double tell little of their own errors.
+const FASTEST: f64 = 1.5;
 /// The same when it fails.
 const SLOWEST: f64 = 0.2;
 
@@ -51,9 +51,13 @@ const RIM_HALVINGS: u32 = 50;
 const AT_MARK: f64 = 1e-6;
 /// Motion of a step, over the tolerance of the path, whose turn does not count.
 const STILL: f64 = 1e-2;
-/// Accuracy of the instant at which the edge turns, over the step that leads there, and attempts at it.
+/// Accuracy of the instant at which the edge turns, over the step that leads there, at the loosest tolerance; it goes with the cube root. The least, and attempts.
 const AT_TURN: f64 = 3e-3;
+const LEAST_AT_TURN: f64 = 1e-5;
 const MOST_TURNINGS: u32 = 8;
+
+/// Last term of one of t(y) and y(t) over that of the other, below which the one is smoother.
+const SMOOTHER: f64 = 0.5;
 
 /// What drives the next attempt.
 enum Choice {
@@ -91,7 +95,18 @@ impl Marcher<'_> {
         for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
-                None => self.choose(reach, cap),
+                None => match self.choose(reach, cap) {
+                    // An edge that would stop short of the end of the stretch: two equal steps of time.
+                    Choice::Edge { guess, .. } if guess > HALF * left && guess < NEARLY * left && cap > HALF * left => {
+                        cap = HALF * left;
+                        Choice::Time { guess: self.place_after(cap, reach) }
+                    }
+                    Choice::Edge { guess, .. } if self.smooth_in_time => {
+                        cap = guess;
+                        Choice::Time { guess: self.place_after(cap, reach) }
+                    }
+                    choice => choice,
+                },
             };
             let found = match choice {
                 Choice::Time { guess } => {
@@ -129,6 +144,8 @@ impl Marcher<'_> {
                     if let Some(mark) = self.mark_within(1.2 * way) {
                         way = mark - a;
                         landing = true;
+                    } else if let Some(mark) = self.mark_within(way / HALF) {
+                        way = HALF * (mark - a);
                     }
                     if a + way <= self.smallest() {
                         if self.problem.adhesion.is_some() {
@@ -162,23 +179,31 @@ impl Marcher<'_> {
                 }
             };
             let Some((trial, by_edge)) = found else { continue };
+            if by_edge && !landing && !was_far && trial.motion.slows_down() {
+                // y(t) goes on smoothly to a rest, t(y) does not.
+                (cap, was_far) = (trial.motion.time, true);
+                forced = Some(Choice::Time { guess: trial.motion.to });
+                continue;
+            }
             // The edge turns: a step ends there, and the path starts anew.
             let mut turned = false;
-            if !by_edge && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
+            let may_turn = !by_edge || self.reverses(trial.motion.to);
+            if may_turn && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;
-                    if part < AT_TURN {
+                    let near = self.at_turn();
+                    if part < near {
                         self.restart_at_turn();
                         cap = cap.min(self.dt);
                         continue;
                     }
-                    if part < 1.0 - AT_TURN {
+                    if part < 1.0 - near {
                         turnings += 1;
                         cap = time;
                         continue;
                     }
-                    turned = part < 1.0 + AT_TURN;
+                    turned = part < 1.0 + near;
                 }
             }
             // Places are only known to the narrowest panel, and to what the accepted residual leaves: below that a path has no shape.
@@ -209,6 +234,17 @@ impl Marcher<'_> {
             return Ok(());
         }
         Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
+    }
+
+    /// See [`AT_TURN`]: just after a turn K goes with the time since.
+    fn at_turn(&self) -> f64 {
+        (AT_TURN * (self.tolerance / LOOSEST).cbrt()).clamp(LEAST_AT_TURN, AT_TURN)
+    }
+
+    /// Whether a step to a place goes against the one before: an edge that drives it has turned on the way.
+    fn reverses(&self, to: f64) -> bool {
+        let a = self.contact.radius();
+        self.past.nodes().get(1).is_some_and(|node| (to - a) * (a - node.radius) < 0.0)
     }
 
     /// Whether a step to a place, or the one before, is more than the path is known to.
@@ -265,6 +301,14 @@ impl Marcher<'_> {
     ) -> Result<(), Refusal> {
         let dt = trial.motion.time;
         let rim = self.contact.profile().rim();
+        if dt > 0.0 && trial.degree > 2 {
+            let (by_place, by_time) = self.edge.terms(&self.contact, &self.past, (trial.motion.to, dt));
+            if by_time < SMOOTHER * by_place {
+                self.smooth_in_time = true;
+            } else if by_place < SMOOTHER * by_time {
+                self.smooth_in_time = false;
+            }
+        }
         let arrived = self.contact.radius() < rim && trial.motion.to >= rim;
         self.go(&trial.motion, trial.penetration);
         self.went(dt, left, target, trial.residual);

@@ -32,7 +32,7 @@ pub struct Checkpoint {
     /// Marches that are finished, and the tolerance of the one under way.
     pub(super) finished: u32,
     pub(super) tolerance: f64,
-    /// The last two finished ones, the newest first.
+    /// The last finished ones, the newest first.
     pub(super) coarser: Vec<Trace>,
     pub(super) work: IndentationWork,
     pub(super) march: MarchState,
@@ -54,6 +54,7 @@ pub(super) struct MarchState {
     landmarks: Vec<f64>,
     turns: Vec<f64>,
     slopes: (f64, f64),
+    smooth_in_time: bool,
     meter: Option<Meter>,
     record: RecordState,
     pub(super) place: Place,
@@ -116,6 +117,7 @@ impl Marcher<'_> {
             landmarks,
             turns,
             slopes,
+            smooth_in_time,
             meter,
             record,
             place,
@@ -134,6 +136,7 @@ impl Marcher<'_> {
             landmarks: landmarks.clone(),
             turns: turns.clone(),
             slopes: *slopes,
+            smooth_in_time: *smooth_in_time,
             meter: meter.clone(),
             record: record.state(),
             place: *place,
@@ -156,6 +159,7 @@ impl Marcher<'_> {
             landmarks,
             turns,
             slopes,
+            smooth_in_time,
             meter,
             record,
             place,
@@ -169,7 +173,7 @@ impl Marcher<'_> {
         self.edge.restore(held, evaluations, updates);
         (self.past, self.pace, self.landmarks, self.turns, self.slopes, self.meter) = (past, pace, landmarks, turns, slopes, meter);
         (self.origin, self.time, self.reach, self.dt, self.corner, self.first) = (origin, time, reach, dt, corner, first);
-        self.place = place;
+        (self.place, self.smooth_in_time) = (place, smooth_in_time);
         Ok(())
     }
 

@@ -1,15 +1,45 @@
-//! What is left of the error of a number, from its changes over three marches.
+//! What is left of the error of a number, from its changes over the marches of a ladder.
 //!
 //! The steps of a march follow its own errors, so that two marches take different ones and the errors of single numbers scatter: a small last change may be
-//! an accident. The change before it, ten times as large by rights, is the witness: the last one counts as no less than a tenth of it. In regular marches the
-//! finest is some eight times better than its last change, which pays for the scatter.
+//! an accident. Errors go with the tolerance, so every march before is a witness: its change, over how much looser it was, is a guess of what is left, and the
+//! largest guess counts. Five marches, each √10 times tighter, tell more than three of ten: four witnesses, of which the nearest err nearly as the finest does.
 
-/// Each march is tighter than the one before by this.
-pub(super) const TIGHTER: f64 = 0.1;
+/// Each march is tighter than the one before by this: √0.1.
+pub(super) const TIGHTER: f64 = 0.316_227_766_016_837_94;
+/// Marches before the finest that are heard.
+pub(super) const WITNESSES: usize = 4;
 
-/// What is left of the error of a value, by those of the marches before, the newest first; infinite without any.
-pub(super) fn left(value: f64, others: [Option<f64>; 2]) -> f64 {
-    let last = others[0].map_or(f64::INFINITY, |other| (value - other).abs());
-    let before = others[0].zip(others[1]).map_or(0.0, |(second, first)| (second - first).abs());
-    last.max(TIGHTER * before)
+/// The same of each witness, the newest march first; none where there is none.
+pub(super) type Witnesses<T> = [Option<T>; WITNESSES];
+
+/// What is left of the error of a value, by those of the marches before; infinite without the last of them.
+pub(super) fn left(value: f64, witnesses: Witnesses<f64>) -> f64 {
+    if witnesses[0].is_none() {
+        return f64::INFINITY;
+    }
+    let mut share = 1.0;
+    witnesses.iter().fold(0.0, |most: f64, witness| {
+        share *= TIGHTER;
+        witness.map_or(most, |other| most.max(share * (value - other).abs()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_that_go_with_the_tolerance_are_guessed_alike_by_every_witness() {
+        // x = 1 + e·tolerance: each witness tells e·(1/share − 1)·share.
+        let finest = 1.0 + 1e-3;
+        let shares: [f64; WITNESSES] = std::array::from_fn(|k| TIGHTER.powi(k as i32 + 1));
+        let witnesses = shares.map(|share| Some(1.0 + 1e-3 / share));
+        assert!((left(finest, witnesses) - 1e-3 * (1.0 - shares[3])).abs() < 1e-15);
+        // A last change that is small by accident is outvoted, an older one heard less.
+        let mut accident = witnesses;
+        accident[0] = Some(finest);
+        assert!(left(finest, accident) > 0.8e-3);
+        assert!(left(finest, [None; WITNESSES]).is_infinite());
+        assert_eq!(left(finest, [Some(finest), None, None, None]).to_bits(), 0.0_f64.to_bits());
+    }
 }

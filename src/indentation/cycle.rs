@@ -1,5 +1,6 @@
 //! What one cycle of an oscillation turns out to be.
 
+use super::convergence::Witnesses;
 use crate::estimate::Estimate;
 use serde::{Deserialize, Serialize};
 
@@ -37,16 +38,16 @@ pub struct Cycle<T> {
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among ten, its value and those of two other marches.
+    /// With errors by a function of the place of a quantity among ten, its value and those of the marches before.
     pub(super) fn judged(
         &self,
-        others: [Option<&Self>; 2],
-        mut estimate: impl FnMut(usize, f64, [Option<f64>; 2]) -> Estimate,
+        witnesses: Witnesses<&Self>,
+        mut estimate: impl FnMut(usize, f64, Witnesses<f64>) -> Estimate,
     ) -> Cycle<Estimate> {
         let mut place = 0;
         let mut one = |of: fn(&Self) -> f64| {
             place += 1;
-            estimate(place - 1, of(self), others.map(|other| other.map(of)))
+            estimate(place - 1, of(self), witnesses.map(|witness| witness.map(of)))
         };
         Cycle {
             segment: self.segment,

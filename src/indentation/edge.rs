@@ -107,7 +107,7 @@ impl Edge {
     }
 
     /// How the edge goes from here to a place in a time.
-    fn passage(&mut self, contact: &Contact<'_>, past: &Past, radius: f64, dt: f64, drive: Drive) -> (Passage, f64, u32) {
+    fn passage(&mut self, contact: &Contact<'_>, past: &Past, (radius, dt): (f64, f64), drive: Drive) -> (Passage, f64, u32) {
         let Some(&now) = past.nodes().first() else { return (Passage::Radius, 0.0, 1) };
         let way = contact.profile().coordinate(radius) - now.place;
         if dt == 0.0 || way == 0.0 {
@@ -132,6 +132,26 @@ impl Edge {
         }
     }
 
+    /// The degree that a path to a place would have by itself, whatever the search under way holds to.
+    pub(super) fn free_degree(&mut self, contact: &Contact<'_>, past: &Past, (radius, dt): (f64, f64), drive: Drive) -> u32 {
+        let held = self.held.take();
+        let (_, _, degree) = self.passage(contact, past, (radius, dt), drive);
+        self.held = held;
+        degree
+    }
+
+    /// Last terms of t(y) and of y(t) of a path to a place: which of the two is the smoother.
+    pub(super) fn terms(&mut self, contact: &Contact<'_>, past: &Past, to: (f64, f64)) -> (f64, f64) {
+        let held = self.held.take();
+        let mut term = |drive: Drive| {
+            self.held = None;
+            self.passage(contact, past, to, drive).1
+        };
+        let terms = (term(Drive::Edge), term(Drive::Time));
+        self.held = held;
+        terms
+    }
+
     /// A step to an edge in a time, the penetration as imposed.
     pub(super) fn trial(
         &mut self,
@@ -141,7 +161,7 @@ impl Edge {
         drive: Drive,
         imposed: &Imposed<'_>,
     ) -> Result<Trial, Refusal> {
-        let (passage, place_error, degree) = self.passage(contact, past, radius, dt, drive);
+        let (passage, place_error, degree) = self.passage(contact, past, (radius, dt), drive);
         let here = contact.penetration();
         let motion_of = |powers: [f64; DEGREE]| Motion::new(contact.profile(), (contact.radius(), radius), dt, passage, here, powers);
         let (motion, depth_error) = match imposed {

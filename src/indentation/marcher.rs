@@ -22,6 +22,9 @@ const FIRST_TIME: f64 = 0.1;
 const FIRST_REACH: f64 = 0.3;
 /// Ulp of the time below which no step goes: a clock that does not move is a march that stands still.
 pub(super) const CLOCK: f64 = 4.0;
+/// Part of what is left of a stretch, or of a way, that is all of it; and the part that is gone when two steps go there.
+pub(super) const NEARLY: f64 = 0.999;
+pub(super) const HALF: f64 = 0.5;
 /// Relative change of a rate that is no corner.
 const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
@@ -42,7 +45,7 @@ const LARGEST_REACH: f64 = 0.5;
 const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
 /// Tolerance at which steps are as large as they may be.
-const LOOSEST: f64 = 0.03;
+pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
@@ -117,6 +120,8 @@ pub(super) struct Marcher<'a> {
     /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
     pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
+    /// Whether y(t) went on more smoothly than t(y) in the last step: time drives the next one then.
+    pub(super) smooth_in_time: bool,
     /// Largest force imposed.
     pub(super) force_scale: f64,
     /// What is added up over the cycle under way.
@@ -172,6 +177,7 @@ impl<'a> Marcher<'a> {
             landmarks: Vec::new(),
             turns: Vec::new(),
             slopes: (0.0, 0.0),
+            smooth_in_time: false,
             force_scale: largest(Controlled::Force),
             place: Place::default(),
             observer: None,
@@ -253,6 +259,7 @@ impl<'a> Marcher<'a> {
         self.past.restart(node);
         self.record.new_piece();
         self.corner = self.time;
+        self.smooth_in_time = false;
         let root = self.tolerance.sqrt();
         self.reach = FIRST_REACH * root * self.length;
         self.dt = self.first_step();
@@ -286,8 +293,8 @@ impl<'a> Marcher<'a> {
         // The surface keeps the corner: an edge that comes back meets it again.
         self.remember_turn(self.contact.radius());
         self.corner = corner;
-        // The edge keeps its pace; a short step of its own, not of time, begins the new stretch of the path.
-        self.dt = dt;
+        // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
+        self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
         self.landmarks.clear();
     }
 
@@ -392,7 +399,8 @@ impl<'a> Marcher<'a> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
-        let cap = if cap >= 0.999 * left { left } else { cap };
+        // What is left goes in two equal steps: two points that are nearly one would tell the next ones nothing.
+        let cap = if cap >= NEARLY * left { left } else { cap.max(HALF * left).min(cap) };
         let now = self.time;
         let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);

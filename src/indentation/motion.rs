@@ -105,6 +105,11 @@ impl Motion {
         part.clamp(0.0, 1.0)
     }
 
+    /// Whether t(y) of an edge that drives the step steepens towards its end as where the edge comes to rest: the root there is no polynomial in y.
+    pub(super) fn slows_down(&self) -> bool {
+        matches!(&self.passage, Passage::TimeOfPlace(c) if slope(c, 1.0) > 1.0 / AT_REST)
+    }
+
     /// Places that halve the time towards an end of the step at which the edge rests: between two of them a polynomial follows the root.
     pub(super) fn towards_rest(&self, profile: &Profile) -> Vec<f64> {
         let Passage::PlaceOfTime(c) = &self.passage else { return Vec::new() };

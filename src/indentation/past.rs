@@ -8,6 +8,8 @@ use super::motion::polynomial;
 use super::springs::DEGREE;
 use serde::{Deserialize, Serialize};
 
+/// Part of the term before the last one below which the error is not taken: a last term may be small by accident.
+const LEAST: f64 = 0.1;
 /// Points kept.
 const KEPT: usize = DEGREE;
 /// A term that does not fall to this part of the one before is noise, or the path is not smooth.
@@ -95,22 +97,24 @@ impl Past {
                 conditions.pop();
             }
         }
-        // A straight line is judged as well: by the term that it leaves out.
-        for (at_rest, node) in conditions.into_iter().take(most.max(1)) {
+        let mut last = f64::INFINITY;
+        for (count, (at_rest, node)) in conditions.into_iter().take(most.max(1)).enumerate() {
             let (x, v) = of(node);
-            let first = bridge.degree == 1;
             let added = if at_rest { sum.add_rest(x, v) } else { sum.add(x, v) };
             let Some(size) = added else { break };
-            if held.is_none() && !first && size > FALLS * bridge.error {
+            if count == 0 {
+                // A straight line is judged as well: by the term that it leaves out.
+                bridge.error = size;
+            }
+            if most == 0 || (held.is_none() && size > FALLS * last) {
                 break;
             }
-            if most == 0 || !rises(&sum.coefficients) {
-                if first {
-                    bridge.error = size;
-                }
-                break;
+            // A path that slows down towards a turn may rise with more terms only.
+            if rises(&sum.coefficients) {
+                let error = if count == 0 { size } else { size.max(LEAST * last) };
+                bridge = Bridge { coefficients: sum.coefficients, error, degree: count as u32 + 2 };
             }
-            bridge = Bridge { coefficients: sum.coefficients, error: size, degree: bridge.degree + 1 };
+            last = size;
         }
         bridge
     }

@@ -1,7 +1,7 @@
-//! A history of contact from a problem to numbers with errors: three marches or more, each tighter than the one before, until the errors meet the accuracy.
+//! A history of contact from a problem to numbers with errors: five marches or more, each tighter than the one before, until the errors meet the accuracy.
 
 use super::checkpoint::{Checkpoint, Observer, Watch};
-use super::convergence::TIGHTER;
+use super::convergence::{TIGHTER, WITNESSES};
 use super::judgement::judged;
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
@@ -10,11 +10,13 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first march, over the accuracy.
-const FIRST: f64 = 30.0;
+const FIRST: f64 = 10.0;
+/// The loosest first march.
+const LOOSEST: f64 = 0.01;
 /// Marches at least, unless the first two took all the work that is allowed.
-const FEWEST_MARCHES: u32 = 3;
+const FEWEST_MARCHES: u32 = WITNESSES as u32 + 1;
 /// Marches at most.
-const MOST_MARCHES: u32 = 6;
+const MOST_MARCHES: u32 = 11;
 /// Evaluations of the edge condition after which no tighter march is begun.
 const MOST_EVALUATIONS: u64 = 200_000;
 /// The same for each cycle of an oscillation.
@@ -42,8 +44,8 @@ pub fn run_watched(
 ) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
     let mut finished = 0;
-    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, 0.03);
-    // The last two, the newest first.
+    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
+    // The last ones, the newest first.
     let mut coarser: Vec<Trace> = Vec::new();
     let mut work = IndentationWork::default();
     let mut under_way = None;
@@ -71,7 +73,7 @@ pub fn run_watched(
             }
         }
         coarser.insert(0, fine);
-        coarser.truncate(2);
+        coarser.truncate(WITNESSES);
         tolerance = (TIGHTER * tolerance).max(TIGHTEST);
     }
 }

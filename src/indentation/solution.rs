@@ -186,7 +186,7 @@ pub struct Instant {
     pub residual: f64,
 }
 
-/// A history of contact with errors: the finest of three marches or more, those before it as its judges.
+/// A history of contact with errors: the finest of five marches or more, those before it as its witnesses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
     /// The kept instants.

@@ -50,6 +50,7 @@ pub(super) struct Stepper<'m, 'a> {
 }
 
 /// A bracket that a secant narrows.
+#[derive(Clone, Copy)]
 struct Search {
     low: Option<(f64, f64)>,
     high: Option<(f64, f64)>,
@@ -126,7 +127,7 @@ impl Stepper<'_, '_> {
         let (mut search, mut pace) = (Search::new(), Pace::default());
         self.edge.held = None;
         let mut time = guess.min(cap);
-        let (mut reopened, mut degree) = (0, 0);
+        let (mut reopened, mut degree, mut raised) = (0, 0, false);
         for count in 0..MOST_TRIALS {
             let trial = self.edge.trial(self.contact, self.past, (target, time), Drive::Edge, imposed)?;
             let value = sign * trial.residual;
@@ -151,6 +152,11 @@ impl Stepper<'_, '_> {
                 self.edge.forget();
                 search = Search::new();
                 time *= 0.999;
+                continue;
+            }
+            if value.abs() <= accepted && !raised && self.is_cramped((target, time), trial.degree, Drive::Edge) {
+                raised = true;
+                (search, degree) = (Search::new(), 0);
                 continue;
             }
             if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
@@ -189,6 +195,15 @@ impl Stepper<'_, '_> {
         Err(Refusal::NotConverged { what: "the edge condition", detail: format!("no time found at which the edge is at {target:e}") })
     }
 
+    /// Whether the path to what was found can be of a higher degree than the one that a first guess far from it could carry; the search then begins anew from here.
+    fn is_cramped(&mut self, (place, time): (f64, f64), degree: u32, drive: Drive) -> bool {
+        let cramped = self.edge.free_degree(self.contact, self.past, (place, time), drive) > degree;
+        if cramped {
+            self.edge.held = None;
+        }
+        cramped
+    }
+
     /// The edge after `dt`, probably near `guess`, at most `reach` from here.
     pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
         self.edge.held = None;
@@ -200,13 +215,14 @@ impl Stepper<'_, '_> {
         let (mut search, mut pace) = (Search::new(), Pace::default());
         // Without a past, a little to either side of the edge tells which way it goes.
         let mut stride = 1e-3 * reach;
-        let mut degree = 0;
+        let (mut degree, mut raised) = (0, false);
         let mut place = guess.clamp(inner, outer);
         if here == 0.0 {
             // A contact about to grow from a point: no contact is too little.
             search.low = Some((0.0, -1.0));
             place = place.max(stride);
         }
+        let begun = search;
         for count in 0..MOST_TRIALS {
             let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
             let value = trial.residual;
@@ -232,6 +248,11 @@ impl Stepper<'_, '_> {
             }
             let accepted = if count < PATIENCE { self.tolerance } else { self.tolerance.max(LAST_RESORT) };
             let closed = search.width() <= 16.0 * f64::EPSILON * here.max(place);
+            if value.abs() <= accepted && !raised && self.is_cramped((place, dt), trial.degree, Drive::Time) {
+                raised = true;
+                (search, degree) = (begun, 0);
+                continue;
+            }
             if value.abs() <= accepted || closed {
                 return Ok(TimeStep::Found(trial));
             }

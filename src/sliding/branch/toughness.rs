@@ -106,7 +106,11 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
                     jacobian = contact.start.jacobian;
                     contact.values
                 }
-                None => load_slopes(material, problem, half_width, None)?.contact.values,
+                None => {
+                    let contact = load_slopes(material, problem, half_width, None)?.contact;
+                    work.closure_evaluations += contact.work.closure_evaluations;
+                    contact.values
+                }
             };
             let (slopes, floors) = slopes_at(&equations, problem, &contact, step)?;
             // da = sin a dξ.

@@ -60,8 +60,8 @@ const PATHS: &str = "the path in speed to the contact costs the same at any accu
 const TURNS: &str = "the branch to snap-in and its three turns are solved alike at any accuracy: with one of 1, no digit at all, 82 % of the evaluations of 1e-9 are made (named gaps)";
 /// Newton's method doubles digits with each step.
 const NEWTON: &str = "Newton's method doubles the digits with each step: with a tolerance of 1, no digit at all, 70 % of the points of 1e-9 are evaluated (named gaps)";
-/// Marches whose steps differ.
-const SCATTER: &str = "steps follow the errors of each march, so that single numbers scatter: bars of a third of this width miss one value in five hundred (named gaps)";
+/// Errors that no tolerance changes until it is tight.
+const SCATTER: &str = "soon after a turn of the edge, and near folds, an error may be the same over three decades of tolerance, which no witness among five marches sees (named gaps)";
 const JUDGES: [Judge; 5] = [
     Judge {
         name: "steady sliding",
