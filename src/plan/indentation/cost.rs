@@ -6,8 +6,8 @@ use crate::outcome::Work;
 use crate::scene::typed::{HistoryQuantity, IndentationShape};
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
-const HISTORY: f64 = 950.0;
-const INSTANT: f64 = 10.0;
+const HISTORY: f64 = 1800.0;
+const INSTANT: f64 = 20.0;
 /// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
 const DECADE: f64 = 0.35;
 /// Power of the accuracy that balances grow with.
@@ -24,18 +24,18 @@ const LOADED: f64 = 2.0;
 const NARROW: f64 = 0.5;
 
 /// Balances of a cycle at an accuracy of 1e-2 where an edge moves, and power of the accuracy they grow with.
-const CYCLE: f64 = 2400.0;
+const CYCLE: f64 = 4400.0;
 const CYCLE_ORDER: f64 = 0.25;
 /// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
 const CYCLE_UPDATES: f64 = 140.0;
 /// The same without adhesion, where turns leave no layer of their own.
 const SWEPT_UPDATES: f64 = 35.0;
 /// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
-const HELD_CYCLE: f64 = 100.0;
+const HELD_CYCLE: f64 = 180.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 16.0;
 /// The same outside cycles, where the edge may leave the rim.
-const HELD_HISTORY_UPDATES: f64 = 50.0;
+const HELD_HISTORY_UPDATES: f64 = 65.0;
 /// Cycles until they are stationary: the first few, and what the longest memory asks for.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
