@@ -31,7 +31,7 @@ const CYCLE_UPDATES: f64 = 140.0;
 /// The same without adhesion, where turns leave no layer of their own.
 const SWEPT_UPDATES: f64 = 35.0;
 /// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
-const HELD_CYCLE: f64 = 180.0;
+const HELD_CYCLE: f64 = 100.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 16.0;
 /// The same outside cycles, where the edge may leave the rim.
