@@ -6,7 +6,7 @@ use crate::outcome::Work;
 use crate::scene::typed::{HistoryQuantity, IndentationShape};
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
-const HISTORY: f64 = 1800.0;
+const HISTORY: f64 = 1700.0;
 const INSTANT: f64 = 20.0;
 /// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
 const DECADE: f64 = 0.35;
@@ -35,7 +35,7 @@ const HELD_CYCLE: f64 = 100.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 16.0;
 /// The same outside cycles, where the edge may leave the rim.
-const HELD_HISTORY_UPDATES: f64 = 65.0;
+const HELD_HISTORY_UPDATES: f64 = 50.0;
 /// Cycles until they are stationary: the first few, and what the longest memory asks for.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
