@@ -18,6 +18,8 @@ use crate::refusal::Refusal;
 /// A window graded for one time serves shorter times, and longer ones up to this factor: within a search its grading must not go back and forth.
 const SAME_GRADING: f64 = 4.0;
 
+/// Depth of a contact without adhesion, over the deepest so far, below which Q is rounding of what the line bore then.
+const DENTED: f64 = 1e-3;
 /// Deviation from a straight way, over the depth, that is rounding.
 const STRAIGHT_TO: f64 = 8.0 * f64::EPSILON;
 /// Powers 1 to 5 of the polynomials of degree five that are zero at 0 and at all fifths but one.
@@ -71,6 +73,8 @@ pub(super) struct Edge {
     pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
     pub(super) depth_scale: f64,
+    /// The deepest that the contact has been.
+    pub(super) deepest: f64,
     /// The kernel and the window of the last trial edge: many trials share one.
     kernel: Option<(f64, Zone)>,
     /// Degree of the path in the search under way.
@@ -82,7 +86,7 @@ pub(super) struct Edge {
 
 impl Edge {
     pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64) -> Self {
-        Self { adhesion, load_scale, depth_scale, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
+        Self { adhesion, load_scale, depth_scale, deepest: 0.0, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
     }
 
     /// As it was between two steps: what makes trials quick is found again.
@@ -95,9 +99,10 @@ impl Edge {
         self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
     }
 
-    /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first.
+    /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first, and one that shrinks to a point
+    /// in a surface that was dented ends among the rounding of what it bore.
     fn load_scale(&self, contact: &Contact<'_>, radius: f64) -> f64 {
-        let depth = contact.profile().line(radius.max(contact.radius())).max(contact.penetration().abs());
+        let depth = contact.profile().line(radius.max(contact.radius())).max(contact.penetration().abs()).max(DENTED * self.deepest);
         if depth > 0.0 { contact.springs().glassy * depth } else { self.load_scale }
     }
 

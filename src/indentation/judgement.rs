@@ -11,9 +11,8 @@ use std::f64::consts::PI;
 const SAFETY: f64 = 9.0;
 /// Error of the radius of an event, over the accuracy of radii, that is allowed: at a fold it goes with the root of what is not known of the load.
 const AT_FOLDS: f64 = 12.0;
-/// The place of K among the quantities, and the part of the accuracy that its bar keeps: layers that no panel resolves are unresolved in all marches alike.
+/// The place of K among the quantities: what panels leave unknown of it all marches have alike.
 const INTENSITY: usize = 3;
-const LAYERS: f64 = 3e-3;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
 /// Last digits of the largest value of a quantity: what a sum of parts of that size leaves where it vanishes.
@@ -52,11 +51,11 @@ pub(super) fn judged(
                 *most
             });
             let least = match quantity {
-                INTENSITY => LAYERS * problem.accuracy * value.abs(),
                 _ if scale.is_some() => 0.0,
                 _ => memory,
             };
-            let error = (SAFETY * left).max(least) + ROUNDING * value.abs() + digits;
+            let unresolved = if quantity == INTENSITY { point.unresolved_intensity } else { 0.0 };
+            let error = (SAFETY * left).max(least) + unresolved + ROUNDING * value.abs() + digits;
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
             }

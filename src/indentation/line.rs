@@ -302,25 +302,47 @@ impl<'a> Contact<'a> {
     /// the smooth side without is taken. At an edge that rests they differ by what the solid has relaxed, and the side within is right.
     #[must_use]
     pub fn edge_load(&self) -> f64 {
+        self.edge_load_known().0
+    }
+
+    /// Q(a), and what the panel that it is taken from leaves unknown of it: what one node changes of the extrapolation to the edge, and what the rounding of places does (Pa m).
+    fn edge_load_known(&self) -> (f64, f64) {
         let first_free = self.cells.partition_point(|cell| cell.bonded);
-        let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return 0.0 };
-        let Some(cell) = self.cells.get(last_bonded) else { return 0.0 };
+        let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return (0.0, 0.0) };
+        let Some(cell) = self.cells.get(last_bonded) else { return (0.0, 0.0) };
         let within = Panel { lower: cell.low, upper: cell.high, values: self.loads(last_bonded, cell) };
         let (mut strain, mut doubt) = (0.0, 0.0);
         if let Some(cell) = self.cells.get(first_free) {
             let strains = Panel { lower: cell.low, upper: cell.high, values: self.strain_sums(first_free) };
             (strain, doubt) = strains.at_end(self.radius);
+            doubt += strain.abs() * self.place_rounding(cell);
         }
         let glassy = self.springs.glassy;
-        let (load, own) = within.at_end(self.radius);
+        let (load, mut own) = within.at_end(self.radius);
+        own += load.abs() * self.place_rounding(cell);
         let without = glassy * (self.penetration - self.profile.line(self.radius) - strain);
-        if glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own { without } else { load }
+        if glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own { (without, glassy * doubt) } else { (load, own) }
+    }
+
+    /// Rounding of places over the width of a panel: of the layer behind a quick edge so much is not known.
+    fn place_rounding(&self, cell: &Cell) -> f64 {
+        f64::EPSILON * self.radius / (cell.high - cell.low)
     }
 
     /// K_I (Pa√m), tension positive; 0 without contact.
     #[must_use]
     pub fn stress_intensity_factor(&self) -> f64 {
-        if self.radius > 0.0 { -self.edge_load() / (PI * self.radius).sqrt() } else { 0.0 }
+        self.stress_intensity_known().0
+    }
+
+    /// K_I, and what the panels leave unknown of it (Pa√m).
+    pub(super) fn stress_intensity_known(&self) -> (f64, f64) {
+        if self.radius <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let (load, unknown) = self.edge_load_known();
+        let root = (PI * self.radius).sqrt();
+        (-load / root, unknown / root)
     }
 
     /// G_tip = K_I²/(2E∞*) (J/m²).

@@ -289,13 +289,15 @@ impl<'a> Marcher<'a> {
     /// The same at a landmark: the path has a corner there, and time goes on.
     pub(super) fn restart_at_landmark(&mut self) {
         let (corner, dt) = (self.corner, self.dt);
+        let others = std::mem::take(&mut self.landmarks);
         self.restart();
         // The surface keeps the corner: an edge that comes back meets it again.
         self.remember_turn(self.contact.radius());
         self.corner = corner;
         // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
         self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
-        self.landmarks.clear();
+        // A landmark leaves no corner one process zone further on; those of the turn before stay.
+        self.landmarks = others;
     }
 
     /// An instantaneous stretch.
@@ -377,6 +379,7 @@ impl<'a> Marcher<'a> {
             self.observe();
             // What a march with a checkpoint here would not have.
             self.edge.forget();
+            self.edge.deepest = self.record.trace.summary.scales[0];
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
                 let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };

@@ -114,6 +114,7 @@ impl Meter {
             force: 0.0,
             contact_radius: 0.0,
             stress_intensity_factor: 0.0,
+            unresolved_intensity: 0.0,
             residual: 0.0,
             piece: 0,
             energies: None,

@@ -127,7 +127,7 @@ impl<'a> Record<'a> {
         let loads = contact.line_load();
         let force = 2.0 * loads.iter().map(super::panel::Panel::integral).sum::<f64>();
         let a = contact.radius();
-        let intensity = contact.stress_intensity_factor();
+        let (intensity, unresolved) = contact.stress_intensity_known();
         let energies = self.energies.then(|| self.account(contact, force));
         self.push(PathPoint {
             time,
@@ -135,6 +135,7 @@ impl<'a> Record<'a> {
             force,
             contact_radius: a,
             stress_intensity_factor: intensity,
+            unresolved_intensity: unresolved,
             residual,
             piece: self.piece,
             energies,

@@ -20,6 +20,8 @@ pub struct PathPoint {
     pub contact_radius: f64,
     /// K_I (Pa√m), tension positive.
     pub stress_intensity_factor: f64,
+    /// What the panels beside the edge leave unknown of it (Pa√m).
+    pub unresolved_intensity: f64,
     /// Defect of the edge condition: C/Δγ − 1, or Q(a) over its scale without adhesion.
     pub residual: f64,
     /// Stretch of the path between corners that the point belongs to; its first point ends the stretch before.

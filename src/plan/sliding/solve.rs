@@ -12,6 +12,10 @@ use std::f64::consts::PI;
 /// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
 const CONVERSION: f64 = 6.0 * f64::EPSILON;
 
+/// What is said of a contact whose adhesion no digit of the load feels.
+const FAINT: &str =
+    "adhesion is too faint to be told from the last digits of the load: values are those without it, bars hold what it would change";
+
 /// A limit in the units of the scene.
 pub(super) struct PassedLimit {
     name: &'static str,
@@ -72,6 +76,9 @@ impl SlidingPlan {
                     condition: partial.certificate.condition,
                     admissible: partial.certificate.admissible,
                 });
+                if problem.adhesion.is_some() && partial.values.adhesion.is_none() {
+                    row.reason = Some(FAINT.to_owned());
+                }
                 if let Some(points) = self.sliding.field_points {
                     row.fields = self.fields(&partial, points)?;
                     row.work.field_evaluations = u64::from(points);

@@ -3,6 +3,7 @@
 mod accuracy;
 mod elastic_start;
 mod elsewhere;
+mod faint;
 mod path;
 mod prepared;
 mod problem;

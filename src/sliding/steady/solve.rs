@@ -2,10 +2,11 @@
 //!
 //! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, for a pull,
 //! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form;
-//! else, where paths lead to no contact that can exist, what [`super::elsewhere`] finds.
+//! else, where paths lead to no contact that can exist, the one without adhesion if that is too faint to be felt ([`super::faint`]), or what [`super::elsewhere`] finds.
 
 use super::accuracy::solved;
 use super::elsewhere::elsewhere;
+use super::faint::without_faint_adhesion;
 use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
@@ -25,10 +26,19 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
     problem.checked()?;
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
-    match by_paths(material, problem, &prepared, &mut work) {
-        Err(refusal @ Refusal::NotConverged { .. }) => elsewhere(material, problem, &prepared, &mut work).unwrap_or(Err(refusal)),
-        known => known,
+    let by_paths = by_paths(material, problem, &prepared, &mut work);
+    let told = match &by_paths {
+        Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
+        Err(Refusal::NotConverged { .. }) => false,
+        _ => true,
+    };
+    if told {
+        return by_paths;
     }
+    if let Some(outcome) = without_faint_adhesion(material, problem, &mut work) {
+        return Ok(outcome);
+    }
+    by_paths.or_else(|refusal| elsewhere(material, problem, &prepared, &mut work).unwrap_or(Err(refusal)))
 }
 
 /// The same by paths alone, for the starts of branches: a contact that cannot exist at the end of a path is [`Refusal::NotConverged`].
@@ -41,7 +51,7 @@ pub(in crate::sliding) fn steady_by_paths(material: &Material, problem: &Sliding
     by_paths(material, problem, &prepared, &mut SlidingWork::default())
 }
 
-fn by_paths(
+pub(super) fn by_paths(
     material: &Material,
     problem: &SlidingProblem<'_>,
     prepared: &Prepared,

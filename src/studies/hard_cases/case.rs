@@ -110,8 +110,6 @@ pub struct HardCase {
     pub theory: &'static str,
     /// What must come out.
     pub expected: Vec<Expected>,
-    /// Why the code is known to lose here, if it is: stated on the page instead of failing the command.
-    pub loses: Option<&'static str>,
     /// Computes what does.
     pub run: Box<dyn Fn() -> Found + Send + Sync>,
 }
@@ -127,14 +125,7 @@ impl HardCase {
         run: impl Fn() -> Result<Found, Refusal> + Send + Sync + 'static,
     ) -> Self {
         let run = move || run().unwrap_or_else(Found::refused);
-        Self { problem, name: name.into(), why, theory, expected, loses: None, run: Box::new(run) }
-    }
-
-    /// A case in which the code is known to lose, and why.
-    #[must_use]
-    pub fn lost(mut self, why: &'static str) -> Self {
-        self.loses = Some(why);
-        self
+        Self { problem, name: name.into(), why, theory, expected, run: Box::new(run) }
     }
 }
 

@@ -111,12 +111,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         let name = format!("{}: {}", case.problem, case.name);
         let stated = format!("{expected} (by {})", case.theory);
         let told = if complaints.is_empty() { found.told() } else { verdict.clone() };
-        section.checks.push(match case.loses {
-            None => Check::new(name, stated, told, complaints.is_empty()),
-            // A statement: where the code loses is said here and in the pages; once it no longer does, the case must say so.
-            Some(why) if !complaints.is_empty() => Check::statement(name, stated, format!("{told}; known: {why}"), false),
-            Some(_) => Check::new(name, stated, "as expected, though it is listed as lost: the list is out of date", false),
-        });
+        section.checks.push(Check::new(name, stated, told, complaints.is_empty()));
         table.rows.push(vec![
             word(case.problem),
             word(case.name.as_str()),

@@ -19,10 +19,6 @@ const WESTERGAARD: &str = "Westergaard's wave of the relaxed or the glassy modul
 const JOHNSON: &str =
     "Johnson's wave of the modulus m: p̄ = m s² − 2√(mΓ tan(a/2)); a zone moves it by about δ over the narrower of contact and gap";
 
-/// Why adhesion far weaker than any is not told from none.
-const PULL_BELOW_THE_LOAD: &str =
-    "below Γ of some 1e-25 the pull of an edge is less than the last digit of the load, and its sign is rounding: leave adhesion out";
-
 /// Solves a problem; values in reduced units.
 ///
 /// # Errors
@@ -251,24 +247,23 @@ fn zones() -> Vec<HardCase> {
         vec![near("G₁/Δγ", 1.0, 1e-6), near("G₂/Δγ", 1.0, 1e-6), Expected::Value { quantity: "e", value: 0.0, tolerance: 1e-6 }],
         || solved(&Material::elastic(1.0)?, &wave(0.0, Some(WaveAdhesion::even(1e-2, 0.3)), SlidingControl::HalfWidth(1.0), 1e-7)),
     ));
-    for work in [1e-12, 1e-20, 1e-100] {
+    for work in [1e-12, 1e-20, 1e-25, 1e-30, 1e-100, 1e-300] {
         // p̄ = s² − 2√(Γ tan(a/2)): a zone far below √Γ, so that the closure is that of a sharp edge.
         let s2 = 0.5f64.sin().powi(2);
         let pull = 2.0 * (work * 0.5f64.tan()).sqrt();
-        let case = HardCase::new(
+        cases.push(HardCase::new(
             PROBLEM,
             format!("Γ = {work:e}"),
             "adhesion disappears among the terms of the load",
             "Johnson's pull goes with √Γ: Westergaard's load remains",
-            vec![Expected::Value { quantity: "p̄", value: s2 - pull, tolerance: 0.02 * pull + 1e-9 }],
+            vec![Expected::Value { quantity: "p̄", value: s2 - pull, tolerance: 0.02 * pull + 1e-11 }],
             move || {
                 solved(
                     &Material::elastic(1.0)?,
                     &wave(0.0, Some(WaveAdhesion::even(work, 1e-3 * work.sqrt())), SlidingControl::HalfWidth(1.0), 1e-9),
                 )
             },
-        );
-        cases.push(if work < 1e-25 { case.lost(PULL_BELOW_THE_LOAD) } else { case });
+        ));
     }
     cases.push(HardCase::new(
         PROBLEM,

@@ -215,10 +215,6 @@ fn zones() -> Vec<HardCase> {
     cases
 }
 
-/// Why a contact without adhesion that is drawn back in 1e-11 times is not followed to its end.
-const LAST_OF_A_CONTACT: &str =
-    "without adhesion the last ten-billionth of a depth is lost in the rounding of the loads that the line bore";
-
 /// Lee and Radok, Ting, scales far from one.
 fn without_adhesion() -> Vec<HardCase> {
     let hertz = 4.0 / 3.0 * 0.02f64.powf(1.5);
@@ -230,8 +226,8 @@ fn without_adhesion() -> Vec<HardCase> {
         vec![near("F", hertz, 5e-3), Expected::Is("held")],
         || Ok(told(&run(&rubber(1e6)?, &asked(None, History::penetration(0.0).step(0.02).hold(1e9), 1e-5))?)),
     )];
-    for speed in [1.0, 1e3, 1e9] {
-        let case = HardCase::new(
+    for speed in [1.0, 1e3, 1e6, 1e9, 1e15] {
+        cases.push(HardCase::new(
             PROBLEM,
             format!("without adhesion, pressed in and drawn back at a rate of {speed:e}"),
             "the contact is lost while the surface is still dented",
@@ -240,8 +236,7 @@ fn without_adhesion() -> Vec<HardCase> {
             move || {
                 Ok(told(&run(&rubber(10.0)?, &asked(None, History::penetration(0.0).at_speed(0.02, speed).at_speed(-0.01, speed), 1e-4))?))
             },
-        );
-        cases.push(if speed > 1e6 { case.lost(LAST_OF_A_CONTACT) } else { case });
+        ));
     }
     for (name, scale) in [("nanometres", 1e-9), ("1e-100", 1e-100), ("1e60", 1e60)] {
         cases.push(HardCase::new(

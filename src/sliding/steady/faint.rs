@@ -1,0 +1,160 @@
+//! Adhesion so faint that the pull of an edge is lost among the last digits of the load: the contact without it, with bars that hold what it would change.
+//!
+//! What adhesion changes goes with the pull, √Γ. A contact whose works are so much larger that they are felt tells how much that is, and the root of the ratio of the
+//! works brings it down to those that were asked for. What belongs to the edges alone, such as their release rates, is not known and left out.
+
+use super::prepared::Prepared;
+use super::problem::SlidingProblem;
+use super::solution::{PartialContact, PartialValues, SlidingOutcome, SlidingWork};
+use super::solve::by_paths;
+use crate::estimate::Estimate;
+use crate::material::Material;
+use crate::sliding::contact::Indenter;
+use crate::sliding::edge_balance::WaveAdhesion;
+
+/// Largest pull of an edge over the load that is faint. What is stronger has roots with digits of their own.
+const FAINT: f64 = 1e-11;
+/// Pull over the load of the adhesion that is felt.
+const FELT: f64 = 1e-5;
+/// Its process zones over the half-width, at most.
+const LONGEST_ZONE: f64 = 1e-2;
+/// Bound over what the root of the works makes of the change.
+const SAFETY: f64 = 3.0;
+
+/// The contact without an adhesion that is too faint for its edges to be told; none if it is not, or if nothing but adhesion holds the contact.
+pub(super) fn without_faint_adhesion(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<SlidingOutcome> {
+    without_adhesion_below(FAINT, material, problem, work)
+}
+
+fn without_adhesion_below(faint: f64, material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<SlidingOutcome> {
+    let adhesion = problem.adhesion?;
+    let bare = SlidingProblem { adhesion: None, work_by_speed: None, ..*problem };
+    let mut found = partial(material, &bare, work)?;
+    let half_width = found.values.half_width.value;
+    let stiffening = material.glassy_modulus() / material.relaxed_modulus();
+    // 2√(βΓ tan(a/2)) of a wave, √(2βΓa) of a parabola: no edge pulls harder at any speed.
+    let breadth = match problem.indenter {
+        Indenter::Wave => 4.0 * (0.5 * half_width).tan(),
+        Indenter::Parabola => 2.0 * half_width,
+    };
+    let load = found.values.mean_pressure.value.abs() + problem.indenter.half_angle_scale(half_width);
+    let pull = (stiffening * breadth).sqrt() * adhesion.larger_work().sqrt();
+    if pull.is_nan() || pull > faint * load {
+        return None;
+    }
+    let part = pull / (FELT * load);
+    let felt = felt(adhesion, 1.0 / part, half_width);
+    let there = partial(material, &SlidingProblem { adhesion: Some(felt), ..bare }, work)?.values;
+    let mut accuracy = found.certificate.accuracy;
+    let mut widened = |here: &mut Estimate, there: Estimate| {
+        let change = (there.value - here.value).abs() + there.error;
+        *here = Estimate::new(here.value, here.error + SAFETY * part * change);
+        accuracy = accuracy.max(here.error / here.value.abs().max(1.0));
+    };
+    let PartialValues {
+        half_width,
+        eccentricity,
+        trailing_edge,
+        leading_edge,
+        penetration,
+        mean_pressure,
+        friction_stress,
+        friction_coefficient,
+        interface_work,
+        adhesion: _,
+    } = &mut found.values;
+    widened(half_width, there.half_width);
+    widened(eccentricity, there.eccentricity);
+    widened(trailing_edge, there.trailing_edge);
+    widened(leading_edge, there.leading_edge);
+    widened(penetration, there.penetration);
+    widened(mean_pressure, there.mean_pressure);
+    widened(friction_stress, there.friction_stress);
+    widened(interface_work, there.interface_work);
+    if let (Some(here), Some(there)) = (friction_coefficient, there.friction_coefficient) {
+        widened(here, there);
+    }
+    found.certificate.accuracy = accuracy;
+    found.work = *work;
+    Some(SlidingOutcome::Partial(Box::new(found)))
+}
+
+/// Works stronger by the square of a factor, zones by the factor itself, as those of one cohesive stress and one far field would be.
+fn felt(adhesion: WaveAdhesion, factor: f64, half_width: f64) -> WaveAdhesion {
+    let work = |work: f64| {
+        let root = factor * work.sqrt();
+        root * root
+    };
+    let zone = |zone: f64| (factor * zone).clamp(zone.min(LONGEST_ZONE * half_width), LONGEST_ZONE * half_width);
+    WaveAdhesion {
+        trailing_work: work(adhesion.trailing_work),
+        leading_work: work(adhesion.leading_work),
+        trailing_zone: zone(adhesion.trailing_zone),
+        leading_zone: zone(adhesion.leading_zone),
+    }
+}
+
+fn partial(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
+    problem.checked().ok()?;
+    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion).ok()?;
+    match by_paths(material, problem, &prepared, work).ok()? {
+        SlidingOutcome::Partial(contact) => Some(*contact),
+        SlidingOutcome::Full(_) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sliding::edge_balance::SlidingControl;
+    use crate::sliding::steady::steady_sliding;
+
+    /// Weak adhesion that is still felt: its own roots against what is said without it.
+    #[test]
+    fn bars_hold_what_faint_adhesion_changes() {
+        let material = Material::standard_solid(1.0, 30.0, 1.0).expect("a material");
+        let mut widest: f64 = 0.0;
+        for indenter in [Indenter::Wave, Indenter::Parabola] {
+            for control in [SlidingControl::MeanPressure(0.2), SlidingControl::HalfWidth(0.9)] {
+                for (rate, work) in [(0.0, 1e-21), (0.3, 1e-21), (10.0, 1e-22)] {
+                    let adhesion = Some(WaveAdhesion::even(work, 1e-2 * work.sqrt()));
+                    let problem = SlidingProblem { rate, indenter, adhesion, work_by_speed: None, control, accuracy: 1e-9 };
+                    let rooted = partial(&material, &problem, &mut SlidingWork::default()).expect("roots").values;
+                    assert!(rooted.adhesion.is_some());
+                    let faint = without_adhesion_below(1e-8, &material, &problem, &mut SlidingWork::default());
+                    let Some(SlidingOutcome::Partial(faint)) = faint else { panic!("{problem:?}") };
+                    assert!(faint.values.adhesion.is_none());
+                    for (one, other) in [
+                        (faint.values.half_width, rooted.half_width),
+                        (faint.values.eccentricity, rooted.eccentricity),
+                        (faint.values.mean_pressure, rooted.mean_pressure),
+                        (faint.values.friction_stress, rooted.friction_stress),
+                        (faint.values.penetration, rooted.penetration),
+                        (faint.values.interface_work, rooted.interface_work),
+                    ] {
+                        let off = (one.value - other.value).abs();
+                        assert!(off <= one.error + other.error, "{problem:?}: {one:?} {other:?}");
+                        assert!(one.error <= 1e-8 * one.value.abs().max(1.0), "{one:?}");
+                        widest = widest.max(off / one.error.max(1e-300));
+                    }
+                }
+            }
+        }
+        // The bars hold something: without what adhesion changes some would miss.
+        assert!(widest > 1e-2, "{widest}");
+    }
+
+    #[test]
+    fn adhesion_that_is_felt_is_not_faint() {
+        let material = Material::elastic(1.0).expect("a material");
+        let adhesion = Some(WaveAdhesion::even(1e-12, 1e-9));
+        let control = SlidingControl::HalfWidth(1.0);
+        let problem = SlidingProblem { rate: 0.0, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy: 1e-9 };
+        assert!(without_faint_adhesion(&material, &problem, &mut SlidingWork::default()).is_none());
+        // Nothing but adhesion holds an unloaded contact.
+        let faint = Some(WaveAdhesion::even(1e-100, 1e-53));
+        let unloaded = SlidingProblem { adhesion: faint, control: SlidingControl::MeanPressure(0.0), ..problem };
+        assert!(without_faint_adhesion(&material, &unloaded, &mut SlidingWork::default()).is_none());
+        assert!(steady_sliding(&material, &SlidingProblem { adhesion: faint, ..problem }).is_ok());
+    }
+}
