@@ -50,7 +50,7 @@ const RIM_HALVINGS: u32 = 50;
 /// Distance to a corner of the path, over the process zone, that is none.
 const AT_MARK: f64 = 1e-6;
 /// Motion of a step, over the tolerance of the path, whose turn does not count.
-const STILL: f64 = 1e-2;
+const STILL: f64 = 1e-4;
 /// Accuracy of the instant at which the edge turns, over the step that leads there, at the loosest tolerance; it goes with the cube root. The least, and attempts.
 const AT_TURN: f64 = 3e-3;
 const LEAST_AT_TURN: f64 = 1e-5;
@@ -247,10 +247,10 @@ impl Marcher<'_> {
         self.past.nodes().get(1).is_some_and(|node| (to - a) * (a - node.radius) < 0.0)
     }
 
-    /// Whether a step to a place, or the one before, is more than the path is known to.
+    /// Whether a step to a place, or one of the last before it, is more than the path is known to: steps towards a turn become as short as one likes.
     fn moves(&self, to: f64) -> bool {
         let a = self.contact.radius();
-        let last = self.past.nodes().get(1).map_or(0.0, |node| (a - node.radius).abs());
+        let last = self.past.nodes().windows(2).fold(0.0_f64, |most, pair| most.max((pair[0].radius - pair[1].radius).abs()));
         (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
     }
 
