@@ -3,7 +3,8 @@
 //! Goal: turns, corners one process zone from them, folds and rests cost a march no more than its tolerance.
 //!
 //! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
-//! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother.
+//! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
+//! at another one, a turn that steps creep up to, a corner one process zone behind a corner.
 //!
 //! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter.
 //!
@@ -49,4 +50,22 @@ fn a_path_to_a_turn_is_no_straight_line() {
 #[test]
 fn an_edge_that_slows_down_is_smooth_in_time() {
     assert!(left(198, 3, 1e-5, |point| point.contact_radius) < 2e-6);
+}
+
+/// It was 2.1e-4: the corner one process zone beyond a turn was forgotten at an older corner before it.
+#[test]
+fn a_landmark_beyond_another_one() {
+    assert!(left(2306, 4, 1e-4, |point| point.stress_intensity_factor) < 8e-5);
+}
+
+/// It was 1.6e-7 from 1e-4 to 3e-6: steps that shrink towards a turn did not count as motion any more, and what a turn leaves behind was not looked for.
+#[test]
+fn a_turn_that_steps_creep_up_to() {
+    assert!(left(2757, 3, 1e-5, |point| point.contact_radius) < 3e-8);
+}
+
+/// It was 5.2e-6: one process zone behind a corner of the path lies another one.
+#[test]
+fn a_corner_of_a_corner() {
+    assert!(left(2508, 2, 1e-4, |point| point.contact_radius) < 1e-6);
 }

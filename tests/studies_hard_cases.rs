@@ -25,7 +25,7 @@ fn every_hard_case_comes_out_as_theory_says() {
     let mut wrong = Vec::new();
     for (case, complaints) in all.iter().zip(&results) {
         *of_problem.entry(case.problem).or_default() += 1;
-        if complaints.is_empty() == case.loses.is_some() {
+        if !complaints.is_empty() {
             wrong.push(format!("{}: {}: {complaints:?}", case.problem, case.name));
         }
     }
@@ -34,7 +34,6 @@ fn every_hard_case_comes_out_as_theory_says() {
     assert!(all.len() >= 60 && of_problem.values().all(|count| *count >= 5), "{of_problem:?}");
     let names: BTreeSet<(&str, &str)> = all.iter().map(|case| (case.problem, case.name.as_str())).collect();
     assert_eq!(names.len(), all.len(), "two cases of one name");
-    assert!(all.iter().filter(|case| case.loses.is_some()).count() * 20 <= all.len(), "too many cases are listed as lost");
 }
 
 #[test]
