@@ -13,10 +13,12 @@ const SAFETY: f64 = 9.0;
 const AT_FOLDS: f64 = 12.0;
 /// The place of K among the quantities: what panels leave unknown of it all marches have alike.
 const INTENSITY: usize = 3;
+/// What eight nodes a panel leave of it: graded panels keep an exponential to 1e-9, and K is their value at an end.
+const PANELS: f64 = 3e-9;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
-/// Last digits of the largest value of a quantity: what a sum of parts of that size leaves where it vanishes.
-const LAST_DIGITS: f64 = 16.0 * f64::EPSILON;
+/// Last digits of the largest value of a quantity: what a sum of parts, some of them larger, leaves where it vanishes.
+const LAST_DIGITS: f64 = 256.0 * f64::EPSILON;
 /// Part of the largest force below which a tension is rounding of none.
 const NO_FORCE: f64 = 1e-12;
 
@@ -50,11 +52,8 @@ pub(super) fn judged(
                 *most = most.max(left);
                 *most
             });
-            let least = match quantity {
-                _ if scale.is_some() => 0.0,
-                _ => memory,
-            };
-            let unresolved = if quantity == INTENSITY { point.unresolved_intensity } else { 0.0 };
+            let least = if scale.is_some() { 0.0 } else { memory };
+            let unresolved = if quantity == INTENSITY { point.unresolved_intensity + PANELS * value.abs() } else { 0.0 };
             let error = (SAFETY * left).max(least) + unresolved + ROUNDING * value.abs() + digits;
             if let Some(scale) = scale {
                 reached &= error <= problem.accuracy * scale;
