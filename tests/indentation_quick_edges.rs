@@ -8,7 +8,7 @@
 //! as Q is continuous through an edge that moves. No panel of the line has a part in it.
 //!
 //! Tolerance: rounding.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;
 use viscotack::indentation::{Profile, march};

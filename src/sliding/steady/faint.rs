@@ -105,6 +105,7 @@ fn partial(material: &Material, problem: &SlidingProblem<'_>, work: &mut Sliding
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::expect_used, clippy::panic)]
     use super::*;
     use crate::sliding::edge_balance::SlidingControl;
     use crate::sliding::steady::steady_sliding;
