@@ -258,7 +258,7 @@ impl Marcher<'_> {
     fn mark_within(&self, way: f64) -> Option<f64> {
         let a = self.contact.radius();
         let distance = |mark: &f64| (mark - a) * way.signum();
-        let marks = self.landmarks.iter().map(|(mark, _)| mark).chain(&self.turns).copied();
+        let marks = self.landmarks.iter().chain(&self.turns).copied();
         marks
             .filter(|mark| distance(mark) > AT_MARK * self.length && distance(mark) <= way.abs())
             .min_by(|one, other| distance(one).total_cmp(&distance(other)))
