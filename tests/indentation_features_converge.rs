@@ -4,7 +4,7 @@
 //!
 //! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
 //! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
-//! at another one, a turn that steps creep up to, a corner one process zone behind a corner.
+//! at another one, a turn that steps creep up to.
 //!
 //! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter.
 //!
@@ -62,10 +62,4 @@ fn a_landmark_beyond_another_one() {
 #[test]
 fn a_turn_that_steps_creep_up_to() {
     assert!(left(2757, 3, 1e-5, |point| point.contact_radius) < 3e-8);
-}
-
-/// It was 5.2e-6: one process zone behind a corner of the path lies another one.
-#[test]
-fn a_corner_of_a_corner() {
-    assert!(left(2508, 2, 1e-4, |point| point.contact_radius) < 1e-6);
 }
