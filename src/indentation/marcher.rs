@@ -296,7 +296,7 @@ impl<'a> Marcher<'a> {
         self.corner = corner;
         // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
         self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
-        // A landmark leaves no corner one process zone further on; those of the turn before stay.
+        // Those of the turn before stay. What a landmark leaves one process zone further on is weak, and left to the steps.
         self.landmarks = others;
     }
 
