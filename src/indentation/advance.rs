@@ -33,9 +33,12 @@ const SHORTEST: f64 = 1e-12;
 const TOWARDS_FOLD: f64 = 0.6;
 /// Points behind an extrapolation: more only amplify what is not smooth.
 const EXTRAPOLATION: usize = 5;
-/// Change of a step from one to the next: polynomials through points whose distances double tell little of their own errors.
-const FASTEST: f64 = 1.5;
-/// The same when it fails.
+/// Growth of a step over the one before at the tolerance below: polynomials through points whose distances double tell little of their own errors. It goes with the
+/// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
+const GROWTH: f64 = 0.5;
+const AT_GROWTH: f64 = 1e-2;
+
+/// The least change of a step that fails.
 const SLOWEST: f64 = 0.2;
 
 /// Narrowest panels within which the place of an edge is noise.
@@ -54,10 +57,13 @@ const STILL: f64 = 1e-4;
 /// Accuracy of the instant at which the edge turns, over the step that leads there, at the loosest tolerance; it goes with the cube root. The least, and attempts.
 const AT_TURN: f64 = 3e-3;
 const LEAST_AT_TURN: f64 = 1e-5;
-const MOST_TURNINGS: u32 = 8;
+const MOST_TURNINGS: u32 = 24;
 
 /// Last term of one of t(y) and y(t) over that of the other, below which the one is smoother.
 const SMOOTHER: f64 = 0.5;
+
+/// Least measure of an error, over the process zone.
+const SHORTEST_MEASURE: f64 = 1e-2;
 
 /// What drives the next attempt.
 enum Choice {
@@ -92,6 +98,8 @@ impl Marcher<'_> {
         let mut forced: Option<Choice> = None;
         let mut was_far = false;
         let mut turnings = 0;
+        // The step that leads to a turn, or the first attempt at one beyond it.
+        let mut longest = self.last_step();
         for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
@@ -193,7 +201,8 @@ impl Marcher<'_> {
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;
                     let near = self.at_turn();
-                    if part < near {
+                    longest = longest.max(trial.motion.time);
+                    if time < near * longest {
                         self.restart_at_turn();
                         cap = cap.min(self.dt);
                         continue;
@@ -213,9 +222,11 @@ impl Marcher<'_> {
             let noise = PLACE_NOISE * (NARROWEST * a.max(self.length)).max(slack);
             let place_error = if trial.place_error <= noise { 0.0 } else { trial.place_error };
             let depth_error = if trial.depth_error <= DEPTH_NOISE * self.edge.depth_scale { 0.0 } else { trial.depth_error };
-            let error = (place_error / self.length).max(depth_error / self.opening);
-            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { FASTEST };
-            let factor = ideal.clamp(SLOWEST, FASTEST);
+            let measure = self.measure((trial.motion.to - a).abs());
+            let error = (place_error / measure).max(depth_error / self.opening);
+            let ideal =
+                if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { self.fastest() };
+            let factor = ideal.clamp(SLOWEST, self.fastest());
             if error > self.tolerance && factor < 0.9 {
                 let smallest = reach < 1e-7 * self.length || cap < self.shortest_step();
                 if !smallest {
@@ -239,6 +250,11 @@ impl Marcher<'_> {
     /// See [`AT_TURN`]: just after a turn K goes with the time since.
     fn at_turn(&self) -> f64 {
         (AT_TURN * (self.tolerance / LOOSEST).cbrt()).clamp(LEAST_AT_TURN, AT_TURN)
+    }
+
+    /// How long the step before took; 0 without one.
+    fn last_step(&self) -> f64 {
+        self.past.nodes().windows(2).next().map_or(0.0, |pair| pair[0].time - pair[1].time)
     }
 
     /// Whether a step to a place goes against the one before: an edge that drives it has turned on the way.
@@ -321,7 +337,7 @@ impl Marcher<'_> {
         self.reach = self.reach.min(self.largest_reach());
         if !by_edge {
             // While time drives, the edge may find its pace again.
-            self.reach = (self.reach * FASTEST).min(self.largest_reach());
+            self.reach = (self.reach * self.fastest()).min(self.largest_reach());
         }
         // A rim stops the edge: a corner of its path.
         if landing || arrived {
@@ -402,6 +418,16 @@ impl Marcher<'_> {
         Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
     }
 
+    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind the edge know the way that it went, and K with them.
+    fn measure(&self, way: f64) -> f64 {
+        (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
+    }
+
+    /// Growth of a step over the one before, at most.
+    fn fastest(&self) -> f64 {
+        1.0 + GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0).min(1.0)
+    }
+
     /// No step is made shorter for its error than this.
     fn shortest_step(&self) -> f64 {
         (SHORTEST * (self.time - self.corner)).max(CLOCK * f64::EPSILON * self.time)
@@ -418,8 +444,8 @@ impl Marcher<'_> {
             }
             let (motion, residual, error) = self.prescribed_motion(value(cap), cap, 5)?;
             let error = error / self.opening;
-            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { FASTEST };
-            let factor = ideal.clamp(SLOWEST, FASTEST);
+            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { self.fastest() };
+            let factor = ideal.clamp(SLOWEST, self.fastest());
             if error > self.tolerance && factor < 0.9 && cap > self.shortest_step() {
                 cap *= factor;
                 continue;
