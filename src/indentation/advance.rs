@@ -26,7 +26,7 @@ const SHORTEST_LOOK: f64 = 0.15;
 /// And where a fold has been reached: below it the residual is noise.
 const SMALLEST_BEYOND: f64 = 1e-2;
 /// Distance of a fold, over the process zone, that is near.
-const NEAR_FOLD: f64 = 0.5;
+const NEAR_FOLD: f64 = 2.0;
 /// Shortest step, over the time since the last corner.
 const SHORTEST: f64 = 1e-12;
 /// Part of the way to a fold that one step goes.
@@ -274,7 +274,7 @@ impl Marcher<'_> {
     fn mark_within(&self, way: f64) -> Option<f64> {
         let a = self.contact.radius();
         let distance = |mark: &f64| (mark - a) * way.signum();
-        let marks = self.landmarks.iter().chain(&self.turns).copied();
+        let marks = self.landmarks.iter().map(|(mark, _)| mark).chain(&self.turns).copied();
         marks
             .filter(|mark| distance(mark) > AT_MARK * self.length && distance(mark) <= way.abs())
             .min_by(|one, other| distance(one).total_cmp(&distance(other)))
