@@ -37,6 +37,8 @@ const EXTRAPOLATION: usize = 5;
 /// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
 const GROWTH: f64 = 0.5;
 const AT_GROWTH: f64 = 1e-2;
+/// The least: below it the error of a step rules alone.
+const SMALLEST_GROWTH: f64 = 0.15;
 
 /// The least change of a step that fails.
 const SLOWEST: f64 = 0.2;
@@ -425,7 +427,7 @@ impl Marcher<'_> {
 
     /// Growth of a step over the one before, at most.
     fn fastest(&self) -> f64 {
-        1.0 + GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0).min(1.0)
+        1.0 + (GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0)).clamp(SMALLEST_GROWTH, GROWTH)
     }
 
     /// No step is made shorter for its error than this.

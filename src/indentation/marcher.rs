@@ -30,7 +30,7 @@ const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
-const COARSENING_TOLERANCE: f64 = 1e-3;
+const COARSENING_TOLERANCE: f64 = 1e-4;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
