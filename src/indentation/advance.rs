@@ -100,8 +100,8 @@ impl Marcher<'_> {
         let mut forced: Option<Choice> = None;
         let mut was_far = false;
         let mut turnings = 0;
-        // The step that leads to a turn, or the first attempt at one beyond it.
-        let mut longest = self.last_step();
+        // The longest attempt at a step over a turn.
+        let mut longest = 0.0_f64;
         for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
@@ -198,7 +198,7 @@ impl Marcher<'_> {
             // The edge turns: a step ends there, and the path starts anew.
             let mut turned = false;
             let may_turn = !by_edge || self.reverses(trial.motion.to);
-            if may_turn && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
+            if may_turn && !self.is_nearly_a_point() && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;
@@ -254,11 +254,6 @@ impl Marcher<'_> {
         (AT_TURN * (self.tolerance / LOOSEST).cbrt()).clamp(LEAST_AT_TURN, AT_TURN)
     }
 
-    /// How long the step before took; 0 without one.
-    fn last_step(&self) -> f64 {
-        self.past.nodes().windows(2).next().map_or(0.0, |pair| pair[0].time - pair[1].time)
-    }
-
     /// Whether a step to a place goes against the one before: an edge that drives it has turned on the way.
     fn reverses(&self, to: f64) -> bool {
         let a = self.contact.radius();
@@ -272,9 +267,19 @@ impl Marcher<'_> {
         (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
     }
 
+    /// Whether the contact is one without adhesion that has just grown from a point, or shrinks to one: it goes by a root of the time, noise may look like a turn,
+    /// and only time can drive it.
+    fn is_nearly_a_point(&self) -> bool {
+        let a = self.contact.radius();
+        a == 0.0 || (self.problem.adhesion.is_none() && a < self.length)
+    }
+
     /// The nearest corner of the path within a way of the edge.
     fn mark_within(&self, way: f64) -> Option<f64> {
         let a = self.contact.radius();
+        if self.is_nearly_a_point() {
+            return None;
+        }
         let distance = |mark: &f64| (mark - a) * way.signum();
         let marks = self.landmarks.iter().map(|(mark, _)| mark).chain(&self.turns).copied();
         marks
@@ -420,8 +425,11 @@ impl Marcher<'_> {
         Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
     }
 
-    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind the edge know the way that it went, and K with them.
+    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind an adhering edge know the way that it went, and K with them.
     fn measure(&self, way: f64) -> f64 {
+        if self.problem.adhesion.is_none() {
+            return self.length;
+        }
         (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
     }
 
