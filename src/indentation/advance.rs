@@ -26,16 +26,21 @@ const SHORTEST_LOOK: f64 = 0.15;
 /// And where a fold has been reached: below it the residual is noise.
 const SMALLEST_BEYOND: f64 = 1e-2;
 /// Distance of a fold, over the process zone, that is near.
-const NEAR_FOLD: f64 = 0.5;
+const NEAR_FOLD: f64 = 2.0;
 /// Shortest step, over the time since the last corner.
 const SHORTEST: f64 = 1e-12;
 /// Part of the way to a fold that one step goes.
 const TOWARDS_FOLD: f64 = 0.6;
 /// Points behind an extrapolation: more only amplify what is not smooth.
 const EXTRAPOLATION: usize = 5;
-/// Change of a step from one to the next: polynomials through points whose distances double tell little of their own errors.
-const FASTEST: f64 = 1.5;
-/// The same when it fails.
+/// Growth of a step over the one before at the tolerance below: polynomials through points whose distances double tell little of their own errors. It goes with the
+/// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
+const GROWTH: f64 = 0.5;
+const AT_GROWTH: f64 = 1e-2;
+/// The least: below it the error of a step rules alone.
+const SMALLEST_GROWTH: f64 = 0.15;
+
+/// The least change of a step that fails.
 const SLOWEST: f64 = 0.2;
 
 /// Narrowest panels within which the place of an edge is noise.
@@ -54,10 +59,13 @@ const STILL: f64 = 1e-4;
 /// Accuracy of the instant at which the edge turns, over the step that leads there, at the loosest tolerance; it goes with the cube root. The least, and attempts.
 const AT_TURN: f64 = 3e-3;
 const LEAST_AT_TURN: f64 = 1e-5;
-const MOST_TURNINGS: u32 = 8;
+const MOST_TURNINGS: u32 = 24;
 
 /// Last term of one of t(y) and y(t) over that of the other, below which the one is smoother.
 const SMOOTHER: f64 = 0.5;
+
+/// Least measure of an error, over the process zone.
+const SHORTEST_MEASURE: f64 = 1e-2;
 
 /// What drives the next attempt.
 enum Choice {
@@ -92,6 +100,8 @@ impl Marcher<'_> {
         let mut forced: Option<Choice> = None;
         let mut was_far = false;
         let mut turnings = 0;
+        // The longest attempt at a step over a turn.
+        let mut longest = 0.0_f64;
         for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
@@ -188,12 +198,13 @@ impl Marcher<'_> {
             // The edge turns: a step ends there, and the path starts anew.
             let mut turned = false;
             let may_turn = !by_edge || self.reverses(trial.motion.to);
-            if may_turn && a > 0.0 && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
+            if may_turn && !self.is_nearly_a_point() && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;
                     let near = self.at_turn();
-                    if part < near {
+                    longest = longest.max(trial.motion.time);
+                    if time < near * longest {
                         self.restart_at_turn();
                         cap = cap.min(self.dt);
                         continue;
@@ -213,9 +224,11 @@ impl Marcher<'_> {
             let noise = PLACE_NOISE * (NARROWEST * a.max(self.length)).max(slack);
             let place_error = if trial.place_error <= noise { 0.0 } else { trial.place_error };
             let depth_error = if trial.depth_error <= DEPTH_NOISE * self.edge.depth_scale { 0.0 } else { trial.depth_error };
-            let error = (place_error / self.length).max(depth_error / self.opening);
-            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { FASTEST };
-            let factor = ideal.clamp(SLOWEST, FASTEST);
+            let measure = if by_edge { self.length } else { self.measure((trial.motion.to - a).abs()) };
+            let error = (place_error / measure).max(depth_error / self.opening);
+            let ideal =
+                if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { self.fastest() };
+            let factor = ideal.clamp(SLOWEST, self.fastest());
             if error > self.tolerance && factor < 0.9 {
                 let smallest = reach < 1e-7 * self.length || cap < self.shortest_step();
                 if !smallest {
@@ -254,11 +267,21 @@ impl Marcher<'_> {
         (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
     }
 
+    /// Whether the contact is one without adhesion that has just grown from a point, or shrinks to one: it goes by a root of the time, noise may look like a turn,
+    /// and only time can drive it.
+    fn is_nearly_a_point(&self) -> bool {
+        let a = self.contact.radius();
+        a == 0.0 || (self.problem.adhesion.is_none() && a < self.length)
+    }
+
     /// The nearest corner of the path within a way of the edge.
     fn mark_within(&self, way: f64) -> Option<f64> {
         let a = self.contact.radius();
+        if self.is_nearly_a_point() {
+            return None;
+        }
         let distance = |mark: &f64| (mark - a) * way.signum();
-        let marks = self.landmarks.iter().chain(&self.turns).copied();
+        let marks = self.landmarks.iter().map(|(mark, _)| mark).chain(&self.turns).copied();
         marks
             .filter(|mark| distance(mark) > AT_MARK * self.length && distance(mark) <= way.abs())
             .min_by(|one, other| distance(one).total_cmp(&distance(other)))
@@ -321,7 +344,7 @@ impl Marcher<'_> {
         self.reach = self.reach.min(self.largest_reach());
         if !by_edge {
             // While time drives, the edge may find its pace again.
-            self.reach = (self.reach * FASTEST).min(self.largest_reach());
+            self.reach = (self.reach * self.fastest()).min(self.largest_reach());
         }
         // A rim stops the edge: a corner of its path.
         if landing || arrived {
@@ -402,6 +425,22 @@ impl Marcher<'_> {
         Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
     }
 
+    /// What an error of the place of the edge is seen against in a step of time: an edge that slows down comes to a turn, or to rest, and K behind it then knows the way
+    /// that the last steps went.
+    fn measure(&self, way: f64) -> f64 {
+        let before = self.past.nodes().windows(2).next().map_or(0.0, |pair| (pair[0].radius - pair[1].radius).abs());
+        if way < before && self.problem.adhesion.is_some() {
+            (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
+        } else {
+            self.length
+        }
+    }
+
+    /// Growth of a step over the one before, at most.
+    fn fastest(&self) -> f64 {
+        1.0 + (GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0)).clamp(SMALLEST_GROWTH, GROWTH)
+    }
+
     /// No step is made shorter for its error than this.
     fn shortest_step(&self) -> f64 {
         (SHORTEST * (self.time - self.corner)).max(CLOCK * f64::EPSILON * self.time)
@@ -418,8 +457,8 @@ impl Marcher<'_> {
             }
             let (motion, residual, error) = self.prescribed_motion(value(cap), cap, 5)?;
             let error = error / self.opening;
-            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { FASTEST };
-            let factor = ideal.clamp(SLOWEST, FASTEST);
+            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { self.fastest() };
+            let factor = ideal.clamp(SLOWEST, self.fastest());
             if error > self.tolerance && factor < 0.9 && cap > self.shortest_step() {
                 cap *= factor;
                 continue;

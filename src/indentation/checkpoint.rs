@@ -51,7 +51,7 @@ pub(super) struct MarchState {
     corner: f64,
     first: f64,
     pace: Option<(Controlled, f64)>,
-    landmarks: Vec<f64>,
+    landmarks: Vec<(f64, u32)>,
     turns: Vec<f64>,
     slopes: (f64, f64),
     smooth_in_time: bool,

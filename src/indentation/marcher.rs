@@ -30,7 +30,7 @@ const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
-const COARSENING_TOLERANCE: f64 = 1e-3;
+const COARSENING_TOLERANCE: f64 = 1e-4;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
@@ -44,6 +44,9 @@ const LARGEST_REACH: f64 = 0.5;
 /// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
 const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
+/// Distance from a landmark, over the process zone, that is none; corners of corners that steps end at.
+const SAME_LANDMARK: f64 = 1e-5;
+const GENERATIONS: u32 = 2;
 /// Tolerance at which steps are as large as they may be.
 pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
@@ -115,8 +118,9 @@ pub(super) struct Marcher<'a> {
     /// Shortest time that counts after a corner.
     pub(super) first: f64,
     pub(super) pace: Option<(Controlled, f64)>,
-    /// F(t) has a corner when the edge has left the place of its last corner by one process zone: a step ends there.
-    pub(super) landmarks: Vec<f64>,
+    /// F(t) has a corner when the edge has left the place of its last corner by one process zone, and a weaker one when it has left that by another: a step ends there.
+    /// Place and generation.
+    pub(super) landmarks: Vec<(f64, u32)>,
     /// Where the edge turned, the latest last: the line has a kink there, and F(t) a corner when the edge comes back.
     pub(super) turns: Vec<f64>,
     pub(super) slopes: (f64, f64),
@@ -266,7 +270,7 @@ impl<'a> Marcher<'a> {
         self.landmarks.clear();
         let (a, zone) = (self.contact.radius(), self.edge.zone());
         if zone > 0.0 && a > 0.0 {
-            self.landmarks.extend([a - zone, a + zone]);
+            self.landmarks.extend([(a - zone, 1), (a + zone, 1)]);
         }
     }
 
@@ -289,14 +293,20 @@ impl<'a> Marcher<'a> {
     /// The same at a landmark: the path has a corner there, and time goes on.
     pub(super) fn restart_at_landmark(&mut self) {
         let (corner, dt) = (self.corner, self.dt);
-        let others = std::mem::take(&mut self.landmarks);
+        let mut others = std::mem::take(&mut self.landmarks);
+        let (a, zone) = (self.contact.radius(), self.edge.zone());
+        let way = self.past.nodes().get(1).map_or(0.0, |before| (a - before.radius).signum());
         self.restart();
         // The surface keeps the corner: an edge that comes back meets it again.
-        self.remember_turn(self.contact.radius());
+        self.remember_turn(a);
         self.corner = corner;
         // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
         self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
-        // Those of the turn before stay. What a landmark leaves one process zone further on is weak, and left to the steps.
+        // Landmarks of the turn before stay.
+        let reached = others.iter().find(|(mark, _)| (mark - a).abs() <= SAME_LANDMARK * self.length).map(|(_, generation)| *generation);
+        if let Some(generation) = reached.filter(|generation| *generation < GENERATIONS) {
+            others.push((a + way * zone, generation + 1));
+        }
         self.landmarks = others;
     }
 

@@ -17,6 +17,8 @@ const LAST_RESORT: f64 = 1e-10;
 const REOPENED: f64 = 1e-9;
 /// Residual from which secants go straight to the root.
 const NEAR: f64 = 0.05;
+/// Part of a residual that is no progress.
+const STALLS: f64 = 0.9;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
@@ -177,10 +179,13 @@ impl Stepper<'_, '_> {
                         search.inside(suggestion).unwrap_or(time)
                     }
                 }
-                (Some((low, _)), None) => match suggestion.filter(|point| *point > low) {
-                    Some(point) => (low + pace.overshoot(value) * (point - low)).clamp(low * (1.0 + 1e-9), STRIDE * low).min(cap),
-                    None => (STRIDE * low).min(cap),
-                },
+                // A slope of another step points a hair further on, again and again: then by strides.
+                (Some((low, _)), None) => {
+                    match suggestion.filter(|point| *point > low && before.is_none_or(|(_, other)| value > STALLS * other)) {
+                        Some(point) => (low + pace.overshoot(value) * (point - low)).clamp(low * (1.0 + 1e-9), STRIDE * low).min(cap),
+                        None => (STRIDE * low).min(cap),
+                    }
+                }
                 _ => {
                     // The first sign change is earlier: at once, or on the way.
                     let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;

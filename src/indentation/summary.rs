@@ -3,8 +3,9 @@
 use super::solution::PathPoint;
 use serde::{Deserialize, Serialize};
 
-/// Points of a peak before and after its top.
-const BESIDE: usize = 2;
+/// Points of a peak that are held before and after its top, and points of the polynomial through it.
+const BESIDE: usize = 4;
+const POINTS: usize = 5;
 
 /// Largest magnitudes, defects and the largest tension of a march.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -17,7 +18,7 @@ pub struct Summary {
     turned: f64,
     /// The last points before the newest one.
     recent: Vec<PathPoint>,
-    /// The point of the largest tension with up to two on either side, and its place among them.
+    /// The point of the largest tension with up to [`BESIDE`] on either side, and its place among them.
     peak: Vec<PathPoint>,
     top: usize,
 }
@@ -54,35 +55,50 @@ impl Summary {
         if self.turned > 0.0 { self.defect / self.turned } else { 0.0 }
     }
 
-    /// The largest tension −F (N), between points by the polynomial through five; none if nothing pulled.
+    /// The largest tension −F (N), between points by the polynomial through [`POINTS`]; none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
         let top = self.peak.get(self.top)?;
-        // A peak at a corner, or at an end, is the point itself.
-        let near: Vec<&PathPoint> = self.peak.iter().filter(|point| point.piece == top.piece && point.contact_radius > 0.0).collect();
-        let position = near.iter().position(|point| std::ptr::eq(*point, top));
-        let mut peak = -top.force;
-        if let Some(position) = position.filter(|position| *position > 0 && position + 1 < near.len()) {
-            let at = |time: f64| {
-                near.iter()
-                    .enumerate()
-                    .map(|(k, one)| {
-                        let others = near.iter().enumerate().filter(|(l, _)| *l != k);
-                        -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
-                    })
-                    .sum::<f64>()
-            };
-            let (mut low, mut high) = (near[position - 1].time, near[position + 1].time);
-            for _ in 0..60 {
-                let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
-                if at(first) < at(second) { low = first } else { high = second }
-            }
-            let refined = at(0.5 * (low + high));
-            let steps = (near[position - 1].force - top.force).abs().max((near[position + 1].force - top.force).abs());
-            if refined > peak && refined - peak <= steps {
-                peak = refined;
-            }
-        }
+        // A top at a corner ends one stretch of the path and begins the next: the peak may lie on either side of it.
+        let next = self.peak.get(self.top + 1).map(|point| point.piece).filter(|piece| *piece != top.piece);
+        let peak = [Some(top.piece), next].into_iter().flatten().fold(-top.force, |peak, piece| {
+            let points: Vec<&PathPoint> = self.stretch(piece).collect();
+            let place = points.iter().position(|point| std::ptr::eq(*point, top));
+            place.and_then(|place| refined(&points, place)).map_or(peak, |refined| peak.max(refined))
+        });
         (peak > 0.0).then_some(peak)
     }
+
+    /// The points of one stretch of the path that are held, with the corner that it begins at.
+    fn stretch(&self, piece: u32) -> impl Iterator<Item = &PathPoint> {
+        let first = self.peak.iter().position(|point| point.piece == piece).unwrap_or(0);
+        let own = move |point: &&PathPoint| point.piece == piece && point.contact_radius > 0.0;
+        let corner = self.peak.get(first.saturating_sub(1)..first).unwrap_or(&[]).iter().filter(|point| point.contact_radius > 0.0);
+        corner.chain(self.peak.iter().filter(own))
+    }
+}
+
+/// The largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
+fn refined(points: &[&PathPoint], place: usize) -> Option<f64> {
+    let first = place.saturating_sub(POINTS / 2).min(points.len().saturating_sub(POINTS));
+    let near = points.get(first..points.len().min(first + POINTS)).filter(|near| near.len() > 2)?;
+    let position = place - first;
+    let (top, before, after) = (near.get(position)?, near.get(position.saturating_sub(1))?, near.get(position + 1).or(near.last())?);
+    let at = |time: f64| {
+        near.iter()
+            .enumerate()
+            .map(|(k, one)| {
+                let others = near.iter().enumerate().filter(|(l, _)| *l != k);
+                -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
+            })
+            .sum::<f64>()
+    };
+    let (mut low, mut high) = (before.time, after.time);
+    for _ in 0..60 {
+        let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
+        if at(first) < at(second) { low = first } else { high = second }
+    }
+    let refined = at(0.5 * (low + high));
+    let steps = (before.force - top.force).abs().max((after.force - top.force).abs());
+    (refined + top.force <= steps).then_some(refined)
 }

@@ -7,7 +7,7 @@ use crate::scene::typed::{HistoryQuantity, IndentationShape};
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
 const HISTORY: f64 = 1700.0;
-const INSTANT: f64 = 20.0;
+const INSTANT: f64 = 38.0;
 /// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
 const DECADE: f64 = 0.35;
 /// Power of the accuracy that balances grow with.
