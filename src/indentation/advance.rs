@@ -224,7 +224,7 @@ impl Marcher<'_> {
             let noise = PLACE_NOISE * (NARROWEST * a.max(self.length)).max(slack);
             let place_error = if trial.place_error <= noise { 0.0 } else { trial.place_error };
             let depth_error = if trial.depth_error <= DEPTH_NOISE * self.edge.depth_scale { 0.0 } else { trial.depth_error };
-            let measure = if by_edge { self.length } else { self.measure((trial.motion.to - a).abs()) };
+            let measure = self.measure((trial.motion.to - a).abs());
             let error = (place_error / measure).max(depth_error / self.opening);
             let ideal =
                 if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { self.fastest() };
@@ -425,15 +425,12 @@ impl Marcher<'_> {
         Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
     }
 
-    /// What an error of the place of the edge is seen against in a step of time: an edge that slows down comes to a turn, or to rest, and K behind it then knows the way
-    /// that the last steps went.
+    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind an adhering edge know the way that it went, and K with them.
     fn measure(&self, way: f64) -> f64 {
-        let before = self.past.nodes().windows(2).next().map_or(0.0, |pair| (pair[0].radius - pair[1].radius).abs());
-        if way < before && self.problem.adhesion.is_some() {
-            (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
-        } else {
-            self.length
+        if self.problem.adhesion.is_none() {
+            return self.length;
         }
+        (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
     }
 
     /// Growth of a step over the one before, at most.

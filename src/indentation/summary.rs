@@ -99,6 +99,7 @@ fn refined(points: &[&PathPoint], place: usize) -> Option<f64> {
         if at(first) < at(second) { low = first } else { high = second }
     }
     let refined = at(0.5 * (low + high));
-    let steps = (before.force - top.force).abs().max((after.force - top.force).abs());
-    (refined + top.force <= steps).then_some(refined)
+    // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
+    let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
+    (refined + top.force <= most - least).then_some(refined)
 }
