@@ -17,7 +17,7 @@ const SMALLEST_REACH: f64 = 1e-5;
 /// Accepted residual of the edge condition near a fold.
 const FOLD_TOLERANCE: f64 = 1e-13;
 /// Distance from the fold of t(a), over the process zone, at which it is taken as reached.
-const AT_FOLD: f64 = 2e-3;
+const AT_FOLD: f64 = 4e-4;
 /// Where the edge is looked at to tell a fold from a path that only slows down, over the distance of the fold: the residual of a step at once, straight
 /// less a square, has its zero at twice that distance.
 const BEYOND_FOLD: f64 = 3.0;
