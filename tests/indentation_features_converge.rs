@@ -4,14 +4,15 @@
 //!
 //! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
 //! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
-//! at another one, a turn that steps creep up to, a corner of a corner, a turn just ahead, places just before a turn, growth that no tolerance changed, panels joined.
+//! at another one, a turn that steps creep up to, a corner of a corner, a turn just ahead, places just before a turn, growth that no tolerance changed, panels joined, a fold that is foreseen,
+//! errors that do not fall.
 //!
 //! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed form.
 //!
 //! Tolerance: a tenth or less of what each left; two to twenty times what is left now.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use viscotack::indentation::{PathPoint, march};
+use viscotack::indentation::{PathPoint, march, run};
 use viscotack::studies::draw::Draw;
 use viscotack::studies::honesty::{SEED, sphere};
 use viscotack::studies::known_states::sphere::known_sphere;
@@ -110,4 +111,24 @@ fn joined_panels_change_nothing_that_counts() {
         println!("force of a ramp at {tolerance:e}: {off:e}");
         assert!(off < 5e-9);
     }
+}
+
+/// It was 1.3e-5: where the speed of a quick edge grows e-fold within two thousandths of a process zone, so does what is foreseen of its fold.
+#[test]
+fn a_fold_that_is_foreseen() {
+    let (material, problem) = sphere::problem(474, 1e-4).unwrap();
+    let [found, truth] = [1e-5, 1e-8].map(|tolerance| march(&material, &problem, tolerance).unwrap().events[1].contact_radius);
+    println!("radius where the contact lets go: {found:e}, {truth:e}");
+    assert!((found - truth).abs() < 1.5e-6 * truth);
+}
+
+/// Three marches in a row err alike here: their bar was half of the error.
+#[test]
+fn errors_that_do_not_fall_count_more() {
+    let (material, problem) = sphere::problem(68, 1e-4).unwrap();
+    let found = run(&material, &problem).unwrap().instants[4].stress_intensity_factor;
+    let truth = march(&material, &problem, 1e-8).unwrap();
+    let truth = truth.path[truth.kept[4]].stress_intensity_factor;
+    println!("{:e} ± {:e}, {truth:e}", found.value, found.error);
+    assert!((found.value - truth).abs() < found.error);
 }

@@ -8,7 +8,7 @@ use crate::estimate::Estimate;
 use std::f64::consts::PI;
 
 /// Bound over what is left of an error: single numbers scatter about it.
-const SAFETY: f64 = 7.0;
+const SAFETY: f64 = 6.0;
 /// Error of the radius of an event, over the accuracy of radii, that is allowed: at a fold it goes with the root of what is not known of the load.
 const AT_FOLDS: f64 = 12.0;
 /// The place of K among the quantities: what panels leave unknown of it all marches have alike.
