@@ -91,7 +91,9 @@ impl Marcher<'_> {
             if self.is_unstable(imposed, beyond)? == Some(false) {
                 reach = reach.min(0.5 * TOWARDS_FOLD * beyond);
             } else {
-                if distance < AT_FOLD * self.length && self.is_unstable(imposed, 0.0)? == Some(true) {
+                // Just behind a corner the first steps are too short to tell of a fold.
+                let told = self.past.nodes().last().is_some_and(|oldest| (a - oldest.radius).abs() > distance);
+                if told && distance < AT_FOLD * self.length && self.is_unstable(imposed, 0.0)? == Some(true) {
                     return self.lost(true, Some(distance), imposed);
                 }
                 reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * AT_FOLD * self.length));
