@@ -55,7 +55,7 @@ impl Summary {
         if self.turned > 0.0 { self.defect / self.turned } else { 0.0 }
     }
 
-    /// The largest tension −F (N), between points by the polynomial through [`POINTS`]; none if nothing pulled.
+    /// The largest tension −F (N), between points by the polynomial through the five nearest; none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
         let top = self.peak.get(self.top)?;
