@@ -30,9 +30,7 @@ const SAME_PACE: f64 = 1e-3;
 /// Steps between two rounds of joining panels.
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
-const COARSENING_TOLERANCE: f64 = 1e-3;
-/// The same without adhesion, where a march errs by less and panels are joined as often.
-const COARSENING_WITHOUT_ADHESION: f64 = 1e-4;
+const COARSENING_TOLERANCE: f64 = 1e-4;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
@@ -403,8 +401,7 @@ impl<'a> Marcher<'a> {
             self.step(stretch, target)?;
             // Near a fold what joining changes would move the edge by its root, to and fro.
             if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) && !self.is_near_fold() {
-                let part = if self.problem.adhesion.is_some() { COARSENING_TOLERANCE } else { COARSENING_WITHOUT_ADHESION };
-                self.contact.coarsened(part * self.tolerance.min(1e-2) * self.opening);
+                self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
             }
         }
         Ok(())

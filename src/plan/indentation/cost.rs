@@ -27,7 +27,7 @@ const NARROW: f64 = 0.5;
 const CYCLE: f64 = 4400.0;
 const CYCLE_ORDER: f64 = 0.25;
 /// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
-const CYCLE_UPDATES: f64 = 140.0;
+const CYCLE_UPDATES: f64 = 210.0;
 /// The same without adhesion, where turns leave no layer of their own.
 const SWEPT_UPDATES: f64 = 35.0;
 /// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
