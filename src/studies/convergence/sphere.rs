@@ -18,7 +18,7 @@ pub(in crate::studies) const ZONE: f64 = 0.013;
 /// Speed of the retraction, and how long it is followed: past the largest tension.
 const SPEED: f64 = 2e-3;
 const END: f64 = 18.0;
-/// Speeds and durations over which the order of the march is a mean: from slow to fast, each until after the contact has let go.
+/// Speeds and durations over which the order of the march is a mean: from slow to fast, the fastest until after the contact has let go.
 const PULLED: [(f64, f64); 7] = [(2e-4, 180.0), (4e-4, 90.0), (1e-3, 36.0), (SPEED, END), (4e-3, 6.6), (1e-2, 1.65), (2e-2, 0.6)];
 /// Instants that are compared: every two seconds.
 pub(in crate::studies) const INSTANTS: u32 = 9;
