@@ -1,18 +1,44 @@
 //! Where a quantity turns along a curve: F₁ = F₂ = 0 and dg/ds = ∇g·t = 0, t = ∇F₁ × ∇F₂.
 //!
-//! The gradients are central differences of fourth order, so that the third equation is known to some ten digits where the equations themselves are
-//! known to rounding. The value of the quantity is stationary at a fold: an error of the location enters it squared.
+//! The gradients are central differences, of fourth order where many digits are asked for, so that the third equation is known to some ten digits where the equations
+//! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the location enters it squared.
 
 use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;
 use crate::refusal::Refusal;
 use nalgebra::{Matrix3, Vector3};
 
-/// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴, rounding 1e-16/5e-4.
+/// Step of the central differences, in scaled unknowns: truncation (5e-4)⁴ or (5e-4)², rounding 1e-16/5e-4.
 pub const CENTRAL_STEP: f64 = 5e-4;
 /// Step of the Jacobian of the fold equations.
 const OUTER_STEP: f64 = 1e-4;
-/// Residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
+/// Central differences of a gradient: how far apart, in scaled unknowns, and of which order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Differences {
+    /// Distance of neighbouring points.
+    pub step: f64,
+    /// Whether of second order, with two points along each unknown; otherwise of fourth, with four.
+    pub second_order: bool,
+}
+
+impl Differences {
+    /// The same twice as far apart: what they leave out shows in the change.
+    #[must_use]
+    pub fn wider(self) -> Self {
+        Self { step: 2.0 * self.step, ..self }
+    }
+
+    /// Places along one unknown, in steps, with their weights.
+    const fn weights(self) -> &'static [(f64, f64)] {
+        if self.second_order {
+            &[(-1.0, -0.5), (1.0, 0.5)]
+        } else {
+            &[(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)]
+        }
+    }
+}
+
+/// Least residual asked for; one that does not fall any more below the second, or what rounding leaves up to the third, is rounding and widens the bars.
 const TOLERANCE: (f64, f64, f64) = (1e-13, 1e-5, 1e-3);
 
 /// A turning point.
@@ -45,14 +71,20 @@ pub struct FoldShift {
     pub value: f64,
 }
 
-/// Gradients of both residuals and of the watched quantity at a point in given scales, by central differences; twelve evaluations.
+/// Gradients of both residuals and of the watched quantity at a point in given scales, by central differences; six or twelve evaluations.
 ///
 /// # Errors
 /// Those of the equations.
-pub fn gradients<E: CurveEquations>(equations: &E, unknowns: [f64; 3], scales: [f64; 3], step: f64) -> Result<[[f64; 3]; 3], Refusal> {
+pub fn gradients<E: CurveEquations>(
+    equations: &E,
+    unknowns: [f64; 3],
+    scales: [f64; 3],
+    differences: Differences,
+) -> Result<[[f64; 3]; 3], Refusal> {
+    let step = differences.step;
     let mut rows = [[0.0; 3]; 3];
     for index in 0..3 {
-        for (times, weight) in [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)] {
+        for &(times, weight) in differences.weights() {
             let mut moved = unknowns;
             moved[index] += times * step * scales[index];
             let there = equations.evaluate(moved)?;
@@ -78,9 +110,9 @@ fn turning<E: CurveEquations>(
     unknowns: [f64; 3],
     quantity: Quantity,
     natural: [f64; 3],
-    step: f64,
+    differences: Differences,
 ) -> Result<(Vector3<f64>, f64), Refusal> {
-    let rows = gradients(equations, unknowns, natural, step)?;
+    let rows = gradients(equations, unknowns, natural, differences)?;
     let tangent = tangent_of(&rows)?;
     let gradient = gradient(quantity, &rows, natural);
     let slope = gradient.dot(&tangent) / gradient.norm();
@@ -130,9 +162,9 @@ pub fn part_at<S>(from: &CurvePoint<S>, to: &CurvePoint<S>, index: usize, value:
     0.5 * (low + high)
 }
 
-/// The fold of a quantity near a start, with a `step` of the gradients' differences in scaled unknowns.
+/// The fold of a quantity near a start, to a `tolerance` of the three equations, with the gradients by `differences`.
 ///
-/// Truncation of the differences, step⁴, is no part of the bars: a second call with another step shows it.
+/// What the differences leave out is no part of the bars: [`shifted`] with wider ones shows it.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`].
@@ -142,20 +174,21 @@ pub fn located<E: CurveEquations>(
     quantity: Quantity,
     scales: [f64; 3],
     jacobian: Option<Matrix3<f64>>,
-    step: f64,
+    (differences, tolerance): (Differences, f64),
 ) -> Result<FoldPoint<E::State>, Refusal> {
+    let step = differences.step;
     let natural = equations.natural(start);
     let of_start = equations.evaluate(start)?.rounding;
     let rounding = ((of_start[0] + of_start[1]) / step).clamp(TOLERANCE.1, TOLERANCE.2);
     let evaluate = |unknowns: [f64; 3]| {
         let found = equations.evaluate(unknowns)?;
-        let (gradient, slope) = turning(equations, unknowns, quantity, natural, step)?;
+        let (gradient, slope) = turning(equations, unknowns, quantity, natural, differences)?;
         let [first, second] = found.residual;
         Ok(((found, gradient), [first, second, slope]))
     };
-    let differences = std::array::from_fn(|index| OUTER_STEP * natural[index] / scales[index]);
-    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences, rounding };
-    let solved = system.solve(start, jacobian, TOLERANCE.0)?;
+    let outer = std::array::from_fn(|index| OUTER_STEP * natural[index] / scales[index]);
+    let system = ThreeEquations { what: "a fold of a curve", evaluate: &evaluate, scales, differences: outer, rounding };
+    let solved = system.solve(start, jacobian, tolerance.max(TOLERANCE.0))?;
     let (found, gradient) = solved.solution;
     // In scaled unknowns.
     let gradient = Vector3::from_fn(|index, _| gradient[index] * scales[index] / natural[index]);
@@ -190,13 +223,18 @@ pub fn located<E: CurveEquations>(
     })
 }
 
-/// What a fold is off in finer equations, by one Newton step in them with differences of another `step`; thirteen evaluations.
+/// What a fold is off in finer equations, by one Newton step in them with other `differences`; seven or thirteen evaluations.
 ///
 /// # Errors
 /// Those of the equations; [`Refusal::NotConverged`] where two folds merge.
-pub fn shifted<E: CurveEquations>(finer: &E, fold: &FoldPoint<E::State>, quantity: Quantity, step: f64) -> Result<FoldShift, Refusal> {
+pub fn shifted<E: CurveEquations>(
+    finer: &E,
+    fold: &FoldPoint<E::State>,
+    quantity: Quantity,
+    differences: Differences,
+) -> Result<FoldShift, Refusal> {
     let found = finer.evaluate(fold.unknowns)?;
-    let (gradient, slope) = turning(finer, fold.unknowns, quantity, fold.natural, step)?;
+    let (gradient, slope) = turning(finer, fold.unknowns, quantity, fold.natural, differences)?;
     let gradient = Vector3::from_fn(|index, _| gradient[index] * fold.scales[index] / fold.natural[index]);
     let residual = Vector3::new(found.residual[0], found.residual[1], slope);
     let moved = fold

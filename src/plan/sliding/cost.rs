@@ -27,10 +27,10 @@ const EVERY_ADHESION: f64 = 250.0;
 /// Balances of a point of a branch: the contact, and what moved edges do to it.
 const POINT: f64 = 19.0;
 
-/// Balances of a wave's branch as far as snap-in with three turns, of an elastic contact and of one with memory.
-const TO_SNAP_IN: [f64; 2] = [920.0, 1050.0];
-/// Balances of the work to separate, each contact with its slopes: two rules of eight and twelve contacts for a loose accuracy, of twelve and twenty for another.
-const SEPARATION: [f64; 2] = [410.0, 670.0];
+/// Balances of a wave's branch as far as snap-in with three turns, of an elastic contact and of one with memory: for a loose accuracy, and for another.
+const TO_SNAP_IN: [[f64; 2]; 2] = [[610.0, 690.0], [945.0, 1045.0]];
+/// Balances of the work to separate, each contact with its slopes: two rules of three and four contacts for a loose accuracy, of twelve and twenty for another.
+const SEPARATION: [f64; 2] = [100.0, 640.0];
 /// From here on an accuracy is loose.
 const LOOSE: f64 = 1e-5;
 /// Balances of the sensitivities of a contact, and of what one bears.
@@ -81,10 +81,11 @@ impl SlidingPlan {
 
     /// Balances of what a contact bears.
     fn balances_of_strength(&self) -> f64 {
-        let of_wave = |branch: f64| branch + SEPARATION[usize::from(self.accuracy < LOOSE)];
+        let tight = usize::from(self.accuracy < LOOSE);
+        let of_wave = |memory: usize| TO_SNAP_IN[tight][memory] + SEPARATION[tight];
         let memory = usize::from(!self.material.is_elastic());
-        let own = if self.is_wave() { of_wave(TO_SNAP_IN[memory]) } else { EVERY_LOAD[memory] };
-        let companion = if self.asks(SlidingColumns::ElasticCompanion) { of_wave(TO_SNAP_IN[0]) } else { 0.0 };
+        let own = if self.is_wave() { of_wave(memory) } else { EVERY_LOAD[memory] };
+        let companion = if self.asks(SlidingColumns::ElasticCompanion) { of_wave(0) } else { 0.0 };
         own + companion + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
     }
 

@@ -9,7 +9,7 @@ use super::point::variations_at;
 use super::trace::{BranchWork, Coarse, near};
 use super::values::widened;
 use crate::continuation::curve::{Quantity, linearized};
-use crate::continuation::fold::{CENTRAL_STEP, FoldPoint, between, located, part_at, shifted};
+use crate::continuation::fold::{CENTRAL_STEP, Differences, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -23,6 +23,10 @@ use super::stability::SecondVariations;
 const NEAR_TURN: f64 = 0.1;
 /// Accuracies above this begin at the medium resolution.
 const COARSEST_FOR: f64 = 1e-9;
+/// Accuracies from here on take differences of second order.
+pub(super) const LOOSE: f64 = 1e-5;
+/// Residual of the fold equations over the accuracy: it widens the bars.
+const RESIDUAL: f64 = 1e-3;
 /// Share of the accuracy that the uncertain place of a fold may take; bars of the contact there are its own as well.
 const PLACE: f64 = 0.5;
 /// A place whose shift at the next level is below this part of its error is uncertain by rounding.
@@ -145,18 +149,20 @@ fn solved(
     (start, scales): ([f64; 3], [f64; 3]),
     work: &mut BranchWork,
 ) -> Result<Solved, Refusal> {
-    let (mut start, mut jacobian, mut step) = (start, None, CENTRAL_STEP);
+    let (mut start, mut jacobian) = (start, None);
+    let mut differences = Differences { step: CENTRAL_STEP, second_order: problem.accuracy >= LOOSE };
     let mut level = if problem.accuracy > COARSEST_FOR { Resolution::Medium } else { Resolution::Fine };
     loop {
         let Some(finer) = level.finer() else {
             return Err(Refusal::NotConverged { what: "the accuracy of a fold", detail: "no finer level is left".into() });
         };
         let (here, there) = (BranchEquations::new(material, problem, level)?, BranchEquations::new(material, problem, finer)?);
-        let both = located(&here, start, quantity.unknown(), scales, jacobian, step).and_then(|point| {
-            let shift = shifted(&there, &point, quantity.unknown(), 2.0 * step)?;
-            let (_, tangent) = linearized(&here, point.unknowns, &point.found)?;
-            Ok((point, shift, tangent))
-        });
+        let both = located(&here, start, quantity.unknown(), scales, jacobian, (differences, RESIDUAL * problem.accuracy.min(LOOSE)))
+            .and_then(|point| {
+                let shift = shifted(&there, &point, quantity.unknown(), differences.wider())?;
+                let (_, tangent) = linearized(&here, point.unknowns, &point.found)?;
+                Ok((point, shift, tangent))
+            });
         work.closure_evaluations += here.evaluations() + there.evaluations();
         let (point, shift, tangent) = match both {
             Ok(found) => found,
@@ -176,9 +182,9 @@ fn solved(
         let place = |[first, eccentricity, _]: [f64; 3]| (first * width).max(eccentricity);
         let placed = place(errors) <= PLACE * problem.accuracy;
         let enough = placed && value.error <= problem.accuracy * value.value.abs().max(1.0);
-        if !placed && place(shifts) < ROUNDED * place(errors) && step < LONGEST_STEP {
+        if !placed && place(shifts) < ROUNDED * place(errors) && differences.step < LONGEST_STEP {
             // Rounding over the step is what is left: no finer level helps, longer differences do.
-            (start, jacobian, step) = (point.unknowns, point.jacobian, 2.0 * step);
+            (start, jacobian, differences) = (point.unknowns, point.jacobian, differences.wider());
             continue;
         }
         if enough || finer.finer().is_none() {

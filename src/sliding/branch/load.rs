@@ -3,7 +3,7 @@
 use super::conditions::{BranchPath, BranchProblem};
 use super::equations::BranchEquations;
 use crate::continuation::curve::{CurveEquations, tangent_of};
-use crate::continuation::fold::{CENTRAL_STEP, gradients};
+use crate::continuation::fold::{CENTRAL_STEP, Differences, gradients};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -59,11 +59,12 @@ pub fn load_slopes(
             }
         },
     };
-    let slopes = |resolution: Resolution, step: f64| {
-        slopes_at(&BranchEquations::new(material, problem, resolution)?, problem, &contact.values, step)
+    let slopes = |resolution: Resolution, differences: Differences| {
+        slopes_at(&BranchEquations::new(material, problem, resolution)?, problem, &contact.values, differences)
     };
-    let (rough, _) = slopes(Resolution::Fine, 2.0 * CENTRAL_STEP)?;
-    let (best, floor) = slopes(Resolution::Finest, CENTRAL_STEP)?;
+    let differences = Differences { step: CENTRAL_STEP, second_order: false };
+    let (rough, _) = slopes(Resolution::Fine, differences.wider())?;
+    let (best, floor) = slopes(Resolution::Finest, differences)?;
     let estimate = |index: usize| Estimate::new(best[index], (best[index] - rough[index]).abs() + floor[index]);
     let closure_evaluations = contact.work.closure_evaluations + 2 * SLOPE_EVALUATIONS;
     Ok(LoadSlopes { pressure_slope: estimate(0), penetration_slope: estimate(1), contact, closure_evaluations })
@@ -77,13 +78,13 @@ pub(super) fn slopes_at(
     equations: &BranchEquations<'_>,
     problem: &BranchProblem,
     values: &PartialValues,
-    step: f64,
+    differences: Differences,
 ) -> Result<([f64; 2], [f64; 2]), Refusal> {
     let edges =
         ContactEdges::new(problem.indenter, WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value });
     let unknowns = [edges.place(), values.eccentricity.value, values.mean_pressure.value];
     let scales = equations.natural(unknowns);
-    let rows = gradients(equations, unknowns, scales, step)?;
+    let rows = gradients(equations, unknowns, scales, differences)?;
     let tangent = tangent_of(&rows)?;
     let width = tangent[0] * scales[0] * edges.width_by_place();
     let here = equations.evaluate(unknowns)?;

@@ -3,7 +3,7 @@
 use super::conditions::{BranchPath, BranchProblem};
 use super::end::{BranchEnd, border, impossible};
 use super::equations::BranchEquations;
-use super::fold::{Fold, FoldQuantity, Turn, located_fold};
+use super::fold::{Fold, FoldQuantity, LOOSE, Turn, located_fold};
 use super::point::{BranchPoint, VARIATIONS, accurate_point, variations_at};
 use super::start::start;
 use crate::continuation::arclength::{Curve, CurveEnd, Steps, follow, landed};
@@ -19,6 +19,8 @@ use std::cell::Cell;
 
 /// How the coarse curve is followed. Seven digits at [`Resolution::Medium`].
 const STEPS: Steps = Steps { first: 0.03, longest: 0.25, shortest: 1e-5, most: 3000, tolerance: 1e-7 };
+/// The same on the way to turns that few digits are asked of.
+const LOOSE_STEPS: Steps = Steps { tolerance: 1e-5, ..STEPS };
 /// The resolution of the coarse curve.
 const RESOLUTION: Resolution = Resolution::Medium;
 /// A slope whose smallest value is below this part of its change to the neighbours may have turned in between.
@@ -161,6 +163,7 @@ pub(super) fn coarse(
     let start = start(material, problem, work)?;
     let toward = if problem.path == BranchPath::Loads { Quantity::Unknown(0) } else { Quantity::Unknown(2) };
     let border = |point: &Coarse| border(problem, point);
+    let steps = if to_snap_in && problem.accuracy >= LOOSE { LOOSE_STEPS } else { STEPS };
     let mut run = |sign: f64| -> Result<(Vec<Coarse>, BranchEnd), Refusal> {
         let (before, turned) = (Cell::new(f64::NAN), Cell::new(false));
         let inside = |point: &Coarse| {
@@ -169,7 +172,7 @@ pub(super) fn coarse(
             turned.set(past || (before.replace(slope) > 0.0 && slope < 0.0));
             border(point).is_none() && !(to_snap_in && sign > 0.0 && past)
         };
-        let Curve { points, end, refused } = follow(&equations, start, toward, sign, &STEPS, &inside)?;
+        let Curve { points, end, refused } = follow(&equations, start, toward, sign, &steps, &inside)?;
         work.refused_steps += refused;
         work.curve_points += points.len() as u64;
         let Some(last) = points.last() else { return Ok((points, BranchEnd::TooLong)) };
