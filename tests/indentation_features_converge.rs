@@ -5,7 +5,7 @@
 //! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
 //! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
 //! at another one, a turn that steps creep up to, a corner of a corner, a turn just ahead, short ways, growth that no tolerance changed, panels joined, a fold that is foreseen,
-//! the first steps behind a corner, errors that do not fall.
+//! the first steps behind a corner, a contact as small as its zone, errors that do not fall.
 //!
 //! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed form.
 //!
@@ -141,6 +141,24 @@ fn no_fold_is_told_by_the_first_steps_behind_a_corner() {
     let truth = radius_of_detachment(1414, 1e-8);
     for tolerance in [1e-4, 1e-6, 1e-7] {
         assert!((radius_of_detachment(1414, tolerance) - truth).abs() < 1e-6 * truth);
+    }
+}
+
+/// It was 0.4 to 6 % of the radius at any tolerance: wherever the last step happened to end before the contact is as small as the process zone.
+#[test]
+fn a_contact_as_small_as_its_zone() {
+    let (material, problem) = sphere::problem(1458, 1e-3).unwrap();
+    let zone = problem.adhesion.unwrap().process_zone;
+    let reached = |tolerance: f64| {
+        let trace = march(&material, &problem, tolerance).unwrap();
+        *trace.events.iter().find(|event| event.kind == EventKind::ZoneReached).unwrap()
+    };
+    let truth = reached(1e-8);
+    for tolerance in [1e-2, 1e-3, 1e-4, 1e-5] {
+        let found = reached(tolerance);
+        println!("at {tolerance:e}: {found:?}");
+        assert!((found.contact_radius / zone - 1.05).abs() < 1e-12);
+        assert!((found.time / truth.time - 1.0).abs() < 1e-11 && (found.force / truth.force - 1.0).abs() < 1e-8);
     }
 }
 

@@ -160,13 +160,15 @@ impl Marcher<'_> {
                         way = HALF * (mark - a);
                     }
                     if a + way <= self.smallest() {
-                        if self.problem.adhesion.is_some() {
-                            return self.detach(EventKind::ZoneReached, imposed);
-                        }
-                        if a <= 2.0 * self.smallest() {
-                            return self.detach(EventKind::Detachment, imposed);
-                        }
-                        way = 0.5 * way.max(-a);
+                        landing = false;
+                        let room = a - self.smallest();
+                        way = match self.problem.adhesion {
+                            Some(_) if room <= AT_MARK * self.length => return self.detach(EventKind::ZoneReached, imposed),
+                            // There, and not where the last step before happens to end.
+                            Some(_) => -room,
+                            None if a <= 2.0 * self.smallest() => return self.detach(EventKind::Detachment, imposed),
+                            None => 0.5 * way.max(-a),
+                        };
                     }
                     match self.stepper().edge_driven(a + way, guess, cap, imposed)? {
                         EdgeStep::Found(trial) => Some((trial, true)),

@@ -11,6 +11,7 @@ use super::record::Record;
 use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
+use super::stepping::SMALLEST;
 use super::stretch::{Place, Stretch};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -520,6 +521,6 @@ impl<'a> Marcher<'a> {
 
     /// The smallest contact that is one.
     pub(super) fn smallest(&self) -> f64 {
-        self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| 1.05 * adhesion.process_zone)
+        self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| SMALLEST * adhesion.process_zone)
     }
 }

@@ -62,7 +62,7 @@ pub enum EventKind {
     PartialDetachment,
     /// No equilibrium was left: the contact opened.
     Detachment,
-    /// The contact shrank to the size of the process zone, where the closure has no meaning; the march treats it as open from here.
+    /// The contact shrank to 1.05 process zones; at one the closure has no meaning. The march treats it as open from here.
     ZoneReached,
 }
 

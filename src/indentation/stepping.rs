@@ -22,6 +22,9 @@ const STALLS: f64 = 0.9;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
+/// The smallest contact with adhesion that is one, over its process zone.
+pub(super) const SMALLEST: f64 = 1.05;
+
 /// Where a step of the edge ended.
 pub(super) enum EdgeStep {
     /// There, in this time.
@@ -215,7 +218,7 @@ impl Stepper<'_, '_> {
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
         // A contact no larger than its process zone has no closure: further in is far.
-        let inner = (here - reach).max(1.001 * self.edge.zone());
+        let inner = (here - reach).max(SMALLEST * self.edge.zone()).min(here);
         let outer = (here + reach).min(rim);
         let (mut search, mut pace) = (Search::new(), Pace::default());
         // Without a past, a little to either side of the edge tells which way it goes.

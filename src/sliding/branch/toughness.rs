@@ -26,9 +26,9 @@ use crate::sliding::steady::{PartialValues, SlidingProblem, Start};
 use crate::special::gauss_legendre::{UNIT_RULE_12, UNIT_RULE_20, UnitRule, VANISHING_RULES};
 use std::f64::consts::PI;
 
-/// What they may be off, over the toughness.
+/// What Lobatto's rules may be off, over the toughness.
 const RELATIVE: f64 = 1e-3;
-/// Contacts of Lobatto's rules are solved this well: slopes are taken at the contact that is found.
+/// Their contacts are solved this well: slopes are taken at the contact that is found.
 const LOOSE_CONTACT: f64 = 1e-7;
 /// Steps of their differences: what those leave out is in the difference of two rules as well.
 const LOOSE_STEPS: [f64; 3] = [2.0 * CENTRAL_STEP, CENTRAL_STEP, 0.5 * CENTRAL_STEP];
@@ -107,7 +107,7 @@ pub(super) fn of_branch(material: &Material, problem: &BranchProblem, branch: &B
     };
     let mut work = BranchWork::default();
     let prepared = problem.prepared(material, 0.0)?;
-    // The equations differ from rule to rule as well, so that the difference of two rules knows of resolution, differences and contacts too.
+    // Differences vary from rule to rule as well, and of Gauss's rules resolution and contacts, so that what two rules differ by knows of these too.
     let mut integral = |rule: &UnitRule, resolution: Resolution, differences: Differences, accuracy: f64| -> Result<Integral, Refusal> {
         let equations = BranchEquations::new(material, problem, resolution)?;
         let mut found = Integral::default();
