@@ -3,7 +3,7 @@
 use gauss_quad::FiniteAboveNegOneF64;
 use std::sync::LazyLock;
 
-/// A rule of n nodes is exact for polynomials up to degree 2n − 1; nodes rise, weights sum to one.
+/// Nodes with their weights; nodes rise. Gauss's rule of n nodes is exact for polynomials up to degree 2n − 1, and its weights sum to one.
 pub type UnitRule = Vec<(f64, f64)>;
 
 /// Sixteen nodes.
