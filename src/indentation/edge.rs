@@ -12,7 +12,8 @@ use super::problem::Adhesion;
 use super::profile::Profile;
 use super::springs::DEGREE;
 use super::window::Window;
-use super::zone::{Zone, zone_work};
+use super::zone::Zone;
+use super::zone_work::zone_work;
 use crate::refusal::Refusal;
 
 /// A window graded for one time serves shorter times, and longer ones up to this factor: within a search its grading must not go back and forth.

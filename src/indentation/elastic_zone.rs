@@ -4,7 +4,8 @@
 
 use super::panel::Panel;
 use super::profile::Profile;
-use super::zone::{Zone, zone_work};
+use super::zone::Zone;
+use super::zone_work::zone_work;
 use crate::refusal::{Refusal, require_finite, require_positive};
 use std::f64::consts::PI;
 

@@ -57,6 +57,7 @@ mod past;
 mod problem;
 mod profile;
 mod record;
+mod row;
 mod run;
 mod shape;
 mod solution;
@@ -68,6 +69,7 @@ mod stretch;
 mod summary;
 mod window;
 mod zone;
+mod zone_work;
 
 pub use checkpoint::{Checkpoint, Watch};
 pub use cycle::Cycle;
@@ -87,4 +89,5 @@ pub use solution::{Energies, Event, EventKind, IndentationSolution, IndentationW
 pub use spread::Spread;
 pub use springs::Springs;
 pub use summary::Summary;
-pub use zone::{Zone, zone_work};
+pub use zone::Zone;
+pub use zone_work::zone_work;

@@ -1,18 +1,19 @@
 //! A function on a panel of the line by its values at eight Gauss nodes: integral, interpolation, running integral.
 
+use super::row::Row;
 use crate::special::gauss_legendre::UNIT_RULE_8;
 use std::sync::LazyLock;
 
 /// Nodes of a panel: polynomials up to degree 7 are kept exactly, their squares are integrated exactly.
 pub const POINTS: usize = 8;
 
-/// Nodes on 0…1, weights, factors of Lagrange's polynomials, and running[g][l] = ∫₀^{x_g} of the l-th Lagrange polynomial.
+/// Nodes on 0…1, weights, factors of Lagrange's polynomials, and running[l][g] = ∫₀^{x_g} of the l-th Lagrange polynomial.
 pub(super) struct Rule {
-    pub(super) nodes: [f64; POINTS],
-    pub(super) weights: [f64; POINTS],
+    pub(super) nodes: Row,
+    pub(super) weights: Row,
     /// 1/Π(x_i − x_k).
-    lagrange: [f64; POINTS],
-    pub(super) running: [[f64; POINTS]; POINTS],
+    pub(super) lagrange: Row,
+    pub(super) running: [Row; POINTS],
 }
 
 pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
@@ -20,8 +21,8 @@ pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
     let weights: [f64; POINTS] = std::array::from_fn(|i| UNIT_RULE_8.get(i).map_or(f64::NAN, |pair| pair.1));
     let factors = std::array::from_fn(|i| (0..POINTS).filter(|&k| k != i).map(|k| 1.0 / (nodes[i] - nodes[k])).product::<f64>());
     let lagrange = |l: usize, x: f64| (0..POINTS).filter(|&k| k != l).map(|k| (x - nodes[k]) / (nodes[l] - nodes[k])).product::<f64>();
-    let running = std::array::from_fn(|g| {
-        std::array::from_fn(|l| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())
+    let running = std::array::from_fn(|l| {
+        std::array::from_fn(|g| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())
     });
     Rule { nodes, weights, lagrange: factors, running }
 });
@@ -52,7 +53,7 @@ pub struct Panel {
     /// Right end (m).
     pub upper: f64,
     /// Values at the nodes, from left to right.
-    pub values: [f64; POINTS],
+    pub values: Row,
 }
 
 impl Panel {
