@@ -29,7 +29,7 @@ impl Contact<'_> {
                 let state = self.state(index, g);
                 let load = if cell.bonded {
                     self.springs.voigt(state, &mut strains);
-                    self.springs.load(self.penetration - self.profile.line(cell.node(g)), state)
+                    self.springs.load(self.penetration - self.profile.line(cell.node(g)), state.iter().copied())
                 } else {
                     strains.copy_from_slice(state);
                     0.0

@@ -255,7 +255,7 @@ impl<'a> Contact<'a> {
 
     /// Q on a bonded cell.
     fn loads(&self, index: usize, cell: &Cell) -> [f64; POINTS] {
-        std::array::from_fn(|g| self.springs.load(self.penetration - self.profile.line(cell.node(g)), self.state(index, g)))
+        std::array::from_fn(|g| self.springs.load(self.penetration - self.profile.line(cell.node(g)), self.state(index, g).iter().copied()))
     }
 
     /// Q on the panels of the contact.

@@ -30,6 +30,16 @@ impl<'a> Passing<'a> {
         self.whole.advance(state, self.motion.penetration - height);
     }
 
+    /// Q after the motion at a point with f and v_i that stays bonded.
+    pub(super) fn bonded_load(&self, state: &[f64], height: f64) -> f64 {
+        self.springs.load(self.motion.end_penetration() - height, self.whole.advanced(state, self.motion.penetration - height))
+    }
+
+    /// W after the motion at a point with e_j that stays free.
+    pub(super) fn free_displacement(&self, state: &[f64]) -> f64 {
+        state.iter().zip(&self.kept).map(|(strain, kept)| strain * kept).sum()
+    }
+
     /// v_i after the motion, for the aggregate of many bonded points with W₀ added up; `count` multiplies what W follows.
     pub(super) fn bonded_sum(&self, state: &mut [f64], displacement: f64, count: f64) {
         for ((dashpot, relaxed), followed) in state.iter_mut().zip(&self.whole.relaxed).zip(&self.whole.followed) {

@@ -90,7 +90,7 @@ impl Springs {
     }
 
     /// Q at W of a bonded point.
-    pub(super) fn load(&self, displacement: f64, maxwell: &[f64]) -> f64 {
+    pub(super) fn load(&self, displacement: f64, maxwell: impl Iterator<Item = f64>) -> f64 {
         let branches = self.relaxation.iter().zip(maxwell);
         self.relaxed * displacement + branches.map(|(&(modulus, _), dashpot)| modulus * (displacement - dashpot)).sum::<f64>()
     }
@@ -128,9 +128,20 @@ impl Following {
     /// The dashpots after that time, from W₀.
     pub(super) fn advance(&self, maxwell: &mut [f64], displacement: f64) {
         for ((dashpot, relaxed), followed) in maxwell.iter_mut().zip(&self.relaxed).zip(&self.followed) {
-            *dashpot += (displacement - *dashpot) * relaxed + followed;
+            *dashpot = after(*dashpot, displacement, *relaxed, *followed);
         }
     }
+
+    /// The same of dashpots that stay as they are.
+    pub(super) fn advanced(&self, maxwell: &[f64], displacement: f64) -> impl Iterator<Item = f64> {
+        let branches = maxwell.iter().zip(&self.relaxed).zip(&self.followed);
+        branches.map(move |((dashpot, relaxed), followed)| after(*dashpot, displacement, *relaxed, *followed))
+    }
+}
+
+/// A dashpot after a time.
+fn after(dashpot: f64, displacement: f64, relaxed: f64, followed: f64) -> f64 {
+    dashpot + ((displacement - dashpot) * relaxed + followed)
 }
 
 fn map(matrix: &[f64], from: &[f64], to: &mut [f64]) {

@@ -59,16 +59,19 @@ impl Window {
             let values = std::array::from_fn(|g| {
                 let place = index * POINTS + g;
                 let height = self.heights[place];
-                self.state.copy_from_slice(&self.values[place * n..(place + 1) * n]);
+                let before = &self.values[place * n..(place + 1) * n];
                 match (cell.bonded, bonded) {
-                    (true, true) => passing.bonded(&mut self.state, height),
-                    (false, false) => passing.free(&mut self.state),
-                    (before, _) => passing.passed(&mut self.state, cell.node(g), height, before),
-                }
-                if bonded {
-                    contact.springs.load(penetration - height, &self.state)
-                } else {
-                    self.state.iter().sum::<f64>() + height - penetration
+                    (true, true) => passing.bonded_load(before, height),
+                    (false, false) => passing.free_displacement(before) + height - penetration,
+                    (was_bonded, _) => {
+                        self.state.copy_from_slice(before);
+                        passing.passed(&mut self.state, cell.node(g), height, was_bonded);
+                        if bonded {
+                            contact.springs.load(penetration - height, self.state.iter().copied())
+                        } else {
+                            self.state.iter().sum::<f64>() + height - penetration
+                        }
+                    }
                 }
             });
             let panel = Panel { lower: cell.low, upper: cell.high, values };
@@ -87,7 +90,7 @@ impl Window {
         let (length, height, dashpots) = &self.inner;
         self.state.copy_from_slice(dashpots);
         passing.bonded_sum(&mut self.state, motion.penetration * length - height, *length);
-        let rest = contact.springs.load(motion.end_penetration() * length - height, &self.state);
+        let rest = contact.springs.load(motion.end_penetration() * length - height, self.state.iter().copied());
         2.0 * (rest + self.loads.iter().map(Panel::integral).sum::<f64>())
     }
 }
