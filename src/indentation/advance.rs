@@ -1,17 +1,17 @@
-//! Steps under a penetration, a force or a frame, and under a prescribed edge: sizes by the error of the path, accepted or tried again.
+//! Steps under a penetration, a force or a frame: sizes by the error of the path, accepted or tried again.
 
+use super::corners::{AT_MARK, PLACE_NOISE};
 use super::edge::{Drive, Imposed, Trial};
-use super::elastic_zone::tension_root;
 use super::line::NARROWEST;
-use super::marcher::{CLOCK, HALF, LOOSEST, Marcher, NEARLY};
-use super::motion::{Motion, Passage};
+use super::marcher::{HALF, Marcher, NEARLY};
+use super::motion::Motion;
 use super::past::Node;
 use super::solution::EventKind;
 use super::stepping::{EdgeStep, Stepper, TimeStep};
 use crate::refusal::Refusal;
 
 /// Attempts at one step; each failed one shrinks it or changes what drives it.
-const MOST_ATTEMPTS: u32 = 200;
+pub(super) const MOST_ATTEMPTS: u32 = 200;
 /// Steps of the edge, over the process zone, below which an edge without a stable neighbour is taken as unstable.
 const SMALLEST_REACH: f64 = 1e-5;
 /// Accepted residual of the edge condition near a fold.
@@ -23,49 +23,22 @@ const AT_FOLD: f64 = 4e-4;
 const BEYOND_FOLD: f64 = 3.0;
 /// The same at least, over the process zone.
 const SHORTEST_LOOK: f64 = 0.15;
-/// And where a fold has been reached: below it the residual is noise.
-const SMALLEST_BEYOND: f64 = 1e-2;
-/// Distance of a fold, over the process zone, that is near.
-const NEAR_FOLD: f64 = 2.0;
-/// Shortest step, over the time since the last corner.
-const SHORTEST: f64 = 1e-12;
 /// Part of the way to a fold that one step goes.
 const TOWARDS_FOLD: f64 = 0.6;
 /// Points behind an extrapolation: more only amplify what is not smooth.
 const EXTRAPOLATION: usize = 5;
-/// Growth of a step over the one before at the tolerance below: polynomials through points whose distances double tell little of their own errors. It goes with the
-/// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
-const GROWTH: f64 = 0.5;
-const AT_GROWTH: f64 = 1e-2;
-/// The least: below it the error of a step rules alone.
-const SMALLEST_GROWTH: f64 = 0.15;
-
 /// The least change of a step that fails.
-const SLOWEST: f64 = 0.2;
-
-/// Narrowest panels within which the place of an edge is noise.
-const PLACE_NOISE: f64 = 4.0;
+pub(super) const SLOWEST: f64 = 0.2;
 /// Change of Δ over the depth of the contact that is noise.
 const DEPTH_NOISE: f64 = 1e-12;
 /// Motion over the process zone that is none.
 const AT_REST: f64 = 1e-9;
 /// Halvings of the time at which a rim gives way.
 const RIM_HALVINGS: u32 = 50;
-
-/// Distance to a corner of the path, over the process zone, that is none.
-const AT_MARK: f64 = 1e-6;
-/// Motion of a step, over the tolerance of the path, whose turn does not count.
-const STILL: f64 = 1e-4;
-/// Accuracy of the instant at which the edge turns, over the step that leads there, at the loosest tolerance; it goes with the cube root. The least, and attempts.
-const AT_TURN: f64 = 3e-3;
-const LEAST_AT_TURN: f64 = 1e-5;
+/// Attempts at the instant at which the edge turns.
 const MOST_TURNINGS: u32 = 24;
-
 /// Last term of one of t(y) and y(t) over that of the other, below which the one is smoother.
 const SMOOTHER: f64 = 0.5;
-
-/// Least measure of an error, over the process zone.
-const SHORTEST_MEASURE: f64 = 1e-2;
 
 /// What drives the next attempt.
 enum Choice {
@@ -253,44 +226,6 @@ impl Marcher<'_> {
         Err(Refusal::NotConverged { what: "a step of the contact", detail: format!("at t = {:e}, a = {a:e}", self.time) })
     }
 
-    /// See [`AT_TURN`]: just after a turn K goes with the time since.
-    fn at_turn(&self) -> f64 {
-        (AT_TURN * (self.tolerance / LOOSEST).cbrt()).clamp(LEAST_AT_TURN, AT_TURN)
-    }
-
-    /// Whether a step to a place goes against the one before: an edge that drives it has turned on the way.
-    fn reverses(&self, to: f64) -> bool {
-        let a = self.contact.radius();
-        self.past.nodes().get(1).is_some_and(|node| (to - a) * (a - node.radius) < 0.0)
-    }
-
-    /// Whether a step to a place, or one of the last before it, is more than the path is known to: steps towards a turn become as short as one likes.
-    fn moves(&self, to: f64) -> bool {
-        let a = self.contact.radius();
-        let last = self.past.nodes().windows(2).fold(0.0_f64, |most, pair| most.max((pair[0].radius - pair[1].radius).abs()));
-        (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
-    }
-
-    /// Whether the contact is one without adhesion that has just grown from a point, or shrinks to one: it goes by a root of the time, noise may look like a turn,
-    /// and only time can drive it.
-    fn is_nearly_a_point(&self) -> bool {
-        let a = self.contact.radius();
-        a == 0.0 || (self.problem.adhesion.is_none() && a < self.length)
-    }
-
-    /// The nearest corner of the path within a way of the edge.
-    fn mark_within(&self, way: f64) -> Option<f64> {
-        let a = self.contact.radius();
-        if self.is_nearly_a_point() {
-            return None;
-        }
-        let distance = |mark: &f64| (mark - a) * way.signum();
-        let marks = self.landmarks.iter().map(|(mark, _)| mark).chain(&self.turns).copied();
-        marks
-            .filter(|mark| distance(mark) > AT_MARK * self.length && distance(mark) <= way.abs())
-            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
-    }
-
     /// The rim holds the edge for a while yet: goes to the instant at which it gives way, and starts anew from there.
     fn leave_rim(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
         let rim = self.contact.profile().rim();
@@ -397,124 +332,5 @@ impl Marcher<'_> {
         let guess = guess.unwrap_or(here).clamp(here - reach, here + reach);
         // An edge at rest stays: extrapolated rounding is no motion.
         if (guess - here).abs() < AT_REST * self.length { here } else { guess }
-    }
-
-    /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.
-    fn fold_ahead(&self) -> Option<f64> {
-        let [now, one, two] = *self.past.nodes().get(..3)? else { return None };
-        let (first, second) = (now.radius - one.radius, one.radius - two.radius);
-        if first * second <= 0.0 {
-            return None;
-        }
-        let (fast, slow) = ((now.time - one.time) / first.abs(), (one.time - two.time) / second.abs());
-        let bend = 2.0 * (fast - slow) / (first.abs() + second.abs());
-        let slope = fast + 0.5 * bend * first.abs();
-        // Only a fold that is near counts; further away the path will show itself.
-        (bend < 0.0 && slope > 0.0).then(|| -slope / bend).filter(|distance| *distance < 4.0 * first.abs().max(self.reach))
-    }
-
-    /// Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
-    pub(super) fn is_near_fold(&self) -> bool {
-        self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < NEAR_FOLD * self.length)
-    }
-
-    /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.
-    pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<bool>, Refusal> {
-        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
-        let way = way.max(SMALLEST_BEYOND * self.length) * (now.radius - before.radius).signum();
-        if now.radius + way <= self.smallest() || now.radius + way >= self.contact.profile().rim() {
-            return Ok(None);
-        }
-        let (_, value) = self.edge.jumped(&self.contact, now.radius + way, imposed)?;
-        Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
-    }
-
-    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind an adhering edge know the way that it went, and K with them.
-    fn measure(&self, way: f64) -> f64 {
-        if self.problem.adhesion.is_none() {
-            return self.length;
-        }
-        (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
-    }
-
-    /// Growth of a step over the one before, at most.
-    fn fastest(&self) -> f64 {
-        1.0 + (GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0)).clamp(SMALLEST_GROWTH, GROWTH)
-    }
-
-    /// No step is made shorter for its error than this.
-    fn shortest_step(&self) -> f64 {
-        (SHORTEST * (self.time - self.corner)).max(CLOCK * f64::EPSILON * self.time)
-    }
-
-    /// A step of a prescribed edge.
-    pub(super) fn prescribed_step(&mut self, value: &dyn Fn(f64) -> f64, cap: f64, left: f64, target: f64) -> Result<(), Refusal> {
-        let mut cap = cap;
-        for _ in 0..MOST_ATTEMPTS {
-            let way = (value(cap) - self.contact.radius()).abs();
-            if way > self.largest_reach() {
-                cap *= (0.99 * self.largest_reach() / way).max(0.1);
-                continue;
-            }
-            let (motion, residual, error) = self.prescribed_motion(value(cap), cap, 5)?;
-            let error = error / self.opening;
-            let ideal = if error > 0.0 { 0.9 * (self.tolerance / error).powf(0.25) } else { self.fastest() };
-            let factor = ideal.clamp(SLOWEST, self.fastest());
-            if error > self.tolerance && factor < 0.9 && cap > self.shortest_step() {
-                cap *= factor;
-                continue;
-            }
-            self.go(&motion, motion.end_penetration());
-            self.went(cap, left, target, residual);
-            if cap < left || factor < 1.0 {
-                self.dt = cap * factor;
-            }
-            return Ok(());
-        }
-        Err(Refusal::NotConverged { what: "a step of the prescribed edge", detail: format!("at t = {:e}", self.time) })
-    }
-
-    /// A given edge after dt: the penetration from the edge condition.
-    pub(super) fn prescribed(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(), Refusal> {
-        let (motion, _, _) = self.prescribed_motion(radius, dt, degree)?;
-        self.go(&motion, motion.end_penetration());
-        Ok(())
-    }
-
-    fn prescribed_motion(&mut self, radius: f64, dt: f64, degree: u32) -> Result<(Motion, f64, f64), Refusal> {
-        let here = self.contact.penetration();
-        let now = self.past.nodes().first().copied();
-        let powers = |rise: f64| match now {
-            Some(now) if dt > 0.0 => self.past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
-            _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
-        };
-        let motion = |rise: f64| {
-            let (powers, error) = powers(rise);
-            (Motion::new(self.contact.profile(), (self.contact.radius(), radius), dt, Passage::Radius, here, powers), error)
-        };
-        let unit = self.opening;
-        let rise = match self.problem.adhesion {
-            None => {
-                let first = self.edge.residual(&self.contact, &motion(0.0).0, false)?;
-                let second = self.edge.residual(&self.contact, &motion(unit).0, false)?;
-                -unit * first / (second - first)
-            }
-            Some(adhesion) => {
-                // C is a quadratic in the rise; sampled again about its root it keeps its digits.
-                let mut about = self.contact.profile().line(radius) - here;
-                let mut scale = -unit;
-                for _ in 0..2 {
-                    let mut sample = |x: f64| self.edge.work(&self.contact, &motion(about + scale * x).0);
-                    let samples = [sample(0.0)?, sample(1.0)?, sample(2.0)?];
-                    about += scale * tension_root(samples, adhesion.work_of_adhesion)?;
-                    about += 0.5 * unit;
-                    scale = -0.5 * unit;
-                }
-                about - 0.5 * unit
-            }
-        };
-        let (motion, error) = motion(rise);
-        let residual = self.edge.residual(&self.contact, &motion, false)?;
-        Ok((motion, residual, error))
     }
 }

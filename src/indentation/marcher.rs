@@ -11,7 +11,6 @@ use super::record::Record;
 use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
-use super::stepping::SMALLEST;
 use super::stretch::{Place, Stretch};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -19,8 +18,6 @@ use std::f64::consts::PI;
 
 /// First time step of a segment, over the shortest relaxation time and over the segment, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_TIME: f64 = 0.1;
-/// First step of an edge, over the process zone, likewise.
-const FIRST_REACH: f64 = 0.3;
 /// Ulp of the time below which no step goes: a clock that does not move is a march that stands still.
 pub(super) const CLOCK: f64 = 4.0;
 /// Part of what is left of a stretch, or of a way, that is all of it; and the part that is gone when two steps go there.
@@ -32,22 +29,6 @@ const SAME_PACE: f64 = 1e-3;
 const COARSENING_INTERVAL: u64 = 4;
 /// State, over the opening at the edge and the tolerance, by which joining panels may change anything.
 const COARSENING_TOLERANCE: f64 = 1e-4;
-/// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
-const EDGE_TOLERANCE: f64 = 1e-4;
-const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
-const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
-/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of a millionth or more; below it they grow with the steps of a march.
-const MOST_STEPS: f64 = 6_000.0;
-/// See [`MOST_STEPS`].
-const TIGHT: f64 = 1e-6;
-/// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
-const LARGEST_REACH: f64 = 0.5;
-/// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
-const MOST_TURNS: usize = 4;
-const SAME_TURN: f64 = 1e-2;
-/// Distance from a landmark, over the process zone, that is none; corners of corners that steps end at.
-const SAME_LANDMARK: f64 = 1e-5;
-const GENERATIONS: u32 = 2;
 /// Tolerance at which steps are as large as they may be.
 pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
@@ -258,59 +239,6 @@ impl<'a> Marcher<'a> {
         }
     }
 
-    /// Forgets the smooth path: a corner of the history, or an event.
-    pub(super) fn restart(&mut self) {
-        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
-        self.past.restart(node);
-        self.record.new_piece();
-        self.corner = self.time;
-        self.smooth_in_time = false;
-        let root = self.tolerance.sqrt();
-        self.reach = FIRST_REACH * root * self.length;
-        self.dt = self.first_step();
-        self.landmarks.clear();
-        let (a, zone) = (self.contact.radius(), self.edge.zone());
-        if zone > 0.0 && a > 0.0 {
-            self.landmarks.extend([(a - zone, 1), (a + zone, 1)]);
-        }
-    }
-
-    /// The same where the edge turns: it starts from rest.
-    pub(super) fn restart_at_turn(&mut self) {
-        self.restart();
-        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
-        self.past.restart_at_turn(node);
-        self.remember_turn(self.contact.radius());
-    }
-
-    pub(super) fn remember_turn(&mut self, place: f64) {
-        self.turns.retain(|turn| (turn - place).abs() > SAME_TURN * self.length);
-        self.turns.push(place);
-        if self.turns.len() > MOST_TURNS {
-            self.turns.remove(0);
-        }
-    }
-
-    /// The same at a landmark: the path has a corner there, and time goes on.
-    pub(super) fn restart_at_landmark(&mut self) {
-        let (corner, dt) = (self.corner, self.dt);
-        let mut others = std::mem::take(&mut self.landmarks);
-        let (a, zone) = (self.contact.radius(), self.edge.zone());
-        let way = self.past.nodes().get(1).map_or(0.0, |before| (a - before.radius).signum());
-        self.restart();
-        // The surface keeps the corner: an edge that comes back meets it again.
-        self.remember_turn(a);
-        self.corner = corner;
-        // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
-        self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
-        // Landmarks of the turn before stay.
-        let reached = others.iter().find(|(mark, _)| (mark - a).abs() <= SAME_LANDMARK * self.length).map(|(_, generation)| *generation);
-        if let Some(generation) = reached.filter(|generation| *generation < GENERATIONS) {
-            others.push((a + way * zone, generation + 1));
-        }
-        self.landmarks = others;
-    }
-
     /// An instantaneous stretch.
     fn suddenly(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
         self.at_once(stretch)?;
@@ -494,33 +422,5 @@ impl<'a> Marcher<'a> {
             }
         }
         Ok(())
-    }
-
-    fn most_steps(&self) -> u64 {
-        (MOST_STEPS * (TIGHT / self.tolerance).powf(1.0 / 6.0).max(1.0)) as u64
-    }
-
-    /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
-    pub(super) fn largest_reach(&self) -> f64 {
-        LARGEST_REACH * self.stride() * self.length
-    }
-
-    /// The first step after a corner: what the clock can still tell, or more.
-    fn first_step(&self) -> f64 {
-        (self.first * self.tolerance.sqrt()).max(CLOCK * f64::EPSILON * self.time)
-    }
-
-    fn stride(&self) -> f64 {
-        (self.tolerance / LOOSEST).powf(1.0 / 6.0).min(1.0)
-    }
-
-    /// Accepted residual: well below what the path is known to.
-    pub(super) fn edge_tolerance(&self) -> f64 {
-        (EDGE_TOLERANCE * self.tolerance).clamp(SMALLEST_EDGE_TOLERANCE, LARGEST_EDGE_TOLERANCE)
-    }
-
-    /// The smallest contact that is one.
-    pub(super) fn smallest(&self) -> f64 {
-        self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| SMALLEST * adhesion.process_zone)
     }
 }

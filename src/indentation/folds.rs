@@ -1,0 +1,42 @@
+//! Where t(a) has a fold, the edge runs away: how far ahead one is, and whether an edge is beyond it.
+
+use super::edge::Imposed;
+use super::marcher::Marcher;
+use crate::refusal::Refusal;
+
+/// Where the edge is looked at where a fold has been reached, over the process zone: below it the residual is noise.
+const SMALLEST_BEYOND: f64 = 1e-2;
+/// Distance of a fold, over the process zone, that is near.
+const NEAR_FOLD: f64 = 2.0;
+
+impl Marcher<'_> {
+    /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.
+    pub(super) fn fold_ahead(&self) -> Option<f64> {
+        let [now, one, two] = *self.past.nodes().get(..3)? else { return None };
+        let (first, second) = (now.radius - one.radius, one.radius - two.radius);
+        if first * second <= 0.0 {
+            return None;
+        }
+        let (fast, slow) = ((now.time - one.time) / first.abs(), (one.time - two.time) / second.abs());
+        let bend = 2.0 * (fast - slow) / (first.abs() + second.abs());
+        let slope = fast + 0.5 * bend * first.abs();
+        // Only a fold that is near counts; further away the path will show itself.
+        (bend < 0.0 && slope > 0.0).then(|| -slope / bend).filter(|distance| *distance < 4.0 * first.abs().max(self.reach))
+    }
+
+    /// Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
+    pub(super) fn is_near_fold(&self) -> bool {
+        self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < NEAR_FOLD * self.length)
+    }
+
+    /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.
+    pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<bool>, Refusal> {
+        let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
+        let way = way.max(SMALLEST_BEYOND * self.length) * (now.radius - before.radius).signum();
+        if now.radius + way <= self.smallest() || now.radius + way >= self.contact.profile().rim() {
+            return Ok(None);
+        }
+        let (_, value) = self.edge.jumped(&self.contact, now.radius + way, imposed)?;
+        Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
+    }
+}

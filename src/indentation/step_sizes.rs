@@ -1,0 +1,75 @@
+//! How large steps are, and how exactly they are found: bounds that go with the tolerance by the order of the path, so that two marches never take the same steps.
+
+use super::marcher::{CLOCK, LOOSEST, Marcher};
+use super::stepping::SMALLEST;
+
+/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of a millionth or more; below it they grow with the steps of a march.
+const MOST_STEPS: f64 = 6_000.0;
+/// See [`MOST_STEPS`].
+const TIGHT: f64 = 1e-6;
+/// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
+const LARGEST_REACH: f64 = 0.5;
+/// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
+const EDGE_TOLERANCE: f64 = 1e-4;
+const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
+const LARGEST_EDGE_TOLERANCE: f64 = 2e-11;
+/// Shortest step, over the time since the last corner.
+const SHORTEST: f64 = 1e-12;
+/// Growth of a step over the one before at the tolerance below: polynomials through points whose distances double tell little of their own errors. It goes with the
+/// tolerance by the order of the path: marches that grow alike err alike, however tight they are.
+const GROWTH: f64 = 0.5;
+const AT_GROWTH: f64 = 1e-2;
+/// The least: below it the error of a step rules alone.
+const SMALLEST_GROWTH: f64 = 0.15;
+/// Least measure of an error, over the process zone.
+const SHORTEST_MEASURE: f64 = 1e-2;
+
+impl Marcher<'_> {
+    /// Steps of a stretch, or of a cycle, after which a march stands still.
+    pub(super) fn most_steps(&self) -> u64 {
+        (MOST_STEPS * (TIGHT / self.tolerance).powf(1.0 / 6.0).max(1.0)) as u64
+    }
+
+    /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
+    pub(super) fn largest_reach(&self) -> f64 {
+        LARGEST_REACH * self.stride() * self.length
+    }
+
+    /// The first step after a corner: what the clock can still tell, or more.
+    pub(super) fn first_step(&self) -> f64 {
+        (self.first * self.tolerance.sqrt()).max(CLOCK * f64::EPSILON * self.time)
+    }
+
+    /// How much smaller the bounds of steps are than at the loosest tolerance.
+    pub(super) fn stride(&self) -> f64 {
+        (self.tolerance / LOOSEST).powf(1.0 / 6.0).min(1.0)
+    }
+
+    /// Growth of a step over the one before, at most.
+    pub(super) fn fastest(&self) -> f64 {
+        1.0 + (GROWTH * (self.tolerance / AT_GROWTH).powf(1.0 / 6.0)).clamp(SMALLEST_GROWTH, GROWTH)
+    }
+
+    /// No step is made shorter for its error than this.
+    pub(super) fn shortest_step(&self) -> f64 {
+        (SHORTEST * (self.time - self.corner)).max(CLOCK * f64::EPSILON * self.time)
+    }
+
+    /// What an error of the place of the edge is seen against: the stresses that a step leaves behind an adhering edge know the way that it went, and K with them.
+    pub(super) fn measure(&self, way: f64) -> f64 {
+        if self.problem.adhesion.is_none() {
+            return self.length;
+        }
+        (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
+    }
+
+    /// Accepted residual: well below what the path is known to.
+    pub(super) fn edge_tolerance(&self) -> f64 {
+        (EDGE_TOLERANCE * self.tolerance).clamp(SMALLEST_EDGE_TOLERANCE, LARGEST_EDGE_TOLERANCE)
+    }
+
+    /// The smallest contact that is one.
+    pub(super) fn smallest(&self) -> f64 {
+        self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| SMALLEST * adhesion.process_zone)
+    }
+}
