@@ -10,11 +10,9 @@ use std::f64::consts::PI;
 /// Bound over what is left of an error: single numbers scatter about it, most of all what follows the last step alone, as K and the release rates do. In 38 000
 /// values of 2150 random spheres K needed 5.7, once; six then held in 3000.
 const SAFETY: f64 = 6.0;
-/// The same of depth, force and radius, which add up the whole path: 4.3 was needed once, by a force at a fold; 2.8 by any other, and 4.8 by one of 52 000 values of 3000
-/// scenes that the factors were not chosen by.
-const OF_THE_PATH: f64 = 5.0;
-/// Where marches differ at all, no bar is below this part of the tolerance of the finest, over the largest value: an error so far below the tolerance is chance.
-const CHANCE: f64 = 1e-3;
+/// The same of depth, force and radius, which add up the whole path: 4.3 was needed once, by a force at a fold; 2.8 by any other above a thousandth of the accuracy, and
+/// 5.0 by one of 1048 below it.
+const OF_THE_PATH: f64 = 5.2;
 /// And of the largest tension, where the force is stationary: 1.6.
 const OF_THE_LARGEST: f64 = 3.0;
 /// Error of the radius of an event, over the accuracy of radii, that is allowed: at a fold it goes with the root of what is not known of the load.
@@ -60,7 +58,7 @@ pub(super) fn judged(
                 *most = most.max(left);
                 *most
             });
-            let least = scale.map_or(memory, |scale| chance(left, tolerance, *scale));
+            let least = if scale.is_some() { 0.0 } else { memory };
             let unresolved = if quantity == INTENSITY { point.unresolved_intensity + PANELS * value.abs() } else { 0.0 };
             let safety = if quantity < INTENSITY { OF_THE_PATH } else { SAFETY };
             let error = (safety * left).max(least) + unresolved + ROUNDING * value.abs() + digits;
@@ -103,22 +101,22 @@ pub(super) fn judged(
         .map(|(index, event)| {
             let witnesses =
                 witnesses.map(|witness| witness.and_then(|witness| witness.events.get(index)).filter(|witness| witness.kind == event.kind));
-            let estimate = |of: fn(&Event<f64>) -> f64, scale: f64| {
+            let estimate = |of: fn(&Event<f64>) -> f64| {
                 let left = left(of(event), witnesses.map(|witness| witness.map(of)));
-                Estimate::new(of(event), (OF_THE_PATH * left).max(chance(left, tolerance, scale)) + ROUNDING * of(event).abs())
+                Estimate::new(of(event), OF_THE_PATH * left + ROUNDING * of(event).abs())
             };
             Event {
                 kind: event.kind,
-                time: estimate(|event| event.time, 0.0),
-                penetration: estimate(|event| event.penetration, scales[0]),
-                force: estimate(|event| event.force, scales[1]),
-                contact_radius: estimate(|event| event.contact_radius, scales[2]),
+                time: estimate(|event| event.time),
+                penetration: estimate(|event| event.penetration),
+                force: estimate(|event| event.force),
+                contact_radius: estimate(|event| event.contact_radius),
             }
         })
         .collect();
     let largest_tension = fine.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
         let left = left(value, witnesses.map(|witness| witness.map(|witness| witness.largest_tension().unwrap_or(0.0))));
-        Estimate::new(value, (OF_THE_LARGEST * left).max(chance(left, tolerance, scales[1])) + ROUNDING * value)
+        Estimate::new(value, OF_THE_LARGEST * left + ROUNDING * value)
     });
     if let Some(tension) = largest_tension {
         reached &= tension.error <= problem.accuracy * scales[1];
@@ -145,11 +143,6 @@ pub(super) fn judged(
         fine,
         work,
     }
-}
-
-/// See [`CHANCE`].
-fn chance(left: f64, tolerance: f64, scale: f64) -> f64 {
-    if left > LAST_DIGITS * scale { CHANCE * tolerance * scale } else { 0.0 }
 }
 
 /// A release rate with its error; none where nothing of it is known.
