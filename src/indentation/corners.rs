@@ -6,7 +6,7 @@ use super::marcher::{LOOSEST, Marcher};
 
 /// First step of an edge, over the process zone, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_REACH: f64 = 0.3;
-/// Turns of the edge that are remembered; turns nearer than this, over the process zone, count as one.
+/// Turns and corners of the edge that are remembered; those nearer than this, over the process zone, count as one.
 const MOST_TURNS: usize = 4;
 const SAME_TURN: f64 = 1e-2;
 /// Distance from a landmark, over the process zone, that is none; corners of corners that steps end at.
@@ -40,6 +40,16 @@ impl Marcher<'_> {
         }
     }
 
+    /// The same at a corner of the history: where the edge moves it changes its speed there, and the line keeps the place. An edge at rest would meet it again and again.
+    pub(super) fn restart_at_corner(&mut self) {
+        let a = self.contact.radius();
+        let moves = self.moves(a);
+        self.restart();
+        if moves {
+            self.remember_turn(a);
+        }
+    }
+
     /// The same where the edge turns: it starts from rest.
     pub(super) fn restart_at_turn(&mut self) {
         self.restart();
@@ -48,6 +58,7 @@ impl Marcher<'_> {
         self.remember_turn(self.contact.radius());
     }
 
+    /// Keeps a place at which the line has a kink: a step ends there when the edge comes back.
     pub(super) fn remember_turn(&mut self, place: f64) {
         self.turns.retain(|turn| (turn - place).abs() > SAME_TURN * self.length);
         self.turns.push(place);

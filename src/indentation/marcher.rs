@@ -241,6 +241,8 @@ impl<'a> Marcher<'a> {
 
     /// An instantaneous stretch.
     fn suddenly(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
+        // The line keeps where the edge was; where it comes to rest the next stretch begins.
+        self.remember_turn(self.contact.radius());
         self.at_once(stretch)?;
         self.pace = None;
         self.record.keep();
@@ -257,7 +259,7 @@ impl<'a> Marcher<'a> {
                 .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
         self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(stretch.longest_step(0.0));
         if !same {
-            self.restart();
+            self.restart_at_corner();
         }
         self.meter = segment.oscillation.map(|oscillation| {
             let longest = self.springs.longest_retardation_time();
