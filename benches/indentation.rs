@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march, run};
 use viscotack::material::RelaxationTerm;
 use viscotack::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 
@@ -29,6 +29,17 @@ fn best<T>(times: u32, mut job: impl FnMut() -> T) -> (f64, T) {
         last = Some(found);
     }
     (least, last.unwrap())
+}
+
+/// Largest difference of force and radius at the instants that both keep, over their largest values.
+fn difference(trace: &Trace, truth: &Trace) -> f64 {
+    let [_, force, radius, _] = truth.summary.scales;
+    let apart = |(&one, &other): (&usize, &usize)| {
+        let (one, other) = (trace.path[one], truth.path[other]);
+        ((one.force - other.force).abs() / force).max((one.contact_radius - other.contact_radius).abs() / radius)
+    };
+    assert_eq!(trace.kept.len(), truth.kept.len());
+    trace.kept.iter().zip(&truth.kept).map(apart).fold(0.0, f64::max)
 }
 
 fn cycle(accuracy: f64) -> IndentationProblem {
@@ -64,6 +75,16 @@ fn main() {
         );
         exact = tension.value;
         core.push(time);
+    }
+    let truth = march(&rubber, &cycle(1e-8), 1e-8).unwrap();
+    for tolerance in [1e-1, 1e-2, 1e-4, 1e-6] {
+        let (time, trace) = best(3, || march(&rubber, &cycle(tolerance), tolerance).unwrap());
+        println!(
+            "  one march without bars at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
+            trace.work.steps,
+            trace.work.closure_evaluations,
+            difference(&trace, &truth)
+        );
     }
     let leg = TOP / SPEED;
     let corners = [(0.0, 0.0), (leg, TOP), (leg + (TOP - END) / SPEED, END)];
