@@ -14,10 +14,10 @@ use crate::refusal::Refusal;
 pub(super) const MOST_ATTEMPTS: u32 = 200;
 /// Steps of the edge, over the process zone, below which an edge without a stable neighbour is taken as unstable.
 const SMALLEST_REACH: f64 = 1e-5;
+/// No step is made shorter for its error than this, over the process zone.
+const SHORTEST_REACH: f64 = 1e-7;
 /// Accepted residual of the edge condition near a fold.
 const FOLD_TOLERANCE: f64 = 1e-13;
-/// Distance from the fold of t(a), over the process zone, at which it is taken as reached.
-const AT_FOLD: f64 = 4e-4;
 /// Where the edge is looked at to tell a fold from a path that only slows down, over the distance of the fold: the residual of a step at once, straight
 /// less a square, has its zero at twice that distance.
 const BEYOND_FOLD: f64 = 3.0;
@@ -66,10 +66,10 @@ impl Marcher<'_> {
             } else {
                 // Just behind a corner the first steps are too short to tell of a fold.
                 let told = self.past.nodes().last().is_some_and(|oldest| (a - oldest.radius).abs() > distance);
-                if told && distance < AT_FOLD * self.length && self.is_unstable(imposed, 0.0)? == Some(true) {
+                if told && self.is_at_fold(imposed, distance)? && self.is_unstable(imposed, 0.0)? == Some(true) {
                     return self.lost(true, Some(distance), imposed);
                 }
-                reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * AT_FOLD * self.length));
+                reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * self.nearest_to_fold()));
             }
         }
         let mut forced: Option<Choice> = None;
@@ -195,8 +195,8 @@ impl Marcher<'_> {
                 }
             }
             // Places are only known to the narrowest panel, and to what the accepted residual leaves: below that a path has no shape.
-            let (by_time, by_place) = self.slopes;
-            let slack = if by_edge { (trial.motion.to - a).abs() / by_time } else { 1.0 / by_place };
+            let (_, by_place) = self.slopes;
+            let slack = if by_edge { (trial.motion.to - a).abs() / trial.drive } else { 1.0 / by_place };
             let slack = if slack.is_finite() { slack * self.edge_tolerance() } else { 0.0 };
             let noise = PLACE_NOISE * (NARROWEST * a.max(self.length)).max(slack);
             let place_error = if trial.place_error <= noise { 0.0 } else { trial.place_error };
@@ -207,7 +207,8 @@ impl Marcher<'_> {
                 if error > 0.0 { 0.9 * (self.tolerance / error).powf(1.0 / f64::from(trial.degree.max(1))) } else { self.fastest() };
             let factor = ideal.clamp(SLOWEST, self.fastest());
             if error > self.tolerance && factor < 0.9 {
-                let smallest = reach < 1e-7 * self.length || cap < self.shortest_step();
+                // An edge that drives may go quicker than the clock can tell.
+                let smallest = reach < SHORTEST_REACH * self.length || (!by_edge && cap < self.shortest_step());
                 if !smallest {
                     if by_edge {
                         reach *= factor
@@ -310,15 +311,14 @@ impl Marcher<'_> {
         };
         let way = now.radius - before.radius;
         let inwards = way < 0.0;
-        if way == 0.0 || now.time <= before.time {
+        if way == 0.0 || before.time >= 0.0 {
             return Choice::Time { guess: self.place_after(cap, reach) };
         }
-        let pace = (now.time - before.time) / way.abs() * reach;
+        let pace = -before.time / way.abs() * reach;
         let target = if inwards { now.radius - reach } else { now.radius + reach };
         let guess = self
             .past
             .extrapolated(EXTRAPOLATION, |node| (node.radius - target, node.time))
-            .map(|time| time - now.time)
             .filter(|dt| *dt > 0.1 * pace && *dt < 10.0 * pace)
             .unwrap_or(pace);
         if guess <= cap { Choice::Edge { inwards, guess } } else { Choice::Time { guess: self.place_after(cap, reach) } }
@@ -327,8 +327,7 @@ impl Marcher<'_> {
     /// Where the edge is probably going to be.
     fn place_after(&self, dt: f64, reach: f64) -> f64 {
         let here = self.contact.radius();
-        let Some(now) = self.past.nodes().first() else { return here };
-        let guess = self.past.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - now.time - dt, node.radius));
+        let guess = self.past.extrapolated(EXTRAPOLATION, |node: &Node| (node.time - dt, node.radius));
         let guess = guess.unwrap_or(here).clamp(here - reach, here + reach);
         // An edge at rest stays: extrapolated rounding is no motion.
         if (guess - here).abs() < AT_REST * self.length { here } else { guess }

@@ -67,13 +67,14 @@ pub(super) struct ContactState {
     values: Vec<f64>,
     radius: f64,
     penetration: f64,
+    way: f64,
     updates: u64,
 }
 
 impl ContactState {
     pub(super) fn of(contact: &Contact<'_>) -> Self {
-        let Contact { springs: _, profile: _, cells, values, radius, penetration, updates } = contact;
-        Self { cells: cells.clone(), values: values.clone(), radius: *radius, penetration: *penetration, updates: *updates }
+        let Contact { springs: _, profile: _, cells, values, radius, penetration, way, updates } = contact;
+        Self { cells: cells.clone(), values: values.clone(), radius: *radius, penetration: *penetration, way: *way, updates: *updates }
     }
 
     /// The contact of the same springs and profile as `like`.
@@ -81,8 +82,8 @@ impl ContactState {
         if self.values.len() != self.cells.len() * POINTS * like.springs.terms() {
             return Err(foreign("its line has another number of terms"));
         }
-        let Self { cells, values, radius, penetration, updates } = self;
-        Ok(Contact { springs: like.springs, profile: like.profile.clone(), cells, values, radius, penetration, updates })
+        let Self { cells, values, radius, penetration, way, updates } = self;
+        Ok(Contact { springs: like.springs, profile: like.profile.clone(), cells, values, radius, penetration, way, updates })
     }
 }
 

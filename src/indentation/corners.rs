@@ -25,7 +25,7 @@ const LEAST_AT_TURN: f64 = 1e-5;
 impl Marcher<'_> {
     /// Forgets the smooth path: a corner of the history, or an event.
     pub(super) fn restart(&mut self) {
-        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
+        let node = node_of(self.contact.profile(), &self.contact, self.record.force());
         self.past.restart(node);
         self.record.new_piece();
         self.corner = self.time;
@@ -53,7 +53,7 @@ impl Marcher<'_> {
     /// The same where the edge turns: it starts from rest.
     pub(super) fn restart_at_turn(&mut self) {
         self.restart();
-        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
+        let node = node_of(self.contact.profile(), &self.contact, self.record.force());
         self.past.restart_at_turn(node);
         self.remember_turn(self.contact.radius());
     }

@@ -61,6 +61,8 @@ pub(super) struct Trial {
     pub(super) motion: Motion,
     pub(super) penetration: f64,
     pub(super) residual: f64,
+    /// −g at the same place at once, what the time makes up for; infinite where it was not asked for.
+    pub(super) drive: f64,
     /// Error of one degree less: of the place of the edge within the step, and of Δ (m).
     pub(super) place_error: f64,
     pub(super) depth_error: f64,
@@ -119,7 +121,7 @@ impl Edge {
         if dt == 0.0 || way == 0.0 {
             return (Passage::Radius, 0.0, 1);
         }
-        let parts = |node: &Node| ((node.place - now.place) / way, (node.time - now.time) / dt);
+        let parts = |node: &Node| ((node.place - now.place) / way, node.time / dt);
         let distance = (radius - contact.radius()).abs();
         match drive {
             Drive::Edge => {
@@ -177,9 +179,7 @@ impl Edge {
                 let rests = radius.to_bits() == contact.radius().to_bits();
                 let depth_degree = if rests { past.nodes().len().clamp(1, DEGREE) as u32 } else { degree };
                 let depths = |rise: f64| match past.nodes().first() {
-                    Some(&now) if dt > 0.0 => {
-                        past.powers(rise, depth_degree, |node| ((node.time - now.time) / dt, node.penetration - here))
-                    }
+                    Some(_) if dt > 0.0 => past.powers(rise, depth_degree, |node| (node.time / dt, node.penetration - here)),
                     _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
                 };
                 // F is affine in Δ; a unit of its own size keeps the digits of a contact that grows from a point.
@@ -193,7 +193,7 @@ impl Edge {
             }
         };
         let residual = self.residual(contact, &motion, matches!(imposed, Imposed::Load { .. }))?;
-        Ok(Trial { penetration: motion.end_penetration(), motion, residual, place_error, depth_error, degree })
+        Ok(Trial { penetration: motion.end_penetration(), motion, residual, drive: f64::INFINITY, place_error, depth_error, degree })
     }
 
     fn prepare(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Window {
@@ -222,7 +222,7 @@ impl Edge {
                 let kernel = self.kernel_at(motion.to)?;
                 let work = zone_work(&kernel, &window.loads, &window.gaps) / adhesion.work_of_adhesion;
                 self.kernel = Some((motion.to, kernel));
-                signed(work, edge_load)
+                signed(work, edge_load, value_at(&window.gaps, motion.to))
             }
             None => -edge_load / self.load_scale(contact, motion.to),
         };
@@ -270,9 +270,10 @@ impl Edge {
         let g = match self.adhesion {
             Some(adhesion) => {
                 let kernel = self.kernel_at(radius)?;
-                let work = zone_work(&kernel, &loads, &next.gap_factor(radius + adhesion.process_zone)) / adhesion.work_of_adhesion;
+                let gaps = next.gap_factor(radius + adhesion.process_zone);
+                let work = zone_work(&kernel, &loads, &gaps) / adhesion.work_of_adhesion;
                 self.kernel = Some((radius, kernel));
-                signed(work, edge_load)
+                signed(work, edge_load, value_at(&gaps, radius))
             }
             None => -edge_load / self.load_scale(contact, radius),
         };
@@ -295,14 +296,15 @@ fn course(dt: f64, here: f64, scale: f64, history: &dyn Fn(f64) -> f64) -> [f64;
     std::array::from_fn(|power| rises.iter().zip(&THROUGH_FIFTHS).map(|(rise, row)| rise * row[power]).sum())
 }
 
-/// A point of the march.
-pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, time: f64, force: f64) -> Node {
-    Node { time, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
+/// A point of the march that is now.
+pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, force: f64) -> Node {
+    Node { time: 0.0, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
 }
 
-/// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium.
-fn signed(work: f64, edge_load: f64) -> f64 {
-    if edge_load > 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
+/// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium. D(a) = −Q(a)/E∞*, so both sides of the edge
+/// tell; one alone may be noise, where a layer is thinner than any panel.
+fn signed(work: f64, edge_load: f64, edge_gap: f64) -> f64 {
+    if edge_load > 0.0 && edge_gap < 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
 }
 
 fn finite(value: f64, radius: f64) -> Result<f64, Refusal> {

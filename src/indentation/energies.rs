@@ -25,11 +25,12 @@ impl Contact<'_> {
         let mut strains = vec![0.0; self.springs.terms()];
         let mut total = 0.0;
         for (index, cell) in self.cells.iter().enumerate() {
-            for (g, weight) in (0..POINTS).zip(RULE.weights) {
+            let heights = if cell.bonded { cell.heights(&self.profile) } else { [0.0; POINTS] };
+            for (g, (weight, height)) in RULE.weights.iter().zip(heights).enumerate() {
                 let state = self.state(index, g);
                 let load = if cell.bonded {
                     self.springs.voigt(state, &mut strains);
-                    self.springs.load(self.penetration - self.profile.line(cell.node(g)), state.iter().copied())
+                    self.springs.load(self.penetration - height, state.iter().copied())
                 } else {
                     strains.copy_from_slice(state);
                     0.0

@@ -1,11 +1,19 @@
 //! Where t(a) has a fold, the edge runs away: how far ahead one is, and whether an edge is beyond it.
 
 use super::edge::Imposed;
+use super::line::NARROWEST;
 use super::marcher::Marcher;
 use crate::refusal::Refusal;
 
 /// Where the edge is looked at where a fold has been reached, over the process zone: below it the residual is noise.
 const SMALLEST_BEYOND: f64 = 1e-2;
+/// Distance from the fold of t(a), over the process zone, at which it may be taken as reached, and at which it is in any case.
+const AT_FOLD: f64 = 4e-4;
+const NEAREST: f64 = 4e-5;
+/// Narrowest panels that tell a place near a fold.
+const PLACES: f64 = 100.0;
+/// Largest |g| on this side of a fold whose last digits tell no distance.
+const FLAT: f64 = 1e-10;
 /// Distance of a fold, over the process zone, that is near.
 const NEAR_FOLD: f64 = 2.0;
 
@@ -17,7 +25,7 @@ impl Marcher<'_> {
         if first * second <= 0.0 {
             return None;
         }
-        let (fast, slow) = ((now.time - one.time) / first.abs(), (one.time - two.time) / second.abs());
+        let (fast, slow) = (-one.time / first.abs(), (one.time - two.time) / second.abs());
         let bend = 2.0 * (fast - slow) / (first.abs() + second.abs());
         let slope = fast + 0.5 * bend * first.abs();
         // Only a fold that is near counts; further away the path will show itself.
@@ -31,12 +39,32 @@ impl Marcher<'_> {
 
     /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.
     pub(super) fn is_unstable(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<bool>, Refusal> {
+        Ok(self.drive_at(imposed, way.max(SMALLEST_BEYOND * self.length))?.map(|drive| drive >= 0.0))
+    }
+
+    /// Whether a fold ahead is taken as reached at the distance that it seems to have: what is left of the way is continued by a parabola, which errs by its square.
+    pub(super) fn is_at_fold(&mut self, imposed: &Imposed<'_>, distance: f64) -> Result<bool, Refusal> {
+        if distance >= AT_FOLD * self.length {
+            return Ok(false);
+        }
+        // Where the edge condition is so flat that its rounding is all that further steps would tell, it is no use to go on.
+        Ok(distance < self.nearest_to_fold() || self.drive_at(imposed, distance)?.is_some_and(|drive| drive.abs() < FLAT))
+    }
+
+    /// The distance from a fold that is none: less tells nothing, or places have no more digits.
+    pub(super) fn nearest_to_fold(&self) -> f64 {
+        let told = PLACES * NARROWEST * self.contact.radius();
+        (NEAREST * self.length).max(told.min(AT_FOLD * self.length))
+    }
+
+    /// g a way further on as the edge goes, moved there at once, positive where it would run on.
+    fn drive_at(&mut self, imposed: &Imposed<'_>, way: f64) -> Result<Option<f64>, Refusal> {
         let [now, before] = *self.past.nodes().get(..2).unwrap_or(&[]) else { return Ok(None) };
-        let way = way.max(SMALLEST_BEYOND * self.length) * (now.radius - before.radius).signum();
+        let way = way * (now.radius - before.radius).signum();
         if now.radius + way <= self.smallest() || now.radius + way >= self.contact.profile().rim() {
             return Ok(None);
         }
         let (_, value) = self.edge.jumped(&self.contact, now.radius + way, imposed)?;
-        Ok(Some(if way < 0.0 { value >= 0.0 } else { value <= 0.0 }))
+        Ok(Some(if way < 0.0 { value } else { -value }))
     }
 }

@@ -54,14 +54,14 @@ impl Marcher<'_> {
         };
         match found {
             Some(place) => {
-                self.record.happened_at_fold(kind, (self.now(), self.time), &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.now(), &self.contact, self.past.nodes(), fold);
                 self.record.sudden();
                 self.jump(place, imposed)?;
                 self.restart();
                 Ok(())
             }
             None => {
-                self.record.happened_at_fold(kind, (self.now(), self.time), &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.now(), &self.contact, self.past.nodes(), fold);
                 self.opened(imposed)
             }
         }

@@ -6,10 +6,12 @@
 //! layers there are as wide as that, however small against the step. Each node then knows the instant at which the edge passed it,
 //! and both its updates, before and after, are exact.
 
+use super::corners::PLACE_NOISE;
 use super::motion::{Motion, Passage, STRAIGHT};
 use super::panel::{POINTS, Panel, RULE};
 use super::passing::Passing;
 use super::profile::Profile;
+use super::row::Row;
 use super::springs::{DEGREE, Springs};
 use super::zone::Zone;
 use super::zone_work::zone_work;
@@ -47,6 +49,11 @@ impl Cell {
     pub(super) fn node(&self, g: usize) -> f64 {
         self.low + (self.high - self.low) * RULE.nodes[g]
     }
+
+    /// f at the nodes.
+    pub(super) fn heights(&self, profile: &Profile) -> Row {
+        profile.line_row(&RULE.nodes.map(|x| self.low + (self.high - self.low) * x))
+    }
 }
 
 /// A contact at an instant.
@@ -59,6 +66,8 @@ pub struct Contact<'a> {
     pub(super) values: Vec<f64>,
     pub(super) radius: f64,
     pub(super) penetration: f64,
+    /// How far the edge went in the last motion that took time (m).
+    pub(super) way: f64,
     pub(super) updates: u64,
 }
 
@@ -84,14 +93,14 @@ impl<'a> Contact<'a> {
         require_finite("penetration", penetration)?;
         let profile = profile.checked()?;
         profile.holds(radius, 0.0)?;
-        let mut contact = Self { springs, profile, cells: Vec::new(), values: Vec::new(), radius, penetration, updates: 0 };
+        let mut contact = Self { springs, profile, cells: Vec::new(), values: Vec::new(), radius, penetration, way: 0.0, updates: 0 };
         if radius > 0.0 {
             let breaks = contact.profile.breaks(radius);
             contact.cells = breaks.windows(2).map(|pair| Cell { low: pair[0], high: pair[1], bonded: true }).collect();
         }
         for cell in &contact.cells {
-            for g in 0..POINTS {
-                let depth = followed * (penetration - contact.profile.line(cell.node(g)));
+            for height in cell.heights(&contact.profile) {
+                let depth = followed * (penetration - height);
                 contact.values.extend(std::iter::repeat_n(depth, springs.terms()));
             }
         }
@@ -162,6 +171,7 @@ impl<'a> Contact<'a> {
             values,
             radius: motion.to,
             penetration,
+            way: if motion.time > 0.0 { motion.to - motion.from } else { 0.0 },
             updates: self.updates,
         };
         next.updates += (next.cells.len() * POINTS) as u64;
@@ -169,12 +179,12 @@ impl<'a> Contact<'a> {
         let mut passing = Passing::new(self.springs, &next.profile, motion);
         for (cell, values) in next.cells.iter_mut().zip(next.values.chunks_exact_mut((POINTS * n).max(1))) {
             let bonded = cell.high <= motion.to || 0.5 * (cell.low + cell.high) < motion.to;
-            for (g, state) in values.chunks_exact_mut(n.max(1)).enumerate() {
-                let s = cell.node(g);
+            let heights = if cell.bonded || bonded { cell.heights(&self.profile) } else { [0.0; POINTS] };
+            for (g, (state, height)) in values.chunks_exact_mut(n.max(1)).zip(heights).enumerate() {
                 match (cell.bonded, bonded) {
-                    (true, true) => passing.bonded(state, self.profile.line(s)),
+                    (true, true) => passing.bonded(state, height),
                     (false, false) => passing.free(state),
-                    (before, _) => passing.passed(state, s, self.profile.line(s), before),
+                    (before, _) => passing.passed(state, cell.node(g), height, before),
                 }
             }
         }
@@ -255,7 +265,8 @@ impl<'a> Contact<'a> {
 
     /// Q on a bonded cell.
     fn loads(&self, index: usize, cell: &Cell) -> [f64; POINTS] {
-        std::array::from_fn(|g| self.springs.load(self.penetration - self.profile.line(cell.node(g)), self.state(index, g).iter().copied()))
+        let heights = cell.heights(&self.profile);
+        std::array::from_fn(|g| self.springs.load(self.penetration - heights[g], self.state(index, g).iter().copied()))
     }
 
     /// Q on the panels of the contact.
@@ -283,8 +294,9 @@ impl<'a> Contact<'a> {
     pub fn gap_factor(&self, end: f64) -> Vec<Panel> {
         let mut panels = self.free_displacement(end);
         for panel in &mut panels {
-            for (value, x) in panel.values.iter_mut().zip(RULE.nodes) {
-                *value += self.profile.line(panel.lower + (panel.upper - panel.lower) * x) - self.penetration;
+            let heights = Cell { low: panel.lower, high: panel.upper, bonded: false }.heights(&self.profile);
+            for (value, height) in panel.values.iter_mut().zip(heights) {
+                *value += height - self.penetration;
             }
         }
         panels
@@ -300,7 +312,8 @@ impl<'a> Contact<'a> {
     ///
     /// Where the edge moves, strains go on through it, and both sides know Q: the panel within, and −E∞*D from without. Behind an edge that advances quickly lies
     /// a layer as thin as its way in the shortest relaxation time, which no panel may resolve: where the two differ by no more than that explains,
-    /// the smooth side without is taken. At an edge that rests they differ by what the solid has relaxed, and the side within is right.
+    /// the smooth side without is taken, and at an edge that advances in any case: its layer may be too thin to be seen at all. At an edge that rests they differ
+    /// by what the solid has relaxed, and the side within is right.
     #[must_use]
     pub fn edge_load(&self) -> f64 {
         self.edge_load_known().0
@@ -322,7 +335,9 @@ impl<'a> Contact<'a> {
         let (load, mut own) = within.at_end(self.radius);
         own += load.abs() * self.place_rounding(cell);
         let without = glassy * (self.penetration - self.profile.line(self.radius) - strain);
-        if glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own { (without, glassy * doubt) } else { (load, own) }
+        let advances = self.way > PLACE_NOISE * NARROWEST * self.radius;
+        let is_layer = glassy * doubt < own && (without - load).abs() <= UNRESOLVED * own;
+        if is_layer || (advances && (without - load).abs() > UNRESOLVED * own) { (without, glassy * doubt) } else { (load, own) }
     }
 
     /// Rounding of places over the width of a panel: of the layer behind a quick edge so much is not known.

@@ -311,7 +311,6 @@ impl<'a> Marcher<'a> {
         self.origin += duration;
         self.time = 0.0;
         self.corner -= duration;
-        self.past.earlier(duration);
         Ok(duration)
     }
 
@@ -386,8 +385,8 @@ impl<'a> Marcher<'a> {
     pub(super) fn went(&mut self, dt: f64, left: f64, target: f64, residual: f64) {
         self.time = if dt >= left { target } else { self.time + dt };
         self.record.point(self.now(), &self.contact, residual);
-        let node = node_of(self.contact.profile(), &self.contact, self.time, self.record.force());
-        self.past.push(node);
+        let node = node_of(self.contact.profile(), &self.contact, self.record.force());
+        self.past.push(node, dt);
         self.edge.forget();
         if let (Some(meter), Some(point)) = (&mut self.meter, self.record.trace.path.last()) {
             meter.step(point);

@@ -18,6 +18,7 @@ const FALLS: f64 = 0.9;
 /// A point of the march.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Node {
+    /// Since the newest point, so zero or less (s): an edge that runs away takes steps that no clock tells from the time since the start.
     pub(super) time: f64,
     /// y(a), see [`super::motion`].
     pub(super) place: f64,
@@ -50,7 +51,7 @@ impl Past {
 
     pub(super) fn restart(&mut self, node: Node) {
         self.nodes.clear();
-        self.nodes.push(node);
+        self.nodes.push(Node { time: 0.0, ..node });
         self.turned = false;
     }
 
@@ -60,15 +61,12 @@ impl Past {
         self.turned = true;
     }
 
-    /// The clock starts again: every point was earlier by so much.
-    pub(super) fn earlier(&mut self, duration: f64) {
-        for node in &mut self.nodes {
-            node.time -= duration;
+    /// A point that is reached after a time.
+    pub(super) fn push(&mut self, node: Node, after: f64) {
+        for earlier in &mut self.nodes {
+            earlier.time -= after;
         }
-    }
-
-    pub(super) fn push(&mut self, node: Node) {
-        self.nodes.insert(0, node);
+        self.nodes.insert(0, Node { time: 0.0, ..node });
         self.turned &= self.nodes.len() <= KEPT;
         self.nodes.truncate(KEPT);
     }
@@ -138,7 +136,7 @@ impl Past {
     pub(super) fn turn(&self, trial: (f64, f64)) -> Option<f64> {
         let now = self.nodes.first()?;
         let mut points = vec![trial];
-        points.extend(self.nodes.iter().take(3).map(|node| (node.time - now.time, node.place)));
+        points.extend(self.nodes.iter().take(3).map(|node| (node.time, node.place)));
         if points.len() < 3 {
             return None;
         }
@@ -280,8 +278,8 @@ mod tests {
     #![allow(clippy::float_cmp)]
     use super::*;
 
-    fn node(time: f64, place: f64) -> Node {
-        Node { time, place, penetration: 0.0, force: 0.0, radius: place }
+    fn node(place: f64) -> Node {
+        Node { time: 0.0, place, penetration: 0.0, force: 0.0, radius: place }
     }
 
     #[test]
@@ -289,14 +287,13 @@ mod tests {
         // y = −t² + t³/8 from a turn at t = 0.
         let y = |t: f64| -t * t + t * t * t / 8.0;
         let mut past = Past::default();
-        past.restart_at_turn(node(0.0, 0.0));
+        past.restart_at_turn(node(0.0));
         let first = past.bridge(None, true, |_| (0.0, 0.0));
         assert_eq!((first.coefficients[0], first.coefficients[1]), (0.0, 1.0));
-        for t in [0.1, 0.3] {
-            past.push(node(t, y(t)));
-        }
+        past.push(node(y(0.1)), 0.1);
+        past.push(node(y(0.3)), 0.2);
         let (t0, t1) = (0.3, 0.5);
-        let bridge = past.bridge(None, true, |node| ((node.time - t0) / (t1 - t0), (node.place - y(t0)) / (y(t1) - y(t0))));
+        let bridge = past.bridge(None, true, |node| (node.time / (t1 - t0), (node.place - y(t0)) / (y(t1) - y(t0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (y(t0 + (t1 - t0) * x) - y(t0)) / (y(t1) - y(t0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");
@@ -308,11 +305,12 @@ mod tests {
         // t = 0.5y + y³/8 − y⁴/50, at places that are not equidistant.
         let t = |y: f64| 0.5 * y + y * y * y / 8.0 - y.powi(4) / 50.0;
         let mut past = Past::default();
-        for y in [0.0, 0.3, 0.4, 0.8, 1.1] {
-            past.push(node(t(y), y));
+        past.restart(node(0.0));
+        for (before, y) in [(0.0, 0.3), (0.3, 0.4), (0.4, 0.8), (0.8, 1.1)] {
+            past.push(node(y), t(y) - t(before));
         }
         let (y0, y1) = (1.1, 1.5);
-        let bridge = past.bridge(None, true, |node| ((node.place - y0) / (y1 - y0), (node.time - t(y0)) / (t(y1) - t(y0))));
+        let bridge = past.bridge(None, true, |node| ((node.place - y0) / (y1 - y0), node.time / (t(y1) - t(y0))));
         for x in [0.1, 0.4, 0.77] {
             let exact = (t(y0 + (y1 - y0) * x) - t(y0)) / (t(y1) - t(y0));
             assert!((polynomial(&bridge.coefficients, x) - exact).abs() < 1e-13, "{bridge:?}");

@@ -45,7 +45,7 @@ impl Marcher<'_> {
         let here = self.contact.penetration();
         let now = self.past.nodes().first().copied();
         let powers = |rise: f64| match now {
-            Some(now) if dt > 0.0 => self.past.powers(rise, degree, |node| ((node.time - now.time) / dt, node.penetration - here)),
+            Some(_) if dt > 0.0 => self.past.powers(rise, degree, |node| (node.time / dt, node.penetration - here)),
             _ => ([rise, 0.0, 0.0, 0.0, 0.0], 0.0),
         };
         let motion = |rise: f64| {

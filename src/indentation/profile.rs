@@ -2,6 +2,7 @@
 //!
 //! z = r²/(2R) gives s²/R, z = r·slope gives (π/2)·slope·s (Sneddon 1965, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4)).
 
+use super::row::Row;
 use super::shape::TabulatedShape;
 use crate::refusal::{Refusal, require_positive};
 use std::f64::consts::FRAC_PI_2;
@@ -90,6 +91,14 @@ impl Profile {
             Self::FlatPunch { .. } => 0.0,
             Self::PowerLaw { coefficient, exponent } => coefficient * s.powf(*exponent),
             Self::Table(shape) => shape.line(s),
+        }
+    }
+
+    /// f at the nodes of a panel, or at eight other places in rising order, as [`Profile::line`].
+    pub(super) fn line_row(&self, places: &Row) -> Row {
+        match self {
+            Self::Table(shape) => shape.line_row(places),
+            _ => places.map(|s| self.line(s)),
         }
     }
 

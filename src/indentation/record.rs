@@ -243,17 +243,11 @@ impl<'a> Record<'a> {
             force: contact.force(),
             contact_radius: contact.radius(),
         });
+        self.trace.continued.push([0.0; 4]);
     }
 
     /// An event at a fold of t(a) a little ahead of the last point: values continued to it.
-    pub(super) fn happened_at_fold(
-        &mut self,
-        kind: EventKind,
-        (time, clock): (f64, f64),
-        contact: &Contact<'_>,
-        nodes: &[Node],
-        ahead: Option<f64>,
-    ) {
+    pub(super) fn happened_at_fold(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>, nodes: &[Node], ahead: Option<f64>) {
         self.happened(kind, time, contact);
         let (Some(distance), Some([now, one, two])) = (ahead, nodes.get(..3)) else { return };
         let place = now.radius + distance * (now.radius - one.radius).signum();
@@ -268,11 +262,10 @@ impl<'a> Record<'a> {
                 })
                 .sum::<f64>()
         };
-        if let Some(event) = self.trace.events.last_mut() {
-            event.time += at(|node| node.time) - clock;
-            event.penetration = at(|node| node.penetration);
-            event.force = at(|node| node.force);
-            event.contact_radius = place;
+        let (later, penetration, force) = (at(|node| node.time), at(|node| node.penetration), at(|node| node.force));
+        if let (Some(event), Some(continued)) = (self.trace.events.last_mut(), self.trace.continued.last_mut()) {
+            *continued = [later, penetration - event.penetration, force - event.force, place - event.contact_radius].map(f64::abs);
+            *event = Event { kind, time: time + later, penetration, force, contact_radius: place };
         }
     }
 

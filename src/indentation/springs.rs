@@ -11,7 +11,7 @@
 
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::special::exponential_mean::exponential_mean_complement;
+use crate::special::exponential_mean::exponential_mean_complement_with;
 
 /// Highest power of the time in which Δ may go within a step.
 pub(super) const DEGREE: usize = 5;
@@ -27,6 +27,7 @@ pub struct Springs {
     pub creep: Vec<(f64, f64)>,
     /// E_i and ρ_i.
     pub relaxation: Vec<(f64, f64)>,
+    /// The columns of T, then of S.
     to_voigt: Vec<f64>,
     to_maxwell: Vec<f64>,
 }
@@ -50,8 +51,8 @@ impl Springs {
         let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
         let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
         let to_voigt =
-            creep.iter().flat_map(|&(j, tau)| relaxation.iter().map(move |&(e, rho)| j * e * (rho / (tau - rho)))).collect::<Vec<f64>>();
-        let to_maxwell = relaxation.iter().flat_map(|&(_, rho)| creep.iter().map(move |&(_, tau)| tau / (tau - rho))).collect::<Vec<f64>>();
+            relaxation.iter().flat_map(|&(e, rho)| creep.iter().map(move |&(j, tau)| j * e * (rho / (tau - rho)))).collect::<Vec<f64>>();
+        let to_maxwell = creep.iter().flat_map(|&(_, tau)| relaxation.iter().map(move |&(_, rho)| tau / (tau - rho))).collect::<Vec<f64>>();
         if to_voigt.iter().chain(&to_maxwell).any(|entry| !entry.is_finite()) {
             return Err(Refusal::Undefined {
                 quantity: "the spring chain of the material",
@@ -111,11 +112,12 @@ impl Springs {
         }
         for &(_, rho) in &self.relaxation {
             let x = time / rho;
-            following.relaxed.push(-(-x).exp_m1());
+            let fallen = (-x).exp_m1();
+            following.relaxed.push(-fallen);
             following.followed.push(match powers.get(..used) {
-                Some([rise]) => rise * exponential_mean_complement(x),
+                Some([rise]) => rise * exponential_mean_complement_with(x, fallen),
                 Some(powers) => {
-                    let weights = responses(x);
+                    let weights = responses(x, fallen);
                     powers.iter().zip(weights).map(|(power, weight)| power * weight).sum()
                 }
                 None => 0.0,
@@ -144,29 +146,37 @@ fn after(dashpot: f64, displacement: f64, relaxed: f64, followed: f64) -> f64 {
     dashpot + ((displacement - dashpot) * relaxed + followed)
 }
 
-fn map(matrix: &[f64], from: &[f64], to: &mut [f64]) {
-    let n = from.len();
-    for (row, value) in matrix.chunks_exact(n.max(1)).zip(to.iter_mut()) {
-        *value = row.iter().zip(from).map(|(entry, state)| entry * state).sum();
+/// The sum of the columns of a matrix, each times its state: column by column, all rows side by side.
+fn map(columns: &[f64], from: &[f64], to: &mut [f64]) {
+    to.fill(0.0);
+    for (column, state) in columns.chunks_exact(from.len().max(1)).zip(from) {
+        for (value, entry) in to.iter_mut().zip(column) {
+            *value += entry * state;
+        }
     }
 }
 
 /// ψ_k(x) = x∫₀¹ e^{−x(1−u)} u^k du for k = 1…: ψ_k = 1 − (k/x)ψ_{k−1}, upwards for large x and downwards from a series for small x.
-fn responses(x: f64) -> [f64; DEGREE] {
+/// `fallen`: e^{−x} − 1.
+fn responses(x: f64, fallen: f64) -> [f64; DEGREE] {
     let mut values = [0.0; DEGREE];
     let top = DEGREE as f64;
     if x > top {
-        let mut last = -(-x).exp_m1();
+        let mut last = -fallen;
         for (k, value) in values.iter_mut().enumerate() {
             last = 1.0 - (k as f64 + 1.0) / x * last;
             *value = last;
         }
         return values;
     }
-    // Alternating and, for x ≤ DEGREE, falling from the first term on: 40 terms reach rounding.
+    // Alternating and, for x ≤ DEGREE, falling from the first term on: 40 terms reach rounding, and a term that no longer counts is followed by smaller ones.
     let (mut term, mut sum) = (x / (top + 1.0), 0.0);
     for m in 1..40 {
-        sum += term;
+        let next = sum + term;
+        if next.to_bits() == sum.to_bits() {
+            break;
+        }
+        sum = next;
         term *= -x / (top + 1.0 + f64::from(m));
     }
     for k in (0..DEGREE).rev() {
@@ -185,7 +195,7 @@ mod tests {
     #[test]
     fn responses_are_integrals() {
         for x in [1e-12, 1e-3, 0.3, 1.0, 4.0, 4.9, 5.1, 8.0, 60.0, 1e4] {
-            for (k, value) in responses(x).into_iter().enumerate() {
+            for (k, value) in responses(x, (-x).exp_m1()).into_iter().enumerate() {
                 let mut exact = 0.0;
                 let (mut high, mut low) = (1.0, 0.5);
                 for _ in 0..60 {

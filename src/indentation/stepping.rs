@@ -167,7 +167,7 @@ impl Stepper<'_, '_> {
             if value.abs() <= accepted || search.width() <= 64.0 * f64::EPSILON * time {
                 // What is found must not have been there from the start.
                 let at_once = sign * self.edge.trial(self.contact, self.past, (target, 0.0), Drive::Edge, imposed)?.residual;
-                return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(trial) });
+                return Ok(if at_once >= 0.0 { EdgeStep::Unstable } else { EdgeStep::Found(Trial { drive: -at_once, ..trial }) });
             }
             if value < 0.0 && time >= cap {
                 return Ok(EdgeStep::Late);

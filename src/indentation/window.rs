@@ -28,16 +28,16 @@ impl Window {
     pub(super) fn new(contact: &Contact<'_>, radius: f64, time: f64, reach: f64, whole: bool) -> Self {
         let bounds = (contact.radius.min(radius - reach), contact.radius.max(radius + reach));
         let (cells, values) = contact.cut((radius, time), Vec::new(), bounds);
-        let heights = cells.iter().flat_map(|cell| (0..POINTS).map(|g| contact.profile.line(cell.node(g)))).collect();
+        let heights = cells.iter().flat_map(|cell| cell.heights(&contact.profile)).collect();
         let n = contact.springs.terms();
         let mut rest = (0.0, 0.0, vec![0.0; n]);
         if whole {
             let start = cells.first().map_or(0.0, |cell| cell.low);
             for (index, cell) in contact.cells.iter().enumerate().take_while(|(_, cell)| cell.low < start) {
-                for (g, weight) in RULE.weights.iter().enumerate() {
+                for (g, (weight, height)) in RULE.weights.iter().zip(cell.heights(&contact.profile)).enumerate() {
                     let weight = weight * (cell.high - cell.low);
                     rest.0 += weight;
-                    rest.1 += weight * contact.profile.line(cell.node(g));
+                    rest.1 += weight * height;
                     for (sum, value) in rest.2.iter_mut().zip(contact.state(index, g)) {
                         *sum += weight * value;
                     }

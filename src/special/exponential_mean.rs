@@ -19,20 +19,31 @@ pub fn exponential_mean(z: f64) -> f64 {
 /// 1 − φ(z) for z ≥ 0 without cancellation (z = ∞ gives 1).
 #[must_use]
 pub fn exponential_mean_complement(z: f64) -> f64 {
-    if z < SERIES_BELOW {
-        // Σ_{k≥1} (−1)^{k+1} z^k/(k+1)!: the 17th term is below 1e-18 of the first at z = 0.75.
-        let mut term = 0.5 * z;
-        let mut sum = term;
-        for k in 2..18 {
-            term *= -z / f64::from(k + 1);
-            sum += term;
+    if z < SERIES_BELOW { complement_by_series(z) } else { complement_of(z, (-z).exp_m1()) }
+}
+
+/// The same where e^{−z} − 1 is known.
+pub(crate) fn exponential_mean_complement_with(z: f64, fallen: f64) -> f64 {
+    if z < SERIES_BELOW { complement_by_series(z) } else { complement_of(z, fallen) }
+}
+
+fn complement_of(z: f64, fallen: f64) -> f64 {
+    if z.is_infinite() { 1.0 } else { (z + fallen) / z }
+}
+
+fn complement_by_series(z: f64) -> f64 {
+    // Σ_{k≥1} (−1)^{k+1} z^k/(k+1)!: the 17th term is below 1e-18 of the first at z = 0.75, and a term that no longer counts is followed by smaller ones.
+    let mut term = 0.5 * z;
+    let mut sum = term;
+    for k in 2..18 {
+        term *= -z / f64::from(k + 1);
+        let next = sum + term;
+        if next.to_bits() == sum.to_bits() {
+            break;
         }
-        sum
-    } else if z.is_infinite() {
-        1.0
-    } else {
-        (z + (-z).exp_m1()) / z
+        sum = next;
     }
+    sum
 }
 
 /// −z dφ/dz = φ(z) − e^{−z} ≥ 0: how fast the mean falls per e-folding of z.

@@ -14,6 +14,7 @@ mod abel;
 mod series;
 mod slopes;
 
+use super::row::Row;
 use crate::refusal::{Refusal, require_finite, require_positive};
 use abel::Piece;
 use series::Series;
@@ -114,6 +115,11 @@ impl TabulatedShape {
     /// f(s) (m). Beyond the last point f goes on as a parabola, for trials of a search only.
     pub(super) fn line(&self, s: f64) -> f64 {
         self.series.value(s / self.end) * self.height
+    }
+
+    /// The same at eight places in rising order.
+    pub(super) fn line_row(&self, places: &Row) -> Row {
+        self.series.values(&places.map(|s| s / self.end)).map(|value| value * self.height)
     }
 
     /// f′(s).

@@ -1,5 +1,6 @@
 //! f and f′ as Chebyshev series, so that a value costs one search and one recursion, however many points the shape has.
 
+use super::super::row::Row;
 use super::abel::{Piece, line_profile};
 use crate::refusal::Refusal;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -85,8 +86,24 @@ impl Series {
         axis.chain(places).find(|s| self.slope(*s) <= 0.0)
     }
 
+    fn index(&self, s: f64) -> usize {
+        self.lows.partition_point(|low| *low <= s).saturating_sub(1)
+    }
+
     fn stretch(&self, s: f64) -> Option<&Stretch> {
-        self.stretches.get(self.lows.partition_point(|low| *low <= s).saturating_sub(1))
+        self.stretches.get(self.index(s))
+    }
+
+    /// f at eight places in rising order, side by side where one stretch holds them all: the same digits as one by one.
+    pub(super) fn values(&self, places: &Row) -> Row {
+        let [low, .., high] = *places;
+        let index = self.index(low);
+        match self.stretches.get(index) {
+            Some(stretch) if low > self.first && high <= 1.0 && self.index(high) == index => {
+                sum(&stretch.value, places.map(|s| stretch.variable(s)))
+            }
+            _ => places.map(|s| self.value(s)),
+        }
     }
 
     pub(super) fn value(&self, s: f64) -> f64 {
@@ -96,7 +113,7 @@ impl Series {
         if s > 1.0 {
             return self.last[0] + (s - 1.0) * (self.last[1] + (s - 1.0) * self.last[2]);
         }
-        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.value, stretch.variable(s)))
+        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.value, [stretch.variable(s)])[0])
     }
 
     pub(super) fn slope(&self, s: f64) -> f64 {
@@ -106,7 +123,7 @@ impl Series {
         if s > 1.0 {
             return self.last[1] + 2.0 * (s - 1.0) * self.last[2];
         }
-        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.slope, stretch.variable(s)))
+        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.slope, [stretch.variable(s)])[0])
     }
 }
 
@@ -147,11 +164,13 @@ impl Stretch {
     }
 }
 
-/// Σ c_j T_j(x), by Clenshaw's recursion.
-fn sum(series: &[f64; TERMS], x: f64) -> f64 {
-    let (mut next, mut after) = (0.0, 0.0);
+/// Σ c_j T_j(x) at several places side by side, by Clenshaw's recursion.
+fn sum<const COUNT: usize>(series: &[f64; TERMS], places: [f64; COUNT]) -> [f64; COUNT] {
+    let (mut next, mut after) = ([0.0; COUNT], [0.0; COUNT]);
     for c in series.iter().skip(1).rev() {
-        (next, after) = (c + 2.0 * x * next - after, next);
+        for ((next, after), x) in next.iter_mut().zip(&mut after).zip(&places) {
+            (*next, *after) = (c + 2.0 * x * *next - *after, *next);
+        }
     }
-    series[0] + x * next - after
+    std::array::from_fn(|k| series[0] + places[k] * next[k] - after[k])
 }
