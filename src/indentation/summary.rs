@@ -79,27 +79,44 @@ impl Summary {
 }
 
 /// The largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
+///
+/// Over time, or over the radius, which goes on smoothly where the edge runs away: over that which needs its last point less.
 fn refined(points: &[&PathPoint], place: usize) -> Option<f64> {
     let first = place.saturating_sub(POINTS / 2).min(points.len().saturating_sub(POINTS));
     let near = points.get(first..points.len().min(first + POINTS)).filter(|near| near.len() > 2)?;
-    let position = place - first;
-    let (top, before, after) = (near.get(position)?, near.get(position.saturating_sub(1))?, near.get(position + 1).or(near.last())?);
-    let at = |time: f64| {
-        near.iter()
-            .enumerate()
-            .map(|(k, one)| {
-                let others = near.iter().enumerate().filter(|(l, _)| *l != k);
-                -one.force * others.map(|(_, other)| (time - other.time) / (one.time - other.time)).product::<f64>()
-            })
-            .sum::<f64>()
+    let over = |of: fn(&PathPoint) -> f64| {
+        let path: Vec<(f64, f64)> = near.iter().map(|point| (of(point), -point.force)).collect();
+        let one_way = path.windows(2).all(|pair| (pair[1].0 - pair[0].0) * (path[1].0 - path[0].0) > 0.0);
+        one_way.then(|| top_of(&path, place - first)).flatten()
     };
-    let (mut low, mut high) = (before.time, after.time);
-    for _ in 0..60 {
-        let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
-        if at(first) < at(second) { low = first } else { high = second }
-    }
-    let refined = at(0.5 * (low + high));
+    let by_time = over(|point| point.time)?;
+    let by_radius = over(|point| point.contact_radius).filter(|(_, doubt)| *doubt < by_time.1);
+    let (refined, _) = by_radius.unwrap_or(by_time);
+    let top = points.get(place)?;
     // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
     let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
     (refined + top.force <= most - least).then_some(refined)
+}
+
+/// The largest value beside a point of the polynomial through some, and what it would differ by there without the point that is furthest away.
+fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64)> {
+    let (top, before, after) = (path.get(place)?, path.get(place.saturating_sub(1))?, path.get(place + 1).or(path.last())?);
+    let at = |x: f64, without: Option<usize>| {
+        let kept = || path.iter().enumerate().filter(move |(k, _)| Some(*k) != without);
+        kept()
+            .map(|(k, (own, value))| {
+                let others = kept().filter(move |(l, _)| *l != k);
+                value * others.map(|(_, (other, _))| (x - other) / (own - other)).product::<f64>()
+            })
+            .sum::<f64>()
+    };
+    let (mut low, mut high) = (before.0, after.0);
+    for _ in 0..60 {
+        let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
+        if at(first, None) < at(second, None) { low = first } else { high = second }
+    }
+    let x = 0.5 * (low + high);
+    let distance = |k: &usize| path.get(*k).map_or(0.0, |point| (point.0 - top.0).abs());
+    let furthest = (0..path.len()).max_by(|one, other| distance(one).total_cmp(&distance(other)));
+    Some((at(x, None), (at(x, None) - at(x, furthest)).abs()))
 }

@@ -56,12 +56,25 @@ pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProble
 /// A scene, judged.
 #[must_use]
 pub fn judged(scene: u64) -> Judged {
-    let mut draw = Draw::of(SEED ^ 5, scene);
-    let accuracy = ACCURACIES[(scene / ANOTHER_ROUTE + scene) as usize % ACCURACIES.len()];
+    judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn)
+}
+
+/// A scene from a stream, for one of some accuracies, drawn in a way unless its state is drawn first.
+pub(super) fn judged_of(
+    mut draw: Draw,
+    scene: u64,
+    accuracies: &[f64],
+    drawn: fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>,
+) -> Judged {
+    let accuracy = accuracies[(scene / ANOTHER_ROUTE + scene) as usize % accuracies.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
     let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
-    let result = if another { against_known(&mut draw, &mut judged) } else { against_tighter(&mut draw, &mut judged) };
+    let result = if another {
+        against_known(&mut draw, &mut judged)
+    } else {
+        drawn(&mut draw, accuracy).and_then(|scene| against_tighter(&scene, &mut judged))
+    };
     match result {
         Ok(compared) => judged.compared = compared,
         Err(refusal) => judged.trouble = Some(refusal.to_string()),
@@ -69,11 +82,10 @@ pub fn judged(scene: u64) -> Judged {
     judged
 }
 
-fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
-    let (material, problem) = drawn(draw, judged.accuracy)?;
+fn against_tighter((material, problem): &(Material, IndentationProblem), judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
     judged.described = format!("{material:?} {problem:?}");
-    let found = run(&material, &problem)?;
-    let exact = march(&material, &problem, (TIGHTER * found.tolerance).max(TIGHTEST))?;
+    let found = run(material, problem)?;
+    let exact = march(material, problem, (TIGHTER * found.tolerance).max(TIGHTEST))?;
     if !found.reached {
         judged.trouble = Some("accuracy not reached".into());
     }
