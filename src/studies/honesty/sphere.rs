@@ -59,13 +59,11 @@ pub fn judged(scene: u64) -> Judged {
     judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn)
 }
 
+/// A way to draw a scene for an accuracy.
+pub(super) type Drawn = fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>;
+
 /// A scene from a stream, for one of some accuracies, drawn in a way unless its state is drawn first.
-pub(super) fn judged_of(
-    mut draw: Draw,
-    scene: u64,
-    accuracies: &[f64],
-    drawn: fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>,
-) -> Judged {
+pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: Drawn) -> Judged {
     let accuracy = accuracies[(scene / ANOTHER_ROUTE + scene) as usize % accuracies.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
