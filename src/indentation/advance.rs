@@ -67,7 +67,8 @@ impl Marcher<'_> {
                 // Just behind a corner the first steps are too short to tell of a fold.
                 let told = self.past.nodes().last().is_some_and(|oldest| (a - oldest.radius).abs() > distance);
                 if told && self.is_at_fold(imposed, distance)? && self.is_unstable(imposed, 0.0)? == Some(true) {
-                    return self.lost(true, Some(distance), imposed);
+                    let fold = self.fold_by_edge_condition(imposed, distance)?;
+                    return self.lost(true, Some(fold), imposed);
                 }
                 reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * self.nearest_to_fold()));
             }

@@ -16,6 +16,20 @@ const PLACES: f64 = 100.0;
 const FLAT: f64 = 1e-10;
 /// Distance of a fold, over the process zone, that is near.
 const NEAR_FOLD: f64 = 2.0;
+/// Error of g near a fold: what the accepted residual and its last digits leave.
+const NOISE_OF_EDGE: f64 = 5e-14;
+/// What is not known of a distance over what the edge condition changed of it, and over it where nothing could be asked.
+const OF_THE_CHANGE: f64 = 0.1;
+const FORESEEN: f64 = 0.05;
+
+/// A fold of t(a) a little ahead of the edge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fold {
+    /// The way to it (m).
+    pub(super) distance: f64,
+    /// What is not known of that way, over it.
+    pub(super) unknown: f64,
+}
 
 impl Marcher<'_> {
     /// The distance of the fold of t(a) that the last three points foresee: where the edge would run away.
@@ -49,6 +63,22 @@ impl Marcher<'_> {
         }
         // Where the edge condition is so flat that its rounding is all that further steps would tell, it is no use to go on.
         Ok(distance < self.nearest_to_fold() || self.drive_at(imposed, distance)?.is_some_and(|drive| drive.abs() < FLAT))
+    }
+
+    /// The fold that the path foresees at a distance, as the edge condition tells it: at once, g goes as y·(2d − y) with the way y to a fold at d. Its values at the
+    /// foreseen distance and at twice that need no difference of times, whose last digits are gone.
+    pub(super) fn fold_by_edge_condition(&mut self, imposed: &Imposed<'_>, distance: f64) -> Result<Fold, Refusal> {
+        let (Some(near), Some(far)) = (self.drive_at(imposed, distance)?, self.drive_at(imposed, 2.0 * distance)?) else {
+            return Ok(Fold { distance, unknown: FORESEEN });
+        };
+        let change = (2.0 * near - 0.5 * far) / (2.0 * near - far) - 1.0;
+        if change.abs() < FORESEEN {
+            let unknown = NOISE_OF_EDGE / near.abs() + OF_THE_CHANGE * change.abs();
+            Ok(Fold { distance: (1.0 + change) * distance, unknown: unknown.min(1.0) })
+        } else {
+            // Neither is to be believed; a NaN neither.
+            Ok(Fold { distance, unknown: change.abs().min(1.0) })
+        }
     }
 
     /// The distance from a fold that is none: less tells nothing, or places have no more digits.

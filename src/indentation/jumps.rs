@@ -1,6 +1,7 @@
 //! What an edge does at once: it settles after a step of what is imposed, jumps to another equilibrium, loses contact, or touches again.
 
 use super::edge::Imposed;
+use super::folds::Fold;
 use super::marcher::Marcher;
 use super::solution::EventKind;
 use crate::refusal::Refusal;
@@ -36,8 +37,8 @@ impl Marcher<'_> {
         }
     }
 
-    /// No stable neighbour: another equilibrium, or none. `fold`: how far ahead of the present edge it was lost.
-    pub(super) fn lost(&mut self, inwards: bool, fold: Option<f64>, imposed: &Imposed<'_>) -> Result<(), Refusal> {
+    /// No stable neighbour: another equilibrium, or none. `fold`: where ahead of the present edge it was lost.
+    pub(super) fn lost(&mut self, inwards: bool, fold: Option<Fold>, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         // Near a fold both sides look unstable: the edge goes on as it went.
         let was_inwards = self.past.nodes().get(..2).map(|nodes| nodes[0].radius < nodes[1].radius);
         let inwards = match (fold, was_inwards) {

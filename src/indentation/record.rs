@@ -2,6 +2,7 @@
 
 use super::checkpoint::ContactState;
 use super::cycle::Cycle;
+use super::folds::Fold;
 use super::line::Contact;
 use super::meter::Meter;
 use super::motion::Motion;
@@ -243,13 +244,13 @@ impl<'a> Record<'a> {
             force: contact.force(),
             contact_radius: contact.radius(),
         });
-        self.trace.continued.push([0.0; 4]);
+        self.trace.unknown_of_events.push([0.0; 4]);
     }
 
     /// An event at a fold of t(a) a little ahead of the last point: values continued to it.
-    pub(super) fn happened_at_fold(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>, nodes: &[Node], ahead: Option<f64>) {
+    pub(super) fn happened_at_fold(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>, nodes: &[Node], fold: Option<Fold>) {
         self.happened(kind, time, contact);
-        let (Some(distance), Some([now, one, two])) = (ahead, nodes.get(..3)) else { return };
+        let (Some(Fold { distance, unknown }), Some([now, one, two])) = (fold, nodes.get(..3)) else { return };
         let place = now.radius + distance * (now.radius - one.radius).signum();
         let at = |of: fn(&Node) -> f64| {
             let points = [now, one, two];
@@ -263,8 +264,9 @@ impl<'a> Record<'a> {
                 .sum::<f64>()
         };
         let (later, penetration, force) = (at(|node| node.time), at(|node| node.penetration), at(|node| node.force));
-        if let (Some(event), Some(continued)) = (self.trace.events.last_mut(), self.trace.continued.last_mut()) {
-            *continued = [later, penetration - event.penetration, force - event.force, place - event.contact_radius].map(f64::abs);
+        if let (Some(event), Some(left)) = (self.trace.events.last_mut(), self.trace.unknown_of_events.last_mut()) {
+            let continued = [later, penetration - event.penetration, force - event.force, place - event.contact_radius];
+            *left = continued.map(|change| unknown * change.abs());
             *event = Event { kind, time: time + later, penetration, force, contact_radius: place };
         }
     }

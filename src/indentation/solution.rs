@@ -103,8 +103,8 @@ pub struct Trace {
     pub kept: Vec<usize>,
     /// Events in order.
     pub events: Vec<Event<f64>>,
-    /// By how much time, penetration, force and radius of each event were continued beyond the last step, to a fold (s, m, N, m).
-    pub continued: Vec<[f64; 4]>,
+    /// What is not known of time, penetration, force and radius of each event that lies at a fold, beyond the last step (s, m, N, m).
+    pub unknown_of_events: Vec<[f64; 4]>,
     /// Whole cycles of stretches that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
     /// By how much the cycles of each stretch that oscillates differ, the first tenth left out.
@@ -128,7 +128,7 @@ impl Default for Trace {
             path: Vec::new(),
             kept: Vec::new(),
             events: Vec::new(),
-            continued: Vec::new(),
+            unknown_of_events: Vec::new(),
             cycles: Vec::new(),
             spreads: Vec::new(),
             shortened: Vec::new(),

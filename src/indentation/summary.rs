@@ -89,9 +89,9 @@ fn refined(points: &[&PathPoint], place: usize) -> Option<f64> {
         let one_way = path.windows(2).all(|pair| (pair[1].0 - pair[0].0) * (path[1].0 - path[0].0) > 0.0);
         one_way.then(|| top_of(&path, place - first)).flatten()
     };
-    let by_time = over(|point| point.time)?;
-    let by_radius = over(|point| point.contact_radius).filter(|(_, doubt)| *doubt < by_time.1);
-    let (refined, _) = by_radius.unwrap_or(by_time);
+    // Steps shorter than the clock tells have equal times.
+    let ways = [over(|point| point.time), over(|point| point.contact_radius)];
+    let (refined, _) = ways.into_iter().flatten().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let top = points.get(place)?;
     // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
     let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
@@ -119,4 +119,49 @@ fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64)> {
     let distance = |k: &usize| path.get(*k).map_or(0.0, |point| (point.0 - top.0).abs());
     let furthest = (0..path.len()).max_by(|one, other| distance(one).total_cmp(&distance(other)));
     Some((at(x, None), (at(x, None) - at(x, furthest)).abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pull whose force is a parabola of the radius, largest between two steps, under times that a clock tells.
+    fn pull(times: [f64; 6]) -> Option<f64> {
+        let radii = [1.0, 0.9, 0.82, 0.75, 0.69, 0.64];
+        let mut summary = Summary::default();
+        for (time, contact_radius) in times.into_iter().zip(radii) {
+            let off: f64 = contact_radius - 0.8;
+            let force = -3.0 + 40.0 * off * off;
+            let point = PathPoint {
+                time,
+                penetration: 0.1,
+                force,
+                contact_radius,
+                stress_intensity_factor: 1.0,
+                unresolved_intensity: 0.0,
+                residual: 0.0,
+                piece: 0,
+                energies: None,
+            };
+            summary.add(&point, None);
+        }
+        summary.largest_tension()
+    }
+
+    fn is_the_peak(found: Option<f64>) -> bool {
+        found.is_some_and(|found| (found - 3.0).abs() < 1e-12)
+    }
+
+    #[test]
+    fn the_largest_tension_of_an_edge_that_runs_away_in_steps_shorter_than_the_clock_tells() {
+        assert!(is_the_peak(pull([1.0, 2.0, 2.5, 2.5, 2.5, 2.5])));
+    }
+
+    /// Over time the polynomial needs its last point more.
+    #[test]
+    fn the_largest_tension_is_taken_over_what_the_force_is_smooth_in() {
+        assert!(is_the_peak(pull([1.0, 2.0, 2.5, 2.6, 2.601, 2.601_000_1])));
+        // The force over time is the same parabola: both do.
+        assert!(is_the_peak(pull([1.0, 1.1, 1.18, 1.25, 1.31, 1.36])));
+    }
 }
