@@ -71,6 +71,7 @@ impl Marcher<'_> {
         let (Some(near), Some(far)) = (self.drive_at(imposed, distance)?, self.drive_at(imposed, 2.0 * distance)?) else {
             return Ok(Fold { distance, unknown: FORESEEN });
         };
+        // Of α·y − β·y² both values tell α·d = 2g(d) − g(2d)/2 and β·d² = g(d) − g(2d)/2: the fold is at α/(2β).
         let change = (2.0 * near - 0.5 * far) / (2.0 * near - far) - 1.0;
         if change.abs() < FORESEEN {
             let unknown = NOISE_OF_EDGE / near.abs() + OF_THE_CHANGE * change.abs();

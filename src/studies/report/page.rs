@@ -15,9 +15,8 @@ const LONG_WORDS: usize = 36;
 
 /// The whole page.
 pub(super) fn page(report: &Report) -> String {
-    let failed = report.count(Verdict::Failed);
     let mut text = String::new();
-    let title = if failed == 0 { "viscotack verify: all checks hold" } else { "viscotack verify: checks failed" };
+    let title = format!("viscotack verify: {}", verdict(report).to_lowercase());
     let colours: String = plot::curve_colours().iter().enumerate().fold(String::new(), |mut all, (index, colour)| {
         let _ = write!(all, "--curve-{index}:{colour};");
         all
@@ -44,10 +43,19 @@ fn stamp(report: &Report) -> String {
     format!("{} · {} · {} · {cores} · {} · {}", stamp.program, stamp.date, stamp.machine, stamp.compiler, duration(report.seconds))
 }
 
+/// What a reader wants to know first: what is stated does not fail, but does not hold either.
+fn verdict(report: &Report) -> &'static str {
+    match [Verdict::Failed, Verdict::Stated].map(|verdict| report.count(verdict)) {
+        [0, 0] => "All checks hold",
+        [0, _] => "No check failed",
+        _ => "Checks failed",
+    }
+}
+
 fn head(report: &Report) -> String {
     let [passed, stated, failed] = [Verdict::Passed, Verdict::Stated, Verdict::Failed].map(|verdict| report.count(verdict));
     let effort = report.effort.choose("reduced run", "full run");
-    let word = if failed == 0 { "All checks hold" } else { "Checks failed" };
+    let word = verdict(report);
     let class = if failed == 0 { "good" } else { "bad" };
     format!(
         "<header>\n<p class=\"name\">viscotack verify, {effort}</p>\n<h1 class=\"{class}\">{word}</h1>\n<ul class=\"counts\">\n\
