@@ -74,7 +74,9 @@ fn the_page_is_whole_and_alone() {
     assert_self_contained(&page);
     assert!(page.contains("&lt;script&gt;") && page.contains("Made up &lt;b&gt;&amp; sons&lt;/b&gt;"));
     assert!(page.contains("id=\"made_up\"") && page.contains("href=\"#made_up\""));
-    assert!(page.contains("No check failed") && !page.contains("All checks hold") && page.contains("it lost") && page.contains("1.50·10⁻⁷"));
+    assert!(
+        page.contains("No check failed") && !page.contains("All checks hold") && page.contains("it lost") && page.contains("1.50·10⁻⁷")
+    );
     let drawn = page.matches("<svg").count();
     if cfg!(feature = "plots") {
         assert_eq!(drawn, 2, "at the top and in its section");
