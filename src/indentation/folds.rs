@@ -16,10 +16,12 @@ const PLACES: f64 = 100.0;
 const FLAT: f64 = 1e-10;
 /// Distance of a fold, over the process zone, that is near.
 const NEAR_FOLD: f64 = 2.0;
-/// Error of g near a fold: what the accepted residual and its last digits leave.
+/// Error of g near a fold: what the accepted residual and its last digits leave. With the part of the change below, 0.68 of what is said not to be known was needed among 245 folds
+/// of random spheres of wide spectra (marches at 1e-9 to 1e-8 beside each other).
 const NOISE_OF_EDGE: f64 = 5e-14;
-/// What is not known of a distance over what the edge condition changed of it, and over it where nothing could be asked.
+/// What is not known of a distance, over what the edge condition changed of it.
 const OF_THE_CHANGE: f64 = 0.1;
+/// What is not known of a distance that three steps foresee, over it: 0.024 was needed once in 240 random spheres. The edge condition changes no more of it.
 const FORESEEN: f64 = 0.05;
 
 /// A fold of t(a) a little ahead of the edge.
@@ -77,7 +79,7 @@ impl Marcher<'_> {
             let unknown = NOISE_OF_EDGE / near.abs() + OF_THE_CHANGE * change.abs();
             Ok(Fold { distance: (1.0 + change) * distance, unknown: unknown.min(1.0) })
         } else {
-            // Neither is to be believed; a NaN neither.
+            // Neither is to be believed; of a NaN nothing is known.
             Ok(Fold { distance, unknown: change.abs().min(1.0) })
         }
     }

@@ -63,7 +63,7 @@ const PATHS: &str = "the path in speed to the contact costs the same at any accu
 /// Newton's method doubles digits with each step.
 const NEWTON: &str = "Newton's method doubles the digits with each step: with a tolerance of 1, no digit at all, 70 % of the points of 1e-9 are evaluated (named gaps)";
 /// Bars are fitted to other scenes.
-const SPECTRA: &str = "bars are those that spheres of up to four times need, and the oldest march is heard too loud; no factors that miss nothing reach 10 (named gaps)";
+const SPECTRA: &str = "bars are those that spheres of up to four times need, and the oldest march is heard too loud; the least factors that miss nothing leave 10.6 (named gaps)";
 const JUDGES: [Judge; 6] = [
     Judge {
         name: "steady sliding",
