@@ -2,7 +2,7 @@
 //!
 //! Goal: the study sees dishonest bars: one that is too short, one that is a thousand times too wide, an answer that is lost; and it passes over honest ones.
 //!
-//! Parameters: forty steady contacts and a hundred steady cracks of the study's own scenes, the one crack under a history whose bar was missed, and one strength.
+//! Parameters: forty steady contacts, a hundred steady cracks and eight spheres of the study's own scenes, the one crack under a history whose bar was missed, and one strength.
 //!
 //! Oracle: falsification: bars divided by a thousand, values moved by two bars, bars times a thousand.
 //!
@@ -12,7 +12,7 @@
 use rayon::prelude::*;
 use viscotack::Estimate;
 use viscotack::studies::honesty::tally::{Compared, Judged, Tally, Truth};
-use viscotack::studies::honesty::{crack, delayed, sliding, strength};
+use viscotack::studies::honesty::{crack, delayed, sliding, sphere, strength};
 
 fn scenes() -> Vec<Judged> {
     let contacts = (0..40_u64).into_par_iter().map(sliding::judged);
@@ -80,4 +80,17 @@ fn what_is_no_number_is_missed() {
         trouble: Some("no".into()),
     };
     assert_eq!(Tally::of(&[lost]).troubles.len(), 1);
+}
+
+/// Bars a thousandth as long, most of which lie within a thousandth of the accuracy: a truth that is known no better does not see them.
+#[test]
+fn a_second_truth_sees_what_is_missed_by_less_than_a_thousandth_of_the_accuracy() {
+    let judged = |of: fn(u64) -> Judged| (31..39_u64).into_par_iter().map(of).collect::<Vec<_>>();
+    let (by_one, by_two) = (judged(sphere::judged), judged(sphere::judged_by_two));
+    let missed = |judged: &[Judged]| Tally::of(judged).misses.len();
+    println!("{} and {} of {}", missed(&by_one), missed(&by_two), Tally::of(&by_two).values);
+    assert!(missed(&by_one) == 0 && missed(&by_two) == 0);
+    let short = |judged: &[Judged]| missed(&with_bars(judged, |one| Estimate::new(one.found.value, 1e-3 * one.found.error)));
+    println!("short bars: {} and {}", short(&by_one), short(&by_two));
+    assert!(short(&by_two) > 4 * short(&by_one) && short(&by_two) * 2 > Tally::of(&by_two).values);
 }

@@ -5,7 +5,7 @@ use super::super::known_states::sphere::known_sphere;
 use super::tally::{Compared, Judged, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use crate::estimate::Estimate;
-use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, march, run};
+use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, PathPoint, Profile, Trace, march, run};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
@@ -18,6 +18,10 @@ const TIGHTER: f64 = 1e-2;
 const TIGHTEST: f64 = 1e-9;
 /// What is then not known, over the scale: a thousandth of the accuracy.
 const UNKNOWN: f64 = 1e-3;
+/// Tolerance of a second march over that of the truth: √10.
+const LOOSER: f64 = 3.162_277_660_168_379_5;
+/// What two tight marches have alike, over the scale: what the edge condition is solved to.
+const ALIKE: f64 = 1e-11;
 /// Textbook fields by quadrature, over the scale.
 const BY_FIELDS: f64 = 1e-9;
 
@@ -56,14 +60,29 @@ pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProble
 /// A scene, judged.
 #[must_use]
 pub fn judged(scene: u64) -> Judged {
-    judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn)
+    judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn, Known::ToTheAccuracy)
+}
+
+/// The same scene, judged by a truth that is known to what a second tight march differs by.
+#[must_use]
+pub fn judged_by_two(scene: u64) -> Judged {
+    judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn, Known::ToItsChange)
+}
+
+/// How well a tighter march is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Known {
+    /// To a thousandth of the accuracy, whatever it says of itself.
+    ToTheAccuracy,
+    /// To what a second one, √10 looser, differs by.
+    ToItsChange,
 }
 
 /// A way to draw a scene for an accuracy.
 pub(super) type Drawn = fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>;
 
 /// A scene from a stream, for one of some accuracies, drawn in a way unless its state is drawn first.
-pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: Drawn) -> Judged {
+pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: Drawn, known: Known) -> Judged {
     let accuracy = accuracies[(scene / ANOTHER_ROUTE + scene) as usize % accuracies.len()];
     let another = scene.is_multiple_of(ANOTHER_ROUTE);
     let truth = if another { Truth::Another } else { Truth::Tighter };
@@ -71,7 +90,7 @@ pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: D
     let result = if another {
         against_known(&mut draw, &mut judged)
     } else {
-        drawn(&mut draw, accuracy).and_then(|scene| against_tighter(&scene, &mut judged))
+        drawn(&mut draw, accuracy).and_then(|scene| against_tighter(&scene, known, &mut judged))
     };
     match result {
         Ok(compared) => judged.compared = compared,
@@ -80,13 +99,26 @@ pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: D
     judged
 }
 
-fn against_tighter((material, problem): &(Material, IndentationProblem), judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+fn against_tighter(
+    (material, problem): &(Material, IndentationProblem),
+    known: Known,
+    judged: &mut Judged,
+) -> Result<Vec<Compared>, Refusal> {
     judged.described = format!("{material:?} {problem:?}");
     let found = run(material, problem)?;
-    let exact = march(material, problem, (TIGHTER * found.tolerance).max(TIGHTEST))?;
+    let tolerance = (TIGHTER * found.tolerance).max(TIGHTEST);
+    let exact = march(material, problem, tolerance)?;
+    let second = match known {
+        Known::ToTheAccuracy => None,
+        Known::ToItsChange => Some(march(material, problem, LOOSER * tolerance)?),
+    };
     if !found.reached {
         judged.trouble = Some("accuracy not reached".into());
     }
+    let accuracy = judged.accuracy;
+    let truth = |value: f64, second: Option<f64>, scale: f64| {
+        Estimate::new(value, second.map_or(UNKNOWN * accuracy * scale, |second| (value - second).abs() + ALIKE * scale))
+    };
     let scale = |of: fn(&PathPoint) -> f64| exact.path.iter().fold(0.0_f64, |most, point| most.max(of(point).abs()));
     let scales = [
         scale(|point| point.penetration),
@@ -96,39 +128,40 @@ fn against_tighter((material, problem): &(Material, IndentationProblem), judged:
     ];
     let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
     let mut compared = Vec::new();
-    for (instant, place) in found.instants.iter().zip(&exact.kept).skip(1) {
-        let Some(point) = exact.path.get(*place) else { continue };
-        let pairs = [
-            ("penetration", instant.penetration, point.penetration),
-            ("force", instant.force, point.force),
-            ("contact radius", instant.contact_radius, point.contact_radius),
-            ("stress intensity", instant.stress_intensity_factor, point.stress_intensity_factor),
-        ];
-        for ((quantity, found, truth), scale) in pairs.into_iter().zip(scales) {
+    let quantities = ["penetration", "force", "contact radius", "stress intensity"];
+    for (index, instant) in found.instants.iter().enumerate().skip(1) {
+        let values = |trace: &Trace| {
+            let point = trace.kept.get(index).and_then(|place| trace.path.get(*place))?;
+            Some([point.penetration, point.force, point.contact_radius, point.stress_intensity_factor])
+        };
+        let estimates = [instant.penetration, instant.force, instant.contact_radius, instant.stress_intensity_factor];
+        let Some(exact) = values(&exact) else { continue };
+        let second = second.as_ref().and_then(values);
+        for (k, ((quantity, found), scale)) in quantities.into_iter().zip(estimates).zip(scales).enumerate() {
             // What is imposed is exact on both sides.
-            if found.value.to_bits() != truth.to_bits() {
-                compared.push(Compared { quantity, found, truth: Estimate::new(truth, UNKNOWN * judged.accuracy * scale), scale });
+            if found.value.to_bits() != exact[k].to_bits() {
+                compared.push(Compared { quantity, found, truth: truth(exact[k], second.map(|second| second[k]), scale), scale });
             }
         }
     }
-    for (one, other) in found.events.iter().zip(&exact.events).filter(|(one, other)| one.kind == other.kind) {
-        let pairs = [
-            ("force of an event", one.force, other.force, scales[1]),
-            ("radius of an event", one.contact_radius, other.contact_radius, scales[2]),
-        ];
-        for (quantity, found, truth, scale) in pairs {
-            compared.push(Compared { quantity, found, truth: Estimate::new(truth, UNKNOWN * judged.accuracy * scale), scale });
-        }
-        // Times and depths of an event are known as well as each other: to what the march knows of the path.
-        let spans =
-            [("depth of an event", one.penetration, other.penetration, scales[0]), ("time of an event", one.time, other.time, duration)];
-        for (quantity, found, truth, scale) in spans {
-            compared.push(Compared { quantity, found, truth: Estimate::new(truth, UNKNOWN * judged.accuracy * scale), scale });
+    // Times and depths of an event are known as well as each other: to what the march knows of the path.
+    let quantities = ["force of an event", "radius of an event", "depth of an event", "time of an event"];
+    let scales_of_events = [scales[1], scales[2], scales[0], duration];
+    for (index, event) in found.events.iter().enumerate() {
+        let values = |trace: &Trace| {
+            let other = trace.events.get(index).filter(|other| other.kind == event.kind)?;
+            Some([other.force, other.contact_radius, other.penetration, other.time])
+        };
+        let estimates = [event.force, event.contact_radius, event.penetration, event.time];
+        let Some(exact) = values(&exact) else { continue };
+        let second = second.as_ref().and_then(values);
+        for (k, ((quantity, found), scale)) in quantities.into_iter().zip(estimates).zip(scales_of_events).enumerate() {
+            compared.push(Compared { quantity, found, truth: truth(exact[k], second.map(|second| second[k]), scale), scale });
         }
     }
-    if let (Some(one), Some(other)) = (found.largest_tension, exact.largest_tension()) {
-        let truth = Estimate::new(other, UNKNOWN * judged.accuracy * scales[1]);
-        compared.push(Compared { quantity: "largest tension", found: one, truth, scale: scales[1] });
+    if let (Some(found), Some(value)) = (found.largest_tension, exact.largest_tension()) {
+        let second = second.as_ref().and_then(Trace::largest_tension);
+        compared.push(Compared { quantity: "largest tension", found, truth: truth(value, second, scales[1]), scale: scales[1] });
     }
     Ok(compared)
 }

@@ -55,7 +55,7 @@ pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProble
 /// A scene, judged.
 #[must_use]
 pub fn judged(scene: u64) -> Judged {
-    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
+    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn, sphere::Known::ToTheAccuracy)
 }
 
 /// Evaluations of the edge condition at 1e-3 and at 1e-9.
