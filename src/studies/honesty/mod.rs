@@ -201,7 +201,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     if many(BY_TWO) > 0 {
         let tally = Tally::of(&judged_scenes(many(BY_TWO), sphere::judged_by_two, progress));
         section.checks.extend(checks_by_two(&tally));
-        table.rows.push(row("sphere, its truth known by a second one", &tally, None, ""));
+        table.rows.push(row("sphere, by two truths", &tally, None, ""));
     }
     section.tables.push(table);
     section.tables.push(worst.folded());
@@ -236,11 +236,13 @@ fn row(name: &str, tally: &Tally, work: Option<f64>, counter: &str) -> Vec<Cell>
 /// What must hold of the bars of spheres where the truth is known far better than to a thousandth of the accuracy, and what is stated of them.
 fn checks_by_two(tally: &Tally) -> [Check; 2] {
     let (missed, values) = (tally.misses.len(), tally.values);
-    let name = |what: &str| format!("sphere, its truth known by a second one: {what}");
+    let name = |what: &str| format!("sphere, by two truths: {what}");
     let found = format!("{missed} of {values} values in {} scenes", tally.scenes);
+    let quantile = |part: f64| tally.width(part).map_or_else(String::new, |width| format!("{width:.1}"));
+    let widths = format!("bars {} times the error in the median, {} in the 95th percentile", quantile(0.5), quantile(0.95));
     let few = values > 0 && missed as f64 <= BEYOND * values as f64;
     [
-        Check::statement(name("no bar misses the truth"), "0 misses", format!("{found}; known: {FOUR_CHANGES}"), missed == 0),
+        Check::statement(name("no bar misses the truth"), "0 misses", format!("{found}, {widths}; known: {FOUR_CHANGES}"), missed == 0),
         Check::new(name("hardly a bar misses the truth"), format!("at most {} % of the values", 100.0 * BEYOND), found, few),
     ]
 }
