@@ -342,8 +342,8 @@ impl<'a> Marcher<'a> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
-        // What is left goes in two equal steps: two points that are nearly one would tell the next ones nothing.
-        let cap = if cap >= NEARLY * left { left } else { cap.max(HALF * left).min(cap) };
+        // What is nearly all that is left is all of it: two points that are nearly one would tell the next ones nothing.
+        let cap = if cap >= NEARLY * left { left } else { cap };
         let now = self.time;
         let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
