@@ -7,8 +7,7 @@
 //!
 //! Oracle: the same history marched 1000 times tighter or more. The march has other oracles elsewhere (closed forms, a dense scheme, independent steppers).
 //!
-//! Tolerance: the accuracy asked for, always; the bar itself, in 98 of 100 (bars are judged by two marches, which may agree by chance); the
-//! median bar at most 30 times the error.
+//! Tolerance: the accuracy asked for, always; the bar itself, always; the median bar at most ten times the error, the 95th percentile at most a hundred times.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 mod support;
@@ -89,8 +88,8 @@ fn bars_cover_and_are_not_wide() {
                     outside += 1;
                     println!("case {case} ({accuracy:e}): {name} {:e} ± {:e}, off {error:e}, of {scale:e}", one.value, one.error);
                 }
-                // Below a thousandth of the accuracy bars keep a floor, and errors say nothing.
-                if error > 1e-3 * accuracy * scale && one.error.is_finite() {
+                // Smaller errors may be those of the truth.
+                if error > 1e-5 * accuracy * scale && one.error.is_finite() {
                     ratios.push(one.error / error);
                 }
             }
@@ -107,6 +106,6 @@ fn bars_cover_and_are_not_wide() {
     );
     assert_eq!(refused, 0);
     assert_eq!(outside, 0);
-    assert!(at(0.5) < 30.0);
-    assert!(reached >= 58);
+    assert!(at(0.5) < 10.0 && at(0.95) < 100.0);
+    assert_eq!(reached, 60);
 }

@@ -34,7 +34,7 @@ fn solved(name: &str, material: &Material, problem: &IndentationProblem) -> Inde
         found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>()
     );
     assert!(found.reached, "{name} misses its accuracy");
-    for point in found.fine.path.iter().filter(|point| point.residual.abs() > 1e-8) {
+    for point in found.march.path.iter().filter(|point| point.residual.abs() > 1e-8) {
         println!("{point:?}");
     }
     assert!(found.residual < 1e-8, "{name}: residual {:e}", found.residual);

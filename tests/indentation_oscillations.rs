@@ -191,12 +191,12 @@ fn an_adhesive_sphere_oscillates() {
     let problem = IndentationProblem { energies: true, ..IndentationProblem::new(SPHERE, adhesion, history) }.relaxed();
     let found = run(&rubber(), &problem).unwrap();
     let last = found.cycles.last().unwrap();
-    println!("{} steps, cycle work {:?}, radius {:?}, drift {:e}", found.fine.work.steps, last.work, last.contact_radius, last.drift);
+    println!("{} steps, cycle work {:?}, radius {:?}, drift {:e}", found.march.work.steps, last.work, last.contact_radius, last.drift);
     let balance = found.balance_defect.unwrap();
     println!("balance {balance:e}");
     assert!(balance < 1e-4);
     // ∮F dΔ over the last cycle against the energies of the path itself: work in = dissipated − tip work, stored energy returns.
-    let at = |time: f64| found.fine.path.iter().rfind(|point| point.time <= time * (1.0 + 1e-12)).unwrap().energies.unwrap();
+    let at = |time: f64| found.march.path.iter().rfind(|point| point.time <= time * (1.0 + 1e-12)).unwrap().energies.unwrap();
     let (start, end) = (at(last.start), at(last.end));
     let work = end.external_work - start.external_work;
     println!("∮F dΔ {:e} by energies {work:e}", last.work.value);

@@ -1,4 +1,4 @@
-//! What a killed run goes on from: every number of the march under way, bit for bit, and the march before it.
+//! What a killed run goes on from: every number of the march under way, bit for bit, and the marches before it.
 //!
 //! A march is a chain of steps; a checkpoint is taken between two of them and holds all that the next one reads. What a march remembers only to
 //! be quick (the panels of the last trial, the kernel of the last edge) is left out, and forgotten before each step, so that a march with
@@ -32,8 +32,8 @@ pub struct Checkpoint {
     /// Marches that are finished, and the tolerance of the one under way.
     pub(super) finished: u32,
     pub(super) tolerance: f64,
-    /// The last finished ones, the newest first.
-    pub(super) coarser: Vec<Trace>,
+    /// The last finished ones, the finest first.
+    pub(super) marches: Vec<Trace>,
     pub(super) work: IndentationWork,
     pub(super) march: MarchState,
 }
@@ -190,7 +190,7 @@ impl Marcher<'_> {
             observer.watch.checkpoint(&Checkpoint {
                 finished: observer.finished,
                 tolerance: self.tolerance,
-                coarser: observer.coarser.to_vec(),
+                marches: observer.marches.to_vec(),
                 work: observer.work,
                 march: self.state(),
             });
@@ -202,6 +202,6 @@ impl Marcher<'_> {
 pub(super) struct Observer<'a> {
     pub(super) watch: &'a dyn Watch,
     pub(super) finished: u32,
-    pub(super) coarser: &'a [Trace],
+    pub(super) marches: &'a [Trace],
     pub(super) work: IndentationWork,
 }

@@ -1,6 +1,6 @@
 //! What one cycle of an oscillation turns out to be.
 
-use super::convergence::Witnesses;
+use super::convergence::Heard;
 use crate::estimate::Estimate;
 use serde::{Deserialize, Serialize};
 
@@ -38,16 +38,12 @@ pub struct Cycle<T> {
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among ten, its value and those of the marches before.
-    pub(super) fn judged(
-        &self,
-        witnesses: Witnesses<&Self>,
-        mut estimate: impl FnMut(usize, f64, Witnesses<f64>) -> Estimate,
-    ) -> Cycle<Estimate> {
+    /// With errors by a function of the place of a quantity among ten, its value and those of all marches that are heard.
+    pub(super) fn judged(&self, heard: Heard<&Self>, mut estimate: impl FnMut(usize, f64, Heard<f64>) -> Estimate) -> Cycle<Estimate> {
         let mut place = 0;
         let mut one = |of: fn(&Self) -> f64| {
             place += 1;
-            estimate(place - 1, of(self), witnesses.map(|witness| witness.map(of)))
+            estimate(place - 1, of(self), heard.map(|cycle| cycle.map(of)))
         };
         Cycle {
             segment: self.segment,

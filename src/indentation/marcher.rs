@@ -62,7 +62,7 @@ pub(super) fn march_to(
     let springs = Springs::new(material)?;
     let mut marcher = Marcher::new(&springs, problem, tolerance)?;
     marcher.observer = guide.observer;
-    let trace = match guide.from {
+    let mut trace = match guide.from {
         Some(state) => {
             marcher.restore(state)?;
             marcher.through(true)?
@@ -75,6 +75,7 @@ pub(super) fn march_to(
     };
     let zone = problem.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
     problem.profile.holds(trace.summary.scales[2], zone)?;
+    trace.tolerance = tolerance;
     Ok(trace)
 }
 
@@ -342,8 +343,8 @@ impl<'a> Marcher<'a> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
-        // What is nearly all that is left is all of it: two points that are nearly one would tell the next ones nothing.
-        let cap = if cap >= NEARLY * left { left } else { cap };
+        // What is nearly all that is left is all of it, and of less no more than half is taken: a short last step tells little of its own error, which K follows.
+        let cap = if cap >= NEARLY * left { left } else { cap.min(HALF * left) };
         let now = self.time;
         let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);

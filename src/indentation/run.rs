@@ -1,26 +1,25 @@
-//! A history of contact from a problem to numbers with errors: five marches or more, each tighter than the one before, until the errors meet the accuracy.
+//! A history of contact from a problem to numbers with errors: three marches, each tighter than the one before, of which the last two judge the first; one more until the
+//! errors meet the accuracy.
 
 use super::checkpoint::{Checkpoint, Observer, Watch};
-use super::convergence::{TIGHTER, WITNESSES};
-use super::judgement::judged;
+use super::convergence::{BEHIND, HEARD, TIGHTER};
+use super::judgement::{Verdict, judged};
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
 use super::solution::{IndentationSolution, IndentationWork, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Tolerance of the first march, over the accuracy.
-const FIRST: f64 = 10.0;
-/// The loosest first march.
-const LOOSEST: f64 = 0.01;
-/// Marches at least, unless the first two took all the work that is allowed.
-const FEWEST_MARCHES: u32 = WITNESSES as u32 + 1;
-/// Marches at most.
-const MOST_MARCHES: u32 = 11;
+/// Tolerance of the first march, over the accuracy: nearly all marches err by less than a hundredth of their tolerance, and bars are some four times the error.
+const FIRST: f64 = 1.0;
+/// The loosest first march: looser ones take no longer steps.
+const LOOSEST: f64 = 1e-2;
+/// The tightest first march leaves room for those behind it.
+const TIGHTEST_FIRST: f64 = 1e-7;
 /// Evaluations of the edge condition after which no tighter march is begun.
 const MOST_EVALUATIONS: u64 = 200_000;
 /// The same for each cycle of an oscillation.
-const EVALUATIONS_OF_A_CYCLE: u64 = 2_000;
+const EVALUATIONS_OF_A_CYCLE: u64 = 3_000;
 /// No march is tighter than this: rounding of the edge condition takes over.
 const TIGHTEST: f64 = 1e-9;
 
@@ -44,38 +43,56 @@ pub fn run_watched(
 ) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
     let mut finished = 0;
-    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
-    // The last ones, the newest first.
-    let mut coarser: Vec<Trace> = Vec::new();
+    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST_FIRST, LOOSEST);
+    // The last ones, the finest first.
+    let mut marches: Vec<Trace> = Vec::new();
     let mut work = IndentationWork::default();
     let mut under_way = None;
     if let Some(checkpoint) = from {
         let march;
-        Checkpoint { finished, tolerance, coarser, work, march } = checkpoint;
+        Checkpoint { finished, tolerance, marches, work, march } = checkpoint;
         under_way = Some(march);
     }
     loop {
-        let observer = watch.map(|watch| Observer { watch, finished, coarser: &coarser, work });
+        let observer = watch.map(|watch| Observer { watch, finished, marches: &marches, work });
         // Stretches that were stationary early are as long for every tighter march.
-        let stops = coarser.first().map_or(&[][..], |coarse| &coarse.shortened);
-        let mut fine = march_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer })?;
-        finished += 1;
-        work.add(&fine.work);
-        if finished > 1 {
-            let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * fine.cycles.last().map_or(0, |cycle| cycle.number);
-            let last = finished > MOST_MARCHES || tolerance <= TIGHTEST || work.closure_evaluations > most;
-            if last || finished >= FEWEST_MARCHES {
-                let judged = judged(problem, &coarser, (tolerance, fine), work);
-                if judged.reached || last {
-                    return Ok(judged);
-                }
-                fine = judged.fine;
+        let stops = marches.first().map_or(&[][..], |march| &march.shortened);
+        let march = match march_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer }) {
+            // A march that gives up leaves those before it: they are judged as far as they go.
+            Err(Refusal::NotConverged { .. }) if marches.len() > 1 => {
+                let told = told(problem, &marches, true).map(|verdict| verdict.solution(work));
+                return told.ok_or(Refusal::NotConverged { what: "history of contact", detail: "no march is left".into() });
             }
+            march => march?,
+        };
+        finished += 1;
+        work.add(&march.work);
+        let most = MOST_EVALUATIONS + EVALUATIONS_OF_A_CYCLE * march.cycles.last().map_or(0, |cycle| cycle.number);
+        marches.insert(0, march);
+        marches.truncate(HEARD);
+        let last = finished > 1 && (tolerance <= TIGHTEST || work.closure_evaluations > most);
+        if let Some(verdict) = told(problem, &marches, last) {
+            return Ok(verdict.solution(work));
         }
-        coarser.insert(0, fine);
-        coarser.truncate(WITNESSES);
         tolerance = (TIGHTER * tolerance).max(TIGHTEST);
     }
+}
+
+/// The loosest march that two behind it find within the accuracy. Where no march is to follow, those behind are asked too, and the best is told.
+fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<Verdict> {
+    let mut best: Option<Verdict> = None;
+    let loosest = if last { BEHIND.min(marches.len().checked_sub(1)?) } else { BEHIND };
+    let tightest = if last { 0 } else { BEHIND };
+    for told in (tightest..=loosest).rev() {
+        let verdict = judged(problem, marches, told)?;
+        if verdict.excess <= 1.0 {
+            return Some(verdict);
+        }
+        if best.as_ref().is_none_or(|best| verdict.excess < best.excess) {
+            best = Some(verdict);
+        }
+    }
+    best.filter(|_| last)
 }
 
 impl IndentationWork {

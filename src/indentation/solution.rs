@@ -7,6 +7,9 @@ use crate::estimate::Estimate;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
+/// What eight nodes a panel leave unknown of K, over K.
+const PANELS: f64 = 3e-9;
+
 /// A step of the march, as computed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
@@ -28,6 +31,21 @@ pub struct PathPoint {
     pub piece: u32,
     /// Energies, where asked for.
     pub energies: Option<Energies>,
+}
+
+impl PathPoint {
+    /// What no march tells of K_I (Pa√m): eight nodes keep an exponential on a graded panel to 1e-9, and K is their value at an end.
+    #[must_use]
+    pub fn intensity_floor(&self) -> f64 {
+        self.unresolved_intensity + PANELS * self.stress_intensity_factor.abs()
+    }
+
+    /// The same of G_tip, which goes with K_I² (J/m²): zero without energies or without K_I.
+    #[must_use]
+    pub fn tip_release_rate_floor(&self) -> f64 {
+        let rate = self.energies.map_or(0.0, |energies| energies.tip_release_rate);
+        if rate > 0.0 { 2.0 * rate * (self.intensity_floor() / self.stress_intensity_factor.abs()) } else { 0.0 }
+    }
 }
 
 /// The account of energies at a step.
@@ -97,6 +115,8 @@ pub struct IndentationWork {
 /// One march.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
+    /// What its steps were held to.
+    pub tolerance: f64,
     /// Every step, the start included; of more than 40 000 every second one again and again, but for kept instants.
     pub path: Vec<PathPoint>,
     /// Places in the path of the instants to keep.
@@ -125,6 +145,7 @@ impl Default for Trace {
     /// Of no steps.
     fn default() -> Self {
         Self {
+            tolerance: 0.0,
             path: Vec::new(),
             kept: Vec::new(),
             events: Vec::new(),
@@ -191,12 +212,12 @@ pub struct Instant {
     pub residual: f64,
 }
 
-/// A history of contact with errors: the finest of five marches or more, those before it as its witnesses.
+/// A history of contact with errors: a march, judged by two behind it that are ten and a hundred times tighter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
     /// The kept instants.
     pub instants: Vec<Instant>,
-    /// Events of the finest march; errors by the same events of those before it, infinite if the last of these has none.
+    /// Events of the march; errors by the same events of those behind it, infinite if one of these has none.
     pub events: Vec<Event<Estimate>>,
     /// Whole cycles of stretches that oscillate.
     pub cycles: Vec<Cycle<Estimate>>,
@@ -212,10 +233,8 @@ pub struct IndentationSolution {
     pub reached: bool,
     /// Largest defect of the edge condition.
     pub residual: f64,
-    /// Tolerance of the finest march.
-    pub tolerance: f64,
-    /// The finest march itself.
-    pub fine: Trace,
+    /// The march itself.
+    pub march: Trace,
     /// Counters of all marches together.
     pub work: IndentationWork,
 }

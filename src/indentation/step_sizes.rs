@@ -3,10 +3,10 @@
 use super::marcher::{CLOCK, LOOSEST, Marcher};
 use super::stepping::SMALLEST;
 
-/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of a millionth or more; below it they grow with the steps of a march.
+/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of a march.
 const MOST_STEPS: f64 = 6_000.0;
 /// See [`MOST_STEPS`].
-const TIGHT: f64 = 1e-6;
+const TIGHT: f64 = 1e-4;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.

@@ -49,7 +49,7 @@ impl SphereRelease {
                 problem = problem.relaxed();
             }
             let solution = run(&material, &problem)?;
-            let path = &solution.fine.path;
+            let path = &solution.march.path;
             let ratio = solution.largest_tension.map_or(f64::NAN, |tension| tension.value / (1.5 * work * PI));
             let places: Vec<(f64, usize)> = if self.retraction_from.is_some() {
                 let largest = path.iter().enumerate().min_by(|one, other| one.1.force.total_cmp(&other.1.force));

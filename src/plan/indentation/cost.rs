@@ -6,8 +6,8 @@ use crate::outcome::Work;
 use crate::scene::typed::{HistoryQuantity, IndentationShape};
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
-const HISTORY: f64 = 1700.0;
-const INSTANT: f64 = 38.0;
+const HISTORY: f64 = 1220.0;
+const INSTANT: f64 = 27.0;
 /// Further balances for each decade between the relaxation times, relative: after each corner time steps grow through all of them.
 const DECADE: f64 = 0.35;
 /// Power of the accuracy that balances grow with.
@@ -15,27 +15,27 @@ const ORDER: f64 = 0.25;
 /// Balances without adhesion, relative: steps are a part of the contact, not of a process zone.
 const ADHESIVELESS: f64 = 0.5;
 /// Points of the line updated for a balance, and relative growth with the square of the decades: the finer the layers behind the edge.
-const UPDATES: f64 = 125.0;
+const UPDATES: f64 = 200.0;
 const LAYERS: f64 = 0.12;
 
 /// The same where a force or a frame is imposed: Δ is found as well, from two loads.
 const LOADED: f64 = 2.0;
 /// Without adhesion only the swept stretch is updated.
-const NARROW: f64 = 0.5;
+const NARROW: f64 = 0.25;
 
 /// Balances of a cycle at an accuracy of 1e-2 where an edge moves, and power of the accuracy they grow with.
-const CYCLE: f64 = 4400.0;
+const CYCLE: f64 = 2600.0;
 const CYCLE_ORDER: f64 = 0.25;
 /// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
-const CYCLE_UPDATES: f64 = 210.0;
+const CYCLE_UPDATES: f64 = 330.0;
 /// The same without adhesion, where turns leave no layer of their own.
 const SWEPT_UPDATES: f64 = 35.0;
 /// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
-const HELD_CYCLE: f64 = 100.0;
+const HELD_CYCLE: f64 = 60.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 16.0;
 /// The same outside cycles, where the edge may leave the rim.
-const HELD_HISTORY_UPDATES: f64 = 50.0;
+const HELD_HISTORY_UPDATES: f64 = 110.0;
 /// Cycles until they are stationary: the first few, and what the longest memory asks for.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;

@@ -47,7 +47,7 @@ impl IndentationPlan {
             let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
             let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
             let mut next = from;
-            for point in solution.fine.path.iter().filter(|point| point.time >= from && point.time < to) {
+            for point in solution.march.path.iter().filter(|point| point.time >= from && point.time < to) {
                 if point.time >= next {
                     found.push(point);
                     next = point.time.max(next + (to - from) / instants);
@@ -61,7 +61,7 @@ impl IndentationPlan {
         let mut values: Values = vec![None; COLUMNS.len()];
         let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
         let exact = |value: f64| Some(Estimate::exact(value));
-        let spread = solution.fine.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
+        let spread = solution.march.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
         let cells = [
             (at::TIME, exact(cycle.end)),
             (at::SEGMENT, exact(segment as f64)),

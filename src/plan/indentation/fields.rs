@@ -26,7 +26,7 @@ pub(super) struct FieldRow {
 impl IndentationPlan {
     pub(super) fn fields_of(&self, solution: &IndentationSolution, wanted: &IndentationFields) -> Result<Vec<FieldRow>, Refusal> {
         let springs = Springs::new(&self.material)?;
-        let path = &solution.fine.path;
+        let path = &solution.march.path;
         let end = path.last().map_or(0.0, |point| point.time);
         let states: Vec<(f64, [Contact<'_>; 2])> = wanted
             .times

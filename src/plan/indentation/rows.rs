@@ -73,7 +73,7 @@ impl IndentationPlan {
             let mut values = self.of_instant(instant);
             if index == last {
                 let count = |number: u64| Some(Estimate::exact(number as f64));
-                let [steps, panels] = [solution.fine.work.steps, solution.fine.work.most_panels].map(count);
+                let [steps, panels] = [solution.march.work.steps, solution.march.work.most_panels].map(count);
                 let told = [(at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)), (at::STEPS, steps), (at::PANELS, panels)];
                 for (place, value) in told {
                     if let Some(cell) = values.get_mut(place) {
@@ -221,7 +221,7 @@ impl IndentationPlan {
     /// Points of the path inside ramps that begin where only the march knows, and inside oscillations.
     fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
         let inside = |&(from, to): &(f64, f64)| {
-            let points: Vec<&PathPoint> = solution.fine.path.iter().filter(|point| point.time > from && point.time < to).collect();
+            let points: Vec<&PathPoint> = solution.march.path.iter().filter(|point| point.time > from && point.time < to).collect();
             thinned(points, self.indentation.instants as usize)
         };
         self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).collect()
@@ -269,7 +269,7 @@ impl IndentationPlan {
     /// The row of the largest tension; when and where it acts is known as well as tensions can be told apart there.
     fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
         let tension = solution.largest_tension?;
-        let path = &solution.fine.path;
+        let path = &solution.march.path;
         let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
         // Between its neighbours, and wherever the tension is the same within its error.
         let beside = [place.saturating_sub(1), place + 1].into_iter().filter_map(|place| path.get(place));

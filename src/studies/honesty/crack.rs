@@ -108,7 +108,7 @@ fn against_tighter(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>
         (found, exact) => (found?, exact?),
     };
     let pairs = listed(&found).into_iter().zip(listed(&exact));
-    Ok(pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 0.0 }).collect())
+    Ok(pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 0.0, floor: 0.0 }).collect())
 }
 
 fn against_known(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
@@ -119,12 +119,13 @@ fn against_known(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, 
     // What is not known of the drawn speed goes on with the local power of the curve.
     let relative = KNOWN_TO * (2.0 + found.speed_exponent.abs());
     let truth = |value: f64| Estimate::relative(value, relative);
-    let mut compared = vec![Compared { quantity: "drive", found: found.drive, truth: truth(known.drive), scale: 0.0 }];
+    let mut compared = vec![Compared { quantity: "drive", found: found.drive, truth: truth(known.drive), scale: 0.0, floor: 0.0 }];
     compared.extend(found.energy_release_rate_ratio.map(|ratio| Compared {
         quantity: "G/Δγ",
         found: ratio,
         truth: truth(known.release),
         scale: 0.0,
+        floor: 0.0,
     }));
     Ok(compared)
 }

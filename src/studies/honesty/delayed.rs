@@ -128,7 +128,7 @@ fn against_finer(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
             [("place of the tip", one.growth, other.growth, zone), ("speed of the tip", one.speed, other.speed, fastest)]
         {
             match (found, truth) {
-                (Some(found), Some(truth)) => compared.push(Compared { quantity, found, truth, scale }),
+                (Some(found), Some(truth)) => compared.push(Compared { quantity, found, truth, scale, floor: 0.0 }),
                 (None, None) => {}
                 _ => judged.trouble = Some(format!("{quantity} is there at one resolution and not at the other")),
             }
@@ -139,10 +139,10 @@ fn against_finer(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
             // From here on both tell different stories (a short rest that one of them does not see): the bars of places at times speak for themselves.
             break;
         }
-        compared.push(Compared { quantity: "time of an event", found: one.time, truth: other.time, scale: until });
-        compared.push(Compared { quantity: "place of an event", found: one.growth, truth: other.growth, scale: zone });
+        compared.push(Compared { quantity: "time of an event", found: one.time, truth: other.time, scale: until, floor: 0.0 });
+        compared.push(Compared { quantity: "place of an event", found: one.growth, truth: other.growth, scale: zone, floor: 0.0 });
         for ((quantity, found), (_, truth)) in speeds(one).into_iter().zip(speeds(other)) {
-            compared.push(Compared { quantity, found, truth, scale: fastest });
+            compared.push(Compared { quantity, found, truth, scale: fastest, floor: 0.0 });
         }
     }
     Ok(compared)
@@ -158,7 +158,7 @@ fn against_known(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
         KnownTime::Start(time) => match found.events.first() {
             Some(Event { kind: EventKind::GrowthBegins { .. }, time: started, .. }) => {
                 let truth = Estimate::relative(time, sensitive_to_load(&known.material, time));
-                compared.push(Compared { quantity: "start of growth", found: *started, truth, scale: known.until });
+                compared.push(Compared { quantity: "start of growth", found: *started, truth, scale: known.until, floor: 0.0 });
             }
             _ => judged.trouble = Some("no growth".into()),
         },
@@ -169,7 +169,7 @@ fn against_known(draw: &mut Draw, lines: u32, judged: &mut Judged) -> Result<Vec
                     let Some(found) = found else { continue };
                     // The time is rounded to ε t, in which the tip goes εt·ẋ₀.
                     let rounding = CLOSED * value.abs() + 1e-15 * known.until * speed;
-                    compared.push(Compared { quantity, found, truth: Estimate::new(value, rounding), scale: growth });
+                    compared.push(Compared { quantity, found, truth: Estimate::new(value, rounding), scale: growth, floor: 0.0 });
                 }
             }
             None => judged.trouble = Some("no sample".into()),

@@ -92,14 +92,20 @@ pub fn judged(scene: u64) -> Judged {
     match (found, exact) {
         (Ok(SlidingOutcome::Partial(found)), Ok(SlidingOutcome::Partial(exact))) => {
             let pairs = listed(&found.values).into_iter().zip(listed(&exact.values));
-            judged.compared = pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 1.0 }).collect();
+            judged.compared =
+                pairs.map(|((quantity, found), (_, truth))| Compared { quantity, found, truth, scale: 1.0, floor: 0.0 }).collect();
             if found.certificate.accuracy > accuracy {
                 judged.trouble = Some(format!("accuracy not reached: {:.1e}", found.certificate.accuracy));
             }
         }
         (Ok(SlidingOutcome::Full(found)), Ok(SlidingOutcome::Full(exact))) => {
-            judged.compared =
-                vec![Compared { quantity: "friction stress", found: found.friction_stress, truth: exact.friction_stress, scale: 1.0 }];
+            judged.compared = vec![Compared {
+                quantity: "friction stress",
+                found: found.friction_stress,
+                truth: exact.friction_stress,
+                scale: 1.0,
+                floor: 0.0,
+            }];
         }
         (Err(Refusal::NoSuchState { .. }), Err(Refusal::NoSuchState { .. })) => {}
         (found, exact) => {
@@ -132,7 +138,7 @@ fn against_known(draw: &mut Draw, judged: &mut Judged) {
                 .into_iter()
                 .filter_map(|(quantity, value)| {
                     let truth = Estimate::new(value, KNOWN_TO * value.abs().max(1.0));
-                    Some(Compared { quantity, found: at(quantity)?, truth, scale: 1.0 })
+                    Some(Compared { quantity, found: at(quantity)?, truth, scale: 1.0, floor: 0.0 })
                 })
                 .collect();
             let (a, e, p) = (found.values.half_width.value, found.values.eccentricity.value, found.values.mean_pressure.value);

@@ -57,7 +57,7 @@ pub fn judged(scene: u64) -> Judged {
         let mut compared = Vec::new();
         for ((quantity, found), (_, truth)) in listed(&found).into_iter().zip(listed(&exact)) {
             match (found, truth) {
-                (Some(found), Some(truth)) => compared.push(Compared { quantity, found, truth, scale: 1.0 }),
+                (Some(found), Some(truth)) => compared.push(Compared { quantity, found, truth, scale: 1.0, floor: 0.0 }),
                 (None, None) => {}
                 _ => {
                     let detail = format!("it is there at one accuracy and not at the other ({accuracy:e})");
@@ -78,7 +78,7 @@ pub fn judged(scene: u64) -> Judged {
 fn by_widths(material: &Material, problem: &BranchProblem<'_>, found: &Strength) -> Option<Compared> {
     let fold = found.pull_off.as_ref()?;
     let least = least_load(material, problem, fold.contact.half_width.value, STEP)?;
-    Some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0 })
+    Some(Compared { quantity: "pull-off", found: fold.value, truth: Estimate::new(least, BY_WIDTHS), scale: 1.0, floor: 0.0 })
 }
 
 /// The least load of contacts of five held half-widths, `step` over the middle one apart; none if it is not among them.

@@ -1,12 +1,14 @@
 //! Bars against true errors: misses, how wide bars are, and what accuracy takes.
 //!
 //! A bar is missed where |value − truth| > bar + bar of the truth. How wide it is, bar/|value − truth|, can be told where the truth is known ten times better than the
-//! bar and the bar is above rounding; an error below what is known of the truth counts as that much.
+//! bar and the bar is above rounding and stated floors; an error below what is known of the truth counts as that much.
 
 use crate::estimate::Estimate;
 
 /// Bars below so many ulp of the value or of its scale are rounding.
 const ROUNDING: f64 = 4096.0 * f64::EPSILON;
+/// So are bars that are less than so many times a stated floor, most of which is the floor.
+const FLOORS: f64 = 2.0;
 /// The truth must be known so much better than the bar.
 const BETTER: f64 = 10.0;
 
@@ -30,6 +32,8 @@ pub struct Compared {
     pub truth: Estimate,
     /// What rounding is relative to, besides the value: the scale of the quantity.
     pub scale: f64,
+    /// What the solver states that it can't tell at any accuracy.
+    pub floor: f64,
 }
 
 impl Compared {
@@ -45,7 +49,7 @@ impl Compared {
     /// Bar over true error, where it can be told.
     #[must_use]
     pub fn width(&self) -> Option<f64> {
-        let floor = ROUNDING * self.found.value.abs().max(self.scale);
+        let floor = (ROUNDING * self.found.value.abs().max(self.scale)).max(FLOORS * self.floor);
         let known = BETTER * self.truth.error <= self.found.error;
         let off = (self.found.value - self.truth.value).abs();
         (known && self.found.error > floor && self.found.error.is_finite())

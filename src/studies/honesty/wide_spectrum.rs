@@ -41,6 +41,7 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
     problem.frame_stiffness = Some(modulus * jkr * draw.log_between(0.3, 30.0));
     problem.instants_per_segment = 3;
     problem.accuracy = accuracy;
+    problem.energies = draw.chance(sphere::WITH_ENERGIES);
     Ok((material, if kind == 4 { problem.relaxed() } else { problem }))
 }
 
@@ -55,7 +56,7 @@ pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProble
 /// A scene, judged.
 #[must_use]
 pub fn judged(scene: u64) -> Judged {
-    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn, sphere::Known::ToTheAccuracy)
+    sphere::judged_of(Draw::of(SEED ^ 6, scene), scene, &ACCURACIES, drawn)
 }
 
 /// Evaluations of the edge condition at 1e-3 and at 1e-9.

@@ -24,7 +24,7 @@ fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
                         ("points updated", found.work.history_updates),
                     ];
                     let counted = work.map(|(counted, count)| (counted, count as f64)).to_vec();
-                    Sample { setting, seconds, runs, counted, error: Ok(error(&forces(&found.fine), &truth)) }
+                    Sample { setting, seconds, runs, counted, error: Ok(error(&forces(&found.march), &truth)) }
                 }
                 Err(refusal) => Sample { setting, seconds, runs, counted: Vec::new(), error: Err(refusal.to_string()) },
             }
@@ -92,7 +92,7 @@ pub(in crate::studies) fn study(effort: Effort, progress: &Progress) -> Section 
     let mut section = Section::new("precision_sphere", "Work and precision: the sphere");
     progress.expect(1);
     section.say(
-        "This program marches until the differences of five marches in a row meet the accuracy: the time is of all of them; a single march gives no error bar, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
+        "This program tells the numbers of a march that two others judge, ten and a hundred times tighter: the time is of all three; a single march gives no error bar, as the rival gives none. The annuli are the thesis's scheme, each trial edge a dense \
          system of its own as printed, or with the factors of an edge kept. An evaluation of theirs costs the square of the number of annuli at least.",
     );
     match diagram(effort) {
