@@ -5,7 +5,7 @@
 //! Parameters: scenes of the study of error bars (`viscotack verify`), in each of which one feature was found to dominate: a turn within a step that the edge
 //! drove, a long first step behind a landmark where the edge is slow, a path held to a straight line by a first guess, t(y) where y(t) is the smoother, a landmark forgotten
 //! at another one, a turn that steps creep up to, a corner of a corner, corners of the history and places left suddenly that the edge comes back over, a turn just ahead, short ways, growth that no tolerance changed, panels joined, a fold that is foreseen,
-//! the first steps behind a corner, a contact as small as its zone, errors that do not fall.
+//! the first steps behind a corner, a contact as small as its zone, errors that do not fall, a short last step to an instant.
 //!
 //! Oracle: the same march at a tolerance of 1e-8, which took the features in steps so short that they did not matter; for joined panels Lee and Radok's closed form.
 //!
@@ -201,4 +201,11 @@ fn errors_that_do_not_fall_are_held() {
     let truth = truth.path[truth.kept[4]].stress_intensity_factor;
     println!("{:e} ± {:e}, {truth:e}", found.value, found.error);
     assert!((found.value - truth).abs() < found.error);
+}
+
+/// They were 2.0e-4 and 4.8e-5: just behind a turn K follows the last step, which was what others had left to the instant.
+#[test]
+fn the_last_step_to_an_instant_is_not_short() {
+    assert!(left(166, 4, 3.2e-4, |point| point.stress_intensity_factor) < 1e-4);
+    assert!(left(166, 4, 1e-4, |point| point.stress_intensity_factor) < 2e-5);
 }

@@ -103,3 +103,57 @@ impl IndentationWork {
         self.most_panels = self.most_panels.max(other.most_panels);
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::solution::PathPoint;
+    use super::super::{History, Profile};
+    use super::*;
+
+    const ACCURACY: f64 = 1e-3;
+
+    /// Marches at 1e-5, 1e-4 and 1e-3 of an indenter at rest, with these forces.
+    fn marches(forces: [f64; 3]) -> (IndentationProblem, Vec<Trace>) {
+        let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, None, History::penetration(0.01).hold(1.0));
+        let march = |(tolerance, force)| {
+            let point = PathPoint {
+                time: 0.0,
+                penetration: 0.01,
+                force,
+                contact_radius: 0.1,
+                stress_intensity_factor: 0.0,
+                unresolved_intensity: 0.0,
+                residual: 0.0,
+                piece: 0,
+                energies: None,
+            };
+            let mut march = Trace { tolerance, path: vec![point], kept: vec![0], ..Trace::default() };
+            march.summary.add(&point, None);
+            march
+        };
+        (IndentationProblem { accuracy: ACCURACY, ..problem }, [1e-5, 1e-4, 1e-3].into_iter().zip(forces).map(march).collect())
+    }
+
+    fn told_of(forces: [f64; 3], last: bool) -> Option<(f64, bool)> {
+        let (problem, marches) = marches(forces);
+        let solution = told(&problem, &marches, last)?.solution(IndentationWork::default());
+        Some((solution.march.tolerance, solution.reached))
+    }
+
+    #[test]
+    fn the_loosest_march_within_the_accuracy_is_told() {
+        assert_eq!(told_of([1.0, 1.0, 1.0 + 1e-5], false), Some((1e-3, true)));
+        assert_eq!(told_of([1.0, 1.0, 1.0 + 1e-5], true), Some((1e-3, true)));
+        // Without a march to follow, one behind it; with one, none yet.
+        assert_eq!(told_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], false), None);
+        assert_eq!(told_of([1.0, 1.0 + 1e-6, 1.0 + 3e-4], true), Some((1e-4, true)));
+    }
+
+    #[test]
+    fn where_no_march_is_to_follow_the_best_is_told() {
+        // Of bars of 0.04, 0.031 and 0.03.
+        assert_eq!(told_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], true), Some((1e-5, false)));
+        assert_eq!(told_of([1.0, 1.0 + 1e-3, 1.0 + 1e-2], false), None);
+    }
+}
