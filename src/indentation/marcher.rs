@@ -11,6 +11,7 @@ use super::record::Record;
 use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
+use super::step_sizes::towards;
 use super::stretch::{Place, Stretch};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -343,8 +344,7 @@ impl<'a> Marcher<'a> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
         let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
-        // What is nearly all that is left is all of it, and of less no more than half is taken: a short last step tells little of its own error, which K follows.
-        let cap = if cap >= NEARLY * left { left } else { cap.min(HALF * left) };
+        let cap = towards(left, cap, CLOCK * f64::EPSILON * self.time);
         let now = self.time;
         let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);

@@ -1,6 +1,6 @@
 //! How large steps are, and how exactly they are found: bounds that go with the tolerance by the order of the path, so that two marches never take the same steps.
 
-use super::marcher::{CLOCK, LOOSEST, Marcher};
+use super::marcher::{CLOCK, HALF, LOOSEST, Marcher, NEARLY};
 use super::stepping::SMALLEST;
 
 /// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of a march.
@@ -23,6 +23,18 @@ const AT_GROWTH: f64 = 1e-2;
 const SMALLEST_GROWTH: f64 = 0.15;
 /// Least measure of an error, over the process zone.
 const SHORTEST_MEASURE: f64 = 1e-2;
+
+/// The longest step (s) of one that may take `cap` towards an instant that is `left`, where a clock tells `least`.
+///
+/// What is nearly all that is left is all of it, and of less no more than half is taken: a short last step tells little of its own error, which K follows. Halves
+/// that the clock does not tell would go nowhere.
+pub(super) fn towards(left: f64, cap: f64, least: f64) -> f64 {
+    if cap >= NEARLY * left {
+        return left;
+    }
+    let half = HALF * left;
+    if half > least { cap.min(half) } else { left }
+}
 
 impl Marcher<'_> {
     /// Steps of a stretch, or of a cycle, after which a march stands still.
@@ -71,5 +83,25 @@ impl Marcher<'_> {
     /// The smallest contact that is one.
     pub(super) fn smallest(&self) -> f64 {
         self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| SMALLEST * adhesion.process_zone)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_goes_in_halves_that_the_clock_tells() {
+        assert!((towards(1.0, 2.0, 1e-15) - 1.0).abs() < 1e-15 && (towards(1.0, 0.9995, 1e-15) - 1.0).abs() < 1e-15);
+        assert!((towards(1.0, 0.9, 1e-15) - 0.5).abs() < 1e-15 && (towards(1.0, 0.2, 1e-15) - 0.2).abs() < 1e-15);
+        // A step that never may take what is left arrives all the same: an edge that turned just before an instant had stood still there for 6000 steps.
+        let target = 30.0;
+        let (mut time, mut steps) = (target - 1e-9, 0);
+        while time < target && steps < 100 {
+            let left: f64 = target - time;
+            time += towards(left, 0.9 * left, CLOCK * f64::EPSILON * time);
+            steps += 1;
+        }
+        assert!(time >= target && steps < 40, "{steps} steps to {time}");
     }
 }
