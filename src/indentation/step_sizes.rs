@@ -95,7 +95,7 @@ mod tests {
         assert!((towards(1.0, 2.0, 1e-15) - 1.0).abs() < 1e-15 && (towards(1.0, 0.9995, 1e-15) - 1.0).abs() < 1e-15);
         assert!((towards(1.0, 0.9, 1e-15) - 0.5).abs() < 1e-15 && (towards(1.0, 0.2, 1e-15) - 0.2).abs() < 1e-15);
         // A step that never may take what is left arrives all the same: an edge that turned just before an instant had stood still there for 6000 steps.
-        let target = 30.0;
+        let target = 30.0_f64.next_up();
         let (mut time, mut steps) = (target - 1e-9, 0);
         while time < target && steps < 100 {
             let left: f64 = target - time;
