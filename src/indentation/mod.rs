@@ -60,6 +60,7 @@ mod prescribed_edge;
 mod problem;
 mod profile;
 mod record;
+mod rim;
 mod row;
 mod run;
 mod shape;

@@ -1,9 +1,10 @@
 //! The part of the line that the closure sees, cut once for a trial edge and moved in many trial times.
 
-use super::line::{Cell, Contact};
+use super::line::{Cell, Contact, beyond_rim};
 use super::motion::Motion;
 use super::panel::{POINTS, Panel, RULE};
 use super::passing::Passing;
+use super::rim::Rim;
 
 /// Cells about an edge, as they are before a step.
 #[derive(Debug, Clone)]
@@ -78,9 +79,12 @@ impl Window {
             if bonded { self.loads.push(panel) } else { self.gaps.push(panel) }
         }
         let reached = self.gaps.last().map_or(motion.to, |panel| panel.upper);
-        if reached < end {
-            self.gaps.push(Panel::sampled(reached, end, |s| contact.profile.line(s) - penetration));
+        let rim = contact.profile.rim();
+        if reached < end.min(rim) {
+            self.gaps.push(Panel::sampled(reached, end.min(rim), |s| contact.profile.line(s) - penetration));
         }
+        let opening = |rim: &Rim| rim.after(contact.springs, motion).opening(penetration);
+        self.gaps.extend(contact.rim.as_ref().filter(|_| end > rim).and_then(|chain| beyond_rim(rim, end, opening(chain))));
         (self.cells.len() * POINTS) as u64
     }
 
