@@ -143,7 +143,7 @@ impl<'a> Marcher<'a> {
         let opening = problem.adhesion.map_or(depth, |adhesion| {
             (2.0 * PI * contact.radius().max(length) * adhesion.work_of_adhesion / springs.glassy).sqrt().min(depth)
         });
-        let edge = Edge::new(problem.adhesion, springs.glassy * depth, depth);
+        let edge = Edge::new((problem.adhesion, problem.edge_law.clone()), springs.glassy * depth, depth);
         Ok(Self {
             springs,
             problem,

@@ -43,6 +43,17 @@ pub(super) enum TimeStep {
     Far(bool),
 }
 
+/// What is known of the way that the edge goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// Either, or none.
+    Any,
+    /// It rests.
+    None,
+    Inwards,
+    Outwards,
+}
+
 /// One step from a state.
 pub(super) struct Stepper<'m, 'a> {
     pub(super) edge: &'m mut Edge,
@@ -213,7 +224,7 @@ impl Stepper<'_, '_> {
     }
 
     /// The edge after `dt`, probably near `guess`, at most `reach` from here.
-    pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
+    pub(super) fn time_driven(&mut self, dt: f64, way: Way, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
         self.edge.held = None;
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
@@ -230,13 +241,29 @@ impl Stepper<'_, '_> {
             search.low = Some((0.0, -1.0));
             place = place.max(stride);
         }
+        if way != Way::Any {
+            let mut trial = self.edge.trial(self.contact, self.past, (here, dt), Drive::Time, imposed)?;
+            let value = trial.residual;
+            if way == Way::None || value.abs() <= self.tolerance || (value > 0.0) != (way == Way::Inwards) {
+                trial.residual = 0.0;
+                return Ok(TimeStep::Found(trial));
+            }
+            // The edge goes one way only, and here is one end of it.
+            if way == Way::Inwards {
+                search.high = Some((here, value));
+                place = place.min(here - stride).max(inner);
+            } else {
+                search.low = Some((here, value));
+                place = place.max(here + stride).min(outer);
+            }
+        }
         let begun = search;
         for count in 0..MOST_TRIALS {
             let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
             let value = trial.residual;
             if count > 0 && trial.degree < degree {
                 // A polynomial that ceased to rise: what was found of a higher degree is of another function.
-                search = Search::new();
+                search = begun;
             }
             degree = trial.degree;
             let before = search.last;

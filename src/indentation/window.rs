@@ -13,6 +13,8 @@ pub(super) struct Window {
     pub(super) radius: f64,
     /// The time for which the swept stretch is graded.
     pub(super) time: f64,
+    /// How far about the edge the fields are held.
+    pub(super) reach: f64,
     cells: Vec<Cell>,
     values: Vec<f64>,
     /// f at every node.
@@ -45,11 +47,12 @@ impl Window {
                 }
             }
         }
-        Self { radius, time, cells, values, heights, inner: rest, loads: Vec::new(), gaps: Vec::new(), state: vec![0.0; n] }
+        Self { radius, time, reach, cells, values, heights, inner: rest, loads: Vec::new(), gaps: Vec::new(), state: vec![0.0; n] }
     }
 
-    /// Q and D after a motion to the trial edge; D on to `end`. Returns the points updated.
-    pub(super) fn after(&mut self, contact: &Contact<'_>, motion: &Motion, end: f64) -> u64 {
+    /// Q and D after a motion to the trial edge. Returns the points updated.
+    pub(super) fn after(&mut self, contact: &Contact<'_>, motion: &Motion) -> u64 {
+        let end = motion.to + self.reach;
         let n = contact.springs.terms();
         let penetration = motion.end_penetration();
         let mut passing = Passing::new(contact.springs, &contact.profile, motion);
