@@ -12,14 +12,18 @@ const AT_ONCE: f64 = 1e-9;
 /// Way of an edge about to rest, over the process zone and the tolerance of the path, that is none.
 const NO_WAY: f64 = 1e-3;
 
+/// g of an edge that is as good as balanced.
+const BALANCED: f64 = 1e-8;
+
 impl Marcher<'_> {
     /// The way that the edge goes in a step of at most `cap`, which is made shorter where the edge comes to rest within it; none where the edge has rested until the
     /// instant at which it leaves, and is there now.
     pub(super) fn way(&mut self, cap: &mut f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<Option<Way>, Refusal> {
         let now = self.pull_at_rest(0.0, imposed)?;
-        let last = self.past.nodes().get(1).map_or(0.0, |before| self.contact.radius() - before.radius);
+        let last = self.contact.way;
         let pace = self.past.nodes().get(1).map_or(f64::INFINITY, |before| (last / before.time).abs());
-        let mut moving = if now == 0.0 { -last } else { now };
+        // The balance of an edge that moves is known to a tolerance, and to what joined panels change.
+        let mut moving = if now == 0.0 || (last != 0.0 && now.abs() <= BALANCED) { -last } else { now };
         loop {
             let then = self.pull_at_rest(*cap, imposed)?;
             if moving != 0.0 && then * moving <= 0.0 {
@@ -28,7 +32,7 @@ impl Marcher<'_> {
                     *cap *= 0.5;
                     continue;
                 }
-                if now == 0.0 || then == 0.0 {
+                if now.abs() <= BALANCED || then == 0.0 {
                     self.restart_at_turn();
                     moving = 0.0;
                     continue;
@@ -39,7 +43,7 @@ impl Marcher<'_> {
             }
             let inwards = then > 0.0;
             self.problem.edge_law.goes(inwards)?;
-            if moving == 0.0 && self.leave(*cap, left, target, then, imposed)? {
+            if moving == 0.0 && !self.is_balanced(inwards, imposed)? && self.leave(*cap, left, target, then, imposed)? {
                 return Ok(None);
             }
             return Ok(Some(if inwards { Way::Inwards } else { Way::Outwards }));
@@ -57,6 +61,15 @@ impl Marcher<'_> {
         let pull = self.edge.trial(&self.contact, &self.past, (a, dt), Drive::Time, imposed)?.residual;
         let held = pull < 0.0 && a >= self.contact.profile().rim();
         Ok(if held || pull.abs() <= self.edge_tolerance() { 0.0 } else { pull })
+    }
+
+    /// Whether C is the work of adhesion of a way already.
+    fn is_balanced(&mut self, inwards: bool, imposed: &Imposed<'_>) -> Result<bool, Refusal> {
+        let Some(adhesion) = self.problem.adhesion else { return Ok(true) };
+        let motion = self.edge.trial(&self.contact, &self.past, (self.contact.radius(), 0.0), Drive::Time, imposed)?.motion;
+        let work = self.edge.work(&self.contact, &motion)? / adhesion.work_of_adhesion;
+        let [trailing, leading] = self.problem.edge_law.levels(0.0);
+        Ok((work / if inwards { trailing } else { leading } - 1.0).abs() <= BALANCED)
     }
 
     /// Goes to the instant at which an edge at rest leaves within a step at whose end it pulls as `then`, unless that is now.
