@@ -14,8 +14,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use viscotack::indentation::{
-    Adhesion, Checkpoint, Controlled, EdgeLaw, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start, Watch, run,
-    run_watched,
+    Adhesion, Checkpoint, Controlled, EdgeLaw, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start,
+    Watch, run, run_watched,
 };
 use viscotack::material::{Material, RelaxationTerm};
 

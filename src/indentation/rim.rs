@@ -81,7 +81,11 @@ impl Rim {
 
     fn change(&mut self, springs: &Springs) {
         let before = std::mem::replace(&mut self.state, vec![0.0; springs.terms()]);
-        if self.open { springs.maxwell(&before, &mut self.state) } else { springs.voigt(&before, &mut self.state) }
+        if self.open {
+            springs.maxwell(&before, &mut self.state)
+        } else {
+            springs.voigt(&before, &mut self.state)
+        }
         self.open = !self.open;
     }
 

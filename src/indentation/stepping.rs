@@ -100,6 +100,11 @@ impl Search {
         Some(suggestion.filter(within).or(Some(chord).filter(within)).unwrap_or(0.5 * (low + high)))
     }
 
+    /// The end at which the value is smallest.
+    fn best(&self) -> Option<(f64, f64)> {
+        [self.low?, self.high?].into_iter().min_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))
+    }
+
     fn width(&self) -> f64 {
         match (self.low, self.high) {
             (Some((low, _)), Some((high, _))) => (high - low).abs(),
@@ -229,7 +234,8 @@ impl Stepper<'_, '_> {
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
         // A contact no larger than its process zone has no closure: further in is far.
-        let inner = (here - reach).max(SMALLEST * self.edge.zone()).min(here);
+        let zone = self.edge.zone_at(self.contact.springs(), here, self.contact.edge_load()).max(self.edge.zone());
+        let inner = (here - reach).max(SMALLEST * zone).min(here);
         let outer = (here + reach).min(rim);
         let (mut search, mut pace) = (Search::new(), Pace::default());
         // Without a past, a little to either side of the edge tells which way it goes.
@@ -287,6 +293,19 @@ impl Stepper<'_, '_> {
                 raised = true;
                 (search, degree) = (begun, 0);
                 continue;
+            }
+            if closed && way != Way::Any && value.abs() > REOPENED && degree > 1 {
+                // The speed of the edge jumps where a polynomial ceases to rise; that of a straight way does not.
+                self.edge.held = Some(1);
+                (search, raised) = (begun, true);
+                continue;
+            }
+            if closed
+                && way != Way::Any
+                && let Some((best, _)) = search.best().filter(|best| best.1.abs() < value.abs())
+            {
+                // Places have no more digits, and the speed of a short way has few: the better end.
+                return Ok(TimeStep::Found(self.edge.trial(self.contact, self.past, (best, dt), Drive::Time, imposed)?));
             }
             if value.abs() <= accepted || closed {
                 return Ok(TimeStep::Found(trial));

@@ -39,7 +39,11 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key {
         path: "adhesion.by_speed.speed",
-        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L, of an indenter R) per reference time" },
+        kind: Kind::Number {
+            dimension: Dimension::SPEED,
+            range: Range::Positive,
+            reduced: "1/k (of a cylinder L, of an indenter R) per reference time",
+        },
         meaning: "v₀, at which the work is twice that at rest.",
     },
     Key {
@@ -54,7 +58,11 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key {
         path: "adhesion.by_speed.table[].speed",
-        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L, of an indenter R) per reference time" },
+        kind: Kind::Number {
+            dimension: Dimension::SPEED,
+            range: Range::Positive,
+            reduced: "1/k (of a cylinder L, of an indenter R) per reference time",
+        },
         meaning: "v of the entry.",
     },
     Key { path: "adhesion.by_speed.table[].work_of_adhesion", kind: WORK, meaning: "Δγ of both edges at that speed." },

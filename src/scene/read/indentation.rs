@@ -158,7 +158,8 @@ fn adhesion(top: &Section<'_>, shape: &IndentationShape) -> Result<Option<(Inden
                 None | Some("constant") => {}
                 Some("growing") if rimmed => edge_law.growing_zone = true,
                 Some(law) => {
-                    let message = format!("`{}` = {law:?}: of indenters, only a flat punch has a process zone that grows", zone.full("law"));
+                    let message =
+                        format!("`{}` = {law:?}: of indenters, only a flat punch has a process zone that grows", zone.full("law"));
                     return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
                 }
             }

@@ -31,7 +31,8 @@ pub(super) fn of_indenter<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>
         && leading > trailing
     {
         let key = if table.node().get(PER_EDGE[1]).is_some() { PER_EDGE[1] } else { PER_EDGE[0] };
-        let message = "`adhesion.leading_work_of_adhesion` is above the trailing work at rest: the edge would close and open at once, without end";
+        let message =
+            "`adhesion.leading_work_of_adhesion` is above the trailing work at rest: the edge would close and open at once, without end";
         return Err(table.wrong(key, message, "must be at most the trailing work"));
     }
     Ok(works)
