@@ -221,7 +221,7 @@ def cases():
         reduced("three terms", THREE, 0.5, -6.0, 20.0, 0.005, "growing"),
         reduced("pressed shortly before", ONE, 0.0, -6.0, 9.0, 0.01, start="untouched", between=((2.0, 0.3),)),
         reduced("pressed and held", TWO, 0.0, -6.0, 7.0, 0.01, start="untouched", between=((1.0, 0.1), (1.0, 2.0))),
-        reduced("pulled, pushed, pulled", ONE, 1.0, -6.0, 9.0, 0.01, between=((0.8, 0.5), (1.0, 0.2))),
+        reduced("pulled, pushed, pulled", ONE, 1.0, -6.0, 9.0, 0.01, between=((0.8, 0.02), (1.0, 0.02))),
         reduced("work by speed", ONE, 2.0, -9.0, 20.0, 0.01, law=(0.02, 0.5)),
         reduced("work by speed, growing", TWO, 1.0, -9.0, 40.0, 0.01, "growing", law=(0.05, 1.0)),
         {"case": "rubber", "material": RUBBER, "radius": 1e-4, "work": 0.05, "zone": 1e-6, "zone_law": "constant", "law": None, "start": "relaxed",
