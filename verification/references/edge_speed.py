@@ -116,7 +116,7 @@ def marched(case, nodes, tolerance):
                 return y[0] - 3.0 * case["zone"]
             gone.terminal = True
             scale = case["radius"]
-            found = sphere.solve_ivp(lambda t, y: [sphere.speed(sphere.closure(y[0], at(t)))], (0.0, duration), [a], method="LSODA", rtol=tolerance,
+            found = sphere.solve_ivp(lambda t, y: [sphere.speed(sphere.closure(max(y[0], 2.0 * case["zone"]), at(t)))], (0.0, duration), [a], method="LSODA", rtol=tolerance,
                                      atol=1e-4 * tolerance * scale, events=gone, dense_output=True, max_step=duration / 200)
             fine = np.linspace(0.0, found.t[-1], 40001)
             radii = found.sol(fine)[0]
