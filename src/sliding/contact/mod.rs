@@ -48,6 +48,7 @@ mod process_zone;
 mod quadrature;
 mod resolution;
 mod state;
+mod system;
 
 pub use edges::ContactEdges;
 pub use fields::ArcPoint;
@@ -55,4 +56,5 @@ pub use indenter::Indenter;
 pub use memory::ContactMemory;
 pub use process_zone::{Edge, ProcessZone, ZonePressure, ZoneWork, edge_work};
 pub use resolution::Resolution;
+pub(super) use system::ContactSystem;
 pub use state::{ContactState, Prescribed, WaveContact};

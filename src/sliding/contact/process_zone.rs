@@ -61,6 +61,10 @@ pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, proce
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonePressure(Vec<Field>);
 
+/// The gap at the nodes of a process zone.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::sliding) struct ZoneGap(Vec<Field>);
+
 /// A field at the nodes of a panel, and the sizes of the terms that it is a sum of.
 #[derive(Debug, Clone, PartialEq)]
 struct Field {
@@ -169,7 +173,17 @@ impl ProcessZone {
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
     pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> ZoneWork {
-        self.integral(&tension.0, &self.gaps(contact, self.edge, &self.outside))
+        self.work_on(tension, &self.gap(contact))
+    }
+
+    /// The gap outside the edge of a contact.
+    pub(in crate::sliding) fn gap(&self, contact: &ContactState) -> ZoneGap {
+        ZoneGap(self.gaps(contact, self.edge, &self.outside))
+    }
+
+    /// (1/2δ) ∫ tension·gap of any two fields.
+    pub(in crate::sliding) fn work_on(&self, tension: &ZonePressure, gap: &ZoneGap) -> ZoneWork {
+        self.integral(&tension.0, &gap.0)
     }
 
     /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the

@@ -9,7 +9,7 @@
 //! Large first-order terms may cancel in it; what is left of them is the bend: the derivatives are differences over a step, and moving the unknowns is no straight line.
 //! Where it is above the request, the next level follows.
 
-use super::path::Start;
+use super::start::Start;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
@@ -112,6 +112,8 @@ pub(super) fn solved(
                 work: *work,
                 start: Start { unknowns: found.unknowns, jacobian: Some(jacobian) },
                 state: states.state,
+                stability: None,
+                others: 0,
             });
         }
         start = Start { unknowns: [found.unknowns[0] - moved[0], found.unknowns[1] - moved[1]], jacobian: Some(jacobian) };

@@ -1,0 +1,333 @@
+//! What a held load or penetration finds on the equilibrium curve: its contacts, which of them are stable, and where such contacts end.
+//!
+//! ```text
+//! M_ij = ∂(work_i/2πΓ)/∂l_j at what is held       stable if M₁₁ > 0, M₂₂ > 0, det M > 0         (see the second variations of branches)
+//! ```
+//! Along the curve both works stay what they are, so that ∂work/∂a = −(∂work/∂e de/da + ∂work/∂p̄ dp̄/da): the slopes of the curve and the two forms give M.
+
+use super::curve::EquilibriumCurve;
+use super::width::Point;
+use crate::sliding::contact::Indenter;
+
+/// Steps of the search for a turn; an error of the place enters the value squared.
+const TURN_STEPS: usize = 24;
+/// A turn is found where its place is known to this.
+const TURN_PLACE: f64 = 1e-5;
+/// Steps between two neighbours to a crossing.
+const CROSSING_STEPS: usize = 40;
+/// A crossing is found where the bracket is this narrow, in ln tan(a/2).
+const CROSSING_PLACE: f64 = 1e-8;
+/// Distance of the places that the slope of the curve is taken between.
+const SLOPE_STEP: f64 = 1e-3;
+
+/// What is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::sliding) enum HeldQuantity {
+    /// p̄.
+    MeanPressure,
+    /// Δ − 1 of a wave.
+    Penetration,
+}
+
+impl HeldQuantity {
+    pub(super) fn of(self, point: &Point) -> f64 {
+        match self {
+            Self::MeanPressure => point.mean_pressure,
+            Self::Penetration => point.depth,
+        }
+    }
+}
+
+/// A contact of what is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::sliding) struct Crossing {
+    /// ln tan(a/2), of a parabola ln(a/2).
+    pub(in crate::sliding) place: f64,
+    /// a.
+    pub(in crate::sliding) half_width: f64,
+    /// e.
+    pub(in crate::sliding) eccentricity: f64,
+    /// p̄.
+    pub(in crate::sliding) mean_pressure: f64,
+    /// Whether it is stable under what is held.
+    pub(in crate::sliding) stable: bool,
+    /// The half-widths of the contacts that it lies between.
+    pub(in crate::sliding) between: [f64; 2],
+}
+
+/// How a stretch of stable contacts ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::sliding) enum End {
+    /// What is held turns: a fold.
+    Turn,
+    /// The curve ends, or its contacts go on unstable without a turn.
+    Last,
+}
+
+/// A contact where a stretch ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::sliding) struct StretchEnd {
+    pub(in crate::sliding) end: End,
+    /// What is held there.
+    pub(in crate::sliding) value: f64,
+    pub(in crate::sliding) place: f64,
+    pub(in crate::sliding) half_width: f64,
+    pub(in crate::sliding) eccentricity: f64,
+    pub(in crate::sliding) mean_pressure: f64,
+}
+
+/// Stable contacts next to each other on the curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::sliding) struct Stretch {
+    /// The smallest value of what is held.
+    pub(in crate::sliding) lowest: StretchEnd,
+    /// The largest.
+    pub(in crate::sliding) highest: StretchEnd,
+}
+
+/// What is found of a held value.
+#[derive(Debug, Clone)]
+pub(in crate::sliding) struct Held {
+    /// The contacts, narrow ones first.
+    pub(in crate::sliding) crossings: Vec<Crossing>,
+    /// The stretches of stable contacts, narrow ones first.
+    pub(in crate::sliding) stretches: Vec<Stretch>,
+    /// The largest value of any contact, stable or not; none without contacts.
+    pub(in crate::sliding) largest: Option<StretchEnd>,
+}
+
+impl EquilibriumCurve {
+    /// The contacts of a held value.
+    pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Held {
+        let mut found = Held { crossings: Vec::new(), stretches: Vec::new(), largest: None };
+        for chain in &self.chains {
+            let chain = self.with_turns(quantity, chain);
+            for point in &chain {
+                if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
+                    found.largest = Some(end_at(quantity, point, End::Last));
+                }
+            }
+            self.stretches(quantity, &chain, &mut found.stretches);
+            for pair in chain.windows(2) {
+                let [from, to] = pair else { continue };
+                let (before, after) = (quantity.of(from) - value, quantity.of(to) - value);
+                // A value met exactly belongs to one of both sides.
+                if (before <= 0.0) == (after <= 0.0) {
+                    continue;
+                }
+                found.crossings.push(self.crossing(quantity, value, from, to));
+            }
+        }
+        found.crossings.sort_by(|first, second| first.half_width.total_cmp(&second.half_width));
+        found.stretches.sort_by(|first, second| first.lowest.half_width.total_cmp(&second.lowest.half_width));
+        found
+    }
+
+    /// A chain with the contacts at which what is held turns.
+    fn with_turns(&self, quantity: HeldQuantity, chain: &[Point]) -> Vec<Point> {
+        let mut all = Vec::with_capacity(chain.len() + 4);
+        for (index, point) in chain.iter().enumerate() {
+            let neighbours = index.checked_sub(1).and_then(|before| chain.get(before)).zip(chain.get(index + 1));
+            let Some((before, after)) = neighbours else {
+                all.push(*point);
+                continue;
+            };
+            let [one, here, other] = [before, point, after].map(|point| quantity.of(point));
+            let turns = (here > one && here >= other) || (here < one && here <= other);
+            match turns.then(|| self.turn(quantity, [*before, *point, *after])).flatten() {
+                // In the order of the chain.
+                Some(turn) if (turn.place - point.place) * (after.place - before.place) < 0.0 => all.extend([turn, *point]),
+                Some(turn) => all.extend([*point, turn]),
+                None => all.push(*point),
+            }
+        }
+        all
+    }
+
+    /// The turn between three neighbours, by parabolas through the best three; none where the half-width turns as well.
+    fn turn(&self, quantity: HeldQuantity, [before, here, after]: [Point; 3]) -> Option<Point> {
+        let sign = if quantity.of(&here) >= quantity.of(&before) { 1.0 } else { -1.0 };
+        let mut three = if before.place < after.place { [before, here, after] } else { [after, here, before] };
+        if !(three[0].place < three[1].place && three[1].place < three[2].place) {
+            return None;
+        }
+        for _ in 0..TURN_STEPS {
+            let [low, middle, high] = three;
+            let [x, y, z] = three.map(|point| point.place);
+            let [f, g, h] = three.map(|point| sign * quantity.of(&point));
+            let (left, right) = ((y - x) * (g - h), (y - z) * (g - f));
+            let vertex = y - 0.5 * ((y - x) * left - (y - z) * right) / (left - right);
+            if (z - x) < TURN_PLACE || !vertex.is_finite() {
+                break;
+            }
+            // Not onto a known place, and not always from one side.
+            let least = 0.02 * (z - x);
+            let mut next = vertex.clamp(x + least, z - least);
+            if (next - y).abs() < 0.25 * TURN_PLACE {
+                if (y - x).max(z - y) > 50.0 * (y - x).min(z - y) {
+                    next = if y - x > z - y { y - 4.0 * (z - y) } else { y + 4.0 * (y - x) };
+                } else {
+                    next = y + 0.25 * TURN_PLACE.min(z - y);
+                }
+            }
+            let near = if next < y { low.eccentricity + (next - x) / (y - x) * (middle.eccentricity - low.eccentricity) } else { middle.eccentricity + (next - y) / (z - y) * (high.eccentricity - middle.eccentricity) };
+            let point = self.beside(next, near)?;
+            let value = sign * quantity.of(&point);
+            three = match (next < y, value > g) {
+                (true, true) => [low, point, middle],
+                (true, false) => [point, middle, high],
+                (false, true) => [middle, point, high],
+                (false, false) => [low, middle, point],
+            };
+            if (value - g).abs() < 1e-13 * (1.0 + g.abs()) && (three[2].place - three[0].place) < 1e-2 {
+                break;
+            }
+        }
+        Some(three[1])
+    }
+
+    /// The contact of a value between two neighbours.
+    fn crossing(&self, quantity: HeldQuantity, value: f64, from: &Point, to: &Point) -> Crossing {
+        let rises = quantity.of(to) > quantity.of(from);
+        let between = [from.half_width.min(to.half_width), from.half_width.max(to.half_width)];
+        let (mut low, mut high) = if rises { (*from, *to) } else { (*to, *from) };
+        let (mut below, mut above) = (quantity.of(&low) - value, quantity.of(&high) - value);
+        let part = |below: f64, above: f64| below / (below - above);
+        let mut kept = 0;
+        for step in 0..CROSSING_STEPS {
+            if (high.place - low.place).abs() < CROSSING_PLACE {
+                break;
+            }
+            let part = if step % 4 == 3 { 0.5 } else { part(below, above).clamp(0.01, 0.99) };
+            let eccentricity = low.eccentricity + part * (high.eccentricity - low.eccentricity);
+            let Some(point) = self.beside(low.place + part * (high.place - low.place), eccentricity) else { break };
+            let off = quantity.of(&point) - value;
+            if off <= 0.0 {
+                (low, below) = (point, off);
+                if kept == -1 {
+                    above *= 0.5;
+                }
+                kept = -1;
+            } else {
+                (high, above) = (point, off);
+                if kept == 1 {
+                    below *= 0.5;
+                }
+                kept = 1;
+            }
+            if off.abs() < 1e-10 * (1.0 + value.abs()) {
+                (low, high) = (point, point);
+                break;
+            }
+        }
+        let part = if low == high { 0.0 } else { part(quantity.of(&low) - value, quantity.of(&high) - value) };
+        let mix = |one: f64, other: f64| one + part * (other - one);
+        // Away from a turn of the half-width the sign of the slope is that of both neighbours.
+        let slope = (to.place - from.place).abs() > 0.0;
+        let stable = slope && self.is_stable(quantity, &low, if (to.place > from.place) == rises { 1.0 } else { -1.0 });
+        Crossing {
+            place: mix(low.place, high.place),
+            half_width: mix(low.half_width, high.half_width),
+            eccentricity: mix(low.eccentricity, high.eccentricity),
+            mean_pressure: mix(low.mean_pressure, high.mean_pressure),
+            stable,
+            between,
+        }
+    }
+
+    /// Whether a contact is stable, where what is held rises (or falls) with the half-width.
+    fn is_stable(&self, quantity: HeldQuantity, point: &Point, sign: f64) -> bool {
+        let beside = [-SLOPE_STEP, SLOPE_STEP].map(|step| self.beside(point.place + step, point.eccentricity));
+        let (one, other) = match beside {
+            [Some(one), Some(other)] => (one, other),
+            [Some(one), None] => (one, *point),
+            [None, Some(other)] => (*point, other),
+            [None, None] => return false,
+        };
+        held_by(self.every.indenter(), quantity, point, [&one, &other], Some(sign))
+    }
+
+    /// The stable stretches of a chain.
+    fn stretches(&self, quantity: HeldQuantity, chain: &[Point], found: &mut Vec<Stretch>) {
+        let indenter = self.every.indenter();
+        let stable: Vec<bool> = chain
+            .windows(2)
+            .map(|pair| match pair {
+                [from, to] if (to.place - from.place).abs() > 0.0 => {
+                    held_by(indenter, quantity, from, [from, to], None) || held_by(indenter, quantity, to, [from, to], None)
+                }
+                _ => false,
+            })
+            .collect();
+        let mut begin = 0;
+        while begin < stable.len() {
+            if !stable[begin] {
+                begin += 1;
+                continue;
+            }
+            let rises = |index: usize| quantity.of(&chain[index + 1]) > quantity.of(&chain[index]);
+            let mut end = begin + 1;
+            while end < stable.len() && stable[end] && rises(end) == rises(begin) {
+                end += 1;
+            }
+            let how = |index: usize| {
+                if index == 0 || index + 1 == chain.len() {
+                    return End::Last;
+                }
+                let [one, here, other] = [index - 1, index, index + 1].map(|index| quantity.of(&chain[index]));
+                if (here >= one) == (here >= other) { End::Turn } else { End::Last }
+            };
+            let (first, last) = (end_at(quantity, &chain[begin], how(begin)), end_at(quantity, &chain[end], how(end)));
+            let (lowest, highest) = if first.value <= last.value { (first, last) } else { (last, first) };
+            found.push(Stretch { lowest, highest });
+            begin = end;
+        }
+    }
+}
+
+fn end_at(quantity: HeldQuantity, point: &Point, end: End) -> StretchEnd {
+    StretchEnd {
+        end,
+        value: quantity.of(point),
+        place: point.place,
+        half_width: point.half_width,
+        eccentricity: point.eccentricity,
+        mean_pressure: point.mean_pressure,
+    }
+}
+
+/// Whether a contact is stable, from the slopes of the curve between two neighbours; `sign` is that of the slope of what is held, if it is known better.
+fn held_by(indenter: Indenter, quantity: HeldQuantity, point: &Point, [from, to]: [&Point; 2], sign: Option<f64>) -> bool {
+    let width = to.half_width - from.half_width;
+    let mut shift = to.eccentricity - from.eccentricity;
+    if indenter == Indenter::Wave {
+        shift -= 2.0 * std::f64::consts::PI * (shift / (2.0 * std::f64::consts::PI)).round();
+    }
+    let slope = |quantity: HeldQuantity| (quantity.of(to) - quantity.of(from)) / width;
+    let (ahead, mut pressed) = (shift / width, slope(HeldQuantity::MeanPressure));
+    if let (HeldQuantity::MeanPressure, Some(sign)) = (quantity, sign) {
+        pressed = sign * pressed.abs();
+    }
+    // Derivatives by a and e at the load; then at the penetration.
+    let [by_depth_shift, by_depth_load] = point.depth_slopes;
+    let rows = [0, 1].map(|edge| {
+        let (by_shift, by_load) = (point.by_shift[edge], point.by_load[edge]);
+        let by_width = -(by_shift * ahead + by_load * pressed);
+        match quantity {
+            HeldQuantity::MeanPressure => (by_width, by_shift),
+            HeldQuantity::Penetration => {
+                let mut deeper = slope(HeldQuantity::Penetration);
+                if let Some(sign) = sign {
+                    deeper = sign * deeper.abs();
+                }
+                // ∂Δ/∂a at e and p̄, from the slope of the curve.
+                let by_depth_width = deeper - by_depth_shift * ahead - by_depth_load * slope(HeldQuantity::MeanPressure);
+                let load = by_load / by_depth_load;
+                (by_width - load * by_depth_width, by_shift - load * by_depth_shift)
+            }
+        }
+    });
+    // An edge moves out by one: half of it wider, and the middle by half of it to that side.
+    let [[a, b], [c, d]] = rows.map(|(wider, ahead)| [0.5 * (wider - ahead), 0.5 * (wider + ahead)]);
+    a > 0.0 && d > 0.0 && a * d - b * c > 0.0
+}
