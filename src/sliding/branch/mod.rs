@@ -36,9 +36,9 @@ mod toughness;
 mod trace;
 mod values;
 
+pub use super::equilibrium::ContactAt;
 pub use conditions::{BranchPath, BranchProblem, BranchStart};
 pub use end::{BranchEnd, Impossible};
-pub use super::equilibrium::ContactAt;
 pub(super) use fold::turn_near;
 pub use fold::{Fold, FoldQuantity, Turn};
 pub use load::{LoadSlopes, load_slopes};

@@ -7,12 +7,12 @@
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::end::BranchEnd;
-use crate::sliding::equilibrium::ContactAt;
 use super::fold::{Fold, FoldQuantity, Turn};
 use super::scan::{Scan, branches_through, contacts_at, scanned_parameters};
 use super::trace::{Branch, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
+use crate::sliding::equilibrium::ContactAt;
 use crate::sliding::steady::{SlidingWork, contact_on_the_curve};
 
 /// Rates and half-widths that are looked at between two folds.

@@ -56,5 +56,5 @@ pub use indenter::Indenter;
 pub use memory::ContactMemory;
 pub use process_zone::{Edge, ProcessZone, ZonePressure, ZoneWork, edge_work};
 pub use resolution::Resolution;
-pub(super) use system::ContactSystem;
 pub use state::{ContactState, Prescribed, WaveContact};
+pub(super) use system::ContactSystem;

@@ -4,9 +4,9 @@ use super::arcs::Arcs;
 use super::edges::ContactEdges;
 use super::indenter::Indenter;
 use super::integrals::OutsideIntegrals;
-use super::system::ContactSystem;
 use super::memory::ContactMemory;
 use super::resolution::Resolution;
+use super::system::ContactSystem;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -195,7 +195,9 @@ impl ContactState {
                 self.totals.first_harmonic.0 * cos_e + self.totals.first_harmonic.1 * sin_e - 2.0 * PI * self.totals.mean_pressure
             }
             Indenter::Parabola => {
-                -0.5 * self.second_moment() - eccentricity * self.first_moment() - PI * eccentricity * eccentricity * self.totals.mean_pressure
+                -0.5 * self.second_moment()
+                    - eccentricity * self.first_moment()
+                    - PI * eccentricity * eccentricity * self.totals.mean_pressure
             }
         }
     }

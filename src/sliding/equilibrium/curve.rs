@@ -20,8 +20,6 @@ const NARROW: f64 = 4.0;
 const FINEST: f64 = 0.02;
 /// Largest change of eccentricity between neighbours, of a parabola over the half-width.
 const NEIGHBOURS: f64 = 0.6;
-/// Half the narrowest gap, over the longer process zone.
-const GAP_IN_ZONES: f64 = 2.0;
 /// The narrowest contact, over the longer process zone.
 const WIDTH_IN_ZONES: f64 = 0.5;
 /// The narrowest contact and gap without adhesion, in 1/k.
@@ -57,8 +55,10 @@ impl EquilibriumCurve {
         resolution: Resolution,
     ) -> Result<Self, Refusal> {
         let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
+        // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
+        let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
         let (narrowest, widest) = match indenter {
-            Indenter::Wave => ((WIDTH_IN_ZONES * zone).max(NARROWEST).min(1.0), PI - (GAP_IN_ZONES * zone).clamp(NARROWEST, 1.0)),
+            Indenter::Wave => ((WIDTH_IN_ZONES * zone).max(NARROWEST).min(1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
             Indenter::Parabola => ((WIDTH_IN_ZONES * zone).max(RANGE[0] * size), RANGE[1] * (size + zone)),
         };
         Self::within(ContactsOfWidth::new(memory, indenter, adhesion, resolution), [narrowest, widest])
@@ -172,7 +172,12 @@ fn chains(indenter: Indenter, rows: Vec<Row>) -> Vec<Vec<Point>> {
             }
             for pair in 0..row.points.len().saturating_sub(1) {
                 let (first, second) = (begins[index] + pair, begins[index] + pair + 1);
-                if !missing[first] && !missing[second] && links[first].len() < 2 && links[second].len() < 2 && !links[first].contains(&second) {
+                if !missing[first]
+                    && !missing[second]
+                    && links[first].len() < 2
+                    && links[second].len() < 2
+                    && !links[first].contains(&second)
+                {
                     links[first].push(second);
                     links[second].push(first);
                 }

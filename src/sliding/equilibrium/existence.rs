@@ -33,7 +33,10 @@ impl EquilibriumCurve {
     /// The contacts of a held value that can exist, narrow ones first.
     pub(in crate::sliding) fn contacts(&self, quantity: HeldQuantity, value: f64) -> Vec<ContactAt> {
         let found = self.held(quantity, value).crossings;
-        found.iter().filter_map(|crossing| Some(self.possible((crossing.place, crossing.eccentricity))?.contact(self.every.indenter()))).collect()
+        found
+            .iter()
+            .filter_map(|crossing| Some(self.possible((crossing.place, crossing.eccentricity))?.contact(self.every.indenter())))
+            .collect()
     }
 
     /// The contact at a place, if it can exist.

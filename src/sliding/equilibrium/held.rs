@@ -170,7 +170,11 @@ impl EquilibriumCurve {
                     next = y + 0.25 * TURN_PLACE.min(z - y);
                 }
             }
-            let near = if next < y { low.eccentricity + (next - x) / (y - x) * (middle.eccentricity - low.eccentricity) } else { middle.eccentricity + (next - y) / (z - y) * (high.eccentricity - middle.eccentricity) };
+            let near = if next < y {
+                low.eccentricity + (next - x) / (y - x) * (middle.eccentricity - low.eccentricity)
+            } else {
+                middle.eccentricity + (next - y) / (z - y) * (high.eccentricity - middle.eccentricity)
+            };
             let point = self.beside(next, near)?;
             let value = sign * quantity.of(&point);
             three = match (next < y, value > g) {

@@ -95,13 +95,6 @@ impl ContactsOfWidth {
         self.indenter
     }
 
-    pub(super) const fn adhesion(&self) -> Option<WaveAdhesion> {
-        match &self.adhesion {
-            Some((adhesion, _)) => Some(*adhesion),
-            None => None,
-        }
-    }
-
     /// Half-widths whose conditions were formed.
     pub(in crate::sliding) fn widths(&self) -> u64 {
         self.widths.get()
@@ -323,4 +316,3 @@ fn all(states: [Result<ContactState, Refusal>; 3]) -> Result<[ContactState; 3], 
     let [first, second, third] = states;
     Ok([first?, second?, third?])
 }
-

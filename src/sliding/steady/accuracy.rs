@@ -9,10 +9,10 @@
 //! Large first-order terms may cancel in it; what is left of them is the bend: the derivatives are differences over a step, and moving the unknowns is no straight line.
 //! Where it is above the request, the next level follows.
 
-use super::start::Start;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
+use super::start::Start;
 use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_two_by_two};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;

@@ -92,15 +92,16 @@ pub(super) fn beyond(
             continue;
         };
         for (end, name) in [(stretch.highest, names.smallest_possible), (stretch.lowest, names.largest_possible)] {
-            if let Some((limit, why)) = curve.last_possible(quantity, (end.place, end.eccentricity), (crossing.place, crossing.eccentricity)) {
+            if let Some((limit, why)) =
+                curve.last_possible(quantity, (end.place, end.eccentricity), (crossing.place, crossing.eccentricity))
+            {
                 let value = Estimate::new(told(quantity, limit), 1e-9);
                 return Some(pulls(&Limit { name, value, why: Some(why) }));
             }
         }
     }
     let limit_of = |end: &StretchEnd, other: Option<&StretchEnd>, upper: bool| -> Limit {
-        let (turn_name, last_name) =
-            if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
+        let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
         let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
         let place = |end: &StretchEnd| (end.place, end.eccentricity);
@@ -133,7 +134,10 @@ pub(super) fn beyond(
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
         // Nothing is stable: a wave that touches closes by itself.
         let largest = held.largest.filter(|_| wave)?;
-        let limit = Limit { name: "largest mean pressure of any partial contact at this speed, none of which is stable", ..limit_of(&largest, None, true) };
+        let limit = Limit {
+            name: "largest mean pressure of any partial contact at this speed, none of which is stable",
+            ..limit_of(&largest, None, true)
+        };
         return (quantity == HeldQuantity::MeanPressure).then(|| full(&limit));
     };
     if value >= highest.highest.value {

@@ -14,7 +14,9 @@ pub use super::edge_balance::{SlidingControl, WaveAdhesion};
 pub(super) use prepared::Prepared;
 pub use problem::SlidingProblem;
 pub(super) use problem::adhesion_at;
-pub use solution::{AdhesiveValues, ContactStability, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork};
-pub(super) use solve::{contact_on_the_curve, near_counted};
+pub use solution::{
+    AdhesiveValues, ContactStability, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork,
+};
 pub use solve::{ReachedBy, full_contact_friction, steady_sliding, steady_sliding_near, steady_sliding_reached_by};
+pub(super) use solve::{contact_on_the_curve, near_counted};
 pub use start::Start;

@@ -102,11 +102,9 @@ pub(in crate::sliding) fn contact_on_the_curve(
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     match searched(material, problem, &prepared, ReachedBy::Loading, work)? {
         Searched::Outcome(SlidingOutcome::Partial(contact)) => Ok(*contact),
-        Searched::Outcome(SlidingOutcome::Full(full)) => Err(Refusal::NoSuchState {
-            reason: "the contact is full".into(),
-            limit_name: full.limit_name,
-            limit: full.limit,
-        }),
+        Searched::Outcome(SlidingOutcome::Full(full)) => {
+            Err(Refusal::NoSuchState { reason: "the contact is full".into(), limit_name: full.limit_name, limit: full.limit })
+        }
         Searched::Nothing(_) => {
             Err(Refusal::NotConverged { what: "a sliding contact", detail: "there is no stable contact of what is held".into() })
         }
@@ -151,7 +149,8 @@ fn searched(
     for (index, crossing) in candidates.iter().enumerate() {
         match accepted(prepared, problem, crossing, held.0, work) {
             Ok(mut contact) => {
-                contact.others = candidates.iter().enumerate().filter(|&(other, crossing)| other != index && curve.exists(crossing)).count();
+                contact.others =
+                    candidates.iter().enumerate().filter(|&(other, crossing)| other != index && curve.exists(crossing)).count();
                 outcome = Some(contact);
                 break;
             }
@@ -220,7 +219,8 @@ fn accepted(
     let mut contact = solved(prepared, problem, &Start::at(crossing.half_width, crossing.eccentricity), work)?;
     let half_width = contact.values.half_width.value;
     let room = FARTHEST * half_width.min(problem.indenter.widest() - half_width);
-    let another = || Refusal::NotConverged { what: "a sliding contact", detail: "only another contact than the stable one was found".into() };
+    let another =
+        || Refusal::NotConverged { what: "a sliding contact", detail: "only another contact than the stable one was found".into() };
     if half_width < crossing.between[0] - room || half_width > crossing.between[1] + room {
         return Err(another());
     }
@@ -252,12 +252,7 @@ fn stability(
 }
 
 /// The contact of a given half-width.
-fn of_width(
-    problem: &SlidingProblem<'_>,
-    prepared: &Prepared,
-    half_width: f64,
-    work: &mut SlidingWork,
-) -> Result<Searched, Refusal> {
+fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, work: &mut SlidingWork) -> Result<Searched, Refusal> {
     let every = prepared.contacts_of_width();
     let mut contacts = every.at(half_width)?;
     contacts.sort_by(|first, second| first.eccentricity.abs().total_cmp(&second.eccentricity.abs()));
