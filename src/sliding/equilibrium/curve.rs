@@ -11,17 +11,21 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Distance of neighbouring places, ln tan(a/2).
-const SPACING: f64 = 0.3;
+const SPACING: f64 = 0.45;
 /// The same where contact or gap is narrow, and nothing but powers changes.
-const WIDE_SPACING: f64 = 0.6;
+const WIDE_SPACING: f64 = 0.9;
 /// Places farther out than this are narrow.
 const NARROW: f64 = 4.0;
+/// A change of load below this part of those beside is looked at more closely.
+const DIP: f64 = 0.5;
+/// Parts of it.
+const DIP_PARTS: u32 = 6;
 /// Where contacts appear or vanish, places are at least this near.
 const FINEST: f64 = 0.02;
 /// Largest change of eccentricity between neighbours, of a parabola over the half-width.
 const NEIGHBOURS: f64 = 0.6;
 /// The narrowest contact, over the longer process zone.
-const WIDTH_IN_ZONES: f64 = 0.5;
+const WIDTH_IN_ZONES: f64 = 0.02;
 /// The narrowest contact and gap without adhesion, in 1/k.
 const NARROWEST: f64 = 1e-5;
 /// Half-widths of a cylinder, under and over its size.
@@ -85,7 +89,10 @@ impl EquilibriumCurve {
                 rows.insert(index + 1, middle);
             }
         }
-        let chains = chains(indenter, rows);
+        let mut chains = chains(indenter, rows);
+        for chain in &mut chains {
+            *chain = with_dips(&every, std::mem::take(chain));
+        }
         Ok(Self { every, chains })
     }
 
@@ -104,6 +111,28 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
         self.every.evaluations()
     }
+}
+
+/// A chain with more contacts where the load changes so much less than beside that it may turn twice between two neighbours.
+fn with_dips(every: &ContactsOfWidth, chain: Vec<Point>) -> Vec<Point> {
+    let change = |from: usize| match (chain.get(from), chain.get(from + 1)) {
+        (Some(one), Some(other)) => other.mean_pressure - one.mean_pressure,
+        _ => f64::NAN,
+    };
+    let mut all = Vec::with_capacity(chain.len());
+    for (index, point) in chain.iter().enumerate() {
+        all.push(*point);
+        let (before, here, after) = (if index > 0 { change(index - 1) } else { f64::NAN }, change(index), change(index + 1));
+        let dips = before * here > 0.0 && here * after > 0.0 && here.abs() < DIP * before.abs().min(after.abs());
+        if let (true, Some(next)) = (dips, chain.get(index + 1)) {
+            for part in 1..DIP_PARTS {
+                let part = f64::from(part) / f64::from(DIP_PARTS);
+                let eccentricity = point.eccentricity + part * (next.eccentricity - point.eccentricity);
+                all.extend(every.nearest(point.place + part * (next.place - point.place), eccentricity));
+            }
+        }
+    }
+    all
 }
 
 /// Places from one end to the other.

@@ -10,6 +10,9 @@ const HALVINGS: usize = 44;
 /// How far beyond the end of a curve no contact is any more, in ln tan(a/2): more than the finest spacing.
 const BEYOND: f64 = 0.05;
 
+/// Contacts nearer than this part of the half-width are one.
+const SAME: f64 = 1e-3;
+
 /// Why both edge conditions hold and there is no contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::sliding) enum WhyNot {
@@ -32,11 +35,19 @@ impl EquilibriumCurve {
 
     /// The contacts of a held value that can exist, narrow ones first.
     pub(in crate::sliding) fn contacts(&self, quantity: HeldQuantity, value: f64) -> Vec<ContactAt> {
-        let found = self.held(quantity, value).crossings;
+        let control = quantity.control(value, self.every.indenter());
+        let mut found: Vec<ContactAt> = Vec::new();
+        for crossing in self.held(quantity, value).crossings {
+            let Some(contact) = self.every.solved(control, [crossing.half_width, crossing.eccentricity]) else { continue };
+            let same = |other: &ContactAt| {
+                (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs()
+                    < SAME * contact.half_width
+            };
+            if !found.iter().any(same) {
+                found.push(contact);
+            }
+        }
         found
-            .iter()
-            .filter_map(|crossing| Some(self.possible((crossing.place, crossing.eccentricity))?.contact(self.every.indenter())))
-            .collect()
     }
 
     /// The contact at a place, if it can exist.

@@ -8,15 +8,26 @@
 use super::curve::EquilibriumCurve;
 use super::width::Point;
 use crate::sliding::contact::Indenter;
+use crate::sliding::edge_balance::SlidingControl;
 
 /// Steps of the search for a turn; an error of the place enters the value squared.
 const TURN_STEPS: usize = 24;
+/// A turn this many times its last change away from the held value is on its side of it.
+const FAR_FROM_HELD: f64 = 30.0;
 /// A turn is found where its place is known to this.
 const TURN_PLACE: f64 = 1e-5;
 /// Steps between two neighbours to a crossing.
 const CROSSING_STEPS: usize = 40;
 /// A crossing is found where the bracket is this narrow, in ln tan(a/2).
 const CROSSING_PLACE: f64 = 1e-8;
+/// How far beyond the last point of a chain no contact is any more, in ln tan(a/2): more than the finest spacing.
+const END_STEP: f64 = 0.05;
+/// Halvings between a stable contact and one that is not.
+const STABILITY_HALVINGS: usize = 30;
+/// Halvings towards the end of a chain.
+const END_HALVINGS: usize = 30;
+/// What is held at a crossing is off by at most this part of its distance to the neighbours.
+const CROSSING: f64 = 1e-3;
 /// Distance of the places that the slope of the curve is taken between.
 const SLOPE_STEP: f64 = 1e-3;
 
@@ -30,6 +41,15 @@ pub(in crate::sliding) enum HeldQuantity {
 }
 
 impl HeldQuantity {
+    /// A held value as a control.
+    pub(super) const fn control(self, value: f64, indenter: Indenter) -> SlidingControl {
+        match (self, indenter) {
+            (Self::MeanPressure, _) => SlidingControl::MeanPressure(value),
+            (Self::Penetration, Indenter::Wave) => SlidingControl::Penetration(1.0 + value),
+            (Self::Penetration, Indenter::Parabola) => SlidingControl::Penetration(value),
+        }
+    }
+
     pub(super) fn of(self, point: &Point) -> f64 {
         match self {
             Self::MeanPressure => point.mean_pressure,
@@ -49,8 +69,8 @@ pub(in crate::sliding) struct Crossing {
     pub(in crate::sliding) eccentricity: f64,
     /// p̄.
     pub(in crate::sliding) mean_pressure: f64,
-    /// Whether it is stable under what is held.
-    pub(in crate::sliding) stable: bool,
+    /// Whether it is stable under what is held; not known at a turn of the half-width.
+    pub(in crate::sliding) stable: Option<bool>,
     /// The half-widths of the contacts that it lies between.
     pub(in crate::sliding) between: [f64; 2],
 }
@@ -74,6 +94,8 @@ pub(in crate::sliding) struct StretchEnd {
     pub(in crate::sliding) half_width: f64,
     pub(in crate::sliding) eccentricity: f64,
     pub(in crate::sliding) mean_pressure: f64,
+    /// Its neighbours on the curve, inside the stretch and beyond its end, if there are any.
+    pub(in crate::sliding) neighbours: [Option<(f64, f64)>; 2],
 }
 
 /// Stable contacts next to each other on the curve.
@@ -101,10 +123,10 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Held {
         let mut found = Held { crossings: Vec::new(), stretches: Vec::new(), largest: None };
         for chain in &self.chains {
-            let chain = self.with_turns(quantity, chain);
+            let chain = self.with_turns(quantity, value, &self.with_ends(quantity, value, chain));
             for point in &chain {
                 if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
-                    found.largest = Some(end_at(quantity, point, End::Last));
+                    found.largest = Some(end_at(quantity, point, End::Last, [None; 2]));
                 }
             }
             self.stretches(quantity, &chain, &mut found.stretches);
@@ -123,8 +145,41 @@ impl EquilibriumCurve {
         found
     }
 
+    /// A chain as far as it goes, where the value may lie between its last point and its end.
+    fn with_ends(&self, quantity: HeldQuantity, value: f64, chain: &[Point]) -> Vec<Point> {
+        let mut all = chain.to_vec();
+        for _ in 0..2 {
+            if let [.., before, last] = all[..] {
+                let (step, off) = (quantity.of(&last) - quantity.of(&before), value - quantity.of(&last));
+                if step * off >= 0.0 && off.abs() <= step.abs() {
+                    all.extend(self.last_of_chain(&before, &last));
+                }
+            }
+            all.reverse();
+        }
+        all
+    }
+
+    /// The last contact of a chain whose edges are pulled, beyond its last point; none if that is it, to the finest spacing.
+    fn last_of_chain(&self, before: &Point, last: &Point) -> Option<Point> {
+        let outward = (last.place - before.place).signum();
+        let tilt = (last.eccentricity - before.eccentricity) / (last.place - before.place);
+        let (mut good, mut bad) = (*last, last.place + outward * END_STEP);
+        if !tilt.is_finite() || self.beside(bad, last.eccentricity).is_some() {
+            return None;
+        }
+        for _ in 0..END_HALVINGS {
+            let middle = 0.5 * (good.place + bad);
+            match self.beside(middle, good.eccentricity) {
+                Some(point) => good = point,
+                None => bad = middle,
+            }
+        }
+        (good != *last).then_some(good)
+    }
+
     /// A chain with the contacts at which what is held turns.
-    fn with_turns(&self, quantity: HeldQuantity, chain: &[Point]) -> Vec<Point> {
+    fn with_turns(&self, quantity: HeldQuantity, held: f64, chain: &[Point]) -> Vec<Point> {
         let mut all = Vec::with_capacity(chain.len() + 4);
         for (index, point) in chain.iter().enumerate() {
             let neighbours = index.checked_sub(1).and_then(|before| chain.get(before)).zip(chain.get(index + 1));
@@ -134,7 +189,7 @@ impl EquilibriumCurve {
             };
             let [one, here, other] = [before, point, after].map(|point| quantity.of(point));
             let turns = (here > one && here >= other) || (here < one && here <= other);
-            match turns.then(|| self.turn(quantity, [*before, *point, *after])).flatten() {
+            match turns.then(|| self.turn(quantity, held, [*before, *point, *after])).flatten() {
                 // In the order of the chain.
                 Some(turn) if (turn.place - point.place) * (after.place - before.place) < 0.0 => all.extend([turn, *point]),
                 Some(turn) => all.extend([*point, turn]),
@@ -144,8 +199,9 @@ impl EquilibriumCurve {
         all
     }
 
-    /// The turn between three neighbours, by parabolas through the best three; none where the half-width turns as well.
-    fn turn(&self, quantity: HeldQuantity, [before, here, after]: [Point; 3]) -> Option<Point> {
+    /// The turn between three neighbours, by parabolas through the best three, as well as it takes to see on which side of the held value it is; none where the half-width turns
+    /// as well.
+    fn turn(&self, quantity: HeldQuantity, held: f64, [before, here, after]: [Point; 3]) -> Option<Point> {
         let sign = if quantity.of(&here) >= quantity.of(&before) { 1.0 } else { -1.0 };
         let mut three = if before.place < after.place { [before, here, after] } else { [after, here, before] };
         if !(three[0].place < three[1].place && three[1].place < three[2].place) {
@@ -183,7 +239,9 @@ impl EquilibriumCurve {
                 (false, true) => [middle, point, high],
                 (false, false) => [low, middle, point],
             };
-            if (value - g).abs() < 1e-13 * (1.0 + g.abs()) && (three[2].place - three[0].place) < 1e-2 {
+            let change = (value - g).abs();
+            let settled = change < 1e-13 * (1.0 + g.abs()) && (three[2].place - three[0].place) < 1e-2;
+            if settled || FAR_FROM_HELD * change < (sign * held - value.max(g)).abs() {
                 break;
             }
         }
@@ -196,6 +254,8 @@ impl EquilibriumCurve {
         let between = [from.half_width.min(to.half_width), from.half_width.max(to.half_width)];
         let (mut low, mut high) = if rises { (*from, *to) } else { (*to, *from) };
         let (mut below, mut above) = (quantity.of(&low) - value, quantity.of(&high) - value);
+        // Near a turn its other side has a contact of the value as well: nearer than that.
+        let near = CROSSING * below.abs().min(above.abs());
         let part = |below: f64, above: f64| below / (below - above);
         let mut kept = 0;
         for step in 0..CROSSING_STEPS {
@@ -219,7 +279,7 @@ impl EquilibriumCurve {
                 }
                 kept = 1;
             }
-            if off.abs() < 1e-10 * (1.0 + value.abs()) {
+            if off.abs() <= near {
                 (low, high) = (point, point);
                 break;
             }
@@ -228,7 +288,7 @@ impl EquilibriumCurve {
         let mix = |one: f64, other: f64| one + part * (other - one);
         // Away from a turn of the half-width the sign of the slope is that of both neighbours.
         let slope = (to.place - from.place).abs() > 0.0;
-        let stable = slope && self.is_stable(quantity, &low, if (to.place > from.place) == rises { 1.0 } else { -1.0 });
+        let stable = slope.then(|| self.is_stable(quantity, &low, if (to.place > from.place) == rises { 1.0 } else { -1.0 }));
         Crossing {
             place: mix(low.place, high.place),
             half_width: mix(low.half_width, high.half_width),
@@ -249,6 +309,26 @@ impl EquilibriumCurve {
             [None, None] => return false,
         };
         held_by(self.every.indenter(), quantity, point, [&one, &other], Some(sign))
+    }
+
+    /// The last value of a stretch that ends because its contacts go on unstable without a turn; none if it ends otherwise.
+    pub(in crate::sliding) fn last_stable(&self, quantity: HeldQuantity, end: &StretchEnd) -> Option<f64> {
+        let [Some(inside), Some(beyond)] = end.neighbours else { return None };
+        let at = |(place, eccentricity): (f64, f64)| self.beside(place, eccentricity);
+        let (mut good, mut bad) = (at(inside)?, at(beyond)?);
+        let sign = ((quantity.of(&bad) - quantity.of(&good)) * (bad.place - good.place)).signum();
+        if !self.is_stable(quantity, &good, sign) || self.is_stable(quantity, &bad, sign) {
+            return None;
+        }
+        for _ in 0..STABILITY_HALVINGS {
+            let middle = at((0.5 * (good.place + bad.place), 0.5 * (good.eccentricity + bad.eccentricity)))?;
+            if self.is_stable(quantity, &middle, sign) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        Some(quantity.of(&good))
     }
 
     /// The stable stretches of a chain.
@@ -281,7 +361,9 @@ impl EquilibriumCurve {
                 let [one, here, other] = [index - 1, index, index + 1].map(|index| quantity.of(&chain[index]));
                 if (here >= one) == (here >= other) { End::Turn } else { End::Last }
             };
-            let (first, last) = (end_at(quantity, &chain[begin], how(begin)), end_at(quantity, &chain[end], how(end)));
+            let before = begin.checked_sub(1).and_then(|before| chain.get(before));
+            let first = end_at(quantity, &chain[begin], how(begin), [chain.get(begin + 1), before]);
+            let last = end_at(quantity, &chain[end], how(end), [chain.get(end - 1), chain.get(end + 1)]);
             let (lowest, highest) = if first.value <= last.value { (first, last) } else { (last, first) };
             found.push(Stretch { lowest, highest });
             begin = end;
@@ -289,9 +371,10 @@ impl EquilibriumCurve {
     }
 }
 
-fn end_at(quantity: HeldQuantity, point: &Point, end: End) -> StretchEnd {
+fn end_at(quantity: HeldQuantity, point: &Point, end: End, neighbours: [Option<&Point>; 2]) -> StretchEnd {
     StretchEnd {
         end,
+        neighbours: neighbours.map(|neighbour| neighbour.map(|point| (point.place, point.eccentricity))),
         value: quantity.of(point),
         place: point.place,
         half_width: point.half_width,

@@ -120,6 +120,21 @@ impl ContactsOfWidth {
         Ok(found)
     }
 
+    /// The contact of a control near a half-width and an eccentricity, if one can exist.
+    pub(super) fn solved(&self, control: SlidingControl, start: [f64; 2]) -> Option<ContactAt> {
+        let balance = self.balance.under(control);
+        let found = balance.solve_admissible(start, None, ROOT).ok();
+        self.widths.set(self.widths.get() + balance.take_evaluations().div_ceil(2));
+        let (solution, _) = found?;
+        let state = &solution.solution.state;
+        Some(ContactAt {
+            half_width: solution.unknowns[0],
+            eccentricity: solution.unknowns[1],
+            mean_pressure: state.mean_pressure(),
+            penetration: state.penetration(),
+        })
+    }
+
     /// Whether a contact holds at the conditions themselves, with both edges pulled and no faces that meet.
     pub(super) fn can_exist(&self, point: &Point) -> Result<bool, Refusal> {
         let edges = ContactEdges::at_place(self.indenter, point.place, point.eccentricity);
@@ -178,20 +193,15 @@ impl ContactsOfWidth {
         conditions: &Conditions,
         (eccentricity, mean_pressure): (f64, f64),
     ) -> Result<Point, Refusal> {
-        let depth = |eccentricity: f64, pressure: f64| -> Result<f64, Refusal> {
-            let state = system.state(eccentricity, Prescribed::MeanPressure(pressure))?;
-            Ok(match self.indenter {
-                Indenter::Wave => -state.mean_separation(),
-                Indenter::Parabola => state.penetration(),
-            })
+        let (depth, depth_slopes) = match &conditions.depth {
+            Some(line) => {
+                let [c, s, p] = *line;
+                let (cosine, sine) = direction(self.indenter, eccentricity);
+                (of_line(line, (cosine, sine), mean_pressure), [s * cosine - c * sine, p])
+            }
+            // Relative to a datum, and nothing is held by it.
+            None => (system.state(eccentricity, Prescribed::MeanPressure(mean_pressure))?.penetration(), [0.0, 1.0]),
         };
-        // Δ is linear in (cos e, sin e, p̄).
-        let step = 1e-4 * conditions.reach;
-        let load = edges.narrower().min(1.0);
-        let depth_slopes = [
-            (depth(eccentricity + step, mean_pressure)? - depth(eccentricity - step, mean_pressure)?) / (2.0 * step),
-            (depth(eccentricity, mean_pressure + load)? - depth(eccentricity, mean_pressure - load)?) / (2.0 * load),
-        ];
         let (trailing, leading) = match &conditions.works {
             Some(works) => {
                 let [trailing, leading] = works.each_ref().map(|form| slopes(form, self.indenter, eccentricity, mean_pressure));
@@ -211,7 +221,7 @@ impl ContactsOfWidth {
             half_width: edges.half_width,
             eccentricity,
             mean_pressure,
-            depth: depth(eccentricity, mean_pressure)?,
+            depth,
             by_shift: [trailing[0], leading[0]],
             by_load: [trailing[1], leading[1]],
             depth_slopes,
@@ -251,20 +261,25 @@ impl ContactsOfWidth {
             [line(values.map(|(trailing, _)| trailing)), line(values.map(|(_, leading)| leading))]
         };
         let mut amplitudes = amplitudes_of(&states).to_vec();
+        let depth = (self.indenter == Indenter::Wave).then(|| line(states.each_ref().map(|state| -state.mean_separation())));
         let Some((adhesion, zones)) = &self.adhesion else {
-            return Ok((own, Conditions { indenter: self.indenter, reach, works: None, amplitudes }));
+            return Ok((own, Conditions { indenter: self.indenter, works: None, amplitudes, depth }));
         };
         let targets = adhesion.targets();
         let mut works = [[0.0; 6]; 2];
-        for ((form, target), (zone, outward)) in works.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]) {
-            let moved_edges = edges.moved_out(outward * zone.length());
-            let moved_system = system(moved_edges)?;
+        // Equal zones widen the contact alike.
+        let trailing_system = system(edges.moved_out(-zones.0.length()))?;
+        let even = zones.0.length().to_bits() == zones.1.length().to_bits();
+        let leading_system = if even { None } else { Some(system(edges.moved_out(zones.1.length()))?) };
+        let systems = [&trailing_system, leading_system.as_ref().unwrap_or(&trailing_system)];
+        for (((form, target), (zone, outward)), moved_system) in
+            works.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
+        {
             // The eccentricity of a moved contact is that of its own middle.
-            let shift = moved_edges.eccentricity - edges.eccentricity;
+            let shift = 0.5 * outward * zone.length();
             let moved = all(states.each_ref().map(|state| moved_system.state(state.contact().eccentricity + shift, state.held())))?;
             amplitudes.extend(amplitudes_of(&moved));
-            let tensions = moved.each_ref().map(|state| zone.tension(state));
-            let gaps = states.each_ref().map(|state| zone.gap(state));
+            let (tensions, gaps) = (zone.tensions(&moved), zone.gaps_outside(&states));
             // work(m, n) of the tension of one contact on the gap of another.
             let cross = tensions.each_ref().map(|tension| gaps.each_ref().map(|gap| zone.work_on(tension, gap).value / target));
             *form = self.form(&cross, load, reach);
@@ -272,7 +287,7 @@ impl ContactsOfWidth {
                 return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "a work is not a number".into() });
             }
         }
-        Ok((own, Conditions { indenter: self.indenter, reach, works: Some(works), amplitudes }))
+        Ok((own, Conditions { indenter: self.indenter, works: Some(works), amplitudes, depth }))
     }
 
     /// The quadratic form of the works of the tensions of three contacts on their gaps.

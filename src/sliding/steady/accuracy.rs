@@ -47,13 +47,8 @@ pub(super) fn solved(
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
     let balance_at = |resolution| prepared.balance(problem.control, resolution);
-    let mut resolution = if problem.accuracy > 1e-4 {
-        Resolution::Coarse
-    } else if problem.accuracy > 1e-9 {
-        Resolution::Medium
-    } else {
-        Resolution::Fine
-    };
+    // Starts are contacts of the medium level: at a coarser one the next level would show no error of theirs.
+    let mut resolution = if problem.accuracy > 1e-9 { Resolution::Medium } else { Resolution::Fine };
     let mut start = *start;
     let mut balance = balance_at(resolution);
     loop {

@@ -123,8 +123,9 @@ pub(super) fn beyond(
                     _ => rough,
                 }
             }
-            End::Last => match curve.beyond_the_end(quantity, end) {
-                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) },
+            End::Last => match curve.last_stable(quantity, end).map(|value| (value, None)).or_else(|| curve.beyond_the_end(quantity, end).map(|(value, why)| (value, Some(why)))) {
+                Some((limit, None)) => Limit { value: Estimate::new(told(quantity, limit), 1e-6), ..rough },
+                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why },
                 None => Limit { name: last_name, ..rough },
             },
         }

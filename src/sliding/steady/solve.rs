@@ -92,7 +92,7 @@ enum Nothing {
 /// The contact of a problem, without a word on why there is none: that would follow branches, which begin here.
 ///
 /// # Errors
-/// [`Refusal::NotConverged`] if there is none; as [`steady_sliding`].
+/// [`Refusal::NoSuchState`] if there is none; as [`steady_sliding`].
 pub(in crate::sliding) fn contact_on_the_curve(
     material: &Material,
     problem: &SlidingProblem<'_>,
@@ -105,9 +105,11 @@ pub(in crate::sliding) fn contact_on_the_curve(
         Searched::Outcome(SlidingOutcome::Full(full)) => {
             Err(Refusal::NoSuchState { reason: "the contact is full".into(), limit_name: full.limit_name, limit: full.limit })
         }
-        Searched::Nothing(_) => {
-            Err(Refusal::NotConverged { what: "a sliding contact", detail: "there is no stable contact of what is held".into() })
-        }
+        Searched::Nothing(_) => Err(Refusal::NoSuchState {
+            reason: "no stable contact of what is held exists at this speed".into(),
+            limit_name: "stable contacts",
+            limit: 0.0,
+        }),
     }
 }
 
@@ -137,9 +139,8 @@ fn searched(
         }
     }
     let curve = prepared.curve(size_of(problem))?;
-    let before = curve.widths();
     let found = curve.held(held.0, held.1);
-    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable).collect();
+    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable != Some(false)).collect();
     if reached_by == ReachedBy::Unloading {
         candidates.reverse();
     }
@@ -154,11 +155,13 @@ fn searched(
                 outcome = Some(contact);
                 break;
             }
+            // At a turn of the half-width it is told by the contact alone.
+            Err(_) if crossing.stable.is_none() => {}
             Err(refusal) if curve.exists(crossing) => not_converged = Some(refusal),
             Err(_) => refused.push(*crossing),
         }
     }
-    work.half_widths += curve.widths() - before;
+    work.half_widths += curve.widths();
     let evaluations = curve.evaluations();
     work.closure_evaluations += evaluations;
     work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
