@@ -11,13 +11,13 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Distance of neighbouring places, ln tan(a/2).
-const SPACING: f64 = 0.45;
+const SPACING: f64 = 0.9;
 /// The same where contact or gap is narrow, and nothing but powers changes.
-const WIDE_SPACING: f64 = 0.9;
+const WIDE_SPACING: f64 = 1.8;
 /// Places farther out than this are narrow.
 const NARROW: f64 = 4.0;
 /// A change of load below this part of those beside is looked at more closely.
-const DIP: f64 = 0.5;
+const DIP: f64 = 0.8;
 /// Parts of it.
 const DIP_PARTS: u32 = 6;
 /// Where contacts appear or vanish, places are at least this near.

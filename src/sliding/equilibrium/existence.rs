@@ -33,6 +33,28 @@ impl EquilibriumCurve {
         self.possible((crossing.place, crossing.eccentricity)).is_some()
     }
 
+    /// How many contacts there are near crossings, besides one that is known.
+    pub(in crate::sliding) fn others<'a>(
+        &self,
+        (quantity, value): (HeldQuantity, f64),
+        known: WaveContact,
+        crossings: impl Iterator<Item = &'a Crossing>,
+    ) -> usize {
+        let control = quantity.control(value, self.every.indenter());
+        let mut found = vec![known];
+        for crossing in crossings {
+            let Some(contact) = self.every.solved(control, [crossing.half_width, crossing.eccentricity]) else { continue };
+            let same = |other: &WaveContact| {
+                (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs()
+                    < SAME * contact.half_width
+            };
+            if !found.iter().any(same) {
+                found.push(WaveContact { half_width: contact.half_width, eccentricity: contact.eccentricity });
+            }
+        }
+        found.len() - 1
+    }
+
     /// The contacts of a held value that can exist, narrow ones first.
     pub(in crate::sliding) fn contacts(&self, quantity: HeldQuantity, value: f64) -> Vec<ContactAt> {
         let control = quantity.control(value, self.every.indenter());

@@ -12,8 +12,14 @@ use crate::sliding::edge_balance::SlidingControl;
 
 /// Steps of the search for a turn; an error of the place enters the value squared.
 const TURN_STEPS: usize = 24;
-/// A turn this many times its last change away from the held value is on its side of it.
+/// A turn this many times its uncertainty away from the held value is on its side of it.
 const FAR_FROM_HELD: f64 = 30.0;
+/// What a turn is told from: its neighbours are nearer to each other than this, or its value is known to the second.
+const TURN_BRACKET: f64 = 0.3;
+/// See [`TURN_BRACKET`].
+const TURN_VALUE: f64 = 1e-11;
+/// Parts of a bracket more uneven than this are evened.
+const LOPSIDED: f64 = 4.0;
 /// A turn is found where its place is known to this.
 const TURN_PLACE: f64 = 1e-5;
 /// Steps between two neighbours to a crossing.
@@ -211,39 +217,36 @@ impl EquilibriumCurve {
             let [low, middle, high] = three;
             let [x, y, z] = three.map(|point| point.place);
             let [f, g, h] = three.map(|point| sign * quantity.of(&point));
+            // The parabola through all three: its vertex, and how far that is above the best of them.
             let (left, right) = ((y - x) * (g - h), (y - z) * (g - f));
             let vertex = y - 0.5 * ((y - x) * left - (y - z) * right) / (left - right);
-            if (z - x) < TURN_PLACE || !vertex.is_finite() {
+            let bend = ((h - g) / (z - y) - (g - f) / (y - x)) / (z - x);
+            let above = (bend * (vertex - y) * (vertex - y)).abs();
+            if !vertex.is_finite() || z - x < TURN_PLACE {
                 break;
             }
-            // Not onto a known place, and not always from one side.
-            let least = 0.02 * (z - x);
-            let mut next = vertex.clamp(x + least, z - least);
-            if (next - y).abs() < 0.25 * TURN_PLACE {
-                if (y - x).max(z - y) > 50.0 * (y - x).min(z - y) {
-                    next = if y - x > z - y { y - 4.0 * (z - y) } else { y + 4.0 * (y - x) };
-                } else {
-                    next = y + 0.25 * TURN_PLACE.min(z - y);
-                }
+            let known = z - x < TURN_BRACKET && (above < TURN_VALUE * (1.0 + g.abs()) || FAR_FROM_HELD * above < (sign * held - g).abs());
+            if known {
+                break;
             }
-            let near = if next < y {
-                low.eccentricity + (next - x) / (y - x) * (middle.eccentricity - low.eccentricity)
+            // A vertex on a known place, or always on one side of it: the longer part in two.
+            let least = 1e-3 * (z - x);
+            let lopsided = (y - x).max(z - y) > LOPSIDED * (y - x).min(z - y);
+            let next = if lopsided || (vertex - y).abs() < least {
+                if z - y > y - x { y + 0.5 * (z - y).min(LOPSIDED * (y - x)) } else { y - 0.5 * (y - x).min(LOPSIDED * (z - y)) }
             } else {
-                middle.eccentricity + (next - y) / (z - y) * (high.eccentricity - middle.eccentricity)
+                vertex.clamp(x + least, z - least)
             };
-            let point = self.beside(next, near)?;
-            let value = sign * quantity.of(&point);
-            three = match (next < y, value > g) {
+            let between = |one: &Point, other: &Point| {
+                one.eccentricity + (next - one.place) / (other.place - one.place) * (other.eccentricity - one.eccentricity)
+            };
+            let point = self.beside(next, if next < y { between(&low, &middle) } else { between(&middle, &high) })?;
+            three = match (next < y, sign * quantity.of(&point) > g) {
                 (true, true) => [low, point, middle],
                 (true, false) => [point, middle, high],
                 (false, true) => [middle, point, high],
                 (false, false) => [low, middle, point],
             };
-            let change = (value - g).abs();
-            let settled = change < 1e-13 * (1.0 + g.abs()) && (three[2].place - three[0].place) < 1e-2;
-            if settled || FAR_FROM_HELD * change < (sign * held - value.max(g)).abs() {
-                break;
-            }
         }
         Some(three[1])
     }
@@ -288,7 +291,10 @@ impl EquilibriumCurve {
         let mix = |one: f64, other: f64| one + part * (other - one);
         // Away from a turn of the half-width the sign of the slope is that of both neighbours.
         let slope = (to.place - from.place).abs() > 0.0;
-        let stable = slope.then(|| self.is_stable(quantity, &low, if (to.place > from.place) == rises { 1.0 } else { -1.0 }));
+        let stable = slope.then(|| {
+            let sign = if (to.place > from.place) == rises { 1.0 } else { -1.0 };
+            self.is_stable(quantity, &low, sign, tilt(from, to))
+        });
         Crossing {
             place: mix(low.place, high.place),
             half_width: mix(low.half_width, high.half_width),
@@ -299,9 +305,9 @@ impl EquilibriumCurve {
         }
     }
 
-    /// Whether a contact is stable, where what is held rises (or falls) with the half-width.
-    fn is_stable(&self, quantity: HeldQuantity, point: &Point, sign: f64) -> bool {
-        let beside = [-SLOPE_STEP, SLOPE_STEP].map(|step| self.beside(point.place + step, point.eccentricity));
+    /// Whether a contact is stable, where what is held rises (or falls) with the half-width and the eccentricity follows the place by a tilt.
+    fn is_stable(&self, quantity: HeldQuantity, point: &Point, sign: f64, tilt: f64) -> bool {
+        let beside = [-SLOPE_STEP, SLOPE_STEP].map(|step| self.beside(point.place + step, point.eccentricity + tilt * step));
         let (one, other) = match beside {
             [Some(one), Some(other)] => (one, other),
             [Some(one), None] => (one, *point),
@@ -317,12 +323,13 @@ impl EquilibriumCurve {
         let at = |(place, eccentricity): (f64, f64)| self.beside(place, eccentricity);
         let (mut good, mut bad) = (at(inside)?, at(beyond)?);
         let sign = ((quantity.of(&bad) - quantity.of(&good)) * (bad.place - good.place)).signum();
-        if !self.is_stable(quantity, &good, sign) || self.is_stable(quantity, &bad, sign) {
+        let tilt = tilt(&good, &bad);
+        if !self.is_stable(quantity, &good, sign, tilt) || self.is_stable(quantity, &bad, sign, tilt) {
             return None;
         }
         for _ in 0..STABILITY_HALVINGS {
             let middle = at((0.5 * (good.place + bad.place), 0.5 * (good.eccentricity + bad.eccentricity)))?;
-            if self.is_stable(quantity, &middle, sign) {
+            if self.is_stable(quantity, &middle, sign, tilt) {
                 good = middle;
             } else {
                 bad = middle;
@@ -369,6 +376,12 @@ impl EquilibriumCurve {
             begin = end;
         }
     }
+}
+
+/// How the eccentricity follows the place between two contacts.
+fn tilt(from: &Point, to: &Point) -> f64 {
+    let tilt = (to.eccentricity - from.eccentricity) / (to.place - from.place);
+    if tilt.is_finite() { tilt } else { 0.0 }
 }
 
 fn end_at(quantity: HeldQuantity, point: &Point, end: End, neighbours: [Option<&Point>; 2]) -> StretchEnd {

@@ -20,6 +20,6 @@ mod width;
 
 pub(in crate::sliding) use curve::EquilibriumCurve;
 pub(in crate::sliding) use existence::WhyNot;
-pub(in crate::sliding) use held::{Crossing, End, Held, HeldQuantity, StretchEnd};
+pub(in crate::sliding) use held::{Crossing, End, Held, HeldQuantity, Stretch, StretchEnd};
 pub use width::ContactAt;
 pub(in crate::sliding) use width::ContactsOfWidth;

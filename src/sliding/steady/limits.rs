@@ -13,14 +13,14 @@
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{SlidingOutcome, SlidingWork};
-use super::solve::full_contact;
+use super::solve::{ReachedBy, full_contact};
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchEnd, BranchPath, BranchProblem, FoldQuantity, Impossible, Turn, trace, turn_near};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, Held, HeldQuantity, StretchEnd, WhyNot};
+use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, Held, HeldQuantity, Stretch, StretchEnd, WhyNot};
 
 /// Folds are located this well, or to the accuracy of the problem if that is less.
 const FOLD_ACCURACY: f64 = 1e-9;
@@ -42,6 +42,8 @@ struct Names {
     lowest: &'static str,
     largest_possible: &'static str,
     smallest_possible: &'static str,
+    /// Where contacts end that others follow beyond.
+    hole: &'static str,
 }
 
 const LOADS: Names = Names {
@@ -49,12 +51,14 @@ const LOADS: Names = Names {
     lowest: "mean pressure of pull-off at this speed",
     largest_possible: "largest mean pressure of a contact at this speed",
     smallest_possible: "smallest mean pressure of a contact at this speed",
+    hole: "mean pressure of the last contact before this one",
 };
 const DEPTHS: Names = Names {
     highest: "largest penetration of a partial contact at this speed",
     lowest: "penetration of separation at this speed",
     largest_possible: "largest penetration of a contact at this speed",
     smallest_possible: "smallest penetration of a contact at this speed",
+    hole: "penetration of the last contact before this one",
 };
 
 /// A limit: its name, its value and what forbids more.
@@ -71,7 +75,7 @@ pub(super) fn beyond(
     curve: &EquilibriumCurve,
     (quantity, value): (HeldQuantity, f64),
     held: &Held,
-    refused: &[Crossing],
+    (refused, reached_by): (&[Crossing], ReachedBy),
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
     let names = if quantity == HeldQuantity::MeanPressure { LOADS } else { DEPTHS };
@@ -123,15 +127,26 @@ pub(super) fn beyond(
                     _ => rough,
                 }
             }
-            End::Last => match curve.last_stable(quantity, end).map(|value| (value, None)).or_else(|| curve.beyond_the_end(quantity, end).map(|(value, why)| (value, Some(why)))) {
+            End::Last => match curve
+                .last_stable(quantity, end)
+                .map(|value| (value, None))
+                .or_else(|| curve.beyond_the_end(quantity, end).map(|(value, why)| (value, Some(why))))
+            {
                 Some((limit, None)) => Limit { value: Estimate::new(told(quantity, limit), 1e-6), ..rough },
                 Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why },
                 None => Limit { name: last_name, ..rough },
             },
         }
     };
-    let highest = held.stretches.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
-    let lowest = held.stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
+    // Stability is lost without a turn between two contacts of the curve: the ends are closed in on.
+    let closed_in = |end: StretchEnd| match end.end {
+        End::Last => curve.last_stable(quantity, &end).map_or(end, |value| StretchEnd { value, ..end }),
+        End::Turn => end,
+    };
+    let stretches: Vec<Stretch> =
+        held.stretches.iter().map(|stretch| Stretch { lowest: closed_in(stretch.lowest), highest: closed_in(stretch.highest) }).collect();
+    let highest = stretches.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
+    let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
         // Nothing is stable: a wave that touches closes by itself.
         let largest = held.largest.filter(|_| wave)?;
@@ -148,11 +163,21 @@ pub(super) fn beyond(
     if value <= lowest.lowest.value {
         return Some(pulls(&limit_of(&lowest.lowest, Some(&lowest.highest), false)));
     }
-    // Between two stretches: the load that was raised past the lower one finds no stable contact.
-    let below = held.stretches.iter().filter(|stretch| stretch.highest.value <= value);
-    let below = below.max_by(|first, second| first.highest.value.total_cmp(&second.highest.value))?;
-    let limit = limit_of(&below.highest, Some(&below.lowest), true);
-    Some(if wave && limit.why.is_none() { full(&limit) } else { pulls(&limit) })
+    // Between two stretches: what is raised past the lower one, or lowered past the upper one, finds no stable contact.
+    let limit = match reached_by {
+        ReachedBy::Loading => {
+            let below = stretches.iter().filter(|stretch| stretch.highest.value <= value);
+            let below = below.max_by(|first, second| first.highest.value.total_cmp(&second.highest.value))?;
+            limit_of(&below.highest, Some(&below.lowest), true)
+        }
+        ReachedBy::Unloading => {
+            let above = stretches.iter().filter(|stretch| stretch.lowest.value >= value);
+            let above = above.min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value))?;
+            limit_of(&above.lowest, Some(&above.highest), false)
+        }
+    };
+    let limit = Limit { name: if limit.why.is_some() { names.hole } else { limit.name }, ..limit };
+    Some(if wave && limit.why.is_none() && reached_by == ReachedBy::Loading { full(&limit) } else { pulls(&limit) })
 }
 
 /// A held value as it is named: Δ for Δ − 1.

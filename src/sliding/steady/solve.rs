@@ -84,7 +84,7 @@ enum Searched {
 /// No contact: what is known of why.
 enum Nothing {
     /// Of a load or penetration: what the curve has, and the stable contacts that cannot exist.
-    Held { held: (HeldQuantity, f64), found: Held, refused: Vec<Crossing> },
+    Held { held: (HeldQuantity, f64), found: Held, refused: Vec<Crossing>, reached_by: ReachedBy },
     /// Of a half-width.
     HalfWidth(f64),
 }
@@ -150,8 +150,9 @@ fn searched(
     for (index, crossing) in candidates.iter().enumerate() {
         match accepted(prepared, problem, crossing, held.0, work) {
             Ok(mut contact) => {
-                contact.others =
-                    candidates.iter().enumerate().filter(|&(other, crossing)| other != index && curve.exists(crossing)).count();
+                let others = candidates.iter().enumerate().filter(|&(other, crossing)| other != index && crossing.stable == Some(true));
+                let found = WaveContact { half_width: contact.values.half_width.value, eccentricity: contact.values.eccentricity.value };
+                contact.others = curve.others(held, found, others.map(|(_, crossing)| crossing));
                 outcome = Some(contact);
                 break;
             }
@@ -168,7 +169,7 @@ fn searched(
     match (outcome, not_converged) {
         (Some(contact), _) => Ok(Searched::Outcome(SlidingOutcome::Partial(Box::new(PartialContact { work: *work, ..contact })))),
         (None, Some(refusal)) => Err(refusal),
-        (None, None) => Ok(Searched::Nothing(Nothing::Held { held, found, refused })),
+        (None, None) => Ok(Searched::Nothing(Nothing::Held { held, found, refused, reached_by })),
     }
 }
 
@@ -184,8 +185,8 @@ impl Nothing {
         let size = size_of(problem);
         let curve = prepared.curve(size)?;
         let unstable = match &self {
-            Self::Held { held, found, refused } => {
-                if let Some(outcome) = beyond(material, problem, &curve, *held, found, refused, *work) {
+            Self::Held { held, found, refused, reached_by } => {
+                if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {
                     return outcome;
                 }
                 found.crossings.len()
