@@ -21,7 +21,7 @@ const DIP: f64 = 0.8;
 /// Parts of it.
 const DIP_PARTS: u32 = 6;
 /// Where contacts appear or vanish, places are at least this near.
-const FINEST: f64 = 0.02;
+const FINEST: f64 = 0.1;
 /// Largest change of eccentricity between neighbours, of a parabola over the half-width.
 const NEIGHBOURS: f64 = 0.6;
 /// The narrowest contact, over the longer process zone.

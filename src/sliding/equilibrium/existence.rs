@@ -1,14 +1,14 @@
 //! Which contacts of the curve can exist, and where they end.
 
 use super::curve::EquilibriumCurve;
-use super::held::{Crossing, HeldQuantity, StretchEnd};
+use super::held::{Crossing, HeldQuantity, Stretch, StretchEnd};
 use super::width::{ContactAt, Point};
 use crate::sliding::contact::{ContactEdges, WaveContact};
 
 /// Halvings between a contact that exists and none.
 const HALVINGS: usize = 44;
 /// How far beyond the end of a curve no contact is any more, in ln tan(a/2): more than the finest spacing.
-const BEYOND: f64 = 0.05;
+const BEYOND: f64 = 0.2;
 
 /// Contacts nearer than this part of the half-width are one.
 const SAME: f64 = 1e-3;
@@ -81,6 +81,13 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn last_possible(&self, quantity: HeldQuantity, from: Place, to: Place) -> Option<(f64, WhyNot)> {
         let (last, why) = self.closed_in(from, to)?;
         Some((quantity.of(&last), why?))
+    }
+
+    /// Whether contacts at an end of a stretch, or half way between, can exist.
+    pub(in crate::sliding) fn has_possible(&self, stretch: &Stretch) -> bool {
+        let (low, high) = (&stretch.lowest, &stretch.highest);
+        let middle = (0.5 * (low.place + high.place), 0.5 * (low.eccentricity + high.eccentricity));
+        [(high.place, high.eccentricity), middle, (low.place, low.eccentricity)].into_iter().any(|place| self.possible(place).is_some())
     }
 
     /// The last value before the end of a stretch, if the end itself cannot exist.

@@ -6,7 +6,7 @@
 //! Along the curve both works stay what they are, so that ∂work/∂a = −(∂work/∂e de/da + ∂work/∂p̄ dp̄/da): the slopes of the curve and the two forms give M.
 
 use super::curve::EquilibriumCurve;
-use super::width::Point;
+use super::width::{Point, apart};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
 
@@ -15,7 +15,7 @@ const TURN_STEPS: usize = 24;
 /// A turn this many times its uncertainty away from the held value is on its side of it.
 const FAR_FROM_HELD: f64 = 30.0;
 /// What a turn is told from: its neighbours are nearer to each other than this, or its value is known to the second.
-const TURN_BRACKET: f64 = 0.3;
+const TURN_BRACKET: f64 = 0.8;
 /// See [`TURN_BRACKET`].
 const TURN_VALUE: f64 = 1e-11;
 /// Parts of a bracket more uneven than this are evened.
@@ -27,13 +27,17 @@ const CROSSING_STEPS: usize = 40;
 /// A crossing is found where the bracket is this narrow, in ln tan(a/2).
 const CROSSING_PLACE: f64 = 1e-8;
 /// How far beyond the last point of a chain no contact is any more, in ln tan(a/2): more than the finest spacing.
-const END_STEP: f64 = 0.05;
+const END_STEP: f64 = 0.2;
+/// Largest change of eccentricity between neighbours where it matters, of a parabola over the half-width.
+const BEND: f64 = 0.12;
+/// Nearer places are not divided, in ln tan(a/2).
+const SHORTEST_BEND: f64 = 0.01;
 /// Halvings between a stable contact and one that is not.
 const STABILITY_HALVINGS: usize = 30;
 /// Halvings towards the end of a chain.
 const END_HALVINGS: usize = 30;
 /// What is held at a crossing is off by at most this part of its distance to the neighbours.
-const CROSSING: f64 = 1e-3;
+const CROSSING: f64 = 1e-6;
 /// Distance of the places that the slope of the curve is taken between.
 const SLOPE_STEP: f64 = 1e-3;
 
@@ -129,7 +133,10 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Held {
         let mut found = Held { crossings: Vec::new(), stretches: Vec::new(), largest: None };
         for chain in &self.chains {
-            let chain = self.with_turns(quantity, value, &self.with_ends(quantity, value, chain));
+            let ends = self.with_ends(quantity, value, chain);
+            // Contacts of a penetration stay beyond the turn of the half-width, where the eccentricity changes most.
+            let bends = if quantity == HeldQuantity::Penetration { self.with_bends(ends) } else { ends };
+            let chain = self.with_turns(quantity, value, &bends);
             for point in &chain {
                 if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
                     found.largest = Some(end_at(quantity, point, End::Last, [None; 2]));
@@ -162,6 +169,30 @@ impl EquilibriumCurve {
                 }
             }
             all.reverse();
+        }
+        all
+    }
+
+    /// A chain of which no two neighbours differ much in eccentricity, as far as that can be.
+    fn with_bends(&self, chain: Vec<Point>) -> Vec<Point> {
+        let indenter = self.every.indenter();
+        let mut all: Vec<Point> = Vec::with_capacity(2 * chain.len());
+        for point in chain {
+            let mut open = vec![point];
+            while let Some(next) = open.pop() {
+                let bent = |last: &Point| {
+                    let size = if indenter == Indenter::Wave { 1.0 } else { last.half_width };
+                    apart(indenter, last.eccentricity, next.eccentricity) > BEND * size && (next.place - last.place).abs() > SHORTEST_BEND
+                };
+                let middle = all
+                    .last()
+                    .filter(|last| bent(last))
+                    .and_then(|last| self.beside(0.5 * (last.place + next.place), 0.5 * (last.eccentricity + next.eccentricity)));
+                match middle {
+                    Some(middle) => open.extend([next, middle]),
+                    None => all.push(next),
+                }
+            }
         }
         all
     }

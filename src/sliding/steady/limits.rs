@@ -143,8 +143,12 @@ pub(super) fn beyond(
         End::Last => curve.last_stable(quantity, &end).map_or(end, |value| StretchEnd { value, ..end }),
         End::Turn => end,
     };
-    let stretches: Vec<Stretch> =
-        held.stretches.iter().map(|stretch| Stretch { lowest: closed_in(stretch.lowest), highest: closed_in(stretch.highest) }).collect();
+    let stretches: Vec<Stretch> = held
+        .stretches
+        .iter()
+        .filter(|stretch| curve.has_possible(stretch))
+        .map(|stretch| Stretch { lowest: closed_in(stretch.lowest), highest: closed_in(stretch.highest) })
+        .collect();
     let highest = stretches.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
     let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
