@@ -12,6 +12,7 @@ mod convergence;
 pub mod counters;
 pub mod draw;
 pub mod effects;
+pub mod event_lists;
 pub mod hard_cases;
 pub mod honesty;
 pub mod known_states;

@@ -391,6 +391,11 @@ impl Memory {
         self.most_pieces = self.most_pieces.max(self.pieces.len());
     }
 
+    /// κ at the last step.
+    pub(crate) const fn load(&self) -> f64 {
+        self.load
+    }
+
     /// How many pieces are held.
     pub(crate) fn pieces_held(&self) -> usize {
         self.pieces.len()

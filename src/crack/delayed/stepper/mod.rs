@@ -41,6 +41,9 @@ const FASTEST: f64 = 1e150;
 /// Where more of the exposure than this is of terms that answer within the step, dividing by the rest would cost its digits.
 const MOST_IMPLICIT: f64 = 0.999;
 
+/// Loads that differ by less than this part are one load, rounded in two ways.
+const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
+
 /// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
 const NEAREST: f64 = 1e-8;
 
@@ -263,15 +266,23 @@ impl Stepper<'_> {
         if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
     }
 
-    /// A new stretch of load, possibly after a jump of the load.
+    /// What rounding leaves of the closure: of the sums, and of a place that is known to an ulp.
+    fn rounding(&self, sums: &Sums, load: f64, zone: f64) -> f64 {
+        8.0 * f64::EPSILON * (1.0 + load * sums.exposure * (1.0 + self.memory.place.abs() / zone))
+    }
+
+    /// A new stretch of load, possibly after a jump of the load. Only a load that jumps can move the tip at once, or leave it behind: no residual of a step can.
     fn enter(&mut self, ahead: &Ahead) {
         let zone = ahead.zone.at(ahead.load);
         let here = Step::none(ahead.load, zone);
-        let excess = self.excess(&here);
         self.uniform = (0.0, 0);
         self.threshold = if self.ever_moved { RESTART_THRESHOLD } else { 0.0 };
         let before = if self.moving { self.speed } else { 0.0 };
-        if excess > 1e-12 {
+        let change = ahead.load - self.memory.load();
+        let same = SAME_LOAD * ahead.load;
+        let sums = self.sums(&here);
+        let excess = ahead.load * (ahead.load + sums.memory) - 1.0;
+        if change > same && excess > self.rounding(&sums, ahead.load, zone) {
             // The tip jumps to where the work is Δγ again: within one process zone, beyond which there is no memory and κ < 1.
             let advance = bracketed(zone, 0.5 * zone, |advance, this: &mut Self| -this.excess(&Step { advance, ..here }), self);
             if !self.ever_moved {
@@ -284,7 +295,7 @@ impl Stepper<'_> {
             self.memory.take(&Step { advance, ..here }, None);
             self.moving = true;
             self.ever_moved = true;
-        } else if self.moving && excess < -1e-12 {
+        } else if self.moving && change < -same {
             self.arrest(before);
         }
         if self.moving {
