@@ -3,7 +3,7 @@
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
 use crate::crack::delayed::trajectory::tends_to;
-use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, regime, trajectory};
+use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_until, regime};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Work};
 use crate::refusal::Refusal;
@@ -32,31 +32,41 @@ impl DelayedFracturePlan {
         let only_summary = outputs.is_empty() && self.is_one_step();
         // With no time asked for, events up to the end are still found.
         let asked = if outputs.is_empty() { vec![self.duration] } else { outputs.clone() };
-        let found = if only_summary { None } else { Some(trajectory(&problem, &self.history, &asked, self.resolution())?) };
+        let excess = |found: &Trajectory| {
+            let scales = self.scales(&problem, Some(found));
+            let rows = self.rows_of(&problem, found, outputs.len(), empty);
+            rows.iter().filter_map(|row| self.longest_bound(row, &scales)).map(|(_, bound)| bound).fold(0.0, f64::max) / self.accuracy
+        };
+        let found = if only_summary { None } else { Some(refined_until(&problem, &self.history, &asked, self.resolution(), &excess)?) };
         let scales = self.scales(&problem, found.as_ref());
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];
-        if let Some(found) = &found {
-            let mut events = found.events.iter().peekable();
-            for sample in found.samples.iter().take(outputs.len()) {
-                while let Some(event) = events.next_if(|event| event.time.value <= sample.time) {
-                    rows.push(self.event_row(&problem, event, empty("event")));
-                }
-                rows.push(self.sample_row(&problem, sample, empty("sample")));
-            }
-            rows.extend(events.map(|event| self.event_row(&problem, event, empty("event"))));
-            if let Some(last) = found.samples.last() {
-                let mut row = self.sample_row(&problem, last, empty("event"));
-                if let Some(event) = row.labels.get_mut(2) {
-                    *event = "end".into();
-                }
-                rows.push(row);
-            }
-        }
+        rows.extend(found.iter().flat_map(|found| self.rows_of(&problem, found, outputs.len(), empty)));
         for row in &mut rows {
             self.judge(row, &scales);
             row.representable(&columns(self.units))?;
         }
         Ok(rows)
+    }
+
+    /// The tip at the first so many samples and at all events, in order of time, and at the end.
+    fn rows_of(&self, problem: &GrowthProblem<'_>, found: &Trajectory, outputs: usize, empty: &dyn Fn(&str) -> Row) -> Vec<Row> {
+        let mut rows = Vec::new();
+        let mut events = found.events.iter().peekable();
+        for sample in found.samples.iter().take(outputs) {
+            while let Some(event) = events.next_if(|event| event.time.value <= sample.time) {
+                rows.push(self.event_row(problem, event, empty("event")));
+            }
+            rows.push(self.sample_row(problem, sample, empty("sample")));
+        }
+        rows.extend(events.map(|event| self.event_row(problem, event, empty("event"))));
+        if let Some(last) = found.samples.last() {
+            let mut row = self.sample_row(problem, last, empty("event"));
+            if let Some(event) = row.labels.get_mut(2) {
+                *event = "end".into();
+            }
+            rows.push(row);
+        }
+        rows
     }
 
     fn scales(&self, problem: &GrowthProblem<'_>, found: Option<&Trajectory>) -> Scales {
@@ -197,8 +207,8 @@ impl DelayedFracturePlan {
         row
     }
 
-    /// Flags a row with an error bound above the wanted accuracy of the larger of its value and its reference scale.
-    fn judge(&self, row: &mut Row, scales: &Scales) {
+    /// The longest error bound of a row over the larger of its value and its reference scale, and the column.
+    fn longest_bound(&self, row: &Row, scales: &Scales) -> Option<(usize, f64)> {
         let scale = |column: usize| match column {
             at::TIME | at::DELAY if !self.is_one_step() => scales.time,
             at::TIME => scales.time,
@@ -206,14 +216,20 @@ impl DelayedFracturePlan {
             at::SPEED | at::SPEED_BEFORE | at::INITIAL_SPEED => scales.speed,
             _ => 0.0,
         };
-        let short = row.values.iter().enumerate().find_map(|(column, value)| {
+        let bounds = row.values.iter().enumerate().filter_map(|(column, value)| {
             let estimate = (*value)?;
             let measure = estimate.value.abs().max(scale(column));
-            (estimate.error > self.accuracy * measure).then(|| (name(column), estimate.error / measure))
+            (estimate.error > 0.0).then(|| (column, estimate.error / measure))
         });
-        if let Some((column, error)) = short {
+        bounds.max_by(|(_, one), (_, other)| one.total_cmp(other))
+    }
+
+    /// Flags a row with an error bound above the wanted accuracy.
+    fn judge(&self, row: &mut Row, scales: &Scales) {
+        if let Some((column, error)) = self.longest_bound(row, scales).filter(|(_, error)| *error > self.accuracy) {
             row.status = Status::Inaccurate;
-            row.reason = Some(format!("the error bound of {column} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
+            row.reason =
+                Some(format!("the error bound of {} is {error:.1e}, above the wanted accuracy {:.1e}", name(column), self.accuracy));
         }
     }
 }

@@ -48,19 +48,27 @@ pub fn scene(draw: &mut Draw) -> String {
     }
     let strip = !reduced && draw.chance(0.25);
     let halves = if draw.chance(0.5) { 2.0 } else { 1.0 };
-    let strain = draw.chance(0.5);
+    // Moduli of a reduced scene are plane ones already.
+    let strain = !reduced && draw.chance(0.5);
     let plane_modulus = if strain { modulus / (1.0 - poisson_rounded(poisson).powi(2)) } else { modulus };
     let relaxed_limit = (2.0 * work * plane_modulus / halves).sqrt();
     if draw.chance(0.6) {
-        line(format_args!("process_zone = {{ length = {} }}", if reduced { draw.log_between(0.03, 30.0) } else { draw.log_between(1e-9, 1e-3) }));
+        line(format_args!(
+            "process_zone = {{ length = {} }}",
+            if reduced { draw.log_between(0.03, 30.0) } else { draw.log_between(1e-9, 1e-3) }
+        ));
     } else {
-        let cohesive = if reduced { draw.log_between(0.1, 10.0) } else { relaxed_limit / draw.log_between(1e-9, 1e-3).sqrt() };
+        // The unit of length of a reduced scene fixes its cohesive stress.
+        let cohesive =
+            if reduced { String::new() } else { format!("cohesive_stress = {}, ", relaxed_limit / draw.log_between(1e-9, 1e-3).sqrt()) };
         let law = if draw.chance(0.7) { "growing" } else { "constant" };
-        line(format_args!("process_zone = {{ cohesive_stress = {cohesive}, law = \"{law}\" }}"));
+        line(format_args!("process_zone = {{ {cohesive}law = \"{law}\" }}"));
     }
     line(format_args!("[crack]\npoints = 4"));
     line(format_args!("body = \"{}\"", if halves > 1.5 { "two_halves" } else { "against_rigid" }));
-    line(format_args!("plane = \"{}\"", if strain { "strain" } else { "stress" }));
+    if !reduced {
+        line(format_args!("plane = \"{}\"", if strain { "strain" } else { "stress" }));
+    }
     let mut unit = if reduced { std::f64::consts::FRAC_1_SQRT_2 } else { 1.0 } * relaxed_limit;
     let mut key = "stress_intensity";
     if strip {

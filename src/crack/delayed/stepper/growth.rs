@@ -1,7 +1,7 @@
 //! Growth: from one line to the next, from one time to the next, or an arrest.
 
 use super::super::memory::{SAME_PLACE, Step};
-use super::bracket::{bracketed, bracketed_to};
+use super::bracket::{bracketed, bracketed_to, near};
 use super::record::{Between, RawKind};
 use super::{Ahead, Stepper};
 
@@ -43,7 +43,7 @@ impl Stepper<'_> {
             let steady = self.quasi_steady.motion(ahead.load, 0.0).map_or(stepped, |motion| motion.crossing_time);
             self.count_quasi_steady();
             let crossing = if (steady / stepped - 1.0).abs() < 1e-9 { steady } else { stepped };
-            let left = ahead.left.min(self.until - self.time());
+            let left = ahead.left().min(self.until - self.time());
             if left > 4.0 * crossing {
                 self.memory.replace(&[[zone, crossing, ahead.load], [0.0, 0.0, ahead.load]], 0.0);
                 let advance = zone * (left / crossing);
@@ -68,9 +68,15 @@ impl Stepper<'_> {
         let nearest = line.min(self.longest_advance).min(before_the_end(line, rest + zone - place));
         let probe = *ahead;
         let whole_at = |duration: f64| nearest.min((rest + probe.zone.at(probe.load_after(duration)) - place).max(0.0));
-        let longest = before_the_end(line / self.speed, ahead.left).min(ahead.longest_step);
+        let longest = before_the_end(line / self.speed, ahead.left()).min(ahead.longest_step);
         let mut duration = longest.min(2.0 * whole_at(0.0) / self.speed);
         // Whether the closure is met at the grid line within the time, or short of it, or not even where the tip is.
+        if let Some(time) = self.time_to(&probe, &whole_at, duration)
+            && self.still_moves(&probe.step(time, whole_at(time)), &probe)
+        {
+            self.advance(ahead, time, whole_at(time));
+            return;
+        }
         for _ in 0..MOST_HALVINGS {
             if self.excess(&probe.step(duration, whole_at(duration))) >= 0.0 {
                 let guess = whole_at(0.0) / self.speed;
@@ -131,12 +137,32 @@ impl Stepper<'_> {
         self.advance(ahead, (place / self.speed).min(duration), place);
     }
 
+    /// The time at which the closure is met at the grid line, if it is near that of the present speed.
+    fn time_to(&mut self, ahead: &Ahead, whole_at: &dyn Fn(f64) -> f64, longest: f64) -> Option<f64> {
+        let speed = self.speed;
+        let with_slope = |time: f64, this: &mut Self| {
+            let step = ahead.step(time, whole_at(time));
+            let sums = this.sums(&step);
+            [step.loads[1] * (step.loads[1] + sums.memory) - 1.0, step.loads[1] * sums.exposure / step.zone * speed]
+        };
+        let guess = whole_at(0.0) / speed;
+        if guess > 0.0 && guess < longest { near(longest, guess, with_slope, self) } else { None }
+    }
+
     /// Where the closure is met at the end of a step that ends short of `whole`; where the tip is, if it would have to go back.
     fn place_at(&mut self, ahead: &Ahead, duration: f64, whole: f64) -> f64 {
         if self.excess(&ahead.step(duration, 0.0)) <= 0.0 {
             return 0.0;
         }
         let guess = (self.speed * duration).min(0.5 * whole);
+        let with_slope = |place: f64, this: &mut Self| {
+            let step = ahead.step(duration, place);
+            let sums = this.sums(&step);
+            [step.loads[1] * (step.loads[1] + sums.memory) - 1.0, -step.loads[1] * sums.exposure / step.zone]
+        };
+        if let Some(place) = near(whole, guess, with_slope, self) {
+            return place;
+        }
         bracketed(whole, guess, |place, this: &mut Self| -this.excess(&ahead.step(duration, place)), self)
     }
 

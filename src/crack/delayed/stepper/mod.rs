@@ -21,7 +21,7 @@ mod record;
 mod rest;
 
 use super::load::LoadHistory;
-use super::memory::{Memory, Step, Sums, terms_of};
+use super::memory::{Clock, Memory, Step, Sums, terms_of};
 use super::problem::GrowthProblem;
 use super::quasi_steady::QuasiSteady;
 use super::zone::RelativeZone;
@@ -90,11 +90,14 @@ struct Stepper<'a> {
 /// The load over the rest of a stretch.
 #[derive(Clone, Copy)]
 struct Ahead {
+    /// The load now, at the start of the stretch and at its end.
     load: f64,
-    slope: f64,
-    left: f64,
+    first: f64,
     last: f64,
+    slope: f64,
+    /// How long the stretch takes, and how much of that has passed (s).
     whole: f64,
+    passed: Clock,
     /// When the stretch ends, by the clock of the history.
     end: f64,
     longest_step: f64,
@@ -104,8 +107,13 @@ struct Ahead {
 }
 
 impl Ahead {
+    /// What is left of the stretch (s).
+    fn left(&self) -> f64 {
+        self.whole - self.passed.time()
+    }
+
     fn load_after(&self, duration: f64) -> f64 {
-        if duration >= self.left { self.last } else { self.load + self.slope * duration }
+        if duration >= self.left() { self.last } else { self.first + self.slope * (self.passed.time() + duration) }
     }
 
     fn step(&self, duration: f64, advance: f64) -> Step {
@@ -121,7 +129,12 @@ impl Ahead {
 
     fn pass(&mut self, duration: f64) {
         self.load = self.load_after(duration);
-        self.left = if duration >= self.left { 0.0 } else { self.left - duration };
+        if duration >= self.left() {
+            // Infinite for a stretch that is: nothing passes it.
+            self.whole = self.passed.time();
+        } else {
+            self.passed.pass(duration);
+        }
     }
 }
 
@@ -183,10 +196,11 @@ pub(crate) fn run(
         let longest_step = 2.0 * duration / f64::from(lines_per_zone);
         let mut ahead = Ahead {
             load: first,
-            slope,
-            left: duration,
+            first,
             last,
+            slope,
             whole: duration,
+            passed: Clock::default(),
             end: stretch.start + duration,
             longest_step,
             speed: 0.0,
@@ -203,8 +217,8 @@ pub(crate) fn run(
         }
         // The clock is that of the history, not a sum of steps.
         if stretch.duration.is_finite() {
-            stepper.base[0] = stretch.start + duration - stepper.memory.clock;
-            if stepper.memory.clock > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
+            stepper.base[0] = stretch.start + duration - stepper.memory.time();
+            if stepper.memory.time() > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
                 stepper.rebase();
             }
         }
@@ -214,7 +228,7 @@ pub(crate) fn run(
 
 impl Stepper<'_> {
     fn time(&self) -> f64 {
-        self.base[0] + self.memory.clock
+        self.base[0] + self.memory.time()
     }
 
     /// Whether the last output is reached, to the clock's rounding. A step of growth may end after it, so that no step depends on it.
@@ -325,7 +339,7 @@ impl Stepper<'_> {
 
     /// Passes a stretch of load.
     fn pass(&mut self, ahead: &mut Ahead, breaks: bool) -> Result<(), Refusal> {
-        while ahead.left > 0.0 && !self.is_over() {
+        while ahead.left() > 0.0 && !self.is_over() {
             if self.run.work.steps >= self.most_steps {
                 return Err(Refusal::NotConverged {
                     what: "the growth of the crack",
@@ -337,7 +351,7 @@ impl Stepper<'_> {
                 });
             }
             if self.moving {
-                if breaks && (ahead.left <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
+                if breaks && (ahead.left() <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
                     break;
                 }
                 self.grow(ahead, breaks);
