@@ -138,6 +138,13 @@ impl Ahead {
     }
 }
 
+/// The speed of a tip: the better one of two while that is above zero, then the one that the held memory gives. A tip that stopped by the better one alone would start
+/// again at once, as at rest the held memory decides: an arrest that comes and goes with the length of the steps.
+fn unless_stopped(better: f64, held: f64) -> f64 {
+    let speed = if better > 0.0 && better.is_finite() { better } else { held };
+    if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
+}
+
 /// Runs a history up to a time, with the tip's state at the `outputs` (times not decreasing, none after `until`).
 pub(crate) fn run(
     problem: &GrowthProblem<'_>,
@@ -263,21 +270,21 @@ impl Stepper<'_> {
         load * (load + sums.memory) - 1.0
     }
 
-    /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ.
+    /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ; not above zero if the tip stops.
     fn speed_of(&self, sums: &Sums, step: &Step, load_slope: f64) -> f64 {
         let (load, zone) = (step.loads[1], step.zone);
         let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
         let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
         let exposure = sums.exposure + self.memory.exposure_beyond_parabola(step);
-        let speed = zone * rate / (load * exposure);
+        let held = zone * rate / (load * exposure);
         // Terms that answer within the step hold the slope with which its way ends, not that of the parabola: v = v₀ + C(v − slope).
         let part = self.memory.rate_by_last_slope(step) / exposure;
         let speed = if step.advance > 0.0 && step.duration > 0.0 && part < MOST_IMPLICIT {
-            (speed - part * (step.advance - step.bend) / step.duration) / (1.0 - part)
+            (held - part * (step.advance - step.bend) / step.duration) / (1.0 - part)
         } else {
-            speed
+            held
         };
-        if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
+        unless_stopped(speed, held)
     }
 
     /// What rounding leaves of the closure: of the sums, and of a place that is known to an ulp.
@@ -329,10 +336,8 @@ impl Stepper<'_> {
         self.longest_advance = 2.0 * leaving / f64::from(self.lines_per_zone);
         let here = Step::none(ahead.load, zone);
         let sums = self.sums(&here);
-        self.speed = self.speed_of(&sums, &here, ahead.slope) + self.unseen / sums.exposure;
-        if !self.speed.is_finite() {
-            self.speed = 0.0;
-        }
+        let held = self.speed_of(&sums, &here, ahead.slope);
+        self.speed = unless_stopped(held + self.unseen / sums.exposure, held);
         let layer = self.speed * self.shortest_time / zone;
         self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
     }
