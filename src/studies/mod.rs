@@ -71,5 +71,6 @@ pub const STUDIES: &[Study] = &[
     beside("honesty", honesty::study),
     beside("hard_cases", hard_cases::study),
     beside("seeded_sweep", seeded_sweep::study),
+    beside("event_lists", event_lists::study),
     alone("effects", effects::study),
 ];
