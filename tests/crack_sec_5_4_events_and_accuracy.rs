@@ -143,7 +143,7 @@ fn the_kinks_of_100301_are_within_their_bounds_at_any_accuracy() {
         [[history]]\nstress_intensity = 2.600073030506302\nrate = 0.020048739398351934\n\
         [[history]]\ncycles = 2\nperiod = 12.547708013883577\nlower = 0.7082012275596731\nupper = 1.1736806081313573\nwave = \"square\"\n\
         [[history]]\nstress_intensity = 0.832487853396297\n";
-    let found = compared(scene, &[1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9]);
+    let found = compared(scene, &[1e-3, 1e-7, 1e-8, 1e-9]);
     assert!(found.wrong_lists.is_empty(), "{:?}", found.wrong_lists);
     assert!(found.outside.is_empty(), "{:?}", found.outside);
     let words: Vec<&str> = found.events.iter().map(|event| event.split(' ').next().unwrap()).collect();
@@ -215,12 +215,12 @@ fn thousands_of_cycles_and_a_very_long_hold_end_within_memory() {
 /// Scenes of the study's own stream that are quick.
 #[test]
 fn random_histories_have_the_same_events_at_all_accuracies() {
-    let wrong: Vec<String> = drawn(0x36_8, 10, true)
+    let wrong: Vec<String> = drawn(0x36_8, 8, true)
         .into_par_iter()
         .filter_map(|(scene, text)| {
             let found = compared(&text, &[1e-3, 1e-7, 1e-8]);
             let bad = !found.wrong_lists.is_empty() || !found.outside.is_empty();
-            bad.then(|| format!("{scene}: {:?} {:?} {:?}", found.events, found.wrong_lists, found.outside))
+            bad.then(|| format!("{scene}: {:?} {:?} {:?}", found.events, found.wrong_lists, found.outside.first()))
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

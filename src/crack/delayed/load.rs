@@ -3,6 +3,7 @@
 //! Before time zero there is no load; after the last segment the last load holds. Loads are zero or more: faces pressed together are a
 //! contact, not a crack. A smooth K(t) is given as a table, and the table is then the load that is solved.
 
+use crate::Estimate;
 use crate::elastic::pure_shear_strip::PureShearStrip;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
@@ -181,6 +182,35 @@ impl LoadHistory {
             Some(stretch) if stretch.duration.is_infinite() => stretch.from,
             Some(stretch) => stretch.from + (stretch.to - stretch.from) * ((time - stretch.start) / stretch.duration),
         }
+    }
+}
+
+/// A time known to this part of itself is that of a corner it lies on.
+const SAME_TIME: f64 = 1e-13;
+
+impl LoadHistory {
+    /// K at a time that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
+    #[must_use]
+    pub fn around(&self, time: Estimate) -> Estimate {
+        let value = self.at(time.value);
+        let [earliest, latest] = [time.value - time.error, time.value + time.error];
+        let index = self.stretches.partition_point(|stretch| stretch.start <= time.value).saturating_sub(1);
+        let first = self.stretches.partition_point(|stretch| stretch.start + stretch.duration < earliest).min(index);
+        let on_corner = self.stretches.get(index).is_some_and(|stretch| time.value - stretch.start <= SAME_TIME * time.value);
+        let first = if on_corner && time.error <= SAME_TIME * time.value { index } else { first };
+        let mut error = 0.0_f64;
+        for stretch in self.stretches.iter().skip(first).take_while(|stretch| stretch.start <= latest) {
+            // A stretch that begins at the latest time brings its jump only if the event may lie in it.
+            let after = stretch.start > time.value && time.error <= SAME_TIME * time.value;
+            let load = |time: f64| {
+                let part = if stretch.duration.is_finite() { ((time - stretch.start) / stretch.duration).clamp(0.0, 1.0) } else { 0.0 };
+                stretch.from + (stretch.to - stretch.from) * part
+            };
+            if !after {
+                error = error.max((load(earliest) - value).abs()).max((load(latest) - value).abs());
+            }
+        }
+        Estimate::new(value, error)
     }
 }
 

@@ -85,14 +85,19 @@ impl DelayedFracturePlan {
         if self.units == Units::Reduced { 0.5_f64.sqrt() } else { 1.0 }
     }
 
-    /// The columns that the load alone decides.
-    fn load_values(&self, problem: &GrowthProblem<'_>, intensity: f64, row: &mut Row) {
-        let exact = |value: f64| Some(Estimate::relative(value, 4.0 * f64::EPSILON));
+    /// The columns that the load alone decides: at an event it is known as well as the time is.
+    fn load_values(&self, problem: &GrowthProblem<'_>, intensity: Estimate, row: &mut Row) {
+        let [low, high] = [(intensity.value - intensity.error).max(0.0), intensity.value + intensity.error];
+        let mut of_load = |column: usize, function: &dyn Fn(f64) -> f64| {
+            let value = function(intensity.value);
+            let spread = (function(low) - value).abs().max((function(high) - value).abs());
+            put(row, column, Some(Estimate::new(value, spread + 4.0 * f64::EPSILON * value.abs())));
+        };
         let modulus = self.plane_material.relaxed_modulus();
-        put(row, at::STRESS_INTENSITY, exact(intensity * self.intensity_unit()));
-        put(row, at::PROCESS_ZONE, exact(problem.process_zone_at(intensity)));
+        of_load(at::STRESS_INTENSITY, &|load| load * self.intensity_unit());
+        of_load(at::PROCESS_ZONE, &|load| problem.process_zone_at(load));
         if modulus > 0.0 {
-            put(row, at::RATIO, exact(self.crack.body.drive(self.crack.work_of_adhesion, intensity) / modulus));
+            of_load(at::RATIO, &|load| self.crack.body.drive(self.crack.work_of_adhesion, load) / modulus);
         }
     }
 
@@ -113,7 +118,7 @@ impl DelayedFracturePlan {
         if let Some(state) = row.labels.get_mut(1) {
             *state = word.into();
         }
-        self.load_values(problem, peak, &mut row);
+        self.load_values(problem, Estimate::exact(peak), &mut row);
         let work = self.crack.work_of_adhesion;
         let ratio = |release: f64| release.is_finite().then(|| Estimate::relative(release / work, 6.0 * f64::EPSILON));
         put(&mut row, at::RELAXED_RELEASE, ratio(report.relaxed_release));
@@ -184,7 +189,7 @@ impl DelayedFracturePlan {
         put(&mut row, at::TIME, Some(Estimate::exact(sample.time)));
         put(&mut row, at::GROWTH, sample.growth);
         put(&mut row, at::SPEED, sample.speed);
-        self.load_values(problem, sample.intensity, &mut row);
+        self.load_values(problem, Estimate::exact(sample.intensity), &mut row);
         row
     }
 
@@ -203,7 +208,7 @@ impl DelayedFracturePlan {
         put(&mut row, at::SPEED, speed);
         put(&mut row, at::SPEED_BEFORE, before);
         put(&mut row, at::JUMP, jump);
-        self.load_values(problem, self.history.at(event.time.value), &mut row);
+        self.load_values(problem, self.history.around(event.time), &mut row);
         row
     }
 
