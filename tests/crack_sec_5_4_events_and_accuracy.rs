@@ -225,3 +225,20 @@ fn random_histories_have_the_same_events_at_all_accuracies() {
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The load at an event is known as well as its time: along a ramp to its slope times the bound; at a jump it is the load after it, also if the clock is an ulp early.
+#[test]
+fn loads_at_events_are_known_as_well_as_their_times() {
+    use viscotack::Estimate;
+    let segments = [LoadSegment::Ramp { duration: 0.3, load: 6.0 }, LoadSegment::Step { load: 1.0 }, LoadSegment::Hold { duration: 2.0 }];
+    let history = LoadHistory::from_segments(&segments).unwrap();
+    let on_ramp = history.around(Estimate::new(0.1, 1e-6));
+    assert!((on_ramp.value - 2.0).abs() < 1e-14 && (on_ramp.error / 2e-5 - 1.0).abs() < 1e-6, "{on_ramp:?}");
+    for ulps in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+        let on_jump = history.around(Estimate::new(0.3 + ulps * 5.6e-17, 3e-15));
+        assert_eq!((on_jump.value.to_bits(), on_jump.error.to_bits()), (1.0_f64.to_bits(), 0), "{ulps}: {on_jump:?}");
+    }
+    // Where the event may lie on either side, both loads are in the bound.
+    let unsure = history.around(Estimate::new(0.3 - 1e-9, 1e-6));
+    assert!((unsure.value - 6.0).abs() < 1e-6 && unsure.error > 4.99, "{unsure:?}");
+}

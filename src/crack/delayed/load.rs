@@ -192,23 +192,23 @@ impl LoadHistory {
     /// K at a time that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
     #[must_use]
     pub fn around(&self, time: Estimate) -> Estimate {
-        let value = self.at(time.value);
         let [earliest, latest] = [time.value - time.error, time.value + time.error];
-        let index = self.stretches.partition_point(|stretch| stretch.start <= time.value).saturating_sub(1);
+        let certain = time.error <= SAME_TIME * time.value;
+        // The clock of an event may be an ulp before the corner that the event lies on.
+        let reached = if certain { time.value * (1.0 + SAME_TIME) } else { time.value };
+        let index = self.stretches.partition_point(|stretch| stretch.start <= reached).saturating_sub(1);
+        let start = self.stretches.get(index).map_or(0.0, |stretch| stretch.start);
+        let value = self.at(time.value.max(start));
         let first = self.stretches.partition_point(|stretch| stretch.start + stretch.duration < earliest).min(index);
-        let on_corner = self.stretches.get(index).is_some_and(|stretch| time.value - stretch.start <= SAME_TIME * time.value);
-        let first = if on_corner && time.error <= SAME_TIME * time.value { index } else { first };
+        let first = if certain && time.value - start <= SAME_TIME * time.value { index } else { first };
         let mut error = 0.0_f64;
-        for stretch in self.stretches.iter().skip(first).take_while(|stretch| stretch.start <= latest) {
-            // A stretch that begins at the latest time brings its jump only if the event may lie in it.
-            let after = stretch.start > time.value && time.error <= SAME_TIME * time.value;
+        let last = if certain { start } else { latest };
+        for stretch in self.stretches.iter().skip(first).take_while(|stretch| stretch.start <= last) {
             let load = |time: f64| {
                 let part = if stretch.duration.is_finite() { ((time - stretch.start) / stretch.duration).clamp(0.0, 1.0) } else { 0.0 };
                 stretch.from + (stretch.to - stretch.from) * part
             };
-            if !after {
-                error = error.max((load(earliest) - value).abs()).max((load(latest) - value).abs());
-            }
+            error = error.max((load(earliest) - value).abs()).max((load(latest) - value).abs());
         }
         Estimate::new(value, error)
     }
