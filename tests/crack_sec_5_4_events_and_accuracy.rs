@@ -242,3 +242,37 @@ fn loads_at_events_are_known_as_well_as_their_times() {
     let unsure = history.around(Estimate::new(0.3 - 1e-9, 1e-6));
     assert!((unsure.value - 6.0).abs() < 1e-6 && unsure.error > 4.99, "{unsure:?}");
 }
+
+/// Scenes of `delayed_scenes/` by another route: all pieces of the history at each instant, no windows, no lines, no speeds (verification/references/delayed_events.py).
+#[test]
+fn events_are_those_of_another_route() {
+    use std::path::Path;
+    use viscotack::plan::Plan;
+    use viscotack::scene::{Document, read};
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let table = std::fs::read_to_string(folder.join("reference_data/delayed_events.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().filter(|line| !line.starts_with('#')).skip(1).map(|line| line.split(',').collect()).collect();
+    let mut names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+    names.dedup();
+    assert!(names.len() >= 5, "{names:?}");
+    for name in names {
+        let text = std::fs::read_to_string(folder.join("verification/references/delayed_scenes").join(format!("{name}.toml"))).unwrap();
+        let document = Document::parse("scene.toml", text, Path::new(".")).unwrap();
+        let plan = Plan::new(&read::read(&document).unwrap()).unwrap();
+        let time = plan.columns().iter().position(|column| column.name == "time").unwrap();
+        let solved: Vec<(String, f64)> = plan
+            .solve(0, &[])
+            .iter()
+            .filter(|row| row.labels[0] == "event" && row.labels[2] != "end")
+            .map(|row| (row.labels[2].clone(), row.values[time].unwrap().value))
+            .collect();
+        let wanted: Vec<&Vec<&str>> = rows.iter().filter(|row| row[0] == name && row[2] != "none").collect();
+        let kinds: Vec<&str> = wanted.iter().map(|row| row[2]).collect();
+        assert_eq!(solved.iter().map(|(kind, _)| kind.as_str()).collect::<Vec<_>>(), kinds, "{name}");
+        for ((kind, found), row) in solved.iter().zip(&wanted) {
+            let [right, uncertain]: [f64; 2] = [row[3].parse().unwrap(), row[4].parse().unwrap()];
+            assert!((found - right).abs() <= uncertain, "{name} {kind}: {found} {right} ± {uncertain}");
+            assert!(uncertain < 0.05 * right.max(1e-300) || right == 0.0, "{name} {kind}: the other route is too coarse, {uncertain}");
+        }
+    }
+}

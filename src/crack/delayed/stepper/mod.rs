@@ -13,6 +13,12 @@
 //! zero, solved for within its step; a step over it would let the tip stop late, in all runs alike. When
 //! all steps of a window agree to rounding under a constant load, the motion is uniform from then on: the rest of the stretch is one piece.
 
+//!
+//! # What happens, and what is only rounding
+//! No event is inferred from a residual or from an equality of numbers. A line counts as reached from a thousandth of its distance on (`grid`); the tip stops where the
+//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step in
+//! which the closure gains less than its rounding goes by the speed.
+
 mod bracket;
 mod glide;
 mod grid;
