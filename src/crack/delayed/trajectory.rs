@@ -190,10 +190,9 @@ pub fn refined_until(
         let Ok(finer) = of_lines(8 * lines) else { return Ok(found) };
         lines *= 2;
         runs.rotate_left(1);
-        if let [.., last] = &mut runs {
-            dropped = dropped.plus(last.work);
-            *last = finer;
-        }
+        let [.., last] = &mut runs;
+        dropped = dropped.plus(last.work);
+        *last = finer;
     }
 }
 
