@@ -12,6 +12,7 @@ mod convergence;
 pub mod counters;
 pub mod draw;
 pub mod effects;
+pub mod event_lists;
 pub mod hard_cases;
 pub mod honesty;
 pub mod known_states;
@@ -70,5 +71,6 @@ pub const STUDIES: &[Study] = &[
     beside("honesty", honesty::study),
     beside("hard_cases", hard_cases::study),
     beside("seeded_sweep", seeded_sweep::study),
+    beside("event_lists", event_lists::study),
     alone("effects", effects::study),
 ];
