@@ -13,6 +13,7 @@ pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod hard_cases;
+pub mod held_contacts;
 pub mod honesty;
 pub mod known_states;
 mod manufactured;
@@ -69,6 +70,7 @@ pub const STUDIES: &[Study] = &[
     beside("manufactured", manufactured::study),
     beside("honesty", honesty::study),
     beside("hard_cases", hard_cases::study),
+    beside("held_contacts", held_contacts::study),
     beside("seeded_sweep", seeded_sweep::study),
     alone("effects", effects::study),
 ];
