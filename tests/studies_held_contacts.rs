@@ -139,6 +139,7 @@ fn the_judge_finds_the_contacts_and_limits_of_another_program() {
                 }
                 (Expected::Full(limit), None) => assert!(adhesion.is_none() || near(limit, "maximum"), "{name}, p = {load}: {limit}"),
                 (Expected::Nothing(limit), None) => assert!(near(limit, "minimum"), "{name}, p = {load}: {limit}"),
+                (Expected::NoPartial, None) => assert!(limits.is_empty(), "{name}"),
                 other => panic!("{name}, p = {load}: {other:?}"),
             }
         }
@@ -173,7 +174,7 @@ fn every_wrong_answer_is_noticed() {
     let Expected::Contact { contact, others } = speed.expected(Held::Load, 0.162, Reached::Loading) else { panic!("a contact") };
     let told = |values: PartialValues, stable: bool, others: usize| Answer::Contact {
         values: Box::new(values),
-        stable: [Some(stable), None],
+        stable: [Some(stable), None, None],
         others: Some(others),
     };
     let right = values(&contact);

@@ -5,6 +5,9 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::steady::{PartialValues, SlidingOutcome, SlidingProblem, steady_sliding};
 
+/// Stiffness of the frame in which stability is compared (p̄ per Δ).
+pub const FRAME: f64 = 0.7;
+
 /// What the solver says.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Answer {
@@ -12,8 +15,8 @@ pub enum Answer {
     Contact {
         /// Its numbers.
         values: Box<PartialValues>,
-        /// Whether it is stable under a held load and at a held penetration, where the solver says so.
-        stable: [Option<bool>; 2],
+        /// Whether it is stable under a held load, at a held penetration and in a frame of stiffness [`FRAME`], where the solver says so.
+        stable: [Option<bool>; 3],
         /// How many other stable contacts there are, where the solver says so.
         others: Option<usize>,
     },
@@ -29,7 +32,7 @@ pub enum Answer {
 #[must_use]
 pub fn answer(material: &Material, problem: &SlidingProblem<'_>, _reached: Reached) -> Answer {
     match steady_sliding(material, problem) {
-        Ok(SlidingOutcome::Partial(found)) => Answer::Contact { values: Box::new(found.values), stable: [None, None], others: None },
+        Ok(SlidingOutcome::Partial(found)) => Answer::Contact { values: Box::new(found.values), stable: [None; 3], others: None },
         Ok(SlidingOutcome::Full(full)) => Answer::Full(full.limit),
         Err(Refusal::NoSuchState { limit, .. }) => Answer::Nothing(limit),
         Err(refusal) => Answer::Failed(refusal.to_string()),

@@ -25,7 +25,7 @@ use super::draw::Draw;
 use super::{Check, Column, Effort, Progress, Section, Table};
 use crate::estimate::Estimate;
 use crate::sliding::steady::{PartialValues, SlidingControl, SlidingProblem};
-use answer::{Answer, answer};
+use answer::{Answer, FRAME, answer};
 use draws::{Asked, CONTROLS, Control, Drawn, asked, drawn};
 use rayon::prelude::*;
 use stability::Held;
@@ -173,7 +173,8 @@ pub fn against(problem: u64, speed: &Speed, asked: Asked, found: &Answer) -> Com
                     margin.abs() > MARGIN && told != (margin > 0.0)
                 })
             };
-            if contradicted(stable[0], Held::Load) || contradicted(stable[1], Held::Penetration) {
+            let each = [Held::Load, Held::Penetration, Held::Frame(FRAME)];
+            if stable.iter().zip(each).any(|(told, held)| contradicted(*told, held)) {
                 fail(&mut compared, Fault::WrongStability);
             } else if told.is_some_and(|told| told != *others) {
                 fail(&mut compared, Fault::Alternatives);
