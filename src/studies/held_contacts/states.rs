@@ -10,7 +10,7 @@
 //! ```
 
 use super::curve::{Curves, End, distance};
-use super::pieces::{Border, Piece, Quantity, depth, load, pieces, whole};
+use super::pieces::{Border, Piece, Quantity, depth, load, nearest, pieces, whole};
 use super::stability::{Held, Variations};
 use super::width::{Bodies, Equilibrium};
 use crate::refusal::Refusal;
@@ -68,6 +68,8 @@ const SAMPLES: usize = 4;
 const NOISE: f64 = 1e-7;
 /// A margin nearer to zero is not told.
 const UNTOLD: f64 = 1e-4;
+/// Halvings between a stable contact and its unstable neighbour.
+const HALVINGS: usize = 14;
 
 impl Speed {
     /// Scans all half-widths.
@@ -256,27 +258,34 @@ fn stable_parts(bodies: &Bodies, piece: Piece, held: Held, changes: &mut usize) 
         (1..=SAMPLES).filter_map(|index| piece.contacts.get(index * piece.contacts.len() / (SAMPLES + 1))).map(margin).collect();
     let (least, most) =
         samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &value| (least.min(value), most.max(value)));
-    if least > -UNTOLD && most > UNTOLD {
+    // At a turn the determinant vanishes, and beside it one edge alone may run away.
+    let alone = |contact: Option<&Equilibrium>| {
+        contact.is_some_and(|contact| Variations::new(bodies, contact, held).is_ok_and(|found| found.diagonal() < -UNTOLD))
+    };
+    if least > -UNTOLD && most > UNTOLD && !alone(piece.contacts.first()) && !alone(piece.contacts.last()) {
         return vec![piece];
     }
     if most < UNTOLD {
         return Vec::new();
     }
-    // Contact by contact.
+    // Contact by contact, and closer where it changes.
     *changes += 1;
     let mut parts: Vec<Piece> = Vec::new();
-    let mut before = false;
+    let mut before: Option<(&Equilibrium, bool)> = None;
     for contact in &piece.contacts {
         let margin = margin(contact);
-        let stable = if margin.abs() < UNTOLD { before } else { margin > 0.0 };
-        match parts.last_mut() {
-            Some(part) if stable && before => part.contacts.push(*contact),
+        let stable = if margin.abs() < UNTOLD { before.is_some_and(|(_, stable)| stable) } else { margin > 0.0 };
+        let border = before.filter(|(_, was)| *was != stable).and_then(|(last, _)| border_between(bodies, last, contact, held, stable));
+        match (parts.last_mut(), before) {
+            (Some(part), Some((_, true))) if stable => part.contacts.push(*contact),
+            (Some(part), Some((_, true))) => part.contacts.extend(border),
             _ if stable => {
-                parts.push(Piece { contacts: vec![*contact], begins: Border::Stability, ends: Border::Stability, ..piece.clone() })
+                let contacts = border.into_iter().chain([*contact]).collect();
+                parts.push(Piece { contacts, begins: Border::Stability, ends: Border::Stability, ..piece.clone() });
             }
             _ => {}
         }
-        before = stable;
+        before = Some((contact, stable));
     }
     let same = |one: Option<&Equilibrium>, other: Option<&Equilibrium>| one.zip(other).is_some_and(|(one, other)| one.place == other.place);
     for part in &mut parts {
@@ -289,6 +298,25 @@ fn stable_parts(bodies: &Bodies, piece: Piece, held: Held, changes: &mut usize) 
     }
     parts.retain(|part| part.contacts.len() > 2);
     parts
+}
+
+/// The last stable contact between two neighbours of which one is stable.
+fn border_between(bodies: &Bodies, one: &Equilibrium, other: &Equilibrium, held: Held, other_is_stable: bool) -> Option<Equilibrium> {
+    let (mut stable, mut unstable) = if other_is_stable { (*other, *one) } else { (*one, *other) };
+    for _ in 0..HALVINGS {
+        let middle = nearest(
+            bodies,
+            0.5 * (stable.place + unstable.place),
+            0.5 * (stable.eccentricity + unstable.eccentricity),
+            0.5 * (stable.mean_pressure + unstable.mean_pressure),
+        )?;
+        if Variations::new(bodies, &middle, held).ok()?.margin() > 0.0 {
+            stable = middle;
+        } else {
+            unstable = middle;
+        }
+    }
+    Some(stable)
 }
 
 /// Stable parts that continue each other are one: where a turn was rounding, and where the curve turns back in the half-width.
