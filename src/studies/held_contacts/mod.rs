@@ -270,7 +270,7 @@ fn bounds(compared: &mut Compared, values: &PartialValues, contact: &Equilibrium
         if error > known {
             compared.ratios.push(found.error / error);
         }
-        if !(error <= found.error + known) && compared.fault.is_none() {
+        if (error > found.error + known || error.is_nan()) && compared.fault.is_none() {
             compared.fault = Some(Fault::Bound);
             compared.detail = format!("{name} {:.12e} ± {:.1e}, right: {right:.12e}", found.value, found.error);
         }

@@ -88,10 +88,9 @@ impl Speed {
             };
             for piece in all {
                 let [low, high] = piece.span(quantity);
-                if !(high - low > NOISE * (low.abs() + high.abs())) {
-                    continue;
+                if high - low > NOISE * (low.abs() + high.abs()) {
+                    found.extend(stable_parts(&bodies, piece, held, &mut changes));
                 }
-                found.extend(stable_parts(&bodies, piece, held, &mut changes));
             }
             found
         };
@@ -287,7 +286,9 @@ fn stable_parts(bodies: &Bodies, piece: Piece, held: Held, changes: &mut usize) 
         }
         before = Some((contact, stable));
     }
-    let same = |one: Option<&Equilibrium>, other: Option<&Equilibrium>| one.zip(other).is_some_and(|(one, other)| one.place == other.place);
+    let same = |one: Option<&Equilibrium>, other: Option<&Equilibrium>| {
+        one.zip(other).is_some_and(|(one, other)| one.place.to_bits() == other.place.to_bits())
+    };
     for part in &mut parts {
         if same(part.contacts.first(), piece.contacts.first()) {
             part.begins = piece.begins;

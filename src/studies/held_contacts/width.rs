@@ -79,6 +79,7 @@ pub struct Works {
 }
 
 impl Bodies {
+    /// With the zones of its edges prepared.
     #[must_use]
     pub fn new(memory: Arc<ContactMemory>, indenter: Indenter, adhesion: Option<WaveAdhesion>, resolution: Resolution) -> Self {
         let zones = adhesion.map(|adhesion| {
@@ -319,20 +320,19 @@ fn smooth(states: &[[ContactState; 3]]) -> Option<Vector3<f64>> {
     Some(trailing.normalize().cross(&leading.normalize()))
 }
 
-/// The smallest gap outside over the largest.
+/// The smallest gap outside over the largest, near an edge over what a square root would leave of that.
 fn smallest_gap(state: &ContactState) -> Result<f64, Refusal> {
     let edges = state.edges();
     let reach = if edges.half_gap.is_finite() { edges.half_gap } else { 10.0 * edges.half_width };
-    let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+    let mut gaps = Vec::with_capacity(4 * GAP_POINTS);
     for index in 1..=GAP_POINTS {
         let part = index as f64 / GAP_POINTS as f64;
-        for distance in [reach * part * part, reach * 1e-6_f64.powf(1.0 - part)] {
-            for point in [state.ahead_of_leading(distance)?, state.behind_trailing(distance)?] {
-                let gap = state.gap(point);
-                smallest = smallest.min(gap);
-                largest = largest.max(gap);
+        for part in [part * part, 1e-6_f64.powf(1.0 - part)] {
+            for point in [state.ahead_of_leading(part * reach)?, state.behind_trailing(part * reach)?] {
+                gaps.push((part, state.gap(point)));
             }
         }
     }
-    Ok(smallest / largest)
+    let largest = gaps.iter().fold(0.0_f64, |largest, (_, gap)| largest.max(*gap));
+    Ok(gaps.iter().map(|(part, gap)| gap / (largest * part.sqrt())).fold(f64::INFINITY, f64::min))
 }
