@@ -111,29 +111,31 @@ fn fault(case: &Case, load: f64, rows: &[Row]) -> Option<String> {
         ] {
             let (value, digit) = right[name];
             let error = (found.value - value).abs();
-            if !(error <= 1e-7_f64.max(3.0 * digit) * value.abs().max(1e-2) + found.error) {
+            if error.is_nan() || error > 1e-7_f64.max(3.0 * digit) * value.abs().max(1e-2) + found.error {
                 return Some(format!("{name} {:.9e}, right {value:.9e}", found.value));
             }
         }
         return None;
     }
     // Without a stable contact: which limit is passed.
-    let limits = |kind: &str| case.limits.iter().filter(move |(name, _)| name.starts_with(kind)).map(|(_, value)| *value);
-    let wrong = |told: f64, mut right: Box<dyn Iterator<Item = f64> + '_>| {
-        (!right.any(|limit| (told - limit).abs() <= LIMIT * limit.abs().max(0.1))).then(|| format!("limit {told:.9e}"))
+    let limits =
+        |kind: &str| -> Vec<f64> { case.limits.iter().filter(|(name, _)| name.starts_with(kind)).map(|(_, value)| *value).collect() };
+    let wrong = |told: f64, right: Vec<f64>| {
+        (!right.iter().any(|limit| (told - limit).abs() <= LIMIT * limit.abs().max(0.1)))
+            .then(|| format!("limit {told:.9e}, right {right:?}"))
     };
     match outcome {
         // No contact at any half-width: no limit of a load is passed.
         Ok(SlidingOutcome::Full(_)) | Err(Refusal::NoSuchState { .. }) if case.adhesion.is_some() && case.limits.is_empty() => None,
         Ok(SlidingOutcome::Full(full)) if case.adhesion.is_none() => {
             let modulus = case.material.complex_modulus(RATE).unwrap();
-            wrong(full.limit, Box::new(std::iter::once(modulus.storage.hypot(modulus.loss) / RELAXED)))
+            wrong(full.limit, vec![modulus.storage.hypot(modulus.loss) / RELAXED])
         }
         Ok(SlidingOutcome::Full(full)) => {
-            (!(load > full.limit)).then(|| "not beyond it".to_owned()).or_else(|| wrong(full.limit, Box::new(limits("maximum"))))
+            (load <= full.limit).then(|| "not beyond it".to_owned()).or_else(|| wrong(full.limit, limits("maximum")))
         }
         Err(Refusal::NoSuchState { limit, .. }) => {
-            (!(load < limit)).then(|| "not below it".to_owned()).or_else(|| wrong(limit, Box::new(limits("minimum"))))
+            (load >= limit).then(|| "not below it".to_owned()).or_else(|| wrong(limit, limits("minimum")))
         }
         other => Some(format!("no contact is stable, {other:?}")),
     }
