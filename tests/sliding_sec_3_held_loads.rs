@@ -11,8 +11,8 @@
 //!
 //! Oracle: the file; limits without adhesion: |E*(kv)| in closed form.
 //!
-//! Tolerance: three units of the last confirmed digit, or 1e-7, of values; 1e-5 of limits (the extreme of a scanned curve is known to seven digits; a wrong one is off by
-//! a tenth at least).
+//! Tolerance: three units of the last confirmed digit, or 1e-7, of values; of limits three units of the last confirmed digit, or 1e-4 (the load may turn just
+//! after one edge alone runs away; a wrong limit is off by a tenth at least).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 mod support;
@@ -26,14 +26,14 @@ use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, Slidi
 
 const RELAXED: f64 = 2.3e6;
 const RATE: f64 = 7.0;
-const LIMIT: f64 = 1e-5;
+const LIMIT: f64 = 1e-4;
 
 /// A problem of the file: its rows by what is held, and its limits.
 struct Case {
     material: Material,
     adhesion: Option<WaveAdhesion>,
     held: Vec<(f64, Vec<Row>)>,
-    limits: Vec<(String, f64)>,
+    limits: Vec<(String, f64, f64)>,
 }
 
 fn material(row: &Row) -> Material {
@@ -66,7 +66,7 @@ fn cases() -> BTreeMap<String, Case> {
             limits: Vec::new(),
         });
         if row.text("asked") == "limit" {
-            case.limits.push((row.text("index").to_owned(), row.number("value")));
+            case.limits.push((row.text("index").to_owned(), row.number("value"), 10f64.powf(-row.number("confirmed_digits"))));
             continue;
         }
         let held = row.number("held");
@@ -118,24 +118,25 @@ fn fault(case: &Case, load: f64, rows: &[Row]) -> Option<String> {
         return None;
     }
     // Without a stable contact: which limit is passed.
-    let limits =
-        |kind: &str| -> Vec<f64> { case.limits.iter().filter(|(name, _)| name.starts_with(kind)).map(|(_, value)| *value).collect() };
-    let wrong = |told: f64, right: Vec<f64>| {
-        (!right.iter().any(|limit| (told - limit).abs() <= LIMIT * limit.abs().max(0.1)))
-            .then(|| format!("limit {told:.9e}, right {right:?}"))
+    let wrong = |told: f64, right: &[(f64, f64)]| {
+        let is = |&(limit, digit): &(f64, f64)| (told - limit).abs() <= LIMIT.max(3.0 * digit) * limit.abs().max(0.1);
+        (!right.iter().any(is)).then(|| format!("limit {told:.9e}, right {right:?}"))
+    };
+    let limits = |kind: &str| -> Vec<(f64, f64)> {
+        case.limits.iter().filter(|(name, ..)| name.starts_with(kind)).map(|(_, value, digit)| (*value, *digit)).collect()
     };
     match outcome {
         // No contact at any half-width: no limit of a load is passed.
         Ok(SlidingOutcome::Full(_)) | Err(Refusal::NoSuchState { .. }) if case.adhesion.is_some() && case.limits.is_empty() => None,
         Ok(SlidingOutcome::Full(full)) if case.adhesion.is_none() => {
             let modulus = case.material.complex_modulus(RATE).unwrap();
-            wrong(full.limit, vec![modulus.storage.hypot(modulus.loss) / RELAXED])
+            wrong(full.limit, &[(modulus.storage.hypot(modulus.loss) / RELAXED, 0.0)])
         }
         Ok(SlidingOutcome::Full(full)) => {
-            (load <= full.limit).then(|| "not beyond it".to_owned()).or_else(|| wrong(full.limit, limits("maximum")))
+            (load <= full.limit).then(|| "not beyond it".to_owned()).or_else(|| wrong(full.limit, &limits("maximum")))
         }
         Err(Refusal::NoSuchState { limit, .. }) => {
-            (load >= limit).then(|| "not below it".to_owned()).or_else(|| wrong(limit, limits("minimum")))
+            (load >= limit).then(|| "not below it".to_owned()).or_else(|| wrong(limit, &limits("minimum")))
         }
         other => Some(format!("no contact is stable, {other:?}")),
     }

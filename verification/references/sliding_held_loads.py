@@ -5,6 +5,7 @@ NumPy; nothing is followed from a known contact. At a half-width a every field i
 For each eccentricity of a fine grid over -pi < e < pi both edges give two mean pressures each; where one of the trailing edge crosses one of the leading edge both
 edges are in equilibrium. Kept are those whose edges are pulled (in the contact and in both contacts with a moved edge) and whose faces do not meet.
 Over a grid of half-widths these contacts form curves p(a), e(a). A held load is met where p(a) crosses it; a limit is an extreme of p(a).
+The Chebyshev points leave the trough to the last: half-widths above 2.8 converge slowly, and their confirmed digits say so.
 A contact is stable under its load if the matrix d(work_i)/d(edge j) at fixed load has positive diagonal and determinant (theory: section 8), by differences of
 collocated works.
 
@@ -281,8 +282,8 @@ PROBLEMS = [
     template("template, 1 cm/s", 0.02, 1e-2, (24e3, 25e3, 26e3)),
     template("template, stickier, 1.1 mm/s", 0.0315, 1.1e-3, (6e3,)),
     template("template, stickier, 13.5 mm/s", 0.0315, 1.35e-2, (6e3,)),
-    Problem("without adhesion", one(10.0, 100.0), None, 0.0, (0.5, 5.0, 9.9, 9.96), (80, 10, 16)),
-    Problem("without adhesion, slow", one(10.0, 0.5), None, 0.0, (0.5, 1.1, 3.0), (80, 10, 16)),
+    Problem("without adhesion", one(10.0, 100.0), None, 0.0, (0.5, 5.0, 9.5, 9.96), (140, 12, 16)),
+    Problem("without adhesion, slow", one(10.0, 0.5), None, 0.0, (0.5, 1.0, 3.0), (140, 12, 16)),
     Problem("soft", one(3.0, 0.5), (0.004, 0.004), 2e-3, (-0.06, 0.1, 0.4, 1.2), (80, 10, 16)),
     Problem("two terms", ((0.475, 3.0), (0.475, 0.3)), (0.01, 0.01), 4e-3, (-0.1, 0.05, 0.3, 2.0), (90, 10, 16)),
     Problem("two works", one(6.0, 1.0), (0.01, 0.003), 3e-3, (-0.08, 0.05, 0.3, 2.0), (80, 10, 16)),
