@@ -307,7 +307,7 @@ fn right(expected: &Expected) -> String {
 /// The section of `viscotack verify`.
 #[must_use]
 pub fn study(effort: Effort, progress: &Progress) -> Section {
-    let problems: u64 = effort.choose(30, 1000);
+    let problems: u64 = effort.choose(40, 1010);
     progress.expect(problems);
     let all: Vec<Judged> = (0..problems)
         .into_par_iter()
