@@ -6,7 +6,7 @@
 //! curve      ──► all contacts of a speed, joined
 //! pieces     ──► cut at the turns of the load (or depth)             limits
 //! stability  ──► which of them stay, by second variations
-//! states     ──► which contact a held value has, and its limits      compared with the solver ([`answer`])
+//! states     ──► which contact a held value has, and its limits      compared with the solver (answer)
 //! ```
 //! The comparison shares the fields of a contact with given edges with the solver (they have references of their own: `reference_data/sliding_wave.csv`), and nothing of the
 //! way to the edges: no continuation in speed or load, no choice of a root.
