@@ -86,9 +86,6 @@ pub struct Plan {
     material: SceneMaterial,
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
-    unfelt: Option<material::Unfelt>,
-    /// Predicted work with all terms, and without the unfelt ones.
-    saved: Option<[Work; 2]>,
     states: usize,
 }
 
@@ -98,25 +95,16 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let mut full = problem_plan(scene)?;
+        let mut problem = problem_plan(scene)?;
         let states = sweep::states(&scene.sweeps);
-        let visited = full.visited_times();
+        let visited = problem.visited_times();
         // A law that the scene reaches beyond is expanded as far.
         let wide = material::widened(scene, visited);
         let scene = wide.as_ref().unwrap_or(scene);
         if wide.is_some() {
-            full = problem_plan(scene)?;
+            problem = problem_plan(scene)?;
         }
-        let unfelt = material::Unfelt::new(scene, visited)?;
-        let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
-            Some(shorter) => {
-                let problem = problem_plan(&shorter)?;
-                let saved = [full.predicted_work(states as u64), problem.predicted_work(states as u64)];
-                (problem, Some(saved))
-            }
-            None => (full, None),
-        };
-        Ok(Self { problem, material: scene.material.clone(), visited, unfelt, saved, states })
+        Ok(Self { problem, material: scene.material.clone(), visited, states })
     }
 
     /// The problem's name.
@@ -136,7 +124,6 @@ impl Plan {
     pub fn effects(&self) -> Vec<Effect> {
         let mut effects = self.problem.effects();
         effects.extend(material::effects(&self.material));
-        effects.extend(self.unfelt.as_ref().map(|unfelt| unfelt.effect(self.saved)));
         effects
     }
 
@@ -190,11 +177,7 @@ impl Plan {
 
     /// The same, telling a desk how far it is, and from the checkpoint that is there.
     fn solve_at(&self, desk: &Desk<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
-        let mut rows = self.problem.solve(state, swept, desk);
-        if let Some(unfelt) = &self.unfelt {
-            unfelt.widen(&mut rows);
-        }
-        rows
+        self.problem.solve(state, swept, desk).into_iter().map(Row::settled).collect()
     }
 
     /// The model's assumptions held against the rows.

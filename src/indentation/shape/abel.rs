@@ -1,6 +1,7 @@
 //! The exact line profile of one piece of a shape: f = s∫z′/√(s² − r²) dr and f′ = ∫(z′ + r z″)/√(s² − r²) dr.
 //!
-//! Every term of the sums is of one sign where z is convex, so that nothing cancels. With r = s sin θ the integrand is a polynomial of second degree in
+//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is told as well: rounding is
+//! relative to it. With r = s sin θ the integrand is a polynomial of second degree in
 //! sin θ, which eight nodes integrate to rounding; far from s the root itself is smooth, and nodes in r do without the sines.
 
 use crate::special::gauss_legendre::UNIT_RULE_8;
@@ -62,15 +63,16 @@ impl Piece {
         [slope, slope + r * (b + 2.0 * x * c)]
     }
 
-    /// ∫ of both over the part of the piece below s, over √(s² − r²).
-    fn integrals(&self, s: f64) -> [f64; 2] {
+    /// ∫ of both over the part of the piece below s, over √(s² − r²), and of the magnitude of the second.
+    fn integrals(&self, s: f64) -> [f64; 3] {
         if s - self.high >= FAR * (self.high - self.low) {
-            let mut sums = [0.0; 2];
+            let mut sums = [0.0; 3];
             for g in 0..8 {
                 let r = self.nodes[g];
                 let root = ((s - r) * (s + r)).sqrt();
                 sums[0] += self.weighted[0][g] / root;
                 sums[1] += self.weighted[1][g] / root;
+                sums[2] += self.weighted[1][g].abs() / root;
             }
             return sums;
         }
@@ -78,11 +80,12 @@ impl Piece {
         let (low, high) = (angle(self.low), angle(self.high.min(s)));
         let parts = ((high - low) / WIDEST).ceil().max(1.0);
         let width = (high - low) / parts;
-        let mut sums = [0.0; 2];
+        let mut sums = [0.0; 3];
         for part in 0..parts as u32 {
             for (node, weight) in UNIT_RULE_8.iter() {
                 let r = s * (low + width * (f64::from(part) + node)).sin();
-                for (sum, value) in sums.iter_mut().zip(self.integrands(r)) {
+                let [own, other] = self.integrands(r);
+                for (sum, value) in sums.iter_mut().zip([own, other, other.abs()]) {
                     *sum += width * weight * value;
                 }
             }
@@ -91,13 +94,13 @@ impl Piece {
     }
 }
 
-/// f and f′ at s > 0 within the pieces.
-pub(super) fn line_profile(pieces: &[Piece], s: f64) -> [f64; 2] {
-    let mut sums = [0.0; 2];
+/// f and f′ at s > 0 within the pieces, and the sum of the magnitudes of the terms of f′.
+pub(super) fn line_profile(pieces: &[Piece], s: f64) -> [f64; 3] {
+    let mut sums = [0.0; 3];
     for piece in pieces.iter().take_while(|piece| piece.low < s) {
         for (sum, value) in sums.iter_mut().zip(piece.integrals(s)) {
             *sum += value;
         }
     }
-    [s * sums[0], sums[1]]
+    [s * sums[0], sums[1], sums[2]]
 }

@@ -48,12 +48,15 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         poisson_ratio,
         origin,
         climate,
-        leave_out: table.number("leave_out")?,
     })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.
 fn belonging(table: &Section<'_>, way: Option<&str>) -> Result<(), SceneError> {
+    // No bound on what leaving terms out changes holds for every problem: a cylinder's friction has a part from every wavelength.
+    if table.number("leave_out")?.is_some_and(|part| part > 0.0) {
+        return Err(table.wrong("leave_out", "no term of a material is left out any more", "delete this line"));
+    }
     let data = way == Some("data");
     if data && table.units() == Units::Reduced {
         return Err(table.wrong("data", "`material.data` is measured in SI units, and the scene is in reduced ones", "this file"));
