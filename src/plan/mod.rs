@@ -33,6 +33,15 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
 
+/// The program with its libraries and a few rows.
+const BYTES_OF_THE_PROGRAM: u64 = 10 << 20;
+/// A row with its words, certificate and work; a value with its error, as a number and in the tables that are written.
+const BYTES_OF_A_ROW: u64 = 800;
+const BYTES_OF_A_CELL: u64 = 48;
+/// A place of a field, and a field there.
+const BYTES_OF_A_POINT: u64 = 72;
+const BYTES_OF_A_FIELD: u64 = 48;
+
 /// What a problem says about one state of a scene, and how it solves it.
 trait ProblemPlan: Debug + Send + Sync {
     /// The problem's name.
@@ -47,6 +56,12 @@ trait ProblemPlan: Debug + Send + Sync {
     fn groups(&self) -> Vec<Group>;
     /// Predicted work of the whole sweep of so many states.
     fn predicted_work(&self, states: u64) -> Work;
+    /// Rows of a state, at most.
+    fn rows_of_a_state(&self) -> u64;
+    /// Memory that solving a state takes besides its rows (bytes), at most.
+    fn memory_of_a_state(&self) -> u64 {
+        1 << 20
+    }
     /// The times (from, to) that the state visits, if they are known before it is solved: 0 and ∞ are open ends.
     fn visited_times(&self) -> Option<[f64; 2]> {
         None
@@ -143,6 +158,19 @@ impl Plan {
     #[must_use]
     pub fn predicted_work(&self) -> Work {
         self.problem.predicted_work(self.states as u64)
+    }
+
+    /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
+    /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
+    #[must_use]
+    pub fn predicted_memory(&self) -> u64 {
+        let states = self.states as u64;
+        let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
+        let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
+        let rows = (self.problem.rows_of_a_state() * states).saturating_mul(row);
+        let fields = self.predicted_work().field_evaluations.saturating_mul(point);
+        let at_once = (rayon::current_num_threads() as u64).min(states);
+        BYTES_OF_THE_PROGRAM + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
     }
 
     /// Number of states.

@@ -27,6 +27,11 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         }
         _ => MaterialOrigin::Terms,
     };
+    let measured_warm = matches!(&origin, MaterialOrigin::Data(fitted) if fitted.data.rows.iter().any(|row| row.temperature.is_some()));
+    if reference.is_some() && shift.is_none() && !measured_warm && table.node().get("temperature").is_none() {
+        let message = "`material.reference_temperature` has no effect without shift factors";
+        return Err(table.wrong("reference_temperature", message, "leave it out, or add material.shift"));
+    }
     let series = match (&origin, way) {
         (MaterialOrigin::Data(fitted), _) => fitted.fit.material.clone(),
         (MaterialOrigin::Law(law), _) => law.expansion.material.clone(),
