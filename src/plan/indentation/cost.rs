@@ -49,6 +49,9 @@ const EVENTS: u64 = 64;
 /// Memory of a point of the path in all marches that judge each other, and of the line with its trials (bytes).
 const POINT_OF_THE_PATH: u64 = 900;
 const LINE: u64 = 3 << 20;
+/// Memory of a cycle in all marches (bytes), and most cycles that are held.
+const CYCLE_HELD: u64 = 2000;
+const MOST_CYCLES: u64 = 4096;
 /// Most points of a path that are held, as `indentation::record` has it, and points for each predicted balance.
 const MOST_POINTS: u64 = 40_000;
 const POINTS_A_BALANCE: u64 = 1;
@@ -67,8 +70,13 @@ impl IndentationPlan {
     pub(super) fn most_memory(&self) -> u64 {
         let kept = self.timeline.legs.len() as u64;
         // Of oscillations every path comes to its most points.
-        let points = if self.timeline.oscillates() { MOST_POINTS } else { MOST_POINTS.min(POINTS_A_BALANCE * self.work_of_a_state().closure_evaluations) };
-        LINE + POINT_OF_THE_PATH * (points + kept)
+        let points = if self.timeline.oscillates() {
+            MOST_POINTS
+        } else {
+            MOST_POINTS.min(POINTS_A_BALANCE * self.work_of_a_state().closure_evaluations)
+        };
+        let cycles: f64 = self.timeline.legs.iter().map(Leg::cycles).sum();
+        LINE + POINT_OF_THE_PATH * (points + kept) + CYCLE_HELD * (cycles.ceil() as u64).min(MOST_CYCLES)
     }
 
     /// Expected balances and updates of all cycles.

@@ -47,13 +47,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
     let (series, climate) = material_source::at_temperature(&table, shift, reference, series)?;
-    Ok(SceneMaterial {
-        name: table.text("name").map(str::to_owned),
-        series,
-        poisson_ratio,
-        origin,
-        climate,
-    })
+    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.
