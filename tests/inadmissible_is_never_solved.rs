@@ -14,8 +14,8 @@ use viscotack::outcome::{Outcome, Row, Status, Witness, summary::summary};
 use viscotack::plan;
 use viscotack::scene::{Document, read};
 
-const SOLID: &str = "accuracy = 1e-3\n[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = { length = 5e-7 }\n";
-const WAVE: &str = "[sliding]\nspeed = 1e-5\n[sliding.wave]\nwavelength = 1e-4\namplitude = 3e-6\n";
+const SOLID: &str = "accuracy = 1e-3\n[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n[adhesion]\nwork_of_adhesion = 0.02\nprocess_zone = { length = 5e-7 }\n";
+const WAVE: &str = "[sliding]\nspeed = 1e-6\n[sliding.wave]\nwavelength = 1e-4\namplitude = 3e-6\n";
 
 /// Every problem and task.
 fn scenes() -> Vec<(&'static str, String)> {
@@ -28,8 +28,8 @@ fn scenes() -> Vec<(&'static str, String)> {
                 "[crack]\nbody = \"against_rigid\"\nplane = \"strain\"\npoints = 3\n[[history]]\nstress_intensity = 500.0\n[[history]]\nhold = 1.0\n",
             ),
         ),
-        ("sliding", of(&WAVE.replace("speed = 1e-5\n", "speed = 1e-5\nmean_pressure = 5e3\n"))),
-        ("branch", of(&format!("{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 3\nfrom = 0.0\nto = 1e4\n"))),
+        ("sliding", of(&WAVE.replace("speed = 1e-6\n", "speed = 1e-6\nmean_pressure = 1e3\n"))),
+        ("branch", of(&format!("{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 3\nfrom = 0.0\nto = 2e3\n"))),
         ("strength", of(&format!("{WAVE}[sliding.strength]\n"))),
         (
             "indentation",

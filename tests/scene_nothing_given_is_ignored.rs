@@ -143,11 +143,11 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("wave, reduced", format!("accuracy = 1e-4\n{REDUCED}[adhesion]\nwork_of_adhesion = 0.01\nprocess_zone = {{ length = 0.01 }}\n[sliding]\nspeed = 0.1\nmean_pressure = 0.1\n[sliding.wave]\n")),
         ("cylinder", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ cohesive_stress = 2e5, factor = 0.3 }}\n[sliding]\nspeed = 1e-5\nload_per_width = 1.0\n[sliding.cylinder]\nradius = 1e-3\n")),
         ("cylinder by width", format!("accuracy = 1e-4\n{CREEP}[sliding]\nspeed = 1e-5\nhalf_width = 2e-5\n[sliding.cylinder]\nradius = 1e-3\n")),
-        ("wave, law of works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nwork_of_adhesion = 0.05\nby_speed = {{ speed = 1e-5, exponent = 0.3 }}\nprocess_zone = {{ length = 5e-7 }}\n[sliding]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}")),
+        ("wave, law of works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nwork_of_adhesion = 0.02\nby_speed = {{ speed = 1e-5, exponent = 0.3 }}\nprocess_zone = {{ length = 5e-7 }}\n[sliding]\nspeed = 1e-6\nmean_pressure = 5e3\n{WAVE}")),
         ("wave, table of works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nprocess_zone = {{ length = 5e-7 }}\n[adhesion.by_speed]\ntable = [{{ speed = 1e-6, work_of_adhesion = 0.04 }}, {{ speed = 1e-4, work_of_adhesion = 0.06 }}]\n[sliding]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}")),
         ("wave, table of both works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nprocess_zone = {{ length = 5e-7 }}\n[adhesion.by_speed]\ntable = [{{ speed = 1e-6, trailing_work_of_adhesion = 0.04, leading_work_of_adhesion = 0.03 }}, {{ speed = 1e-4, trailing_work_of_adhesion = 0.06, leading_work_of_adhesion = 0.04 }}]\n[sliding]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}")),
         ("wave, file of works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nprocess_zone = {{ length = 5e-7 }}\nby_speed = {{ file = \"works.csv\" }}\n[sliding]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}")),
-        ("branch of loads", format!("accuracy = 1e-3\n{SOFT}{}[sliding]\nspeed = 1e-5\n{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 3\nfrom = 0.0\nto = 1e4\nframe_stiffness = 1e12\n", STICKY.replace("2e-6", "5e-7"))),
+        ("branch of loads", format!("accuracy = 1e-3\n{CREEP}{}[sliding]\nspeed = 1e-6\n{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 3\nfrom = 0.0\nto = 2e3\nframe_stiffness = 1e12\n", STICKY.replace("2e-6", "5e-7").replace("0.05", "0.02"))),
         ("branch of widths", format!("accuracy = 1e-3\n{SOFT}{}[sliding]\nspeed = 1e-5\n{WAVE}[sliding.branch]\nparameter = \"half_width\"\npoints = 3\nfrom = 1e-5\nto = 2e-5\nbranches = \"followed\"\n", STICKY.replace("2e-6", "5e-7"))),
         ("strength", format!("accuracy = 1e-3\n{SOFT}{}[sliding]\nspeed = 1e-5\n{WAVE}[sliding.strength]\n", STICKY.replace("2e-6", "5e-7"))),
         ("sphere", press(&format!("{SOFT}{STICKY}interaction_range = 1e-9\n"), "sphere = { radius = 1e-3 }\nstart = \"untouched\"\nspeed_factor = 1.0\n", &format!("[indentation.energies]\n[indentation.fields]\ntimes = [0.5]\nto = 1e-4\npoints = 3\n{ramp}"))),
@@ -298,7 +298,8 @@ fn every_key_changes_the_result_or_is_refused_or_is_listed() {
             for (path, present) in places(&document.root, key.path) {
                 assert!(!generic_path(&path).is_empty());
                 let (mut changed, mut same) = (0, Vec::new());
-                for trial in trials(key, present) {
+                let written = present.map_or("", Node::written);
+                for trial in trials(key, present).into_iter().filter(|trial| trial != written) {
                     let set = format!("{path}={trial}");
                     let Ok(tried) = std::panic::catch_unwind(|| result(text, &folder, Some(&set))) else {
                         complaints.push(format!("{set} panics in {name:?}"));

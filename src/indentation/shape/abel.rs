@@ -18,7 +18,7 @@ pub(super) struct Piece {
     pub(super) high: f64,
     start: f64,
     pub(super) coefficients: [f64; 3],
-    /// r, and weights times z′ and z′ + r z″, at the nodes.
+    /// x, and weights times z′ and z′ + r z″, at the nodes.
     nodes: [f64; 8],
     weighted: [[f64; 8]; 2],
 }
@@ -36,9 +36,8 @@ impl Piece {
             [first, 2.0 * (3.0 * secant - 2.0 * first - last) / width, 3.0 * (first + last - 2.0 * secant) / (width * width)];
         let mut piece = Self { low, high, start: from, coefficients, nodes: [0.0; 8], weighted: [[0.0; 8]; 2] };
         for (g, (node, weight)) in UNIT_RULE_8.iter().enumerate().take(8) {
-            let r = low + width * node;
-            let [own, other] = piece.integrands(r);
-            piece.nodes[g] = r;
+            let [own, other] = piece.integrands(width * node);
+            piece.nodes[g] = width * node;
             piece.weighted[0][g] = width * weight * own;
             piece.weighted[1][g] = width * weight * other;
         }
@@ -52,12 +51,12 @@ impl Piece {
     }
 
     pub(super) fn slope(&self, r: f64) -> f64 {
-        self.integrands(r)[0]
+        self.integrands(r - self.low)[0]
     }
 
-    /// z′ and z′ + r z″.
-    fn integrands(&self, r: f64) -> [f64; 2] {
-        let x = r - self.low;
+    /// z′ and z′ + r z″ at x = r − low.
+    fn integrands(&self, x: f64) -> [f64; 2] {
+        let r = self.low + x;
         let [a, b, c] = self.coefficients;
         let slope = a + x * (b + x * c);
         [slope, slope + r * (b + 2.0 * x * c)]
@@ -68,23 +67,24 @@ impl Piece {
         if s - self.high >= FAR * (self.high - self.low) {
             let mut sums = [0.0; 3];
             for g in 0..8 {
-                let r = self.nodes[g];
-                let root = ((s - r) * (s + r)).sqrt();
+                let x = self.nodes[g];
+                let root = (((s - self.low) - x) * (s + self.low + x)).sqrt();
                 sums[0] += self.weighted[0][g] / root;
                 sums[1] += self.weighted[1][g] / root;
                 sums[2] += self.weighted[1][g].abs() / root;
             }
             return sums;
         }
-        let angle = |r: f64| r.atan2(((s - r) * (s + r)).max(0.0).sqrt());
-        let (low, high) = (angle(self.low), angle(self.high.min(s)));
+        // By the complement of θ, small near s, and by x from both distances to s: a piece far narrower than its place keeps its digits.
+        let complement = |r: f64| ((s - r) * (s + r)).max(0.0).sqrt().atan2(r);
+        let (low, high) = (complement(self.high.min(s)), complement(self.low));
         let parts = ((high - low) / WIDEST).ceil().max(1.0);
         let width = (high - low) / parts;
         let mut sums = [0.0; 3];
         for part in 0..parts as u32 {
             for (node, weight) in UNIT_RULE_8.iter() {
-                let r = s * (low + width * (f64::from(part) + node)).sin();
-                let [own, other] = self.integrands(r);
+                let half = 0.5 * (low + width * (f64::from(part) + node));
+                let [own, other] = self.integrands((s - self.low) - 2.0 * s * half.sin().powi(2));
                 for (sum, value) in sums.iter_mut().zip([own, other, other.abs()]) {
                     *sum += width * weight * value;
                 }
