@@ -29,7 +29,7 @@ fn scenes() -> Vec<(&'static str, String)> {
             ),
         ),
         ("sliding", of(&WAVE.replace("speed = 1e-6\n", "speed = 1e-6\nmean_pressure = 1e3\n"))),
-        ("branch", of(&format!("{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 3\nfrom = 0.0\nto = 2e3\n"))),
+        ("branch", of(&format!("{WAVE}[sliding.branch]\nparameter = \"mean_pressure\"\npoints = 8\n"))),
         ("strength", of(&format!("{WAVE}[sliding.strength]\n"))),
         (
             "indentation",

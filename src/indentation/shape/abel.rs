@@ -62,29 +62,33 @@ impl Piece {
         [slope, slope + r * (b + 2.0 * x * c)]
     }
 
-    /// ∫ of both over the part of the piece below s, over √(s² − r²), and of the magnitude of the second.
-    fn integrals(&self, s: f64) -> [f64; 3] {
-        if s - self.high >= FAR * (self.high - self.low) {
+    /// ∫ of both over the part of the piece below s = base + beyond, over √(s² − r²), and of the magnitude of the second.
+    fn integrals(&self, base: f64, beyond: f64) -> [f64; 3] {
+        let s = base + beyond;
+        // Distances from the ends, which rounding of s would spoil near a point.
+        let [from_low, from_high] = [self.low, self.high].map(|end| (base - end) + beyond);
+        if from_high >= FAR * (self.high - self.low) {
             let mut sums = [0.0; 3];
             for g in 0..8 {
                 let x = self.nodes[g];
-                let root = (((s - self.low) - x) * (s + self.low + x)).sqrt();
+                let root = ((from_low - x) * (s + self.low + x)).sqrt();
                 sums[0] += self.weighted[0][g] / root;
                 sums[1] += self.weighted[1][g] / root;
                 sums[2] += self.weighted[1][g].abs() / root;
             }
             return sums;
         }
-        // By the complement of θ, small near s, and by x from both distances to s: a piece far narrower than its place keeps its digits.
-        let complement = |r: f64| ((s - r) * (s + r)).max(0.0).sqrt().atan2(r);
-        let (low, high) = (complement(self.high.min(s)), complement(self.low));
+        // By the complement of θ, small near s, and by x from the distance: a piece far narrower than its place keeps its digits.
+        let complement = |distance: f64, r: f64| (distance * (s + r)).max(0.0).sqrt().atan2(r);
+        let low = if from_high > 0.0 { complement(from_high, self.high) } else { 0.0 };
+        let high = complement(from_low, self.low);
         let parts = ((high - low) / WIDEST).ceil().max(1.0);
         let width = (high - low) / parts;
         let mut sums = [0.0; 3];
         for part in 0..parts as u32 {
             for (node, weight) in UNIT_RULE_8.iter() {
                 let half = 0.5 * (low + width * (f64::from(part) + node));
-                let [own, other] = self.integrands((s - self.low) - 2.0 * s * half.sin().powi(2));
+                let [own, other] = self.integrands(from_low - 2.0 * s * half.sin().powi(2));
                 for (sum, value) in sums.iter_mut().zip([own, other, other.abs()]) {
                     *sum += width * weight * value;
                 }
@@ -94,11 +98,13 @@ impl Piece {
     }
 }
 
-/// f and f′ at s > 0 within the pieces, and the sum of the magnitudes of the terms of f′.
-pub(super) fn line_profile(pieces: &[Piece], s: f64) -> [f64; 3] {
+/// f and f′ at s = base + beyond > 0 within the pieces, and the sum of the magnitudes of the terms of f′. Near a point, which is then the base, f′ goes as
+/// the root of what lies beyond.
+pub(super) fn line_profile(pieces: &[Piece], base: f64, beyond: f64) -> [f64; 3] {
+    let s = base + beyond;
     let mut sums = [0.0; 3];
-    for piece in pieces.iter().take_while(|piece| piece.low < s) {
-        for (sum, value) in sums.iter_mut().zip(piece.integrals(s)) {
+    for piece in pieces.iter().take_while(|piece| (base - piece.low) + beyond > 0.0) {
+        for (sum, value) in sums.iter_mut().zip(piece.integrals(base, beyond)) {
             *sum += value;
         }
     }

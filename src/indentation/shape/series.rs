@@ -45,23 +45,23 @@ impl Series {
         let axis_terms = [FRAC_PI_2 * a, b, FRAC_PI_4 * c];
         let mut stretches = Vec::with_capacity(rest.len());
         for piece in rest {
-            // What is still to be covered, the nearest last.
-            let mut waiting = vec![(piece.low, piece.high, true, 0)];
+            // What is still to be covered, from the point on, the nearest last.
+            let mut waiting = vec![(0.0, piece.high - piece.low, true, 0)];
             let own = stretches.len();
-            while let Some((low, high, rooted, depth)) = waiting.pop() {
-                let (stretch, converged) = Stretch::sampled(pieces, low, high, rooted);
+            while let Some((from, to, rooted, depth)) = waiting.pop() {
+                let (stretch, converged) = Stretch::sampled(pieces, piece.low, [from, to], rooted);
                 if converged {
                     stretches.push(stretch);
                 } else if depth < DEEPEST && stretches.len() < own + MOST_STRETCHES {
-                    let middle = 0.5 * (low + high);
-                    waiting.push((middle, high, false, depth + 1));
-                    waiting.push((low, middle, rooted, depth + 1));
+                    let middle = 0.5 * (from + to);
+                    waiting.push((middle, to, false, depth + 1));
+                    waiting.push((from, middle, rooted, depth + 1));
                 } else {
-                    return Err(unresolved(low));
+                    return Err(unresolved(piece.low + from));
                 }
             }
         }
-        let [value, slope, _] = line_profile(pieces, 1.0);
+        let [value, slope, _] = line_profile(pieces, 1.0, 0.0);
         let mut series = Self {
             axis: axis_terms,
             first: axis.high,
@@ -138,13 +138,13 @@ fn unresolved(place: f64) -> Refusal {
 }
 
 impl Stretch {
-    /// The series through TERMS places, and whether they suffice.
-    fn sampled(pieces: &[Piece], low: f64, high: f64, rooted: bool) -> (Self, bool) {
-        let width = high - low;
+    /// The series through TERMS places that lie so far beyond a point, and whether they suffice.
+    fn sampled(pieces: &[Piece], point: f64, [from, to]: [f64; 2], rooted: bool) -> (Self, bool) {
+        let (low, high, width) = (point + from, point + to, to - from);
         let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
         let samples: [[f64; 3]; TERMS] = std::array::from_fn(|k| {
             let x = 0.5 * (1.0 + angle(k).cos());
-            line_profile(pieces, low + width * if rooted { x * x } else { x })
+            line_profile(pieces, point, from + width * if rooted { x * x } else { x })
         });
         let transformed = |which: usize| -> [f64; TERMS] {
             std::array::from_fn(|j| {
