@@ -35,9 +35,9 @@ const MOST_TERMS: usize = 200;
 const STEPS: usize = 60;
 const BETWEEN_LOOKS: usize = 5;
 const RAISED: usize = 3;
-/// Part of the accuracy at which a refinement ends, as nothing is gained by more; and part of the largest error that is left where it has come to its end.
+/// Part of the accuracy at which a refinement ends, as nothing is gained by more; and looks without a smaller largest error after which it ends.
 const ENOUGH: f64 = 0.7;
-const STUCK: f64 = 0.95;
+const PATIENCE: u32 = 4;
 /// Cells beyond each end of the range, and how they grow.
 const END_CELLS: usize = 8;
 const END_GROWTH: f64 = 1.4;
@@ -190,15 +190,17 @@ fn graded_steps(law: &BroadLaw, [low, high]: [f64; 2], step: f64) -> SeriesShape
 fn minimax(start: &SeriesShape, data: &[Observation], window: [f64; 2], accuracy: f64) -> SeriesShape {
     let mut weighted = data.to_vec();
     let descended = |from: &SeriesShape, weighted: &[Observation]| {
-        let mut shape = from.clone();
-        let mut error = f64::INFINITY;
+        let (mut shape, mut least, mut stale) = (from.clone(), f64::INFINITY, 0);
         for _ in 0..STEPS / BETWEEN_LOOKS {
             shape = shape.refined(weighted, window, BETWEEN_LOOKS);
-            let before = std::mem::replace(&mut error, largest_error(&shape, data));
-            if error <= ENOUGH * accuracy || error > STUCK * before {
+            let error = largest_error(&shape, data);
+            stale = if error < least { 0 } else { stale + 1 };
+            least = least.min(error);
+            if error <= ENOUGH * accuracy || stale == PATIENCE {
                 break;
             }
         }
+        let error = largest_error(&shape, data);
         (shape, error)
     };
     let (mut best, mut reached) = descended(start, &weighted);
