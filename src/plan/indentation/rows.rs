@@ -317,7 +317,7 @@ impl IndentationPlan {
             ("smallest stress intensity", solution.smallest_stress_intensity_factor, intensity, self.indentation.adhesion.is_some()),
         ]
         .into_iter()
-        .find(|(_, least, scale, judged)| *judged && !(*least >= -ADMISSIBLE * scale));
+        .find(|(_, least, scale, judged)| *judged && (least.is_nan() || *least < -ADMISSIBLE * scale));
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible: violated.is_none() });
         row.witness = violated.map(|(name, value, ..)| Witness { name: name.into(), value });
         row.assumptions = self.assumptions(row);
