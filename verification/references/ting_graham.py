@@ -1,0 +1,922 @@
+"""Indentation without adhesion: Lee and Radok's, Ting's and Graham's contact, by times of equal radius; the judge of the solver.
+
+A place of the line, at the depth h = f(s) of the indenter's line profile, is in contact from the time at which the edge passes it outwards to the time at
+which the edge passes it inwards, and so on. With these times of equal radius t1(h) < t2(h) < ... (Ting, J. Appl. Mech. 33 (1966) 845 and 35 (1968) 248;
+Graham, Q. Appl. Math. 26 (1968) 167; Argatov & Popov, ZAMM 96 (2016) 956, for any number of turns on the line)
+    in contact   W(h, t) = D(t) - h,         free   q(h, t) = 0,           q = int R(t - t') dW(h, t')
+    a contact without adhesion carries no tension and no overlap: a place lets go when q comes down to zero and is met when the free surface is.
+    F(t) = 2 int_0^a q(f(s), t) ds,          a(t) the radius with q = 0 there
+All places follow one penetration D(t) independently of each other, and in h they know nothing of the shape, which only enters the force.
+
+What is computed here
+    passage times   at double-exponential nodes between the turning radii, by bracketed roots, first sign change from the start of each leg
+    q               the hereditary integral over the intervals of contact of that place; R and J are sums of exponentials, so that each interval is closed
+    F               double-exponential quadrature between the turning radii; its error from every second node
+    force, frame and contact radius   the penetration is a polynomial on each piece of a leg, by collocation; its error from a second run with other pieces
+`error` of each value is the judge's own: differences between refinements, times 4, and rounding.
+
+The solver (Rust) follows the edge and keeps segments of a line in Maxwell and Voigt state. Shared with it is that Sneddon's transform makes the places
+independent; --self-check does without it (annuli in real space, a linear complementarity problem each step), without exponentials (superposition of R on a
+grid of times) and without a program (closed forms and quadratures of Lee & Radok and Ting in mpmath).
+"""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+import math
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+EPS = 2.0 ** -52
+LONG = np.longdouble
+
+
+# ---------------------------------------------------------------- material
+
+def poles_between(function, poles, sign, last):
+    """Roots of a function that is monotone between neighbouring poles: for each the nearer pole and the signed distance from it, to full relative precision.
+
+    `function(pole_index, distance)` for arrays; `sign` times it is positive just right of a pole and negative just left of the next one. With `last`, also
+    one root beyond the last pole."""
+    nearest, distances = [], []
+    count = len(poles)
+    for k in range(count - 1 + bool(last)):
+        if k + 1 < count:
+            half = 0.5 * (poles[k + 1] - poles[k])
+            right = sign * function(k, half) > 0.0
+        else:
+            half, right = poles[k] + 1e-300, False
+            while sign * function(k, half) > 0.0:
+                half *= 2.0
+        base, direction = (k + 1, -1.0) if right else (k, 1.0)
+        low, high = math.log(half) - 650.0, math.log(half)
+        low = max(low, -690.0)
+        for _ in range(70):
+            middle = 0.5 * (low + high)
+            positive = sign * function(base, direction * math.exp(middle)) > 0.0
+            # Towards the right-hand pole the function falls; seen from it, it rises with the distance.
+            if positive == (direction > 0.0):
+                low = middle
+            else:
+                high = middle
+        nearest.append(base)
+        distances.append(direction * math.exp(0.5 * (low + high)))
+    return np.array(nearest, dtype=int), np.array(distances)
+
+
+class Solid:
+    """E0 + sum E_i exp(-r_i t) and its compliance: moduli E* = E/(1 - nu^2); `gap[i, j]` = r_i - l_j without cancellation."""
+
+    def __init__(self, relaxed, moduli, rates):
+        order = np.argsort(rates)
+        self.relaxed = float(relaxed)
+        self.moduli = np.asarray(moduli, dtype=float)[order]
+        self.rates = np.asarray(rates, dtype=float)[order]
+        self.glassy = self.relaxed + self.moduli.sum()
+        n = len(self.rates)
+        if n == 0:
+            self.slow = self.charge = np.zeros(0)
+            self.gap = np.zeros((0, 0))
+            return
+        poles = np.concatenate([[0.0], self.rates])
+
+        def stiffness(base, distance):
+            # E0 - sum E_i l/(r_i - l) at l = pole + distance
+            l = poles[base] + distance
+            gaps = (self.rates - poles[base]) - distance
+            return self.relaxed - np.sum(self.moduli * l / gaps)
+
+        if self.relaxed > 0.0:
+            nearest, distance = poles_between(stiffness, poles, 1.0, False)
+            # l in (0, r_1): E0 at zero, -inf at r_1; elsewhere +inf right of a pole.
+            self.slow = poles[nearest] + distance
+            self.gap = (self.rates[:, None] - poles[nearest][None, :]) - distance[None, :]
+        else:
+            nearest, distance = poles_between(stiffness, self.rates, 1.0, False)
+            self.slow = np.concatenate([[0.0], self.rates[nearest] + distance])
+            gap = (self.rates[:, None] - self.rates[nearest][None, :]) - distance[None, :]
+            self.gap = np.concatenate([self.rates[:, None], gap], axis=1)
+        # J_j l_j of a term, 1/viscosity of the flow (l = 0).
+        self.charge = 1.0 / np.sum(self.moduli[:, None] * self.rates[:, None] / self.gap ** 2, axis=0)
+        self.to_springs = -(self.slow[None, :] / self.gap)
+        self.to_voigt = self.charge[:, None] * self.moduli[None, :] / self.gap.T
+
+    @classmethod
+    def from_compliance(cls, glassy, compliances, slow, flow=0.0):
+        """1/glassy + sum J_j (1 - exp(-l_j t)) + flow t."""
+        order = np.argsort(slow)
+        compliances, slow = np.asarray(compliances, dtype=float)[order], np.asarray(slow, dtype=float)[order]
+        poles = np.concatenate([[0.0], slow]) if flow > 0.0 else slow
+        weights = np.concatenate([[flow], compliances * slow]) if flow > 0.0 else compliances * slow
+        if len(poles) == 0:
+            return cls(glassy, [], [])
+
+        def softness(base, distance):
+            # 1/glassy + sum J_j l_j/(l_j - r)
+            gaps = (poles - poles[base]) - distance
+            return 1.0 / glassy + np.sum(weights / gaps)
+
+        nearest, distance = poles_between(softness, poles, -1.0, True)
+        rates = poles[nearest] + distance
+        gap = (poles[None, :] - poles[nearest][:, None]) - distance[:, None]
+        moduli = 1.0 / (rates * np.sum(weights[None, :] / gap ** 2, axis=1))
+        relaxed = 0.0 if flow > 0.0 else 1.0 / (1.0 / glassy + compliances.sum())
+        return cls(relaxed, moduli, rates)
+
+    def relaxation(self, t):
+        return self.relaxed + np.exp(-np.multiply.outer(t, self.rates)) @ self.moduli
+
+
+# ---------------------------------------------------------------- shapes
+
+class Power:
+    """f(s) = coefficient s^m."""
+
+    rim = math.inf
+    knots = ()
+
+    def __init__(self, coefficient, exponent):
+        self.coefficient, self.exponent = coefficient, exponent
+
+    def line(self, s):
+        return self.coefficient * np.power(s, self.exponent)
+
+    def radius(self, h):
+        return np.power(np.maximum(h, 0.0) / self.coefficient, 1.0 / self.exponent)
+
+    def elastic(self, s):
+        """Force over the modulus, 2 (s f - int f)."""
+        return 2.0 * self.line(s) * s * self.exponent / (self.exponent + 1.0)
+
+
+def sphere(radius=1.0):
+    return Power(1.0 / radius, 2.0)
+
+
+def cone(slope):
+    return Power(0.5 * math.pi * slope, 1.0)
+
+
+def power_law(radius, exponent):
+    m = exponent
+    moment = 0.5 * math.sqrt(math.pi) * math.exp(math.lgamma(0.5 * m + 1.0) - math.lgamma(0.5 * m + 1.5))
+    return Power((m + 1.0) * moment / (m * radius ** (m - 1.0)), m)
+
+
+class Punch:
+    """A flat face: all places alike, up to the rim."""
+
+    knots = ()
+
+    def __init__(self, radius):
+        self.rim = radius
+
+
+class Table:
+    """z(r) through points: monotone cubics with the slopes of indentation_shape.py, f in closed form, its inverse by Newton's steps."""
+
+    rim = math.inf
+
+    def __init__(self, points):
+        from indentation_shape import cubics
+        from mpmath import mp
+        with mp.workdps(40):
+            pieces = cubics(points)
+        self.low, self.high = (np.array([float(p[k]) for p in pieces]) for k in (0, 1))
+        self.terms = np.array([[float(c) for c in p[2]] for p in pieces])
+        self.knots = self.low[1:]
+        self.end = float(points[-1][0])
+        self.grid = np.unique(np.concatenate([np.linspace(self.low[k], self.high[k], 65) for k in range(len(self.low))]))
+        self.lines = self.line(self.grid)
+        # 2 (s f - int f) from grid place to grid place: six Gauss nodes each.
+        x, w = np.polynomial.legendre.leggauss(6)
+        width = np.diff(self.grid)
+        places = self.grid[:-1, None] + 0.5 * width[:, None] * (1.0 + x)
+        parts = 0.5 * width * (self.line(places.ravel()).reshape(places.shape) @ w)
+        self.areas = np.concatenate([[0.0], np.cumsum(parts)])
+
+    def line(self, s, slope=False):
+        s = np.asarray(s, dtype=float)
+        flat = np.maximum(s.ravel(), 1e-300)[:, None]
+        low, high = np.minimum(self.low[None, :], flat), np.minimum(self.high[None, :], flat)
+        a, b, c = self.terms.T
+        angle = np.arcsin(high / flat) - np.arcsin(low / flat)
+        upper, lower = np.sqrt((flat - high) * (flat + high)), np.sqrt((flat - low) * (flat + low))
+        moment = high * upper - low * lower
+        one, two = lower - upper, 0.5 * (flat ** 2 * angle - moment)
+        if slope:
+            value = np.sum(a * angle + 2.0 * b * one + 3.0 * c * two, axis=1)
+        else:
+            value = flat[:, 0] * np.sum(a * angle + b * one + c * two, axis=1)
+        return value.reshape(s.shape)
+
+    def radius(self, h):
+        h = np.maximum(np.asarray(h, dtype=float), 0.0)
+        s = np.interp(h, self.lines, self.grid)
+        place = np.clip(np.searchsorted(self.lines, h) - 1, 0, len(self.grid) - 2)
+        low, high = self.grid[place], self.grid[place + 1]
+        for _ in range(4):
+            s = np.clip(s - (self.line(s) - h) / np.maximum(self.line(s, True), 1e-300), low, high)
+        return s
+
+    def elastic(self, s):
+        s = np.asarray(s, dtype=float)
+        flat = s.ravel()
+        place = np.clip(np.searchsorted(self.grid, flat) - 1, 0, len(self.grid) - 2)
+        x, w = np.polynomial.legendre.leggauss(6)
+        width = flat - self.grid[place]
+        nodes = self.grid[place][:, None] + 0.5 * width[:, None] * (1.0 + x)
+        area = self.areas[place] + 0.5 * width * (self.line(nodes.ravel()).reshape(nodes.shape) @ w)
+        return (2.0 * (flat * self.line(flat) - area)).reshape(s.shape)
+
+
+# ---------------------------------------------------------------- pieces of the penetration
+
+class Jump:
+    """The penetration goes to a value at once."""
+
+    length = 0.0
+
+    def __init__(self, solid, start, before, after, memory):
+        self.start, self.before, self.after = start, before, after
+        self.memory_before, self.memory_after = memory, memory + (after - before)
+
+    def depth(self, x):
+        return np.full(np.shape(x), self.after)
+
+    def memory(self, x):
+        return np.broadcast_to(self.memory_after, np.shape(x) + self.memory_after.shape)
+
+    end = property(lambda self: self.after)
+    end_memory = property(lambda self: self.memory_after)
+
+
+class Straight:
+    """The penetration goes straight. P_i(t) = int exp(-r_i (t - t')) dD, `memory`, is the same for every place."""
+
+    def __init__(self, solid, start, length, first, last, memory):
+        self.rates, self.start, self.length = solid.rates, start, length
+        self.first, self.last, self.memory_start = first, last, memory
+        self.slope = (last - first) / length
+
+    def depth(self, x):
+        return self.first + (self.last - self.first) * (np.asarray(x) / self.length)
+
+    def memory(self, x):
+        decay = -np.multiply.outer(np.asarray(x, dtype=float), self.rates)
+        return self.memory_start * np.exp(decay) - (self.slope / self.rates) * np.expm1(decay)
+
+    def highest(self):
+        return max(self.first, self.last)
+
+    end = property(lambda self: self.last)
+    end_memory = property(lambda self: self.memory(self.length))
+
+
+class Smooth:
+    """The penetration is a polynomial (Chebyshev coefficients on the piece)."""
+
+    DEGREE = 26
+    STIFF = 10.0
+
+    def __init__(self, solid, start, length, coefficients, memory):
+        self.rates, self.start, self.length, self.memory_start = solid.rates, start, length, memory
+        self.coefficients = np.asarray(coefficients, dtype=float)
+        chebyshev = np.polynomial.chebyshev
+        slope = chebyshev.chebder(self.coefficients) * (2.0 / length) if len(self.coefficients) > 1 else np.zeros(1)
+        n = len(solid.rates)
+        self.decaying = np.zeros(n)
+        width = max(self.DEGREE, len(slope) + 18)
+        polynomials = np.zeros((width + 1, n))
+        for i, rate in enumerate(solid.rates):
+            if rate * length > self.STIFF:
+                # p' + r p = D', the polynomial solution, from its last coefficient down.
+                p = np.zeros(len(slope))
+                for _ in range(len(slope)):
+                    change = np.zeros(len(slope))
+                    if len(slope) > 1:
+                        derivative = chebyshev.chebder(p) * (2.0 / length)
+                        change[: len(derivative)] = derivative
+                    p = (slope - change) / rate
+                polynomials[: len(p), i] = p
+                self.decaying[i] = memory[i] - chebyshev.chebval(-1.0, p)
+            else:
+                polynomials[:, i] = self._gentle(slope, rate, length, memory[i], width)
+        self.polynomials = polynomials
+
+    _matrices = {}
+
+    @classmethod
+    def _gentle(cls, slope, rate, length, initial, width):
+        """p' + r p = D' with an initial value, all of it a polynomial, by collocation."""
+        if width not in cls._matrices:
+            chebyshev = np.polynomial.chebyshev
+            z = -np.cos(np.pi * (np.arange(width) + 0.5) / width)
+            values = chebyshev.chebvander(z, width)
+            slopes = np.stack([chebyshev.chebval(z, chebyshev.chebder(row)) if k else np.zeros(width) for k, row in enumerate(np.eye(width + 1))], axis=1)
+            cls._matrices[width] = z, values, slopes
+        z, values, slopes = cls._matrices[width]
+        system = np.zeros((width + 1, width + 1))
+        system[0] = (-1.0) ** np.arange(width + 1)
+        system[1:] = slopes + 0.5 * length * rate * values
+        right = np.concatenate([[initial], 0.5 * length * np.polynomial.chebyshev.chebval(z, slope)])
+        return np.linalg.solve(system, right)
+
+    def depth(self, x):
+        return np.polynomial.chebyshev.chebval(2.0 * np.asarray(x) / self.length - 1.0, self.coefficients)
+
+    def memory(self, x):
+        x = np.asarray(x, dtype=float)
+        smooth = np.polynomial.chebyshev.chebvander(2.0 * x / self.length - 1.0, len(self.polynomials) - 1) @ self.polynomials
+        if self.decaying.any():
+            smooth = smooth + self.decaying * np.exp(-np.multiply.outer(x, self.rates))
+        return smooth
+
+    def highest(self):
+        return float(np.max(self.depth(np.linspace(0.0, self.length, 33)))) + 0.0
+
+    end = property(lambda self: float(self.depth(self.length)))
+    end_memory = property(lambda self: self.memory(self.length))
+
+
+# ---------------------------------------------------------------- double-exponential nodes
+
+REACH = 2.9
+
+
+def exponential_nodes(count):
+    """Places in (0, 1), their distances from 1, and weights; count odd, so that every second one is a rule of its own."""
+    theta = np.linspace(-REACH, REACH, count)
+    step = theta[1] - theta[0]
+    y = np.pi * np.sinh(theta)
+    left, right = 1.0 / (1.0 + np.exp(-y)), 1.0 / (1.0 + np.exp(y))
+    weight = np.pi * np.cosh(theta) * left * right * step
+    return theta, left, right, weight
+
+
+RUN_NODES = exponential_nodes(41)
+FORCE_NODES = exponential_nodes(49)
+
+
+class Run:
+    """The edge passes from h to h within one piece, outwards (+1) or inwards (-1): when it passes each place."""
+
+    def __init__(self, way, piece, start, end, first, last, times=None):
+        self.way, self.piece, self.start, self.end = way, piece, start, end
+        self.first, self.last = first, last
+        self.low, self.high = min(start, end), max(start, end)
+        self.spline = None
+        if times is not None:
+            self.times = times
+            self.spline = CubicSpline(RUN_NODES[0], times)
+
+    def when(self, h):
+        if self.spline is None:
+            return np.full(np.shape(h), self.first)
+        span = self.end - self.start
+        part = np.clip((h - self.start) / span, 1e-300, 1.0)
+        rest = np.clip((self.end - h) / span, 1e-300, 1.0)
+        theta = np.arcsinh((np.log(part) - np.log(rest)) / np.pi)
+        return np.clip(self.spline(np.clip(theta, -REACH, REACH)), self.first, self.last)
+
+
+# ---------------------------------------------------------------- contact
+
+class Places:
+    """What places at depths h carry: since when they are in contact or free, and with what memory."""
+
+    __slots__ = ("h", "contact", "since", "offset", "state")
+
+
+class Contact:
+    """A contact that has followed its penetration so far."""
+
+    SAMPLES = np.concatenate([[0.0], np.logspace(-9.0, -0.2, 30), np.linspace(0.7, 1.0, 6)])
+
+    def __init__(self, solid, shape):
+        self.solid, self.shape = solid, shape
+        self.pieces, self.runs = [], []
+        self.relaxed_edge = -1.0        # places below were in contact from ever on
+        self.edge, self.open = 0.0, True
+        self.depth, self.memory, self.time = 0.0, np.zeros(len(solid.rates)), LONG(0.0)
+        self.turns = []                 # depths at which a run ended, with the number of runs by then
+        self.events = []
+        self.reached = 0.0              # deepest place that was ever touched
+        self.largest = 0.0              # largest |D|, for rounding
+
+    def relaxed_at(self, depth):
+        """A relaxed contact at this penetration."""
+        self.depth = depth
+        self.open = depth <= 0.0
+        self.edge = max(depth, 0.0)
+        self.relaxed_edge = depth if depth > 0.0 else -1.0
+        self.reached = self.edge
+        self.largest = abs(depth)
+        self.turns.append((self.edge, 0))
+
+    # ---- state of places
+
+    def places(self, h, runs=None):
+        """State of places after so many runs (all, or a number for each)."""
+        solid = self.solid
+        h = np.asarray(h, dtype=float)
+        count, n = len(h), len(solid.rates)
+        found = Places()
+        found.h = h
+        found.contact = h < self.relaxed_edge
+        found.since = np.zeros(count, dtype=LONG)
+        found.offset = np.zeros(count)
+        found.state = np.zeros((count, n))
+        limit = len(self.runs) if runs is None else int(np.max(runs))
+        for index, run in enumerate(self.runs[:limit]):
+            touched = (h >= run.low) & (h < run.high) & (found.contact == (run.way < 0))
+            if runs is not None and not np.isscalar(runs):
+                touched &= index < runs
+            rows = np.flatnonzero(touched)
+            if len(rows) == 0:
+                continue
+            piece = self.pieces[run.piece]
+            own = h[rows]
+            x = run.when(own)
+            if n:
+                lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
+                jump = isinstance(piece, Jump)
+                if run.way < 0:
+                    springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + (piece.memory_before if jump else piece.memory(x))
+                    width = (piece.before if jump else piece.depth(x)) - own
+                    found.state[rows] = (width[:, None] - springs) @ solid.to_voigt.T
+                else:
+                    strains = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.slow))
+                    gap = piece.depth(x) - own - strains.sum(axis=1)
+                    found.state[rows] = strains @ solid.to_springs.T + gap[:, None] - piece.memory(x)
+            found.contact[rows] = run.way > 0
+            found.since[rows] = piece.start
+            found.offset[rows] = x
+        return found
+
+    def lag(self, places, piece, x):
+        base = (piece.start - places.since).astype(float) - places.offset
+        return base + x if np.ndim(x) < 2 else base[:, None] + x
+
+    def load(self, places, piece, x):
+        """q of places in contact (whether or not they would be), at times x of a piece: one each, or rows of several."""
+        h = places.h if np.ndim(x) < 2 else places.h[:, None]
+        q = self.solid.relaxed * (piece.depth(x) - h)
+        if len(self.solid.rates):
+            state = places.state if np.ndim(x) < 2 else places.state[:, None, :]
+            springs = state * np.exp(-np.multiply.outer(self.lag(places, piece, x), self.solid.rates)) + piece.memory(x)
+            q = q + springs @ self.solid.moduli
+        return q
+
+    def gap(self, places, piece, x):
+        """Free surface over the indenter, of places that are free (whether or not they would be)."""
+        h = places.h if np.ndim(x) < 2 else places.h[:, None]
+        overlap = h - piece.depth(x)
+        if len(self.solid.rates):
+            state = places.state if np.ndim(x) < 2 else places.state[:, None, :]
+            overlap = overlap + np.sum(state * np.exp(-np.multiply.outer(self.lag(places, piece, x), self.solid.slow)), axis=-1)
+        return overlap
+
+    def freed(self, places, piece, x):
+        """Voigt strains of places in contact."""
+        springs = places.state * np.exp(-np.multiply.outer(self.lag(places, piece, x), self.solid.rates)) + piece.memory(x)
+        return ((piece.depth(x) - places.h)[:, None] - springs) @ self.solid.to_voigt.T
+
+    # ---- a piece
+
+    def go(self, piece):
+        """Follows one more piece; the edge runs as far as it does."""
+        self.pieces.append(piece)
+        self.largest = max(self.largest, abs(piece.end), abs(float(piece.depth(0.0))))
+        if isinstance(piece, Jump):
+            self._jump(piece)
+        else:
+            self._run(piece)
+        self.depth, self.memory = piece.end, piece.end_memory
+        self.time = piece.start + LONG(piece.length)
+
+    def straight(self, depth, length):
+        self.go(Straight(self.solid, self.time, length, self.depth, depth, self.memory))
+
+    def jump(self, depth):
+        if depth != self.depth:
+            self.go(Jump(self.solid, self.time, self.depth, depth, self.memory))
+
+    def _noise(self, way):
+        return 4.0 * EPS * self.largest * (self.solid.glassy if way < 0 else 1.0) + 1e-300
+
+    def _inner_breaks(self, low, high):
+        """Depths between two at which the past of the places changes."""
+        least = 1e-11 * max(high, 1e-300)
+        found = sorted({h for h, _ in self.turns if low + least < h < high - least})
+        return [low] + [h for k, h in enumerate(found) if k == 0 or h - found[k - 1] > least] + [high]
+
+    def _add_run(self, run, until=None):
+        self.runs.append(run)
+        self.turns.append((max(run.end, 0.0), len(self.runs)))
+        self.reached = max(self.reached, run.high)
+
+    def _jump(self, piece):
+        rising = piece.after > piece.before
+        index = len(self.pieces) - 1
+        if rising:
+            # The outermost place that is met.
+            value = lambda h: self.gap(self.places(h), piece, np.zeros(len(h)))
+            if self.open and value(np.zeros(1))[0] >= -self._noise(1):
+                return
+            edge = self._crossing(value, self.edge, max(self.reached, piece.after) * (1.0 + 1e-9) + 1e-300, piece.after)
+            if edge > self.edge:
+                if self.open:
+                    self.events.append(("touch", index, 0.0))
+                self._add_run(Run(1, index, self.edge, edge, 0.0, 0.0))
+                self.edge, self.open = edge, False
+        elif not self.open:
+            def value(h):
+                found = self.places(h)
+                springs = found.state * np.exp(-np.multiply.outer(self.lag(found, piece, np.zeros(len(h))), self.solid.rates)) + piece.memory_after
+                return -(self.solid.relaxed * (piece.after - h) + springs @ self.solid.moduli)
+            if value(np.zeros(1))[0] >= -self._noise(-1):
+                self._add_run(Run(-1, index, self.edge, -1.0, 0.0, 0.0))
+                self.events.append(("detachment", index, 0.0, self.edge))
+                self.edge, self.open = 0.0, True
+                return
+            edge = self._crossing(value, 0.0, self.edge, None)
+            if edge < self.edge:
+                self._add_run(Run(-1, index, self.edge, edge, 0.0, 0.0))
+                self.edge = edge
+
+    def _crossing(self, value, low, high, guess):
+        """The h at which a rising function of it comes from below to zero; it is negative at `low`."""
+        for _ in range(6):
+            h = low + (high - low) * np.linspace(0.0, 1.0, 10)[1:-1]
+            found = value(h)
+            above = np.flatnonzero(found >= 0.0)
+            first = above[0] if len(above) else 8
+            low, high = (h[first - 1] if first else low), (h[first] if first < 8 else high)
+        ends = value(np.array([low, high]))
+        for _ in range(3):
+            if ends[1] == ends[0] or not ends[0] < 0.0 <= ends[1]:
+                break
+            middle = low - ends[0] * (high - low) / (ends[1] - ends[0])
+            width = 1e-3 * (high - low)
+            trial = np.clip(np.array([middle - width, middle + width]), low, high)
+            found = value(trial)
+            if found[0] < 0.0:
+                low, ends[0] = trial[0], found[0]
+            if found[1] >= 0.0:
+                high, ends[1] = trial[1], found[1]
+        if ends[0] < 0.0 <= ends[1]:
+            return low - ends[0] * (high - low) / (ends[1] - ends[0])
+        return 0.5 * (low + high)
+
+    def _run(self, piece):
+        index, x = len(self.pieces) - 1, 0.0
+        forced = 0
+        for _ in range(40):
+            if x >= piece.length:
+                return
+            if self.open:
+                x = self._until_touch(piece, x)
+                if x is None:
+                    return
+                self.events.append(("touch", index, x))
+                self.open, self.edge, forced = False, 0.0, 1
+                fresh = True
+            else:
+                fresh = False
+                way = forced or self._direction(piece, x)
+                forced = way
+            if forced == 0:
+                return
+            way, forced = forced, 0
+            end, last, turned = self._pass(piece, index, way, x, fresh)
+            if end is None:
+                # Nothing moves that could be told from rounding.
+                if fresh:
+                    self.open = True
+                return
+            x = last
+            if way < 0 and end < 0.0:
+                self.events.append(("detachment", index, last, 0.0))
+                self.edge, self.open = 0.0, True
+                continue
+            self.edge = end
+            if not turned:
+                return
+            forced = -way
+        raise RuntimeError("the edge turned too often within one piece")
+
+    def _times(self, piece, x):
+        return x + (piece.length - x) * self.SAMPLES
+
+    def _until_touch(self, piece, x):
+        places = self.places(np.zeros(1))
+        times = self._times(piece, x)
+        if isinstance(piece, Smooth):
+            times = np.unique(np.concatenate([times, np.linspace(x, piece.length, 33)]))
+        gaps = self.gap(places, piece, times[None, :])[0]
+        gaps[0] = abs(gaps[0])
+        below = np.flatnonzero(gaps < -self._noise(1))
+        if len(below) == 0:
+            return None
+        first = below[0]
+        value = lambda x: self.gap(places, piece, x)
+        return float(bracketed(value, np.array([times[max(first - 1, 0)]]), np.array([times[first]]))[0])
+
+    def _direction(self, piece, x):
+        """Whether the place at the edge, if it stayed in contact, would pull (inwards, -1) or press (outwards, 1) next; 0 while it does neither."""
+        places = self.places(np.array([self.edge]))
+        times = self._times(piece, x)[1:]
+        if places.contact[0]:
+            loads = self.load(places, piece, times[None, :])[0]
+            noise = self._noise(-1)
+        else:
+            loads = -self.gap(places, piece, times[None, :])[0]
+            noise = self._noise(1)
+        clear = np.flatnonzero(np.abs(loads) > 4.0 * noise)
+        return 0 if len(clear) == 0 else (1 if loads[clear[0]] > 0.0 else -1)
+
+    def _least(self, places, piece, way, x):
+        """The least load (inwards) or gap (outwards) that places would have in the rest of the piece, and when."""
+        value = self.load if way < 0 else self.gap
+        times = self._times(piece, x)
+        if isinstance(piece, Smooth):
+            times = np.unique(np.concatenate([times, np.linspace(x, piece.length, 25)]))
+        values = value(places, piece, np.broadcast_to(times, (len(places.h), len(times))))
+        best = np.argmin(values, axis=1)
+        least, when = values[np.arange(len(best)), best], times[best]
+        inside = np.flatnonzero((best > 0) & (best < len(times) - 1))
+        if len(inside):
+            part = self._some(places, inside)
+            low, high = times[best[inside] - 1], times[best[inside] + 1]
+            for _ in range(7):
+                trial = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 7)
+                found = value(part, piece, trial)
+                k = np.argmin(found, axis=1)
+                rows = np.arange(len(k))
+                least[inside], when[inside] = found[rows, k], trial[rows, k]
+                low, high = trial[rows, np.maximum(k - 1, 0)], trial[rows, np.minimum(k + 1, 6)]
+        return least, when
+
+    @staticmethod
+    def _some(places, rows):
+        part = Places()
+        part.h, part.contact, part.since, part.offset, part.state = (
+            places.h[rows], places.contact[rows], places.since[rows], places.offset[rows], places.state[rows])
+        return part
+
+    def _pass(self, piece, index, way, x, fresh):
+        """One run of the edge from time x of a piece: (depth at its end, time, whether it turns there)."""
+        here = self.edge
+        if way > 0:
+            far = max(self.reached, piece.highest()) * (1.0 + 1e-9) + 1e-300
+            if far <= here:
+                return None, x, False
+        else:
+            far = 0.0
+        breaks = self._inner_breaks(min(here, far), max(here, far))
+        if way < 0:
+            breaks = breaks[::-1]
+        noise = self._noise(way)
+        # How far it goes: the first place that does not switch in the rest of the piece.
+        end, last = None, piece.length
+        inner = breaks[0]
+        for near, off in zip(breaks, breaks[1:]):
+            parts = np.array([1e-6, 1e-3, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.999, 1.0])
+            h = near + (off - near) * parts
+            h[-1] = off
+            if off != far:
+                h = h[:-1]
+            least, when = self._least(self.places(h), piece, way, x)
+            holds = np.flatnonzero(least > -noise)
+            if len(holds):
+                first = holds[0]
+                inner = h[first - 1] if first else near
+                end, last = self._limit(piece, way, x, inner, h[first], noise)
+                break
+            inner = off
+        if end is None:
+            if way < 0:
+                end = -1.0
+            else:
+                end = far
+        stop = max(end, 0.0)
+        if abs(stop - here) <= 4.0 * EPS * max(here, stop):
+            if way < 0 and end < 0.0:
+                # A contact of no size.
+                self._add_run(Run(-1, index, here, -1.0, x, x))
+                return -1.0, x, False
+            return None, x, False
+        turned = end >= 0.0 and last < piece.length * (1.0 - 1e-9)
+        # Passage times between the breaks.
+        inner = [here] + [b for b in breaks[1:-1] if (b - here) * (b - stop) < 0.0] + [stop]
+        first_time = x
+        for number, (near, off) in enumerate(zip(inner, inner[1:])):
+            _, left, right, _ = RUN_NODES
+            h = np.where(left < 0.5, near + (off - near) * left, off - (off - near) * right)
+            places = self.places(h)
+            times = self._passages(places, piece, way, x, last if end >= 0.0 else piece.length)
+            final = number == len(inner) - 2
+            if final and end >= 0.0:
+                final_time = last
+            else:
+                probe = self.places(np.array([off * (1.0 + (1e-12 if way < 0 else -1e-12)) if off > 0.0 else 0.0]))
+                final_time = float(self._passages(probe, piece, way, x, piece.length)[0])
+            times = np.maximum.accumulate(np.clip(times, first_time, final_time))
+            run = Run(way, index, near, off, first_time, final_time, times)
+            if final and end < 0.0:
+                run.low = -1.0
+                run.end_mark = -1.0
+            if way > 0 and fresh and number == 0:
+                run.low = -1.0
+            self._add_run(run)
+            first_time = final_time
+        return end, first_time, turned
+
+    def _limit(self, piece, way, x, switching, holding, noise):
+        """The place between one that switches and one that does not, whose least load or gap is zero; and when."""
+        low, high = switching, holding
+        least, times = self._least(self.places(np.array([low, high])), piece, way, x)
+        ends, when = list(least), times[0]
+        for level in range(14):
+            if level < 3:
+                trial = low + (high - low) * np.linspace(0.0, 1.0, 9)[1:-1]
+            else:
+                if not ends[0] < 0.0 < ends[1]:
+                    break
+                # The least is nearly linear in h by now.
+                middle = low - ends[0] * (high - low) / (ends[1] - ends[0])
+                width = 10.0 ** -min(level - 1, 4) * (high - low)
+                trial = np.array([middle - width, middle + width])
+                inside = (trial - low) * (trial - high) < 0.0
+                trial = trial[inside]
+                if len(trial) == 0:
+                    break
+            least, times = self._least(self.places(trial), piece, way, x)
+            holds = np.flatnonzero(least > 0.0)
+            if len(holds) == 0:
+                low, ends[0], when = trial[-1], least[-1], times[-1]
+            else:
+                first = holds[0]
+                high, ends[1] = trial[first], least[first]
+                if first > 0:
+                    low, ends[0], when = trial[first - 1], least[first - 1], times[first - 1]
+            if abs(high - low) <= 4.0 * EPS * max(abs(high), abs(low)):
+                break
+        if ends[0] <= 0.0 <= ends[1] and ends[1] > ends[0]:
+            return low - ends[0] * (high - low) / (ends[1] - ends[0]), float(when)
+        return (high if abs(ends[1]) < abs(ends[0]) else low), float(when)
+
+    def _passages(self, places, piece, way, x, last):
+        """First times from x on at which places switch; `last` where they do only there."""
+        value = self.load if way < 0 else self.gap
+        times = x + (last - x) * self.SAMPLES
+        if isinstance(piece, Smooth):
+            times = np.unique(np.concatenate([times, np.linspace(x, last, 17)]))
+        values = value(places, piece, np.broadcast_to(times, (len(places.h), len(times))))
+        values[:, 0] = np.maximum(values[:, 0], 0.0)
+        below = values < 0.0
+        first = np.argmax(below, axis=1)
+        any_below = below.any(axis=1)
+        rows = np.arange(len(places.h))
+        low, high = times[np.maximum(first - 1, 0)], times[first]
+        found = np.full(len(places.h), last)
+        pick = np.flatnonzero(any_below)
+        if len(pick):
+            part = self._some(places, pick)
+            found[pick] = bracketed(lambda t: value(part, piece, t), low[pick], high[pick], values[rows, np.maximum(first - 1, 0)][pick], values[rows, first][pick])
+        return found
+
+
+    # ---- what is asked at an instant
+
+    def edge_at(self, index, x):
+        """Edge at times x of pieces `index`: depths, whether there is contact, and how many runs count for the places in contact."""
+        index, x = np.asarray(index), np.asarray(x, dtype=float)
+        edges, runs = np.zeros(len(x)), np.zeros(len(x), dtype=int)
+        contact = np.zeros(len(x), dtype=bool)
+        active = np.full(len(x), -1)
+        for k in range(len(x)):
+            edge, touching, count = (self.relaxed_edge, True, 0) if self.relaxed_edge > 0.0 else (0.0, False, 0)
+            for number, run in enumerate(self.runs):
+                if (run.piece, run.first) > (index[k], x[k]):
+                    break
+                after = run.piece < index[k] or run.last <= x[k]
+                if after:
+                    touching = run.way > 0 or run.low >= 0.0
+                    edge, count = (run.end if touching else 0.0), number + 1
+                else:
+                    active[k] = number
+                    touching, count = True, number + (run.way > 0)
+                    break
+            edges[k], contact[k], runs[k] = edge, touching, count
+        moving = np.flatnonzero(active >= 0)
+        if len(moving):
+            edges[moving] = self._moving_edges(active[moving], index[moving], x[moving])
+        return edges, contact, runs
+
+    def _moving_edges(self, numbers, index, x):
+        low, high = np.zeros(len(x)), np.zeros(len(x))
+        for k, number in enumerate(numbers):
+            run = self.runs[number]
+            theta, left, right, _ = RUN_NODES
+            h = np.where(left < 0.5, run.start + (run.end - run.start) * left, run.end - (run.end - run.start) * right)
+            h = np.concatenate([[run.start], h, [run.end]])
+            times = np.concatenate([[run.first], run.times, [run.last]])
+            place = int(np.clip(np.searchsorted(times, x[k], side="right") - 1, 0, len(h) - 2))
+            low[k], high[k] = h[max(place - 1, 0)], h[min(place + 2, len(h) - 1)]
+        ways = np.array([self.runs[number].way for number in numbers])
+
+        def value(h):
+            # Positive where the edge has not come by.
+            places = self.places(h, numbers)
+            found = np.zeros(len(h))
+            for piece in np.unique(index):
+                for way in (-1, 1):
+                    rows = np.flatnonzero((index == piece) & (ways == way))
+                    if len(rows):
+                        part = self._some(places, rows)
+                        of = self.load if way < 0 else self.gap
+                        found[rows] = of(part, self.pieces[piece], x[rows])
+            return found
+
+        return bracketed(value, low, high, iterations=40)
+
+    def forces(self, index, x, edges=None):
+        """Forces at times of pieces, with errors of the quadrature."""
+        edges, contact, runs = self.edge_at(index, x) if edges is None else edges
+        theta, left, right, weight = FORCE_NODES
+        s_all, h_all, w_all, owner = [], [], [], []
+        knots = [float(self.shape.line(np.array(k))) for k in self.shape.knots]
+        for k in range(len(x)):
+            if not contact[k] or edges[k] <= 0.0:
+                continue
+            least = 1e-9 * edges[k]
+            inner = sorted(h for h, number in self.turns if number <= runs[k] and least < h < edges[k] - least)
+            inner += [h for h in knots if least < h < edges[k] - least]
+            breaks = [0.0]
+            for h in sorted(inner):
+                if h - breaks[-1] > least:
+                    breaks.append(h)
+            breaks.append(edges[k])
+            radii = self.shape.radius(np.array(breaks))
+            for near, off in zip(radii, radii[1:]):
+                s = np.where(left < 0.5, near + (off - near) * left, off - (off - near) * right)
+                s_all.append(s)
+                w_all.append((off - near) * weight)
+                owner.append(np.full(len(s), k))
+        force, error = np.zeros(len(x)), np.zeros(len(x))
+        if not s_all:
+            return force, error
+        s, w, owner = np.concatenate(s_all), np.concatenate(w_all), np.concatenate(owner)
+        h = np.minimum(self.shape.line(s), edges[owner])
+        places = self.places(h, runs[owner])
+        q = np.zeros(len(h))
+        index, x = np.asarray(index), np.asarray(x, dtype=float)
+        for piece in np.unique(index):
+            rows = np.flatnonzero(index[owner] == piece)
+            if len(rows):
+                q[rows] = self.load(self._some(places, rows), self.pieces[piece], x[owner[rows]])
+        q = np.where(places.contact, q, 0.0)
+        np.add.at(force, owner, 2.0 * w * q)
+        coarse = np.zeros(len(x))
+        every = np.tile(np.arange(len(left)) % 2 == 0, len(s) // len(left))
+        np.add.at(coarse, owner[every], 4.0 * w[every] * q[every])
+        error = np.abs(force - coarse)
+        return force, error
+
+
+def bracketed(value, low, high, at_low=None, at_high=None, iterations=60):
+    """Roots between brackets, all at once: secants that keep the bracket (Illinois), bisection where they are slow."""
+    low, high = np.array(low, dtype=float), np.array(high, dtype=float)
+    at_low = np.array(value(low) if at_low is None else at_low, dtype=float)
+    at_high = np.array(value(high) if at_high is None else at_high, dtype=float)
+    root = np.where(np.abs(at_low) < np.abs(at_high), low, high)
+    side = np.zeros(len(low), dtype=int)
+    for step in range(iterations):
+        span = high - low
+        done = (np.abs(span) <= 2.0 * EPS * np.maximum(np.abs(low), np.abs(high))) | (at_low == 0.0) | (at_high == 0.0)
+        if done.all():
+            break
+        with np.errstate(all="ignore"):
+            part = at_low / (at_low - at_high)
+        bad = ~np.isfinite(part) | (part <= 0.0) | (part >= 1.0)
+        part = np.where(bad | (step % 4 == 3), 0.5, part)
+        trial = low + span * part
+        found = value(trial)
+        same = (found > 0.0) == (at_low > 0.0)
+        at_high = np.where(same & (side == 1), 0.5 * at_high, at_high)
+        at_low = np.where(~same & (side == -1), 0.5 * at_low, at_low)
+        low, at_low = np.where(same, trial, low), np.where(same, found, at_low)
+        high, at_high = np.where(same, high, trial), np.where(same, at_high, found)
+        side = np.where(same, 1, -1)
+        exact = found == 0.0
+        low, high = np.where(exact, trial, low), np.where(exact, trial, high)
+        at_low, at_high = np.where(exact, 0.0, at_low), np.where(exact, 0.0, at_high)
+        root = trial
+    with np.errstate(all="ignore"):
+        part = at_low / (at_low - at_high)
+    part = np.where(np.isfinite(part) & (part >= 0.0) & (part <= 1.0), part, 0.5)
+    return low + (high - low) * part
