@@ -173,6 +173,9 @@ class Punch:
     def __init__(self, radius):
         self.rim = radius
 
+    def radius(self, h):
+        return np.where(np.asarray(h) >= 0.0, self.rim, 0.0)
+
 
 class Table:
     """z(r) through points: monotone cubics with the slopes of indentation_shape.py, f in closed form, its inverse by Newton's steps."""
@@ -519,6 +522,8 @@ class Contact:
         self.reached = max(self.reached, run.high)
 
     def _jump(self, piece):
+        if piece.after == piece.before:
+            return
         rising = piece.after > piece.before
         index = len(self.pieces) - 1
         if rising:
@@ -847,6 +852,14 @@ class Contact:
     def forces(self, index, x, edges=None):
         """Forces at times of pieces, with errors of the quadrature."""
         edges, contact, runs = self.edge_at(index, x) if edges is None else edges
+        index, x = np.asarray(index), np.asarray(x, dtype=float)
+        if math.isfinite(self.shape.rim):
+            places = self.places(np.zeros(len(x)), runs)
+            q = np.zeros(len(x))
+            for piece in np.unique(index):
+                rows = np.flatnonzero((index == piece) & contact)
+                q[rows] = self.load(self._some(places, rows), self.pieces[piece], x[rows])
+            return 2.0 * self.shape.rim * q, np.zeros(len(x))
         theta, left, right, weight = FORCE_NODES
         s_all, h_all, w_all, owner = [], [], [], []
         knots = [float(self.shape.line(np.array(k))) for k in self.shape.knots]
@@ -920,3 +933,175 @@ def bracketed(value, low, high, at_low=None, at_high=None, iterations=60):
         part = at_low / (at_low - at_high)
     part = np.where(np.isfinite(part) & (part >= 0.0) & (part <= 1.0), part, 0.5)
     return low + (high - low) * part
+
+
+# ---------------------------------------------------------------- histories
+
+class History:
+    """What is done, leg after leg, in any quantity; `legs` holds the pieces of each."""
+
+    def __init__(self, solid, shape, stiffness=None):
+        self.contact = Contact(solid, shape)
+        self.solid, self.shape, self.stiffness = solid, shape, stiffness
+        self.legs = []
+        self.here = None
+        self.afloat = set()
+        self.collocation = 0.0
+
+    # Positions are (piece, time in it).
+
+    def now(self):
+        return len(self.contact.pieces) - 1, self.contact.pieces[-1].length
+
+    def begin(self, quantity, value, relaxed):
+        contact = self.contact
+        if relaxed:
+            depth = self._elastic_depth(quantity, value, self.solid.relaxed)
+            contact.relaxed_at(depth)
+        contact.go(Jump(self.solid, contact.time, contact.depth, contact.depth, contact.memory))
+        self.here = (quantity, value)
+        if not relaxed:
+            depth = self._elastic_depth(quantity, value, self.solid.glassy)
+            contact.jump(depth)
+
+    def _elastic_depth(self, quantity, value, modulus):
+        shape = self.shape
+        if quantity == "penetration" or (value <= 0.0 and quantity != "force"):
+            return value
+        punch = math.isfinite(shape.rim)
+        if quantity == "contact_radius":
+            return float(shape.line(np.array(value)))
+        imposed = {"force": lambda depth, force: force, "frame": lambda depth, force: depth + force / self.stiffness}[quantity]
+        if punch:
+            slope = 2.0 * shape.rim * modulus
+            return value / slope if quantity == "force" else value * self.stiffness / (self.stiffness + slope)
+        if value <= 0.0:
+            return 0.0
+        elastic = lambda s: imposed(float(shape.line(np.array(s))), modulus * float(shape.elastic(np.array(s))))
+        low, high = 0.0, shape.knots[-1] if len(shape.knots) else 1.0
+        while elastic(high) < value:
+            high *= 2.0
+        while elastic(0.5 * high) > value:
+            high *= 0.5
+        radius = bracketed(lambda s: np.array([elastic(s[0]) - value]), np.array([0.5 * high]), np.array([high]))[0]
+        return float(shape.line(np.array(radius)))
+
+    def step(self, quantity, value):
+        first = len(self.contact.pieces)
+        if quantity == "penetration":
+            self.contact.jump(value)
+        else:
+            self._step(quantity, value)
+        self.here = (quantity, value)
+        self.legs.append((first, len(self.contact.pieces)))
+
+    def ramp(self, quantity, end, duration, oscillation=None):
+        """Straight to a value, or with an oscillation (function of the time in the leg, and the times of its extremes) about the straight way."""
+        if duration <= 0.0:
+            self.step(quantity, end)
+            return
+        first = len(self.contact.pieces)
+        start = self.value_of(quantity)
+        if quantity == "penetration":
+            if oscillation is None:
+                self.contact.straight(end, duration)
+            else:
+                self._follow(lambda x: start + (end - start) * (x / duration) + oscillation[0](x), oscillation[1], duration)
+        else:
+            way = (lambda x: start + (end - start) * (x / duration)) if oscillation is None else (
+                lambda x: start + (end - start) * (x / duration) + oscillation[0](x))
+            self._ramp(quantity, way, duration, start, end, oscillation)
+        self.here = (quantity, end if oscillation is None else end + float(oscillation[0](duration)))
+        self.legs.append((first, len(self.contact.pieces)))
+
+    def value_of(self, quantity):
+        """The present value of a quantity."""
+        if self.here[0] == quantity:
+            return self.here[1]
+        contact = self.contact
+        if quantity == "penetration":
+            return contact.depth
+        position = self.now()
+        edge = contact.edge_at([position[0]], [position[1]])
+        if quantity == "contact_radius":
+            return float(self.shape.radius(edge[0])[0]) if edge[1][0] else 0.0
+        force = float(contact.forces([position[0]], [position[1]], edge)[0][0])
+        return force if quantity == "force" else contact.depth + force / self.stiffness
+
+    def _follow(self, way, breaks, duration):
+        """The penetration follows a smooth function of time, pieces between the given times."""
+        contact = self.contact
+        times = [0.0] + [b for b in breaks if 1e-12 * duration < b < duration * (1.0 - 1e-12)] + [duration]
+        count = 18
+        z = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+        for low, high in zip(times, times[1:]):
+            x = low + 0.5 * (high - low) * (1.0 + z)
+            values = way(x)
+            coefficients = 2.0 / count * np.cos(np.outer(np.arange(count), np.pi * (np.arange(count) + 0.5) / count)) @ values
+            coefficients[0] *= 0.5
+            # It goes on exactly from where it is.
+            coefficients[0] += contact.depth - np.polynomial.chebyshev.chebval(-1.0, coefficients)
+            contact.go(Smooth(self.solid, contact.time, high - low, coefficients, contact.memory))
+
+    def _step(self, quantity, value):
+        raise NotImplementedError(quantity)
+
+    def _ramp(self, quantity, way, duration, start, end, oscillation):
+        raise NotImplementedError(quantity)
+
+    # ---- what is asked
+
+    def at_time(self, time):
+        """The position of a time since the start; the last one where several pieces share it."""
+        pieces = self.contact.pieces
+        starts = np.array([float(piece.start) for piece in pieces])
+        index = max(int(np.searchsorted(starts, time, side="right")) - 1, 0)
+        return index, min(max(float(LONG(time) - pieces[index].start), 0.0), pieces[index].length)
+
+    def in_leg(self, leg, part):
+        """The position at a part of the duration of a leg."""
+        first, end = self.legs[leg]
+        pieces = self.contact.pieces
+        total = sum(pieces[k].length for k in range(first, end))
+        if first == end:
+            return first - 1, pieces[first - 1].length
+        left = part * total
+        for k in range(first, end):
+            if left <= pieces[k].length or k == end - 1:
+                return k, min(left, pieces[k].length)
+            left -= pieces[k].length
+        return end - 1, pieces[end - 1].length
+
+    def values(self, positions):
+        """Penetration, force, radius, and the errors of quadrature of the force at positions."""
+        index, x = [p[0] for p in positions], [p[1] for p in positions]
+        edges = self.contact.edge_at(index, x)
+        force, error = self.contact.forces(index, x, edges)
+        radius = np.where(edges[1], self.shape.radius(np.maximum(edges[0], 0.0)), 0.0)
+        depth = np.array([float(self.contact.pieces[k].depth(t)) for k, t in zip(index, x)])
+        return depth, force, radius, error, edges
+
+    def floating(self, position):
+        """Whether the indenter is off the surface under a force, so that its place is a matter of taste."""
+        return position[0] in self.afloat
+
+    def tolerance(self, quantity):
+        """Own error, over the largest value, of what collocation adds."""
+        return self.collocation
+
+    def time_of(self, piece, x):
+        return float(self.contact.pieces[piece].start + LONG(x))
+
+
+# ---------------------------------------------------------------- from descriptions
+
+def solid_of(description):
+    """("relaxation", relaxed, moduli, rates) or ("creep", glassy, compliances, rates, flow)."""
+    kind, *rest = description
+    return Solid(*rest) if kind == "relaxation" else Solid.from_compliance(*rest)
+
+
+def shape_of(description):
+    kind, *rest = description
+    makers = {"sphere": sphere, "cone": cone, "flat_punch": Punch, "power_law": power_law, "profile": Table}
+    return makers[kind](*rest)
