@@ -27,7 +27,7 @@ sys.dont_write_bytecode = True
 import math
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import PchipInterpolator
 
 EPS = 2.0 ** -52
 LONG = np.longdouble
@@ -271,6 +271,9 @@ class Straight:
         decay = -np.multiply.outer(np.asarray(x, dtype=float), self.rates)
         return self.memory_start * np.exp(decay) - (self.slope / self.rates) * np.expm1(decay)
 
+    def speed(self, x):
+        return np.full(np.shape(x), self.slope)
+
     def highest(self):
         return max(self.first, self.last)
 
@@ -337,8 +340,12 @@ class Smooth:
             smooth = smooth + self.decaying * np.exp(-np.multiply.outer(x, self.rates))
         return smooth
 
+    def speed(self, x):
+        chebyshev = np.polynomial.chebyshev
+        return chebyshev.chebval(2.0 * np.asarray(x) / self.length - 1.0, chebyshev.chebder(self.coefficients)) * (2.0 / self.length)
+
     def highest(self):
-        return float(np.max(self.depth(np.linspace(0.0, self.length, 33)))) + 0.0
+        return float(np.max(self.depth(np.linspace(0.0, self.length, 33))))
 
     end = property(lambda self: float(self.depth(self.length)))
     end_memory = property(lambda self: self.memory(self.length))
@@ -346,7 +353,7 @@ class Smooth:
 
 # ---------------------------------------------------------------- double-exponential nodes
 
-REACH = 2.9
+REACH = 3.0
 
 
 def exponential_nodes(count):
@@ -360,7 +367,7 @@ def exponential_nodes(count):
 
 
 RUN_NODES = exponential_nodes(41)
-FORCE_NODES = exponential_nodes(49)
+FORCE_NODES = exponential_nodes(57)
 
 
 class Run:
@@ -373,7 +380,12 @@ class Run:
         self.spline = None
         if times is not None:
             self.times = times
-            self.spline = CubicSpline(RUN_NODES[0], times)
+            self.spline = PchipInterpolator(RUN_NODES[0], self.odds(times))
+
+    def odds(self, times):
+        """Logarithm of the part of the run gone by over the part left: times of all scales."""
+        least = 1e-15 * (self.last - self.first) + 1e-300
+        return np.log(np.maximum(times - self.first, least)) - np.log(np.maximum(self.last - times, least))
 
     def when(self, h):
         if self.spline is None:
@@ -382,7 +394,14 @@ class Run:
         part = np.clip((h - self.start) / span, 1e-300, 1.0)
         rest = np.clip((self.end - h) / span, 1e-300, 1.0)
         theta = np.arcsinh((np.log(part) - np.log(rest)) / np.pi)
-        return np.clip(self.spline(np.clip(theta, -REACH, REACH)), self.first, self.last)
+        odds = self.spline(np.clip(theta, -REACH, REACH))
+        late = self.last - (self.last - self.first) / (1.0 + np.exp(odds))
+        return np.where(odds > 0.0, late, self.first + (self.last - self.first) / (1.0 + np.exp(-odds)))
+
+    def nearer(self, x, step):
+        """Times after a step of Newton's, where it is short against the way to both ends of the run."""
+        fits = np.abs(step) < 0.1 * np.minimum(x - self.first, self.last - x)
+        return np.where(fits, x + step, x)
 
 
 # ---------------------------------------------------------------- contact
@@ -444,8 +463,21 @@ class Contact:
             own = h[rows]
             x = run.when(own)
             if n:
-                lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
                 jump = isinstance(piece, Jump)
+                lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
+                if run.spline is not None:
+                    speed = piece.speed(x)
+                    if run.way < 0:
+                        springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + piece.memory(x)
+                        value = solid.relaxed * (piece.depth(x) - own) + springs @ solid.moduli
+                        slope = solid.glassy * speed - springs @ (solid.moduli * solid.rates)
+                    else:
+                        strains = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.slow))
+                        value = strains.sum(axis=1) - piece.depth(x) + own
+                        slope = -speed - strains @ solid.slow
+                    with np.errstate(all="ignore"):
+                        x = run.nearer(x, -value / slope)
+                    lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
                 if run.way < 0:
                     springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + (piece.memory_before if jump else piece.memory(x))
                     width = (piece.before if jump else piece.depth(x)) - own
