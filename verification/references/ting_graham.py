@@ -335,7 +335,8 @@ class Smooth:
 
     def memory(self, x):
         x = np.asarray(x, dtype=float)
-        smooth = np.polynomial.chebyshev.chebvander(2.0 * x / self.length - 1.0, len(self.polynomials) - 1) @ self.polynomials
+        basis = np.polynomial.chebyshev.chebvander((2.0 * x / self.length - 1.0).ravel(), len(self.polynomials) - 1)
+        smooth = (basis @ self.polynomials).reshape(*x.shape, len(self.rates))
         if self.decaying.any():
             smooth = smooth + self.decaying * np.exp(-np.multiply.outer(x, self.rates))
         return smooth
@@ -526,7 +527,9 @@ class Contact:
         self.pieces.append(piece)
         self.largest = max(self.largest, abs(piece.end), abs(float(piece.depth(0.0))))
         if isinstance(piece, Jump):
+            self.corner()
             self._jump(piece)
+            self.corner()
         else:
             self._run(piece)
         self.depth, self.memory = piece.end, piece.end_memory
@@ -548,9 +551,15 @@ class Contact:
         found = sorted({h for h, _ in self.turns if low + least < h < high - least})
         return [low] + [h for k, h in enumerate(found) if k == 0 or h - found[k - 1] > least] + [high]
 
-    def _add_run(self, run, until=None):
+    def corner(self):
+        """The history has a corner now: places that the edge has and has not passed by now differ in a derivative."""
+        if not self.open:
+            self.turns.append((self.edge, len(self.runs)))
+
+    def _add_run(self, run):
+        if self.runs and self.runs[-1].way != run.way:
+            self.turns.append((max(run.start, 0.0), len(self.runs)))
         self.runs.append(run)
-        self.turns.append((max(run.end, 0.0), len(self.runs)))
         self.reached = max(self.reached, run.high)
 
     def _jump(self, piece):
@@ -967,6 +976,90 @@ def bracketed(value, low, high, at_low=None, at_high=None, iterations=60):
     return low + (high - low) * part
 
 
+# ---------------------------------------------------------------- levels
+
+def lobatto(count):
+    """Chebyshev's extreme places on (0, 1), values to coefficients, and coefficients to integrals from 0 (coefficients again)."""
+    z = -np.cos(np.pi * np.arange(count) / (count - 1))
+    to_coefficients = np.linalg.inv(np.polynomial.chebyshev.chebvander(z, count - 1))
+    integral = np.zeros((count + 1, count))
+    for k in range(count):
+        unit = np.zeros(count)
+        unit[k] = 1.0
+        own = np.polynomial.chebyshev.chebint(unit, lbnd=-1.0) * 0.5
+        integral[: len(own), k] = own
+    return 0.5 * (1.0 + z), to_coefficients, integral
+
+
+PANEL, TO_COEFFICIENTS, INTEGRAL = lobatto(9)
+GRADES = np.concatenate([[0.0], 10.0 ** np.arange(-8.0, -1.0), [0.05, 0.16, 0.5]])
+GRADES = np.concatenate([GRADES, 1.0 - GRADES[-2::-1]])
+
+
+def graded_panels(breaks, fine=True):
+    """Panels between breaks, finer towards each of them."""
+    parts = GRADES if fine else np.array([0.0, 0.5, 1.0])
+    edges = [np.array(breaks[:1])]
+    for low, high in zip(breaks, breaks[1:]):
+        left = low + (high - low) * parts
+        right = high - (high - low) * parts[::-1]
+        edges.append(np.where(parts < 0.5, left, right)[1:])
+    edges = np.concatenate(edges)
+    keep = np.concatenate([[True], np.diff(edges) > 1e-15 * edges[-1]])
+    return edges[keep]
+
+
+class Level:
+    """Places on panels of s with values p that rise with s, one row an instant: int (y - p) ds up to where p reaches y."""
+
+    def __init__(self, edges):
+        self.edges = edges
+        self.width = np.diff(edges)
+        self.s = edges[:-1, None] + self.width[:, None] * PANEL
+        self.s[:, -1] = edges[1:]
+
+    def take(self, values):
+        """values [instants, panels, 9]."""
+        self.values = values
+        self.coefficients = values @ TO_COEFFICIENTS.T
+        areas = np.sum((self.coefficients @ INTEGRAL.T), axis=-1) * self.width
+        self.areas = np.concatenate([np.zeros((len(values), 1)), np.cumsum(areas, axis=1)], axis=1)
+
+    def whole(self):
+        return self.areas[:, -1]
+
+    def integral(self, levels):
+        """Integrals, radii reached, and whether the last panel was passed."""
+        rows = np.arange(len(levels))
+        ends = self.values[:, :, -1]
+        panel = np.minimum(np.sum(ends < levels[:, None], axis=1), ends.shape[1] - 1)
+        beyond = levels > ends[:, -1]
+        own = self.coefficients[rows, panel]
+        low, high = np.zeros(len(levels)), np.ones(len(levels))
+        first, last = self.values[rows, panel, 0] - levels, self.values[rows, panel, -1] - levels
+        inside = (first < 0.0) & (last > 0.0)
+        part = np.where(last <= 0.0, 1.0, 0.0)
+        pick = np.flatnonzero(inside)
+        if len(pick):
+            chosen = own[pick]
+
+            def value(z):
+                return np.sum(np.polynomial.chebyshev.chebvander(2.0 * z - 1.0, chosen.shape[1] - 1) * chosen, axis=1) - levels[pick]
+
+            part[pick] = bracketed(value, low[pick], high[pick], first[pick], last[pick])
+        radius = self.edges[panel] + self.width[panel] * part
+        rest = np.sum(np.polynomial.chebyshev.chebvander(2.0 * part - 1.0, 9) * (own @ INTEGRAL.T), axis=1) * self.width[panel]
+        area = self.areas[rows, panel] + rest
+        return levels * (radius - self.edges[0]) - area, radius, beyond
+
+
+class Moment:
+    """A place in time that a lag can be counted to, before its piece is known."""
+
+    def __init__(self, start):
+        self.start = start
+
+
 # ---------------------------------------------------------------- histories
 
 class History:
@@ -1033,6 +1126,7 @@ class History:
             self.step(quantity, end)
             return
         first = len(self.contact.pieces)
+        self.contact.corner()
         start = self.value_of(quantity)
         if quantity == "penetration":
             if oscillation is None:
@@ -1075,11 +1169,499 @@ class History:
             coefficients[0] += contact.depth - np.polynomial.chebyshev.chebval(-1.0, coefficients)
             contact.go(Smooth(self.solid, contact.time, high - low, coefficients, contact.memory))
 
-    def _step(self, quantity, value):
-        raise NotImplementedError(quantity)
+    # ---- other quantities: at each instant an equation for the level of the penetration (Graham)
+
+    NODES = 13
+    TAIL = 1e-10
+    SHORTEST = 1e-8
+
+    def _breaks(self, low, high):
+        """Radii between two at which the past of the places, or the shape, changes."""
+        contact = self.contact
+        inner = [h for h, _ in contact.turns] + [float(self.shape.line(np.array(k))) for k in self.shape.knots]
+        depths = [low] + sorted(h for h in inner if low + 1e-9 * high < h < high * (1.0 - 1e-9)) + [high]
+        kept = [depths[0]]
+        for h in depths[1:]:
+            if h - kept[-1] > 1e-10 * high:
+                kept.append(h)
+        kept[-1] = high
+        return self.shape.radius(np.array(kept))
+
+    def _held(self, places, moment, x):
+        """-(q - kappa) of places in contact at times x [places, times]: what the level kappa = int R dD must reach for q > 0."""
+        memory = places.state[:, None, :] * np.exp(-np.multiply.outer(self.contact.lag(places, moment, x), self.solid.rates)) if len(self.solid.rates) else None
+        hold = np.repeat(self.solid.relaxed * places.h[:, None], x.shape[1], axis=1)
+        return hold - memory @ self.solid.moduli if memory is not None else hold
+
+    def _free(self, places, moment, x):
+        """h + W of free places at times x: what the penetration must reach to meet them."""
+        free = np.repeat(places.h[:, None], x.shape[1], axis=1)
+        if len(self.solid.rates):
+            free = free + np.sum(places.state[:, None, :] * np.exp(-np.multiply.outer(self.contact.lag(places, moment, x), self.solid.slow)), axis=-1)
+        return free
+
+    def _profile(self, level, moment, x, inside):
+        h = self.shape.line(level.s.ravel())
+        edge = self.contact.edge
+        h = np.minimum(h, edge * (1.0 - 1e-14)) if inside else np.maximum(h, edge)
+        places = self.contact.places(h)
+        # Exactly at a turn the last run may have gone by or not: both are the same place.
+        times = np.broadcast_to(x, (len(h), len(x)))
+        held, free = self._held, self._free
+        want = np.full(len(h), inside)
+        found = (held if inside else free)(places, moment, times)
+        odd = np.flatnonzero(places.contact != want)
+        for row in odd:
+            near = np.array([h[row] * (1.0 - 1e-11) if inside else h[row] * (1.0 + 1e-11) + 1e-300])
+            other = self.contact.places(near)
+            if other.contact[0] == inside:
+                found[row] = (held if inside else free)(other, moment, x[None, :])[0]
+            else:
+                found[row] = np.nan
+        if len(odd):
+            bad = np.isnan(found).any(axis=1)
+            good = np.flatnonzero(~bad)
+            for row in np.flatnonzero(bad):
+                found[row] = found[good[np.argmin(np.abs(good - row))]]
+        values = found.T.reshape(len(x), *level.s.shape)
+        level.take(values)
+
+    def _operators(self, length):
+        """Nodes, their time operators: int R dD = relaxing @ D + history."""
+        count = self.NODES
+        z = -np.cos(np.pi * np.arange(count) / (count - 1))
+        x = 0.5 * length * (1.0 + z)
+        relaxing = self.solid.relaxed * np.eye(count)
+        history = np.zeros(count)
+        for i, rate in enumerate(self.solid.rates):
+            relaxing = relaxing + self.solid.moduli[i] * memory_matrix(rate * length, count)
+            history = history + self.solid.moduli[i] * self.contact.memory[i] * np.exp(-rate * x)
+        return x, relaxing, history
+
+    def _imposed(self, quantity, depth, force):
+        return force if quantity == "force" else depth + force / self.stiffness
 
     def _ramp(self, quantity, way, duration, start, end, oscillation):
-        raise NotImplementedError(quantity)
+        contact = self.contact
+        marks = [0.0, duration]
+        if oscillation is not None:
+            marks[1:1] = [b for b in oscillation[1] if 1e-12 * duration < b < duration * (1.0 - 1e-12)]
+        for low, high in zip(marks, marks[1:]):
+            if quantity == "contact_radius":
+                self._radius_stretch(way, low, high)
+            else:
+                self._load_stretch(quantity, way, low, high)
+
+    def _accept(self, length, depths):
+        coefficients = np.linalg.inv(np.polynomial.chebyshev.chebvander(-np.cos(np.pi * np.arange(len(depths)) / (len(depths) - 1)), len(depths) - 1)) @ depths
+        scale = max(self.contact.largest, float(np.max(np.abs(depths))))
+        return coefficients, float(np.sum(np.abs(coefficients[-2:]))) / scale if scale else 0.0
+
+    def _go(self, length, coefficients):
+        self.contact.go(Smooth(self.solid, self.contact.time, length, coefficients, self.contact.memory))
+
+    def _radius_stretch(self, way, low, high):
+        contact = self.contact
+        total, done, length = high - low, 0.0, 1e-3 * (high - low)
+        while done < total * (1.0 - 1e-13):
+            length = min(length, total - done)
+            if total - done - length < 1e-9 * total:
+                length = total - done
+            x, relaxing, history = self._operators(length)
+            radius = np.maximum(np.array([way(low + done + t) for t in x]), 0.0)
+            h = self.shape.line(radius)
+            moment = Moment(contact.time)
+            rising = h[-1] > h[0]
+            own = np.minimum(h, contact.edge * (1.0 - 1e-14)) if not rising else np.maximum(h, contact.edge * (1.0 + 1e-14))
+            kinks = [b for b, _ in contact.turns if (b - h[0]) * (b - h[-1]) < 0.0 and min(abs(b - h[0]), abs(b - h[-1])) > 1e-9 * max(h[0], h[-1])]
+            if kinks:
+                kink = min(kinks, key=lambda b: abs(b - h[0]))
+                cut = bracketed(lambda t: self.shape.line(np.array([max(way(low + done + v), 0.0) for v in t])) - kink, np.array([0.0]), np.array([length]))[0]
+                if cut > self.SHORTEST * total:
+                    length = cut
+                    continue
+            places = contact.places(own)
+            if rising:
+                depths = self._free(places, moment, x[:, None])[:, 0]
+            else:
+                level = self._held(places, moment, x[:, None])[:, 0] - history
+                depths = np.concatenate([[contact.depth], np.zeros(len(x) - 1)])
+                depths[1:] = np.linalg.solve(relaxing[1:, 1:], level[1:] - relaxing[1:, 0] * contact.depth)
+            depths[0] = contact.depth
+            coefficients, tail = self._accept(length, depths)
+            if tail > self.TAIL and length > self.SHORTEST * total:
+                length *= 0.35
+                continue
+            self._go(length, coefficients)
+            done += length
+            length *= 3.0
+
+    def _float(self, length):
+        """Nothing holds the indenter for a while."""
+        contact = self.contact
+        away = -1.0 - 10.0 * abs(contact.largest)
+        contact.pieces.append(Jump(self.solid, contact.time, contact.depth, contact.depth, contact.memory))
+        if length > 0.0:
+            piece = Straight(self.solid, contact.time, length, contact.depth, contact.depth, contact.memory)
+            self.afloat.add(len(contact.pieces))
+            contact.pieces.append(piece)
+            contact.memory, contact.time = piece.end_memory, piece.start + LONG(length)
+
+    def _surface(self):
+        """Where the free surface is under the tip."""
+        contact = self.contact
+        return float(self._free(contact.places(np.zeros(1)), Moment(contact.time), np.zeros((1, 1)))[0, 0])
+
+    def _load_stretch(self, quantity, way, low, high):
+        contact = self.contact
+        total, done = high - low, 0.0
+        first = 1e-4 * total
+        length = first
+        punch = math.isfinite(self.shape.rim)
+        turns = 0
+        guard = 0
+        while done < total * (1.0 - 1e-13):
+            guard += 1
+            if guard > 600:
+                raise RuntimeError("a stretch under load has too many pieces")
+            if contact.open:
+                if quantity == "force":
+                    # Until it is pushed.
+                    samples = np.linspace(low + done, high, 65)
+                    pushed = np.flatnonzero(np.array([way(t) for t in samples]) > 0.0)
+                    if len(pushed) == 0:
+                        self._float(total - done)
+                        return
+                    if pushed[0] > 0:
+                        root = bracketed(lambda t: np.array([way(t[0])]), samples[pushed[0] - 1 : pushed[0]], samples[pushed[0] : pushed[0] + 1])[0]
+                        self._float(max(root - low - done, 0.0))
+                        done = root - low
+                    self._touch_again()
+                    length = min(first, 1e-6 * (total - done))
+                else:
+                    # The far end moves and nothing pushes: the indenter goes with it.
+                    rest = total - done
+                    before = len(contact.pieces)
+                    start, end = way(low + done), way(high)
+                    straight = abs(way(low + done + 0.5 * rest) - 0.5 * (start + end)) <= 1e-13 * (abs(start) + abs(end))
+                    touch = self._frame_touch(way, low + done, rest)
+                    free = rest if touch is None else touch
+                    if free > 0.0:
+                        if straight:
+                            contact.straight(start + (end - start) * (free / rest), free)
+                        else:
+                            self._follow(lambda x, at=low + done: np.array([way(at + t) for t in x]), [], free)
+                    done += free
+                    if touch is None:
+                        return
+                    if contact.open:
+                        self._touch_again()
+                    length = min(first, 1e-6 * (total - done))
+                continue
+            length = min(length, total - done)
+            if total - done - length < 1e-9 * total:
+                length = total - done
+            outcome = self._load_piece(quantity, way, low + done, length, punch)
+            kind = outcome[0]
+            if kind == "cut":
+                # The edge turns, passes a kink, or lets go within the piece.
+                if outcome[1] > self.SHORTEST * total and outcome[1] < length * (1.0 - 1e-9):
+                    length = outcome[1]
+                    continue
+                kind = "shorter"
+            if kind == "shorter" and length > self.SHORTEST * total:
+                length *= 0.3
+                continue
+            if kind == "shorter" and outcome[-1] is None:
+                # No contact is left.
+                self._let_go(length, way(low + done + length) if quantity == "frame" else None)
+                done += length
+                length = first
+                continue
+            coefficients = outcome[-1]
+            self._go(length, coefficients)
+            done += length
+            length *= 3.0
+
+    def _touch_again(self):
+        contact = self.contact
+        surface = self._surface()
+        contact.pieces.append(Jump(self.solid, contact.time, contact.depth, surface, contact.memory))
+        contact.memory = contact.memory + (surface - contact.depth)
+        contact.depth = surface
+        contact.open, contact.edge = False, 0.0
+        contact.events.append(("touch", len(contact.pieces) - 1, 0.0))
+        self.fresh = True
+
+    def _frame_touch(self, way, at, rest):
+        contact = self.contact
+        places, moment = contact.places(np.zeros(1)), Moment(contact.time)
+        samples = rest * np.unique(np.concatenate([contact.SAMPLES, np.linspace(0.0, 1.0, 65)]))
+        gap = lambda t: self._free(places, moment, t[None, :])[0] - np.array([way(at + v) for v in t])
+        found = gap(samples)
+        found[0] = abs(found[0])
+        below = np.flatnonzero(found < -4.0 * EPS * contact.largest)
+        if len(below) == 0:
+            return None
+        k = below[0]
+        return float(bracketed(gap, samples[k - 1 : k], samples[k : k + 1])[0])
+
+    def _let_go(self, length, depth):
+        """The last of a contact: down to where the tip leaves the surface."""
+        contact = self.contact
+        if depth is None:
+            x, relaxing, history = self._operators(length)
+            level = self._held(contact.places(np.zeros(1)), Moment(contact.time), x[None, :])[0] - history
+            depths = np.concatenate([[contact.depth], np.linalg.solve(relaxing[1:, 1:], level[1:] - relaxing[1:, 0] * contact.depth)])
+            depth = depths[-1] - 1e-9 * max(contact.largest, 1e-300)
+        contact.straight(depth, length)
+        if not contact.open:
+            index = len(contact.pieces) - 1
+            contact._add_run(Run(-1, index, contact.edge, -1.0, length, length))
+            contact.events.append(("detachment", index, length, 0.0))
+            contact.edge, contact.open = 0.0, True
+
+    def _load_piece(self, quantity, way, at, length, punch):
+        contact, solid = self.contact, self.solid
+        x, relaxing, history = self._operators(length)
+        target = np.array([way(at + t) for t in x])
+        moment = Moment(contact.time)
+        own = relaxing[1:, 1:]
+        started = relaxing[1:, 0] * contact.depth + history[1:]
+        soft = quantity == "frame"
+        if punch:
+            tip = self._held(contact.places(np.zeros(1)), moment, x[None, :])[0][1:]
+            size = 2.0 * self.shape.rim
+            if soft:
+                # D + size (kappa - tip)/k = X
+                system = np.eye(len(tip)) + size / self.stiffness * own
+                depths = np.linalg.solve(system, target[1:] - size / self.stiffness * (started - tip))
+            else:
+                depths = np.linalg.solve(own, target[1:] / size + tip - started)
+            force = size * (own @ depths + started - tip)
+            if np.any(force < 0.0):
+                return self._first_zero(x, np.concatenate([[max(self._force_now(), 0.0)], force]), None)
+            coefficients, tail = self._accept(length, np.concatenate([[contact.depth], depths]))
+            return ("right", coefficients) if tail <= self.TAIL else ("shorter", coefficients)
+        edge_radius = float(self.shape.radius(np.array(contact.edge)))
+        inner = None
+        if contact.edge > 0.0:
+            inner = Level(graded_panels(self._breaks(0.0, contact.edge)))
+            self._profile(inner, moment, x[1:], True)
+        # The place at the edge, were it just to stay: what would be imposed then.
+        rising = True
+        if inner is not None:
+            marginal = inner.values[:, -1, -1]
+            stay = np.linalg.solve(own, marginal - started)
+            force = 2.0 * (marginal * edge_radius - inner.whole())
+            excess = target[1:] - self._imposed(quantity, stay, force)
+            scale = float(np.max(np.abs(target))) + 1e-300
+            clear = np.flatnonzero(np.abs(excess) > 1e-12 * scale)
+            if len(clear) == 0:
+                coefficients, tail = self._accept(length, np.concatenate([[contact.depth], stay]))
+                return ("right", coefficients) if tail <= self.TAIL else ("shorter", coefficients)
+            rising = excess[clear[0]] > 0.0
+        if not rising:
+            kappa = marginal.copy()
+            for _ in range(60):
+                area, radius, _ = inner.integral(kappa)
+                force = 2.0 * area
+                depths = np.linalg.solve(own, kappa - started)
+                wrong = self._imposed(quantity, depths, force) - target[1:]
+                if soft:
+                    inverse = np.linalg.inv(own)
+                    step = np.linalg.solve(inverse + np.diag(2.0 * radius / self.stiffness), wrong)
+                else:
+                    step = wrong / np.maximum(2.0 * radius, 1e-3 * edge_radius)
+                kappa = kappa - step
+                if np.max(np.abs(step)) <= 1e-14 * np.max(np.abs(kappa)) or np.max(np.abs(wrong)) <= 2e-15 * scale:
+                    break
+            area, radius, _ = inner.integral(kappa)
+            depths = np.linalg.solve(own, kappa - started)
+            force = 2.0 * area
+            if np.any(kappa <= inner.values[:, 0, 0]):
+                return self._first_zero(x, np.concatenate([[max(self._force_now(), 0.0)], np.where(kappa > inner.values[:, 0, 0], np.maximum(force, 0.0), -1e-300)]), None)
+        else:
+            reach = float(self.shape.radius(np.array(max(contact.reached, contact.edge))))
+            cap = max(1.2 * reach, 1.05 * edge_radius)
+            if contact.edge == 0.0 and contact.reached == 0.0:
+                cap = float(self.shape.radius(np.array(self._elastic_depth(quantity, float(np.max(target)), solid.relaxed if solid.relaxed > 0.0 else 1e-4 * solid.glassy)))) * 1.1
+            for _ in range(60):
+                outcome = self._advance(quantity, target, x, own, started, moment, inner, edge_radius, cap)
+                if outcome is not None:
+                    break
+                cap *= 1.6
+            else:
+                return "shorter", None
+            depths, radius = outcome
+        coefficients, tail = self._accept(length, np.concatenate([[contact.depth], depths]))
+        path = np.concatenate([[edge_radius], radius])
+        steps = np.diff(path) * (1.0 if rising else -1.0)
+        if np.any(steps < -1e-9 * max(path)):
+            # The extreme of the path, by its polynomial.
+            fit = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * x / length - 1.0, len(x) - 1), path)
+            grid = np.linspace(0.0, length, 400)
+            values = np.polynomial.chebyshev.chebval(2.0 * grid / length - 1.0, fit) * (1.0 if rising else -1.0)
+            falls = np.flatnonzero(np.diff(values) < 0.0)
+            falls = falls[falls > 0]
+            place = falls[0] if len(falls) else 40
+            slope = np.polynomial.chebyshev.chebder(fit)
+            slopes = np.polynomial.chebyshev.chebval(2.0 * grid / length - 1.0, slope)
+            k = min(max(place, 1), 397)
+            if slopes[k - 1] * slopes[k + 1] < 0.0:
+                cut = bracketed(lambda t: np.polynomial.chebyshev.chebval(2.0 * t / length - 1.0, slope), grid[k - 1 : k], grid[k + 1 : k + 2])[0]
+            else:
+                cut = grid[place]
+            return "cut", float(min(cut, 0.9 * length) if cut > 0.9 * length and tail > 1e-6 else cut), coefficients
+        # A kink of the past passed within the piece.
+        kinks = [self.shape.radius(np.array(h)) for h, _ in contact.turns] + list(self.shape.knots)
+        near = 1e-8 * max(path)
+        passed = [float(k) for k in kinks if min(path) + near < k < max(path) - near]
+        if passed and length > 0.0:
+            kink = min(passed, key=lambda k: abs(k - edge_radius))
+            order = path if rising else -path
+            sign = 1.0 if rising else -1.0
+            place = int(np.searchsorted(np.maximum.accumulate(order), sign * kink))
+            a, b = max(place - 1, 0), min(place, len(x) - 1)
+            fit = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * x / length - 1.0, len(x) - 1), path)
+            value = lambda t: np.polynomial.chebyshev.chebval(2.0 * t / length - 1.0, fit) - kink
+            ends = value(np.array([x[a], x[b]]))
+            cut = bracketed(value, np.array([x[a]]), np.array([x[b]]))[0] if ends[0] * ends[1] < 0.0 else x[b]
+            return "cut", float(cut), coefficients
+        return ("right", coefficients) if tail <= self.TAIL else ("shorter", coefficients)
+
+    def _force_now(self):
+        position = self.now()
+        return float(self.contact.forces([position[0]], [position[1]])[0][0])
+
+    @staticmethod
+    def _first_zero(x, force, _):
+        below = int(np.argmax(force < 0.0))
+        if below == 0:
+            return "shorter", None
+        a, b = x[below - 1], x[below]
+        return "cut", float(a + 0.5 * (b - a)), None
+
+    def _advance(self, quantity, target, x, own, started, moment, inner, edge_radius, cap):
+        """Penetrations and radii at the nodes of a piece in which the edge advances; none where the panels end before it does."""
+        contact = self.contact
+        depth_cap = float(self.shape.line(np.array(cap)))
+        if len(self.shape.knots) and cap > self.shape.knots[-1]:
+            pass
+        breaks = self._breaks(contact.edge, depth_cap)
+        outer = Level(graded_panels(breaks, True))
+        self._profile(outer, moment, x[1:], False)
+        soft = quantity == "frame"
+        if inner is not None:
+            base = -2.0 * inner.whole()
+            depths = np.linalg.solve(own, inner.values[:, -1, -1] - started)
+        else:
+            base = np.zeros(len(x) - 1)
+            depths = outer.values[:, 0, 0] + 1e-3 * (outer.values[:, -1, -1] - outer.values[:, 0, 0])
+        size = 2.0 * edge_radius
+        scale = float(np.max(np.abs(target))) + 1e-300
+        best = None
+        for step_number in range(80):
+            # Below the edge nothing is met: the overlap is linear there, so that Newton finds its way.
+            area, radius, beyond = outer.integral(np.minimum(depths, outer.values[:, -1, -1]))
+            if np.any(depths > outer.values[:, -1, -1]) and step_number > 3:
+                return None
+            overlap = 2.0 * area
+            force = size * (own @ depths + started) + base + own @ overlap
+            wrong = self._imposed(quantity, depths, force) - target[1:]
+            slope = size * own + own * (2.0 * np.maximum(radius - edge_radius, 1e-6 * cap))[None, :]
+            if soft:
+                slope = np.eye(len(depths)) + slope / self.stiffness
+            step = np.linalg.solve(slope, wrong)
+            depths = depths - step
+            worst = float(np.max(np.abs(wrong)))
+            if np.max(np.abs(step)) <= 1e-14 * max(contact.largest, float(np.max(np.abs(depths)))) or (worst <= 1e-15 * scale):
+                break
+            if best is None or worst < best:
+                best = worst
+        if np.any(depths > outer.values[:, -1, -1]):
+            return None
+        radius = outer.integral(depths)[1]
+        return depths, radius
+
+    def _step(self, quantity, value):
+        contact, solid = self.contact, self.solid
+        punch = math.isfinite(self.shape.rim)
+        if quantity == "contact_radius":
+            h = float(self.shape.line(np.array(value)))
+            places, moment = contact.places(np.array([h])), Moment(contact.time)
+            if h < contact.edge and not contact.open:
+                # q = 0 after the jump.
+                q = self._now_load(places, moment)[0]
+                contact.jump(contact.depth - q / solid.glassy)
+            else:
+                contact.jump(float(self._free(places, moment, np.zeros((1, 1)))[0, 0]))
+            return
+        if quantity == "force" and value <= 0.0:
+            if not contact.open:
+                contact.go(Jump(solid, contact.time, contact.depth, self._surface_if_freed(), contact.memory))
+                if not contact.open:
+                    raise RuntimeError("a contact without force does not open")
+            return
+        if contact.open and quantity == "frame" and value <= self._surface():
+            contact.jump(value)
+            return
+        moment = Moment(contact.time)
+        x = np.zeros(1)
+        if punch:
+            places = contact.places(np.zeros(1))
+            now = self._now_load(places, moment)[0] / solid.glassy if places.contact[0] else contact.depth - float(self._free(places, moment, np.zeros((1, 1)))[0, 0])
+            size = 2.0 * self.shape.rim * solid.glassy
+            # size (d + now) = F, or contact.depth + d + size (d + now)/k = X
+            if quantity == "force":
+                change = value / size - now
+            else:
+                change = (value - contact.depth - size * now / self.stiffness) / (1.0 + size / self.stiffness)
+                if change + now <= 0.0:
+                    change = value - contact.depth
+            contact.jump(contact.depth + change)
+            return
+        edge_radius = float(self.shape.radius(np.array(contact.edge)))
+        cap = max(1.3 * float(self.shape.radius(np.array(max(contact.reached, contact.edge, 1e-300)))), 1e-300)
+        for _ in range(200):
+            depth_cap = float(self.shape.line(np.array(cap)))
+            level = Level(graded_panels(self._breaks(0.0, depth_cap)))
+            h = self.shape.line(level.s.ravel())
+            places = contact.places(h)
+            held = contact.depth - self._free(places, moment, np.zeros((len(h), 1)))[:, 0]
+            load = self._now_load(places, moment) / solid.glassy
+            # Change of the penetration from which a place carries.
+            needed = np.where(places.contact, -load, -held)
+            needed = np.maximum.accumulate(needed)
+            level.take(needed.reshape(1, *level.s.shape))
+            top = level.values[0, -1, -1]
+
+            def imposed(change):
+                force = 2.0 * solid.glassy * float(level.integral(np.array([change]))[0][0])
+                return self._imposed(quantity, contact.depth + change, force)
+
+            if imposed(top) >= value:
+                break
+            cap *= 1.5
+        low = level.values[0, 0, 0]
+        if imposed(low) >= value:
+            # Nothing carries.
+            contact.jump(value if quantity == "frame" else contact.depth + low)
+            return
+        change = bracketed(lambda c: np.array([imposed(c[0]) - value]), np.array([low]), np.array([top]), iterations=200)[0]
+        contact.jump(contact.depth + change)
+
+    def _now_load(self, places, moment):
+        q = self.solid.relaxed * (self.contact.depth - places.h)
+        if len(self.solid.rates):
+            springs = places.state * np.exp(-np.multiply.outer(self.contact.lag(places, moment, 0.0), self.solid.rates)) + self.contact.memory
+            q = q + springs @ self.solid.moduli
+        return q
+
+    def _surface_if_freed(self):
+        """The penetration at which nothing carries any more."""
+        places, moment = self.contact.places(np.zeros(1)), Moment(self.contact.time)
+        return self.contact.depth - self._now_load(places, moment)[0] / self.solid.glassy - 1e-9 * self.contact.largest
 
     # ---- what is asked
 
@@ -1123,6 +1705,39 @@ class History:
 
     def time_of(self, piece, x):
         return float(self.contact.pieces[piece].start + LONG(x))
+
+
+_BASES = {}
+
+
+def memory_matrix(stiffness, count):
+    """int exp(-r (x - x')) dD at the nodes of a piece from D there, r times the length being `stiffness`."""
+    chebyshev = np.polynomial.chebyshev
+    if count not in _BASES:
+        z = -np.cos(np.pi * np.arange(count) / (count - 1))
+        to_coefficients = np.linalg.inv(chebyshev.chebvander(z, count - 1))
+        slope = np.zeros((count, count))
+        for k in range(1, count):
+            own = chebyshev.chebder(np.eye(count)[k])
+            slope[: len(own), k] = own
+        width = count + 20
+        places = -np.cos(np.pi * (np.arange(width) + 0.5) / width)
+        values = chebyshev.chebvander(places, width)
+        slopes = np.stack([chebyshev.chebval(places, chebyshev.chebder(row)) if k else np.zeros(width) for k, row in enumerate(np.eye(width + 1))], axis=1)
+        _BASES[count] = z, to_coefficients, slope, width, places, values, slopes, chebyshev.chebvander(z, width), chebyshev.chebvander(z, count - 1), chebyshev.chebvander(places, count - 1)
+    z, to_coefficients, slope, width, places, values, slopes, fine, coarse, at_places = _BASES[count]
+    half = 0.5 * stiffness
+    if stiffness > Smooth.STIFF:
+        # p' + r p = D' by its polynomial solution, and what decays from the start.
+        p = np.linalg.solve(slope + half * np.eye(count), slope @ to_coefficients)
+        at_nodes = coarse @ p
+        return at_nodes - np.exp(-half * (1.0 + z))[:, None] * at_nodes[:1]
+    system = np.zeros((width + 1, width + 1))
+    system[0] = (-1.0) ** np.arange(width + 1)
+    system[1:] = slopes + half * values
+    right = np.zeros((width + 1, count))
+    right[1:] = at_places @ slope @ to_coefficients
+    return fine @ np.linalg.solve(system, right)
 
 
 # ---------------------------------------------------------------- from descriptions
