@@ -453,7 +453,10 @@ class Contact:
         found.offset = np.zeros(count)
         found.state = np.zeros((count, n))
         limit = len(self.runs) if runs is None else int(np.max(runs))
+        least, most = float(np.min(h)), float(np.max(h))
         for index, run in enumerate(self.runs[:limit]):
+            if run.low > most or run.high <= least:
+                continue
             touched = (h >= run.low) & (h < run.high) & (found.contact == (run.way < 0))
             if runs is not None and not np.isscalar(runs):
                 touched &= index < runs
@@ -1174,6 +1177,7 @@ class History:
     NODES = 13
     TAIL = 1e-10
     SHORTEST = 1e-8
+    TOWARDS_END = 0.36
 
     def _breaks(self, low, high):
         """Radii between two at which the past of the places, or the shape, changes."""
@@ -1318,8 +1322,8 @@ class History:
         first = 1e-4 * total
         length = first
         punch = math.isfinite(self.shape.rim)
-        turns = 0
         guard = 0
+        zero = math.inf                 # when the contact lets go, at the latest
         while done < total * (1.0 - 1e-13):
             guard += 1
             if guard > 600:
@@ -1361,8 +1365,22 @@ class History:
             length = min(length, total - done)
             if total - done - length < 1e-9 * total:
                 length = total - done
+            if done < zero < math.inf:
+                # Towards the end of a contact everything goes with roots of the time left.
+                length = min(length, self.TOWARDS_END * (zero - done))
             outcome = self._load_piece(quantity, way, low + done, length, punch)
             kind = outcome[0]
+            if kind == "zero":
+                zero = done + outcome[1]
+                if quantity == "force":
+                    # The time at which the force is gone is given.
+                    zero = float(bracketed(lambda t: np.array([way(low + v) for v in t]), np.array([done]), np.array([zero]))[0])
+                if zero - done > self.SHORTEST * total:
+                    length = min(0.9 * length, self.TOWARDS_END * (zero - done))
+                    continue
+                self._let_go(zero - done, way(low + zero) if quantity == "frame" else None)
+                done, length, zero = zero, first, math.inf
+                continue
             if kind == "cut":
                 # The edge turns, passes a kink, or lets go within the piece.
                 if outcome[1] > self.SHORTEST * total and outcome[1] < length * (1.0 - 1e-9):
@@ -1372,12 +1390,8 @@ class History:
             if kind == "shorter" and length > self.SHORTEST * total:
                 length *= 0.3
                 continue
-            if kind == "shorter" and outcome[-1] is None:
-                # No contact is left.
-                self._let_go(length, way(low + done + length) if quantity == "frame" else None)
-                done += length
-                length = first
-                continue
+            if outcome[-1] is None:
+                raise RuntimeError("a stretch under load does not go on")
             coefficients = outcome[-1]
             self._go(length, coefficients)
             done += length
@@ -1536,11 +1550,7 @@ class History:
 
     @staticmethod
     def _first_zero(x, force, _):
-        below = int(np.argmax(force < 0.0))
-        if below == 0:
-            return "shorter", None
-        a, b = x[below - 1], x[below]
-        return "cut", float(a + 0.5 * (b - a)), None
+        return "zero", float(x[int(np.argmax(force < 0.0))]), None
 
     def _advance(self, quantity, target, x, own, started, moment, inner, edge_radius, cap):
         """Penetrations and radii at the nodes of a piece in which the edge advances; none where the panels end before it does."""
