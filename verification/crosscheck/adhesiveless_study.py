@@ -236,7 +236,7 @@ def first_line(message):
 
 def one(task):
     seed, number, binary, save = task
-    started = time.perf_counter()
+    started = time.process_time()
     result = dict(number=number, seed=seed, kind={}, wrong=[], compared=[], skipped=None, seconds=[0.0, 0.0])
     try:
         scene = Draw(seed, number).scene()
@@ -247,7 +247,7 @@ def one(task):
     with tempfile.TemporaryDirectory() as folder:
         summary, code, seconds, message = run(scene, binary, folder)
     result["seconds"][0] = seconds
-    started = time.perf_counter()
+    started = time.process_time()
     try:
         if summary is None:
             result["wrong"] = [f"no end within {LIMIT:.0f} s"]
@@ -260,7 +260,7 @@ def one(task):
     except Exception as error:  # noqa: BLE001
         import traceback
         result["skipped"] = f"the judge failed: {type(error).__name__} {error} {traceback.format_exc().splitlines()[-3].strip()}"
-    result["seconds"][1] = time.perf_counter() - started
+    result["seconds"][1] = time.process_time() - started
     if save and (result["wrong"] or result["skipped"]):
         keep(scene, result, save)
     return result

@@ -1365,8 +1365,12 @@ class History:
             length = min(length, total - done)
             if total - done - length < 1e-9 * total:
                 length = total - done
-            if done < zero < math.inf:
+            if zero < math.inf:
                 # Towards the end of a contact everything goes with roots of the time left.
+                if zero - done <= self.SHORTEST * total:
+                    self._let_go(max(zero - done, 0.0), way(low + zero) if quantity == "frame" else None)
+                    done, length, zero = max(zero, done), first, math.inf
+                    continue
                 length = min(length, self.TOWARDS_END * (zero - done))
             outcome = self._load_piece(quantity, way, low + done, length, punch)
             kind = outcome[0]
@@ -1375,11 +1379,7 @@ class History:
                 if quantity == "force":
                     # The time at which the force is gone is given.
                     zero = float(bracketed(lambda t: np.array([way(low + v) for v in t]), np.array([done]), np.array([zero]))[0])
-                if zero - done > self.SHORTEST * total:
-                    length = min(0.9 * length, self.TOWARDS_END * (zero - done))
-                    continue
-                self._let_go(zero - done, way(low + zero) if quantity == "frame" else None)
-                done, length, zero = zero, first, math.inf
+                length *= 0.9
                 continue
             if kind == "cut":
                 # The edge turns, passes a kink, or lets go within the piece.
@@ -1423,12 +1423,18 @@ class History:
     def _let_go(self, length, depth):
         """The last of a contact: down to where the tip leaves the surface."""
         contact = self.contact
+        sudden = length <= 1e-15 * float(contact.time)
+        length = max(length, 1e-300)
         if depth is None:
             x, relaxing, history = self._operators(length)
             level = self._held(contact.places(np.zeros(1)), Moment(contact.time), x[None, :])[0] - history
             depths = np.concatenate([[contact.depth], np.linalg.solve(relaxing[1:, 1:], level[1:] - relaxing[1:, 0] * contact.depth)])
             depth = depths[-1] - 1e-9 * max(contact.largest, 1e-300)
-        contact.straight(depth, length)
+        if sudden:
+            contact.jump(depth)
+        else:
+            contact.straight(depth, length)
+        length = contact.pieces[-1].length
         if not contact.open:
             index = len(contact.pieces) - 1
             contact._add_run(Run(-1, index, contact.edge, -1.0, length, length))
