@@ -80,7 +80,7 @@ class Solid:
             self.slow = self.charge = np.zeros(0)
             self.gap = np.zeros((0, 0))
             return
-        poles = np.concatenate([[0.0], self.rates])
+        poles = np.concatenate([[0.0], self.rates]) if self.relaxed > 0.0 else self.rates
 
         def stiffness(base, distance):
             # E0 - sum E_i l/(r_i - l) at l = pole + distance
