@@ -58,7 +58,7 @@ class Draw:
         shares = shares / shares.sum()
         beta = self.log(1.2, 1000.0)
         if liquid:
-            if self.chance(0.5):
+            if terms == 1 or self.chance(0.5):
                 moduli = unit * shares
                 lines.append("relaxed_modulus = 0.0")
                 lines.append(series("relaxation", [dict(modulus=m, relaxation_time=t) for m, t in zip(moduli, times)]))
