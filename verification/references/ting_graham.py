@@ -368,6 +368,8 @@ def exponential_nodes(count):
 
 
 RUN_NODES = exponential_nodes(41)
+NEWTON_STEPS = 2
+FOLLOWED = 18
 FORCE_NODES = exponential_nodes(57)
 
 
@@ -399,10 +401,15 @@ class Run:
         late = self.last - (self.last - self.first) / (1.0 + np.exp(odds))
         return np.where(odds > 0.0, late, self.first + (self.last - self.first) / (1.0 + np.exp(-odds)))
 
-    def nearer(self, x, step):
-        """Times after a step of Newton's, where it is short against the way to both ends of the run."""
-        fits = np.abs(step) < 0.1 * np.minimum(x - self.first, self.last - x)
-        return np.where(fits, x + step, x)
+    def between(self, h):
+        """Times between which the edge passes places: those of the nodes beside them."""
+        span = self.end - self.start
+        part = np.clip((h - self.start) / span, 1e-300, 1.0)
+        rest = np.clip((self.end - h) / span, 1e-300, 1.0)
+        theta = np.arcsinh((np.log(part) - np.log(rest)) / np.pi)
+        place = np.searchsorted(RUN_NODES[0], theta)
+        times = np.concatenate([[self.first], self.times, [self.last]])
+        return times[place], times[place + 1]
 
 
 # ---------------------------------------------------------------- contact
@@ -468,20 +475,22 @@ class Contact:
             x = run.when(own)
             if n:
                 jump = isinstance(piece, Jump)
-                lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
+                lag = np.maximum((piece.start - found.since[rows]).astype(float) + (x - found.offset[rows]), 0.0)
                 if run.spline is not None:
-                    speed = piece.speed(x)
-                    if run.way < 0:
-                        springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + piece.memory(x)
-                        value = solid.relaxed * (piece.depth(x) - own) + springs @ solid.moduli
-                        slope = solid.glassy * speed - springs @ (solid.moduli * solid.rates)
-                    else:
-                        strains = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.slow))
-                        value = strains.sum(axis=1) - piece.depth(x) + own
-                        slope = -speed - strains @ solid.slow
-                    with np.errstate(all="ignore"):
-                        x = run.nearer(x, -value / slope)
-                    lag = (piece.start - found.since[rows]).astype(float) + (x - found.offset[rows])
+                    low, high = run.between(own)
+                    for _ in range(NEWTON_STEPS):
+                        if run.way < 0:
+                            springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + piece.memory(x)
+                            value = solid.relaxed * (piece.depth(x) - own) + springs @ solid.moduli
+                            slope = solid.glassy * piece.speed(x) - springs @ (solid.moduli * solid.rates)
+                        else:
+                            strains = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.slow))
+                            value = strains.sum(axis=1) - piece.depth(x) + own
+                            slope = -piece.speed(x) - strains @ solid.slow
+                        with np.errstate(all="ignore"):
+                            better = x - value / slope
+                        x = np.where(np.isfinite(better), np.clip(better, low, high), x)
+                        lag = np.maximum((piece.start - found.since[rows]).astype(float) + (x - found.offset[rows]), 0.0)
                 if run.way < 0:
                     springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + (piece.memory_before if jump else piece.memory(x))
                     width = (piece.before if jump else piece.depth(x)) - own
@@ -496,8 +505,9 @@ class Contact:
         return found
 
     def lag(self, places, piece, x):
+        # A place within rounding of a break may be counted on the other side of it: its lag is then none.
         base = (piece.start - places.since).astype(float) - places.offset
-        return base + x if np.ndim(x) < 2 else base[:, None] + x
+        return np.maximum(base + x if np.ndim(x) < 2 else base[:, None] + x, 0.0)
 
     def load(self, places, piece, x):
         """q of places in contact (whether or not they would be), at times x of a piece: one each, or rows of several."""
@@ -738,7 +748,14 @@ class Contact:
             h[-1] = off
             if off != far:
                 h = h[:-1]
-            least, when = self._least(self.places(h), piece, way, x)
+            places = self.places(h)
+            # Within rounding of a break a place may be counted on its other side.
+            sound = np.flatnonzero(places.contact == (way < 0))
+            if len(sound) == 0:
+                inner = off
+                continue
+            h = h[sound]
+            least, when = self._least(self._some(places, sound), piece, way, x)
             holds = np.flatnonzero(least > -noise)
             if len(holds):
                 first = holds[0]
@@ -773,6 +790,7 @@ class Contact:
             else:
                 probe = self.places(np.array([off * (1.0 + (1e-12 if way < 0 else -1e-12)) if off > 0.0 else 0.0]))
                 final_time = float(self._passages(probe, piece, way, x, piece.length)[0])
+            times = np.where(places.contact == (way < 0), times, np.where(left < 0.5, first_time, final_time))
             times = np.maximum.accumulate(np.clip(times, first_time, final_time))
             run = Run(way, index, near, off, first_time, final_time, times)
             if final and end < 0.0:
@@ -1161,7 +1179,7 @@ class History:
         """The penetration follows a smooth function of time, pieces between the given times."""
         contact = self.contact
         times = [0.0] + [b for b in breaks if 1e-12 * duration < b < duration * (1.0 - 1e-12)] + [duration]
-        count = 18
+        count = FOLLOWED
         z = np.cos(np.pi * (np.arange(count) + 0.5) / count)
         for low, high in zip(times, times[1:]):
             x = low + 0.5 * (high - low) * (1.0 + z)
