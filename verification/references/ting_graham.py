@@ -376,7 +376,8 @@ FORCE_NODES = exponential_nodes(57)
 class Run:
     """The edge passes from h to h within one piece, outwards (+1) or inwards (-1): when it passes each place."""
 
-    def __init__(self, way, piece, start, end, first, last, times=None):
+    def __init__(self, way, piece, start, end, first, last, times=None, path=None):
+        self.path = path                # depth of the edge by time, where it is imposed and not found
         self.way, self.piece, self.start, self.end = way, piece, start, end
         self.first, self.last = first, last
         self.low, self.high = min(start, end), max(start, end)
@@ -545,6 +546,30 @@ class Contact:
             self.corner()
         else:
             self._run(piece)
+        self.depth, self.memory = piece.end, piece.end_memory
+        self.time = piece.start + LONG(piece.length)
+
+    def led(self, piece, end, path):
+        """Follows a piece along which the edge goes to `end` by a monotonic path that is known already; without a path it rests."""
+        index = len(self.pieces)
+        self.pieces.append(piece)
+        self.largest = max(self.largest, abs(piece.end))
+        if path is not None and end != self.edge:
+            start = self.edge
+            _, left, right, _ = RUN_NODES
+            h = np.where(left < 0.5, start + (end - start) * left, end - (end - start) * right)
+            sign = 1.0 if end > start else -1.0
+            clipped = lambda x: np.clip(path(x), min(start, end), max(start, end))
+            times = bracketed(lambda x: sign * (clipped(x) - h), np.zeros(len(h)), np.full(len(h), piece.length), sign * (start - h), sign * (end - h))
+            run = Run(int(sign), index, start, end, 0.0, piece.length, np.maximum.accumulate(np.clip(times, 0.0, piece.length)), clipped)
+            if start == 0.0 and sign > 0.0:
+                run.low = -1.0
+            if end <= 0.0:
+                run.low = -1.0
+                self.events.append(("detachment", index, piece.length, 0.0))
+                self.open = True
+            self._add_run(run)
+            self.edge = max(end, 0.0)
         self.depth, self.memory = piece.end, piece.end_memory
         self.time = piece.start + LONG(piece.length)
 
@@ -879,6 +904,10 @@ class Contact:
                     touching, count = True, number + (run.way > 0)
                     break
             edges[k], contact[k], runs[k] = edge, touching, count
+        for k in np.flatnonzero(active >= 0):
+            run = self.runs[active[k]]
+            if run.path is not None:
+                edges[k], active[k] = float(run.path(np.array([x[k]]))[0]), -1
         moving = np.flatnonzero(active >= 0)
         if len(moving):
             edges[moving] = self._moving_edges(active[moving], index[moving], x[moving])
@@ -1279,8 +1308,9 @@ class History:
         scale = max(self.contact.largest, float(np.max(np.abs(depths))))
         return coefficients, float(np.sum(np.abs(coefficients[-2:]))) / scale if scale else 0.0
 
-    def _go(self, length, coefficients):
-        self.contact.go(Smooth(self.solid, self.contact.time, length, coefficients, self.contact.memory))
+    def _go(self, length, coefficients, end, path):
+        contact = self.contact
+        contact.led(Smooth(self.solid, contact.time, length, coefficients, contact.memory), end, path)
 
     def _radius_stretch(self, way, low, high):
         contact = self.contact
@@ -1314,7 +1344,10 @@ class History:
             if tail > self.TAIL and length > self.SHORTEST * total:
                 length *= 0.35
                 continue
-            self._go(length, coefficients)
+            if contact.open and rising:
+                contact.events.append(("touch", len(contact.pieces), 0.0))
+                contact.open = False
+            self._go(length, coefficients, h[-1], lambda t, at=low + done: self.shape.line(np.maximum(np.array([way(at + v) for v in np.atleast_1d(t)]), 0.0)))
             done += length
             length *= 3.0
 
@@ -1410,8 +1443,13 @@ class History:
                 continue
             if outcome[-1] is None:
                 raise RuntimeError("a stretch under load does not go on")
-            coefficients = outcome[-1]
-            self._go(length, coefficients)
+            coefficients, path = outcome[-1], self.path
+            if path is None:
+                self._go(length, coefficients, contact.edge, None)
+            else:
+                fit = np.linalg.solve(np.polynomial.chebyshev.chebvander(np.linspace(-1.0, 1.0, 1) if len(path) == 1 else -np.cos(np.pi * np.arange(len(path)) / (len(path) - 1)), len(path) - 1), path)
+                self._go(length, coefficients, float(self.shape.line(np.array(path[-1]))),
+                         lambda t, fit=fit, length=length: self.shape.line(np.maximum(np.polynomial.chebyshev.chebval(2.0 * np.asarray(t) / length - 1.0, fit), 0.0)))
             done += length
             length *= 3.0
 
@@ -1461,6 +1499,7 @@ class History:
 
     def _load_piece(self, quantity, way, at, length, punch):
         contact, solid = self.contact, self.solid
+        self.path = None
         x, relaxing, history = self._operators(length)
         target = np.array([way(at + t) for t in x])
         moment = Moment(contact.time)
@@ -1535,6 +1574,8 @@ class History:
         coefficients, tail = self._accept(length, np.concatenate([[contact.depth], depths]))
         path = np.concatenate([[edge_radius], radius])
         steps = np.diff(path) * (1.0 if rising else -1.0)
+        # Rounding does not turn the edge.
+        self.path = (np.maximum if rising else np.minimum).accumulate(path)
         if np.any(steps < -1e-9 * max(path)):
             # The extreme of the path, by its polynomial.
             fit = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * x / length - 1.0, len(x) - 1), path)
