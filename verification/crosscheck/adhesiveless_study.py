@@ -14,6 +14,8 @@ import concurrent.futures
 import json
 import math
 import os
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -29,7 +31,7 @@ import ting_graham
 from adhesiveless_scenes import Draw
 
 BINARY = os.path.join(tools.TARGET, "release", "viscotack")
-LIMIT = 20.0            # seconds after which a run counts as not ending
+LIMIT = 20              # seconds of its processor after which a run counts as not ending
 REDUCED, FULL = (300, 1), (10_000, 2)
 # Events that the program may name when contact begins or ends.
 ENDS, BEGINS = ("detachment",), ("touch", "first_touch", "jump_in")
@@ -126,8 +128,11 @@ def run(scene, binary, folder):
         file.write(scene["toml"])
     start = time.perf_counter()
     try:
-        done = subprocess.run([binary, "run", path, "--json"], capture_output=True, text=True, timeout=LIMIT, check=False)
+        done = subprocess.run([binary, "run", path, "--json"], capture_output=True, text=True, timeout=40 * LIMIT, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 1)))
     except subprocess.TimeoutExpired:
+        return None, None, LIMIT, ""
+    if done.returncode == -signal.SIGXCPU:
         return None, None, LIMIT, ""
     seconds = time.perf_counter() - start
     try:
@@ -250,7 +255,7 @@ def one(task):
     started = time.process_time()
     try:
         if summary is None:
-            result["wrong"] = [f"no end within {LIMIT:.0f} s"]
+            result["wrong"] = [f"no end within {LIMIT} s of the processor"]
             result["class"] = "endless"
         else:
             result["wrong"], result["compared"], _ = judge(scene, summary, code, message)
@@ -340,8 +345,10 @@ def main():
     parser.add_argument("--binary", default=BINARY)
     parser.add_argument("--save")
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--limit", type=int, default=LIMIT, help="seconds of a run")
     parser.add_argument("--only", type=int, nargs=2, metavar=("SEED", "NUMBER"))
     options = parser.parse_args()
+    globals()["LIMIT"] = options.limit
     if options.only:
         show(*options.only, options.binary)
         return

@@ -479,7 +479,7 @@ class Contact:
                 lag = np.maximum((piece.start - found.since[rows]).astype(float) + (x - found.offset[rows]), 0.0)
                 if run.spline is not None:
                     low, high = run.between(own)
-                    for _ in range(NEWTON_STEPS):
+                    for _ in range(NEWTON_STEPS if run.path is None else 1):
                         if run.way < 0:
                             springs = found.state[rows] * np.exp(-np.multiply.outer(lag, solid.rates)) + piece.memory(x)
                             value = solid.relaxed * (piece.depth(x) - own) + springs @ solid.moduli
@@ -1121,6 +1121,7 @@ class History:
         self.legs = []
         self.here = None
         self.afloat = set()
+        self.known = {}
         self.collocation = 0.0
 
     # Positions are (piece, time in it).
@@ -1163,6 +1164,7 @@ class History:
 
     def step(self, quantity, value):
         first = len(self.contact.pieces)
+        self.contact.corner()
         if quantity == "penetration":
             self.contact.jump(value)
         else:
@@ -1255,7 +1257,12 @@ class History:
         h = self.shape.line(level.s.ravel())
         edge = self.contact.edge
         h = np.minimum(h, edge * (1.0 - 1e-14)) if inside else np.maximum(h, edge)
-        places = self.contact.places(h)
+        key = (len(self.contact.pieces), inside, level.edges.tobytes())
+        if key not in self.known:
+            # Another length of the same piece asks for the same places.
+            self.known = {old: value for old, value in self.known.items() if old[0] == key[0]}
+            self.known[key] = self.contact.places(h)
+        places = self.known[key]
         # Exactly at a turn the last run may have gone by or not: both are the same place.
         times = np.broadcast_to(x, (len(h), len(x)))
         held, free = self._held, self._free
@@ -1681,6 +1688,9 @@ class History:
         if contact.open and quantity == "frame" and value <= self._surface():
             contact.jump(value)
             return
+        if contact.open:
+            # From wherever it floats to the surface first.
+            self._touch_again()
         moment = Moment(contact.time)
         x = np.zeros(1)
         if punch:
