@@ -26,6 +26,7 @@ SCRIPTS = {
     "rolling_cylinders": ["mpmath", "numpy", "scipy"],
     "contact_rolling": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],
+    "adhesiveless": ["mpmath"],
     "sliding_hysteresis": ["mpmath"],
     "sliding_wave": ["mpmath"],
     "material_conversion": ["mpmath"],
@@ -35,7 +36,7 @@ SCRIPTS = {
 }
 # The elastic references know no subset: only the full run.
 FULL_ONLY = {"elastic"}
-HELPERS = {"common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check"}
+HELPERS = {"common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check", "ting_graham"}
 
 
 def run(script):
