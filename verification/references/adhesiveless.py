@@ -48,7 +48,7 @@ BLUNT = dict(text="power_law = { radius = 4.0e-4, exponent = 8.0 }", radius=4.0e
 
 
 class Case:
-    def __init__(self, solid, shape, ways, instants=4, accuracy=1e-9):
+    def __init__(self, solid, shape, ways, instants=4, accuracy=1e-6):
         """`ways`: (depth, duration), from zero on; at most one of them goes back, the last one."""
         self.solid, self.shape, self.ways = solid, shape, ways
         history = "".join(
@@ -168,7 +168,7 @@ CASES = {
 def burgers():
     """a^3 = (3/4) R (1 - nu^2) F J(t) of a sphere under a constant force: no quadrature at all."""
     glassy, viscosity, compliance, tau, ratio, radius, force = 9.5e9, 1.3e11, 1.4e-10, 0.7, 0.2, 1.1e-2, 90.0
-    text = (f"accuracy = 1e-9\n[material]\nglassy_modulus = {double(glassy)}\npoisson_ratio = {double(ratio)}\nviscosity = {double(viscosity)}\n"
+    text = (f"accuracy = 1e-6\n[material]\nglassy_modulus = {double(glassy)}\npoisson_ratio = {double(ratio)}\nviscosity = {double(viscosity)}\n"
             f"creep = [{{ compliance = {double(compliance)}, retardation_time = {double(tau)} }}]\n[indentation]\nsphere = {{ radius = {double(radius)} }}\n"
             f"instants = 4\n[[history]]\nforce = {double(force)}\n[[history]]\nhold = 12.0\n")
     rows = []

@@ -1041,8 +1041,9 @@ def lobatto(count):
     return 0.5 * (1.0 + z), to_coefficients, integral
 
 
-PANEL, TO_COEFFICIENTS, INTEGRAL = lobatto(9)
-GRADES = np.concatenate([[0.0], 10.0 ** np.arange(-8.0, -1.0), [0.05, 0.16, 0.5]])
+PANEL_NODES = 13
+PANEL, TO_COEFFICIENTS, INTEGRAL = lobatto(PANEL_NODES)
+GRADES = np.concatenate([[0.0], 10.0 ** np.arange(-8.0, -1.0), [0.05, 0.14, 0.3, 0.5]])
 GRADES = np.concatenate([GRADES, 1.0 - GRADES[-2::-1]])
 
 
@@ -1069,7 +1070,7 @@ class Level:
         self.s[:, -1] = edges[1:]
 
     def take(self, values):
-        """values [instants, panels, 9]."""
+        """values [instants, panels, nodes of a panel]."""
         self.values = values
         self.coefficients = values @ TO_COEFFICIENTS.T
         areas = np.sum((self.coefficients @ INTEGRAL.T), axis=-1) * self.width
@@ -1098,7 +1099,7 @@ class Level:
 
             part[pick] = bracketed(value, low[pick], high[pick], first[pick], last[pick])
         radius = self.edges[panel] + self.width[panel] * part
-        rest = np.sum(np.polynomial.chebyshev.chebvander(2.0 * part - 1.0, 9) * (own @ INTEGRAL.T), axis=1) * self.width[panel]
+        rest = np.sum(np.polynomial.chebyshev.chebvander(2.0 * part - 1.0, PANEL_NODES) * (own @ INTEGRAL.T), axis=1) * self.width[panel]
         area = self.areas[rows, panel] + rest
         return levels * (radius - self.edges[0]) - area, radius, beyond
 
@@ -1317,6 +1318,10 @@ class History:
 
     def _go(self, length, coefficients, end, path):
         contact = self.contact
+        if math.isfinite(self.shape.rim):
+            # All places are the tip, whatever depth a punch would have them at.
+            contact.go(Smooth(self.solid, contact.time, length, coefficients, contact.memory))
+            return
         contact.led(Smooth(self.solid, contact.time, length, coefficients, contact.memory), end, path)
 
     def _radius_stretch(self, way, low, high):
