@@ -12,7 +12,7 @@ import pytest
 
 import tools
 
-SCENES, SEED = 200, 1
+SCENES, SEED = 60, 1
 ROUNDING = 2e-13
 
 

@@ -1467,6 +1467,12 @@ class History:
                          lambda t, fit=fit, length=length: self.shape.line(np.maximum(np.polynomial.chebyshev.chebval(2.0 * np.asarray(t) / length - 1.0, fit), 0.0)))
             done += length
             length *= 3.0
+            if contact.open and zero < math.inf:
+                # It has let go, to rounding: nothing touches it again before the load is gone.
+                if quantity == "force":
+                    self._float(max(zero - done, 0.0))
+                    done = max(zero, done)
+                length, zero = first, math.inf
 
     def _touch_again(self):
         contact = self.contact
