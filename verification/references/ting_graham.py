@@ -370,8 +370,8 @@ def exponential_nodes(count):
     return theta, left, right, weight
 
 
-RUN_NODES = exponential_nodes(41)
-NEWTON_STEPS = 2
+RUN_NODES = exponential_nodes(81)
+NEWTON_STEPS = 3
 FOLLOWED = 18
 FORCE_NODES = exponential_nodes(85)
 
