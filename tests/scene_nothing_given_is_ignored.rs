@@ -29,6 +29,7 @@ const NO_EFFECT: &[(&str, &str, &str)] = &[
     ("indentation.instants", "that swings", "an oscillation has instants only if twelve and more are asked for"),
     ("indentation.instants", "that settles", "an oscillation has instants only if twelve and more are asked for"),
     ("history[].oscillation.cycles", "that settles", "with `until_stationary` their largest number, which is not reached"),
+    ("sliding.reached_by", "", "one contact is stable there: which one of several is meant matters to few states"),
     ("sliding.branch.parameter", "branch of all loads", "every contact of a speed is one curve, whatever it is followed by"),
     ("sliding.branch.branches", "branch of", "no branch lies apart there; tests/sliding_sec_3_4_every_branch.rs has some that do"),
 ];
@@ -141,6 +142,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("data, creep", crack_of("[material]\ndata = \"creep.csv\"\nfit_error = 0.1\npoisson_ratio = 0.4\n[material.columns]\ntime = \"a in s\"\ncreep_compliance = \"c in 1/Pa\"\n")),
         ("wave", format!("accuracy = 1e-4\n{CREEP}{}[sliding]\ncontacts = [\"adhesive\", \"adhesiveless\"]\ncolumns = [\"friction_parts\", \"elastic_companion\", \"sensitivities\"]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}[sliding.counter_body]\nmodulus = 1e8\npoisson_ratio = 0.3\n[fields]\npoints = 4\n", STICKY.replace("2e-6", "5e-7"))),
         ("wave by depth, two works", format!("accuracy = 1e-4\n{CREEP}[adhesion]\ntrailing_work_of_adhesion = 0.05\nleading_work_of_adhesion = 0.03\nprocess_zone = {{ trailing_length = 5e-7, leading_length = 4e-7 }}\n[sliding]\nspeed = 1e-5\npenetration = 1e-6\n{WAVE}")),
+        ("wave in a frame", format!("{CREEP}{STICKY}[sliding]\nspeed = 1e-3\nhalf_width = 1.2e-6\nframe_stiffness = 1e13\n{WAVE}")),
         ("wave, reduced", format!("accuracy = 1e-4\n{REDUCED}[adhesion]\nwork_of_adhesion = 0.01\nprocess_zone = {{ length = 0.01 }}\n[sliding]\nspeed = 0.1\nmean_pressure = 0.1\n[sliding.wave]\n")),
         ("cylinder", format!("accuracy = 1e-4\n{CREEP}[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ cohesive_stress = 2e5, factor = 0.3 }}\n[sliding]\nspeed = 1e-5\nload_per_width = 1.0\n[sliding.cylinder]\nradius = 1e-3\n")),
         ("cylinder by width", format!("accuracy = 1e-4\n{CREEP}[sliding]\nspeed = 1e-5\nhalf_width = 2e-5\n[sliding.cylinder]\nradius = 1e-3\n")),

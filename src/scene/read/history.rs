@@ -4,7 +4,7 @@ use super::measured_table::measured_table;
 use super::section::Section;
 use crate::indentation::FrequencySweep;
 use crate::scene::catalogue::{Key, Kind, Range};
-use crate::scene::check::{check_range, number};
+use crate::scene::check::{Units, check_range, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Node, Value};
 use crate::scene::typed::{CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, OscillationExtent, Pace};
@@ -23,6 +23,14 @@ const COMPANIONS: [(&str, &[&str]); 7] = [
     ("upper", &["cycles"]),
     ("wave", &["cycles"]),
 ];
+
+/// Reads the history of a checked document by itself; as a problem reads it, but for keys that nobody reads.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read_alone(document: &Document, allowed: &[HistoryQuantity], owner: &str) -> Result<Option<History>, SceneError> {
+    read(&Section::top(&document.root, Units::of(&document.root)), document, allowed, owner)
+}
 
 /// Reads the history of a checked document, of the quantities that its problem lets one control; none if there is no `[[history]]`.
 /// `owner` is the problem in messages ("a crack").
