@@ -9,6 +9,7 @@ use super::curve::EquilibriumCurve;
 use super::width::{Point, apart};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
+use std::f64::consts::FRAC_PI_2;
 
 /// Steps of the search for a turn; an error of the place enters the value squared.
 const TURN_STEPS: usize = 24;
@@ -122,7 +123,7 @@ pub(in crate::sliding) struct Stretch {
 pub(in crate::sliding) struct Held {
     /// The contacts, narrow ones first.
     pub(in crate::sliding) crossings: Vec<Crossing>,
-    /// The largest value of any contact, stable or not; none without contacts.
+    /// The largest value of any contact about the crest, stable or not; none without contacts.
     pub(in crate::sliding) largest: Option<StretchEnd>,
 }
 
@@ -132,7 +133,8 @@ impl EquilibriumCurve {
         let mut found = Held { crossings: Vec::new(), largest: None };
         for chain in &self.chains {
             let chain = self.followed(quantity, value, chain);
-            for point in &chain {
+            // A contact on the other side of the trough says nothing of one on the crest.
+            for point in chain.iter().filter(|point| point.eccentricity.abs() < FRAC_PI_2) {
                 if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
                     found.largest = Some(end_at(quantity, point, End::Last, [None; 2]));
                 }
