@@ -71,9 +71,9 @@ impl IndentationPlan {
     pub(super) fn sentences(&self) -> Vec<String> {
         let mut sentences = vec![
             "the contact is carried to a line on which every place is a spring chain of its own: no mesh of the body, no matrix (Sneddon's transform)".to_owned(),
-            "each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned(),
         ];
         if self.indentation.adhesion.is_some() {
+            sentences.push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
             sentences
                 .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
             sentences.push(match self.indentation.start {
@@ -82,12 +82,17 @@ impl IndentationPlan {
             });
             sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
         } else {
-            sentences.push("without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's receding".to_owned());
+            sentences.push("without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's and Graham's receding".to_owned());
+            sentences.push(
+                "every place knows when the edge passes it, as a root of its own: exact for any number of terms and turns, without steps in time where the penetration is given"
+                    .to_owned(),
+            );
         }
         if self.timeline.oscillates() {
-            sentences.push("every cycle of an oscillation is marched; its stiffness is that of the fundamental, its work ∮F dΔ".to_owned());
+            sentences.push("every cycle of an oscillation is followed until each repeats the last one; its stiffness is that of the fundamental, its work ∮F dΔ".to_owned());
         }
-        sentences.push("errors by marching again with other steps".to_owned());
+        let adhesive = self.indentation.adhesion.is_some();
+        sentences.push(if adhesive { "errors by marching again with other steps" } else { "errors by a second, coarser solution" }.to_owned());
         sentences
     }
 
@@ -99,8 +104,12 @@ impl IndentationPlan {
         let mut groups = vec![
             group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")),
             group("glassy modulus E∞*", glassy, pick("Pa", "E0*")),
-            group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
         ];
+        // A liquid has no other modulus to be stiffer than.
+        groups.push(match self.material.steady_viscosity() {
+            None => group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
+            Some(viscosity) => group("steady viscosity η*", viscosity, "Pa s"),
+        });
         if let Some(longest) = self.material.longest_relaxation_time() {
             groups.push(group("longest relaxation time", longest, pick("s", "reference time")));
         }

@@ -52,7 +52,12 @@ impl IndentationPlan {
             _ => 1.0,
         };
         let material = scene.material.series.stiffened(stiffening)?;
-        let relaxed = material.solid_modulus("an indentation")?;
+        // Without adhesion a liquid is pressed like a solid; reduced moduli are over E0*, and a process zone of a cohesive stress asks for it as well.
+        let relaxed = if indentation.adhesion.is_some() || scene.units == Units::Reduced {
+            material.solid_modulus("an indentation")?
+        } else {
+            material.relaxed_modulus()
+        };
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
         let plan = Self {
