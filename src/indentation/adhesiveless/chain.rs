@@ -21,7 +21,14 @@ pub(super) struct Chain {
     /// The columns of T and of S.
     to_voigt: Vec<f64>,
     to_dashpots: Vec<f64>,
+    /// What rounding leaves of a strain after a passage, over the depth and as it weighs in S: of each u_i, and of each e_j.
+    pub(super) noise: [Vec<f64>; 2],
 }
+
+/// Rates nearer than this, relative, are one: a mean of them is exact to the square of it.
+const SAME: f64 = 3e-8;
+/// Rounding of a sum of a few terms.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl Chain {
     pub(super) fn new(material: &Material) -> Result<Self, Refusal> {
@@ -32,6 +39,7 @@ impl Chain {
             .map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time))
             .collect();
         voigt.extend(material.steady_viscosity().map(|viscosity| (0.0, viscosity.recip())));
+        let maxwell = apart(maxwell, &mut voigt);
         if voigt.len() != maxwell.len() {
             return Err(Refusal::Undefined {
                 quantity: "the spring chain of the material",
@@ -51,7 +59,14 @@ impl Chain {
                 reason: "a relaxation term is so weak that its two times coincide in double precision; leave it out".into(),
             });
         }
-        Ok(Self { glassy: material.glassy_modulus(), relaxed: material.relaxed_modulus(), maxwell, voigt, to_voigt, to_dashpots })
+        let glassy = material.glassy_modulus();
+        let terms = maxwell.len();
+        let sum_of_row = |columns: &[f64], row: usize| columns.iter().skip(row).step_by(terms.max(1)).map(|entry| entry.abs()).sum::<f64>();
+        let noise = [
+            (0..terms).map(|i| ROUNDING * maxwell[i].0 / glassy * sum_of_row(&to_dashpots, i)).collect(),
+            (0..terms).map(|j| ROUNDING * sum_of_row(&to_voigt, j)).collect(),
+        ];
+        Ok(Self { glassy, relaxed: material.relaxed_modulus(), maxwell, voigt, to_voigt, to_dashpots, noise })
     }
 
     /// n.
@@ -95,4 +110,28 @@ impl Chain {
             }
         }
     }
+}
+
+/// Relaxation terms without two that double precision cannot keep apart, and without the retardation rates between those.
+fn apart(terms: Vec<(f64, f64)>, voigt: &mut Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::with_capacity(terms.len());
+    for (modulus, rho) in terms {
+        match kept.last_mut() {
+            Some((other, time)) if (*time - rho).abs() <= SAME * rho => {
+                let (first, second) = (*time, rho);
+                let rate = (*other / first + modulus / second) / (*other + modulus);
+                *other += modulus;
+                *time = rate.recip();
+                let between = voigt.iter().position(|(slowness, _)| {
+                    let tau = slowness.recip();
+                    tau <= first.max(second) * (1.0 + 4.0 * f64::EPSILON) && tau >= first.min(second) * (1.0 - 4.0 * f64::EPSILON)
+                });
+                if let Some(place) = between {
+                    voigt.remove(place);
+                }
+            }
+            _ => kept.push((modulus, rho)),
+        }
+    }
+    kept
 }

@@ -17,13 +17,17 @@ use crate::refusal::Refusal;
 const BEHIND: usize = 5;
 /// First step after a corner, over the shortest time that counts, at a tolerance of 1.
 const FIRST: f64 = 0.1;
+/// Change of Δ at which what is imposed is met, over the error of a step.
+pub(super) const MET: f64 = 1e-5;
 /// Growth and shrinkage of steps.
 const FASTEST: f64 = 2.5;
 const SLOWEST: f64 = 0.2;
 /// Part of a step's change against its prediction that is its error.
 const OF_CHANGE: f64 = 0.2;
-/// Shortest step, over the stretch.
-const SHORTEST: f64 = 1e-11;
+/// Shortest step, over the stretch and over its time.
+const SHORTEST: f64 = 1e-16;
+/// Time left of a force that vanishes, over the stretch, at which the contact is let go.
+const VANISHING: f64 = 1e-10;
 /// Iterations of one unknown, and trials of one step.
 const MOST_ITERATIONS: u32 = 100;
 const MOST_TRIALS: u32 = 200;
@@ -69,7 +73,7 @@ impl<'a> Course<'a> {
 
     /// How long an open contact stays open under a force or a radius that is none.
     fn until_pressed(&self, stretch: &Stretch, target: f64) -> f64 {
-        let none = NO_FORCE * stretch.value(self.time).abs().max(stretch.value(target).abs());
+        let none = NO_FORCE * largest(stretch);
         let pressed = |time: f64| stretch.value(time) > none;
         let soon = self.time + 1e-9 * (target - self.time);
         if pressed(soon) && stretch.value(self.time) >= 0.0 {
@@ -188,16 +192,6 @@ impl<'a> Course<'a> {
         Ok(true)
     }
 
-    /// What an imposed value leaves: it rises with Δ.
-    fn excess(&self, line: &Line<'_>, controlled: Controlled, value: f64) -> f64 {
-        match controlled {
-            Controlled::Penetration => line.penetration - value,
-            Controlled::Force => line.force() - value,
-            Controlled::Frame => line.penetration + self.problem.frame_stiffness.map_or(0.0, |k| line.force() / k) - value,
-            Controlled::ContactRadius => line.pressing_at(value),
-        }
-    }
-
     /// How fast the excess rises with a Δ that is reached in a time.
     fn stiffness(&self, controlled: Controlled, duration: f64) -> f64 {
         let of_time: f64 = self
@@ -217,11 +211,15 @@ impl<'a> Course<'a> {
     /// One step: a trial of Δ at its end is a drive through the last values.
     fn step(&mut self, stretch: &Stretch, controlled: Controlled, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
-        let least = SHORTEST * stretch.segment.duration;
+        let least = (SHORTEST * stretch.segment.duration).max(8.0 * f64::EPSILON * self.time);
+        let opening = self.line.radius() == 0.0;
         if self.step == 0.0 {
             let pace = stretch.segment.oscillation.map_or(f64::INFINITY, |it| it.frequency_at(self.time, stretch.segment.duration).recip());
             let counts = self.chain.shortest_time().min(stretch.segment.duration).min(pace);
-            self.step = (FIRST * self.fineness.steps.powf(0.4) * counts).max(10.0 * least);
+            self.step = (FIRST * self.fineness.steps.powf(0.4) * counts).max(least);
+            if opening {
+                self.step = 16.0 * least;
+            }
         }
         let longest = stretch.segment.oscillation.map_or(f64::INFINITY, |it| 0.1 / it.frequency_at(self.time, stretch.segment.duration));
         for _ in 0..MOST_TRIALS {
@@ -238,12 +236,8 @@ impl<'a> Course<'a> {
                     let middle = 0.5 * (low + high);
                     if stretch.value(self.time + middle) > 0.0 { low = middle } else { high = middle }
                 }
-                if low <= 100.0 * least || stretch.value(self.time) <= 0.0 {
-                    let drive = Drive::straight(self.line.penetration, self.line.penetration, low.max(f64::MIN_POSITIVE));
-                    if low > 0.0 {
-                        self.line.pass_nothing(&drive);
-                    }
-                    self.time += low;
+                if low <= VANISHING * stretch.segment.duration || stretch.value(self.time) <= 0.0 {
+                    self.time = if high >= left * (1.0 - 1e-9) { target } else { self.time + high };
                     self.let_go()?;
                     self.lost();
                     return Ok(());
@@ -274,8 +268,8 @@ impl<'a> Course<'a> {
                     let happened = after.travel(&drive)?;
                     Ok((depth, after, happened))
                 };
-                let guess = if behind.is_empty() { now + (value - stretch.value(self.time)) / slope * 0.0 } else { predicted };
-                let tolerance = 1e-2 * self.fineness.steps * line.depth;
+                let guess = predicted;
+                let tolerance = MET * self.fineness.steps * line.depth;
                 let (mut low, mut high): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
                 let mut depth = guess;
                 let mut last: Option<(f64, f64)> = None;
@@ -379,7 +373,7 @@ impl<'a> Course<'a> {
             course.evaluations += 1;
             let mut line = course.line.clone();
             line.leap(depth)?;
-            let excess = course.excess(&line, controlled, value);
+            let excess = excess_of(course.problem.frame_stiffness, &line, controlled, value);
             Ok((excess, line))
         };
         let (first, mut line) = excess(self, here)?;
@@ -471,6 +465,13 @@ impl<'a> Course<'a> {
     }
 }
 
+/// The largest value that a stretch imposes.
+fn largest(stretch: &Stretch) -> f64 {
+    let amplitude = stretch.segment.oscillation.map_or(0.0, |oscillation| oscillation.amplitude);
+    stretch.from.abs().max(stretch.segment.end.abs()) + amplitude
+}
+
+/// What an imposed value leaves: it rises with Δ.
 fn excess_of(stiffness: Option<f64>, line: &Line<'_>, controlled: Controlled, value: f64) -> f64 {
     match controlled {
         Controlled::Penetration => line.penetration - value,

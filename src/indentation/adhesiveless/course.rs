@@ -1,6 +1,7 @@
 //! One course through a history: the stretches of the history, the instants to keep, cycles, events and energies.
 
 use super::chain::Chain;
+use super::controls::MET;
 use super::drive::{Drive, Wave};
 use super::edge::Ended;
 use super::fresh::Fresh;
@@ -27,6 +28,9 @@ const LONGEST_OF_CYCLE: f64 = 0.25;
 const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 /// Instants between which the power is added up: the first over the shortest relaxation time.
 const FIRST_OF_LEDGER: f64 = 0.02;
+
+/// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
+const REPEATED: f64 = 1e-6;
 
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
@@ -64,6 +68,8 @@ pub(super) struct Course<'a> {
     watch: Option<(&'a dyn Watch, u32)>,
     stop: Option<Line<'a>>,
     until: f64,
+    /// The time of the stretch from which on a point is seen to be admissible.
+    look_at: f64,
 }
 
 impl<'a> Course<'a> {
@@ -87,6 +93,7 @@ impl<'a> Course<'a> {
             watch: None,
             stop: None,
             until: f64::INFINITY,
+            look_at: 0.0,
         }
     }
 
@@ -95,8 +102,8 @@ impl<'a> Course<'a> {
         self
     }
 
-    /// The whole history; `stops`: stretches that end early, and how long they take.
-    pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<Trace, Refusal> {
+    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course tells (m).
+    pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<(Trace, f64), Refusal> {
         self.record.trace.shortened = stops.to_vec();
         self.run()?;
         let mut trace = self.record.finished();
@@ -104,7 +111,9 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok(trace)
+        let given = self.problem.history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration);
+        let met = if given { 0.0 } else { 10.0 * MET * self.fineness.steps * self.line.depth };
+        Ok((trace, self.line.joined + met))
     }
 
     /// The line at a time of the history.
@@ -215,20 +224,21 @@ impl<'a> Course<'a> {
         self.corner();
     }
 
-    /// The edge has turned, or something else has a corner now.
+    /// The edge has turned: F goes on smoothly, with two derivatives.
     pub(super) fn turned(&mut self) {
         self.point(false);
-        self.record.new_piece();
-        self.recent.clear();
-        self.recent.extend(self.record.trace.path.last().copied());
     }
 
     /// Adds the present state to the path.
     pub(super) fn point(&mut self, sudden: bool) {
         let force = self.line.force();
-        let (pressing, residual) = self.line.least();
-        let least = &mut self.record.trace.smallest_gap_factor;
-        *least = least.min(pressing);
+        let (mut residual, looked_at) = (0.0, self.time >= self.look_at);
+        if looked_at {
+            let (pressing, at_edge) = self.line.least();
+            let least = &mut self.record.trace.smallest_gap_factor;
+            *least = least.min(pressing);
+            residual = at_edge;
+        }
         let mut point = PathPoint {
             time: self.now(),
             penetration: self.line.penetration,
@@ -363,7 +373,7 @@ impl<'a> Course<'a> {
         let Some(before) = before.filter(|_| left > 1) else { return 0 };
         // Nothing that follows makes a difference larger: so many cycles change by at most so many times as much as this one did.
         let change = self.line.distance(&before) * left as f64;
-        let allowed = (1e-3 * self.problem.accuracy).min(1e-8) * self.line.depth;
+        let allowed = REPEATED * self.problem.accuracy * self.line.depth;
         if change > allowed {
             return 0;
         }
@@ -413,6 +423,7 @@ impl<'a> Course<'a> {
 
     /// Goes on to a time of a stretch, and adds the state there to the path.
     fn reach(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+        self.look_at = target;
         while self.time < target {
             match stretch.segment.controlled {
                 Controlled::Penetration => {

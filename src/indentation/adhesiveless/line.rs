@@ -264,10 +264,11 @@ impl<'a> Line<'a> {
             return;
         }
         let shares = self.shares(in_contact);
+        let noise = &self.chain.noise[usize::from(!in_contact)];
         let breaks = if let Profile::Table(_) = self.profile { self.profile.breaks(high) } else { Vec::new() };
         let mut start = low;
         for end in breaks.into_iter().filter(|place| *place > low * (1.0 + 1e-9) && *place < high * (1.0 - 1e-9)).chain([high]) {
-            self.build_smooth((start, end), &shares, at, into, MOST_HALVINGS);
+            self.build_smooth((start, end), (&shares, noise), at, into, MOST_HALVINGS);
             start = end;
         }
     }
@@ -275,7 +276,7 @@ impl<'a> Line<'a> {
     fn build_smooth(
         &mut self,
         (low, high): (f64, f64),
-        shares: &[f64],
+        (shares, noise): (&[f64], &[f64]),
         at: &mut dyn FnMut(f64, f64, &mut [f64]),
         into: &mut Vec<Stretch>,
         halvings: u32,
@@ -298,13 +299,15 @@ impl<'a> Line<'a> {
         let allowed = self.tolerance * self.depth;
         let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
         let resolved = left(&stretch.heights) <= allowed
-            && shares.iter().enumerate().all(|(index, share)| share * left(stretch.term(index)) <= allowed);
+            && shares.iter().zip(noise).enumerate().all(|(index, (share, noise))| {
+                share * left(stretch.term(index)) <= allowed.max(noise * self.depth)
+            });
         let middle = 0.5 * (low + high);
         if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
             into.push(stretch);
         } else {
-            self.build_smooth((low, middle), shares, at, into, halvings - 1);
-            self.build_smooth((middle, high), shares, at, into, halvings - 1);
+            self.build_smooth((low, middle), (shares, noise), at, into, halvings - 1);
+            self.build_smooth((middle, high), (shares, noise), at, into, halvings - 1);
         }
     }
 
@@ -337,7 +340,8 @@ impl<'a> Line<'a> {
         let many = self.contact.len() + self.free.len() > MANY;
         for in_contact in [true, false] {
             let shares = self.shares(in_contact);
-            let allowed = self.tolerance * self.depth * if many { 100.0 } else { 1.0 };
+            let noise: f64 = self.chain.noise[usize::from(!in_contact)].iter().sum();
+            let allowed = (self.tolerance.max(noise)) * self.depth * if many { 100.0 } else { 1.0 };
             let list = std::mem::take(if in_contact { &mut self.contact } else { &mut self.free });
             let mut kept: Vec<Stretch> = Vec::with_capacity(list.len());
             for stretch in list {

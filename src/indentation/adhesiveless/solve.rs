@@ -8,12 +8,18 @@ use crate::indentation::judgement::judged;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
+use crate::estimate::Estimate;
+use crate::indentation::history::Controlled;
 use crate::material::Material;
 use crate::refusal::Refusal;
 
 /// Series of the finest course, and how much coarser the other is.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
+/// Tolerances that say so to who judges: its bound is then three times the change.
+const OF_CHANGE: f64 = 100.0;
+/// Slope of S over f′ that is told from none.
+const SOFTEST: f64 = 1e4;
 /// Series over the accuracy.
 const OF_ACCURACY: f64 = 1e-7;
 
@@ -34,21 +40,61 @@ pub(in crate::indentation) fn solve(
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
     let chain = Chain::new(material)?;
-    let course = |level: u32, stops: &[(usize, f64)]| -> Result<Trace, Refusal> {
+    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
         Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
     };
-    let coarse = course(0, &[])?;
+    let (mut coarse, _) = course(0, &[])?;
     let stops = coarse.shortened.clone();
-    let fine = course(1, &stops)?;
+    let (fine, unknown) = course(1, &stops)?;
     problem.profile.holds(fine.summary.scales[2], 0.0)?;
     let mut work = IndentationWork::default();
     for trace in [&coarse, &fine] {
         work.add(&trace.work);
     }
+    // The finer course errs by a small part of the change between both.
+    coarse.tolerance = fine.tolerance * OF_CHANGE;
     let traces = vec![fine, coarse];
-    judged(problem, &traces, 0)
+    let mut solution = judged(problem, &traces, 0)
         .map(|verdict| verdict.solution(work))
-        .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })
+        .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
+    widen(&mut solution, &chain, problem, unknown);
+    Ok(solution)
+}
+
+/// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
+/// is f′ in a fresh contact and at least f′/β.
+fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, unknown: f64) {
+    let given = problem.history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration);
+    let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
+    let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
+    let of_depth = if given { 0.0 } else { unknown };
+    let of_force = |a: f64| 2.0 * a * chain.glassy * unknown;
+    let of_edge = |a: f64| {
+        let slope = problem.profile.line_slope(a);
+        // An edge is known no worse than the whole contact.
+        if a > 0.0 && slope > 0.0 { (softest * unknown / slope).min(a) } else { 0.0 }
+    };
+    for instant in &mut solution.instants {
+        let a = instant.contact_radius.value;
+        wider(&mut instant.penetration, of_depth);
+        wider(&mut instant.force, of_force(a));
+        wider(&mut instant.contact_radius, of_edge(a));
+    }
+    for cycle in &mut solution.cycles {
+        for k in 0..2 {
+            let a = cycle.contact_radius[k].value;
+            wider(&mut cycle.penetration[k], of_depth);
+            wider(&mut cycle.force[k], of_force(a));
+            wider(&mut cycle.contact_radius[k], of_edge(a));
+        }
+    }
+    let depth = solution.march.summary.scales[0];
+    for event in &mut solution.events {
+        wider(&mut event.penetration, unknown);
+        // It lets go as fast as the history passes its depth, on the whole.
+        let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+        wider(&mut event.time, duration * unknown / depth.max(f64::MIN_POSITIVE));
+    }
 }
 
 /// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less.
