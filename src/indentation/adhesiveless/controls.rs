@@ -18,7 +18,7 @@ const BEHIND: usize = 5;
 /// First step after a corner, over the shortest time that counts, at a tolerance of 1.
 const FIRST: f64 = 0.1;
 /// Change of Δ at which what is imposed is met, over the error of a step.
-pub(super) const MET: f64 = 1e-5;
+const MET: f64 = 1e-5;
 /// Growth and shrinkage of steps.
 const FASTEST: f64 = 2.5;
 const SLOWEST: f64 = 0.2;
@@ -28,8 +28,12 @@ const OF_CHANGE: f64 = 0.2;
 const SHORTEST: f64 = 1e-16;
 /// Time left of a force that vanishes, over the stretch, at which the contact is let go.
 const VANISHING: f64 = 1e-10;
+/// Part of a drive that is no time to wait.
+const NEAR: f64 = 1e-9;
+/// Δ that rounding leaves, over the depth.
+const ROUNDING: f64 = 2e-14;
 /// Iterations of one unknown, and trials of one step.
-const MOST_ITERATIONS: u32 = 100;
+const MOST_ITERATIONS: u32 = 60;
 const MOST_TRIALS: u32 = 200;
 /// Instants at which it is seen whether a fresh contact grows on.
 const LOOKS: u32 = 64;
@@ -51,7 +55,8 @@ impl<'a> Course<'a> {
                 // Without a force the far end of the frame is where the indenter is.
                 let drive = self.drive(stretch, target);
                 let touch = self.line.until_touch(&drive);
-                if touch > 0.0 {
+                // A touch that is near lies within the next step.
+                if touch > NEAR * drive.duration {
                     let end = self.time + drive.duration;
                     let part = if touch < drive.duration { drive.until(touch) } else { drive };
                     self.line.pass_nothing(&part);
@@ -217,7 +222,8 @@ impl<'a> Course<'a> {
             let pace = stretch.segment.oscillation.map_or(f64::INFINITY, |it| it.frequency_at(self.time, stretch.segment.duration).recip());
             let counts = self.chain.shortest_time().min(stretch.segment.duration).min(pace);
             self.step = (FIRST * self.fineness.steps.powf(0.4) * counts).max(least);
-            if opening {
+            if opening && controlled != Controlled::Frame {
+                // Δ goes with a broken power of the time from there.
                 self.step = 16.0 * least;
             }
         }
@@ -268,10 +274,10 @@ impl<'a> Course<'a> {
                     let happened = after.travel(&drive)?;
                     Ok((depth, after, happened))
                 };
-                let guess = predicted;
-                let tolerance = MET * self.fineness.steps * line.depth;
+                let tolerance = (MET * self.fineness.steps).max(ROUNDING) * line.depth;
                 let (mut low, mut high): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
-                let mut depth = guess;
+                let mut depth = predicted;
+                let mut steepness = slope;
                 let mut last: Option<(f64, f64)> = None;
                 for _ in 0..MOST_ITERATIONS {
                     let (_, after, happened) = trial(depth)?;
@@ -282,8 +288,10 @@ impl<'a> Course<'a> {
                         break;
                     }
                     if excess > 0.0 { high = Some((depth, excess)) } else { low = Some((depth, excess)) }
-                    let secant = last.map_or(slope, |(other, of_other)| (excess - of_other) / (depth - other));
+                    let secant = last.filter(|(other, _)| (depth - other).abs() > 100.0 * tolerance);
+                    let secant = secant.map_or(steepness, |(other, of_other)| (excess - of_other) / (depth - other));
                     let secant = if secant > 0.0 && secant.is_finite() { secant } else { slope };
+                    steepness = secant;
                     last = Some((depth, excess));
                     let mut next = depth - excess / secant;
                     match (low, high) {
@@ -293,7 +301,7 @@ impl<'a> Course<'a> {
                         }
                         _ => {}
                     }
-                    if (next - depth).abs() <= tolerance.max(4.0 * f64::EPSILON * depth.abs()) {
+                    if (next - depth).abs() <= tolerance {
                         break;
                     }
                     depth = next;

@@ -1,7 +1,6 @@
 //! One course through a history: the stretches of the history, the instants to keep, cycles, events and energies.
 
 use super::chain::Chain;
-use super::controls::MET;
 use super::drive::{Drive, Wave};
 use super::edge::Ended;
 use super::fresh::Fresh;
@@ -31,6 +30,9 @@ const FIRST_OF_LEDGER: f64 = 0.02;
 
 /// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
 const REPEATED: f64 = 1e-6;
+
+/// What is not known of Δ after all its steps, over the error of one.
+const OF_STEPS: f64 = 10.0;
 
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
@@ -112,7 +114,7 @@ impl<'a> Course<'a> {
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
         let given = self.problem.history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration);
-        let met = if given { 0.0 } else { 10.0 * MET * self.fineness.steps * self.line.depth };
+        let met = if given { 0.0 } else { OF_STEPS * self.fineness.steps * self.line.depth };
         Ok((trace, self.line.joined + met))
     }
 

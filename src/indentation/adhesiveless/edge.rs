@@ -124,10 +124,9 @@ impl Line<'_> {
     /// Goes on along a drive, as far as the edge goes one way: how far, and why it ended there.
     pub(super) fn go(&mut self, drive: &Drive) -> Result<(f64, Ended), Refusal> {
         self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
-        let start = self.radius();
         let mut moment = Moment::default();
         let mut way: Option<Way> = None;
-        let (mut before, mut place_before) = (0.0, start);
+        let mut before = 0.0;
         for time in self.looked_at(drive) {
             moment.set(self.chain, drive, time);
             moment.set_free(self.chain, drive, time);
@@ -142,17 +141,16 @@ impl Line<'_> {
             }
             let Some(heading) = way else { continue };
             let place = self.edge_after(&moment, heading)?;
+            // Less than rounding in all the time since it was last looked at is no turn.
+            let least = 8.0 * self.noise() / (time - before);
             let wrong = |rate: f64| match heading {
-                Way::Inwards => rate > 0.0,
-                Way::Outwards => rate < 0.0,
+                Way::Inwards => rate > least,
+                Way::Outwards => rate < -least,
             };
             let turned = match place {
                 None => false,
                 Some(place) if heading == Way::Outwards && place >= self.profile.rim() => false,
-                Some(place) => {
-                    let back = if heading == Way::Inwards { place - place_before } else { place_before - place };
-                    wrong(self.rate_at(place, &moment, heading)) || back > NARROWEST * place_before
-                }
+                Some(place) => wrong(self.rate_at(place, &moment, heading)),
             };
             if turned {
                 let turn = self.turn(drive, heading, (before, time))?;
@@ -178,7 +176,7 @@ impl Line<'_> {
                 self.release_all();
                 return Ok((drive.duration, Ended::Lost));
             }
-            (before, place_before) = (time, place.unwrap_or(place_before));
+            before = time;
         }
         match way {
             Some(way) => self.pass(drive, way)?,

@@ -29,4 +29,4 @@ mod grid;
 mod line;
 mod solve;
 
-pub(super) use solve::{solve, surface_at};
+pub(super) use solve::{course, solve, surface_at};

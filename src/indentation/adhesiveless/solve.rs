@@ -22,12 +22,14 @@ const OF_CHANGE: f64 = 100.0;
 const SOFTEST: f64 = 1e4;
 /// Series over the accuracy.
 const OF_ACCURACY: f64 = 1e-7;
+/// The same of the steps of Δ where it is not given.
+const STEPS: f64 = 1e-6;
 
 fn fineness(accuracy: f64, level: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
     Fineness {
         series: (OF_ACCURACY * accuracy).clamp(FINEST, 1e-10) * coarser,
-        steps: (1e-4 * accuracy).clamp(1e-11, 1e-7) * coarser,
+        steps: (STEPS * accuracy).clamp(3e-12, 1e-8) * coarser,
         of_cycle: if level == 0 { 28 } else { 40 },
         ledger: if level == 0 { (1.6, 16) } else { (1.35, 24) },
     }
@@ -59,6 +61,15 @@ pub(in crate::indentation) fn solve(
         .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
     widen(&mut solution, &chain, problem, unknown);
     Ok(solution)
+}
+
+/// One course, as fine as an accuracy asks for.
+pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
+    let chain = Chain::new(material)?;
+    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1)).through(&[])?;
+    trace.tolerance = accuracy;
+    problem.profile.holds(trace.summary.scales[2], 0.0)?;
+    Ok(trace)
 }
 
 /// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
