@@ -31,7 +31,7 @@ const VANISHING: f64 = 1e-10;
 /// Part of a drive that is no time to wait.
 const NEAR: f64 = 1e-9;
 /// Δ that rounding leaves, over the depth.
-const ROUNDING: f64 = 2e-14;
+const ROUNDING: f64 = 1e-14;
 /// Iterations of one unknown, and trials of one step.
 const MOST_ITERATIONS: u32 = 60;
 const MOST_TRIALS: u32 = 200;
@@ -116,7 +116,10 @@ impl<'a> Course<'a> {
         let force = self.drive(stretch, target);
         let moved = Moved { chain: self.chain, force, strains: self.line.whole_strains() };
         let whole = force.duration;
-        let falls = |time: f64| moved.at(time).1 < 0.0;
+        let falls = |time: f64| {
+            let (value, rate) = moved.at(time);
+            rate < -moved.rounding(time) - 1e-14 * value / whole
+        };
         let mut until = whole;
         let mut before = 0.0;
         let halved = (4..70).rev().map(|k| whole * 0.5_f64.powi(k));
@@ -133,7 +136,7 @@ impl<'a> Course<'a> {
             }
             before = time;
         }
-        if until <= 1e-13 * whole {
+        if until <= 1e-9 * whole {
             return Ok(false);
         }
         let end = self.time + whole;
@@ -252,7 +255,14 @@ impl<'a> Course<'a> {
                 value = stretch.value(self.time + dt);
             }
             let now = self.line.penetration;
-            let behind: Vec<(f64, f64)> = self.past.iter().rev().take(BEHIND).map(|&(t, depth)| ((t - self.time) / dt, depth - now)).collect();
+            let mut behind: Vec<(f64, f64)> =
+                self.past.iter().rev().take(BEHIND).map(|&(t, depth)| ((t - self.time) / dt, depth - now)).collect();
+            // Values close to each other tell little but their rounding.
+            let mut louder = amplified(&behind);
+            while behind.len() > 1 && louder * ROUNDING > 0.1 * self.fineness.steps {
+                behind.pop();
+                louder = amplified(&behind);
+            }
             let predicted = match behind.len() {
                 0 => now,
                 _ => {
@@ -308,9 +318,10 @@ impl<'a> Course<'a> {
                 }
             }
             let Some((after, happened)) = best else { break };
-            let change = if behind.is_empty() { 0.0 } else { OF_CHANGE * (found - predicted).abs() };
+            let depth = self.line.depth.max(after.depth);
+            let change = if behind.is_empty() { 0.0 } else { OF_CHANGE * ((found - predicted).abs() - louder * ROUNDING * depth).max(0.0) };
             let order = (behind.len() + 2) as f64;
-            let error = change / (self.fineness.steps * self.line.depth.max(after.depth));
+            let error = change / (self.fineness.steps * depth);
             let factor = if error > 0.0 { 0.9 * error.powf(-1.0 / order) } else { FASTEST };
             if error > 1.0 && dt > least {
                 self.step = dt * factor.clamp(SLOWEST, 0.9);
@@ -471,6 +482,15 @@ impl<'a> Course<'a> {
         };
         self.line.rested(depth)
     }
+}
+
+/// By how much the polynomial through earlier places and 0 makes an error of its values larger at 1.
+fn amplified(behind: &[(f64, f64)]) -> f64 {
+    let places = || behind.iter().map(|point| point.0).chain([0.0]);
+    let weight = |k: usize, own: f64| {
+        places().enumerate().filter(|(l, _)| *l != k).map(|(_, other)| (1.0 - other) / (own - other)).product::<f64>().abs()
+    };
+    places().enumerate().map(|(k, own)| weight(k, own)).sum()
 }
 
 /// The largest value that a stretch imposes.

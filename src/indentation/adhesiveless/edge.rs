@@ -168,7 +168,10 @@ impl Line<'_> {
                 // The axis is the last to lose contact.
                 let lost = self.lost_at(drive, time);
                 if lost < drive.duration {
-                    self.pass(&drive.until(lost), heading)?;
+                    // What has flowed to the end holds nothing: it is lost before any time has gone by.
+                    if lost > 0.0 {
+                        self.pass(&drive.until(lost), heading)?;
+                    }
                     self.release_all();
                     return Ok((lost, Ended::Lost));
                 }

@@ -117,6 +117,12 @@ pub(super) struct Moved<'a> {
 }
 
 impl Moved<'_> {
+    /// What rounding leaves of its rate.
+    pub(super) fn rounding(&self, time: f64) -> f64 {
+        let flows: f64 = self.chain.voigt.iter().map(|(_, flow)| flow).sum();
+        8.0 * f64::EPSILON * flows * self.force.value(time).abs().max(self.force.start.abs())
+    }
+
     /// Value and rate.
     pub(super) fn at(&self, time: f64) -> (f64, f64) {
         let (force, pace) = (self.force.value(time), self.force.rate(time));
