@@ -272,13 +272,7 @@ impl<'a> Record<'a> {
     }
 
     pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
-        self.event(Event {
-            kind,
-            time,
-            penetration: contact.penetration(),
-            force: contact.force(),
-            contact_radius: contact.radius(),
-        });
+        self.event(Event { kind, time, penetration: contact.penetration(), force: contact.force(), contact_radius: contact.radius() });
     }
 
     /// An event at a fold of t(a) a little ahead of the last point: values continued to it.

@@ -3,10 +3,10 @@
 
 use super::checkpoint::{Checkpoint, Observer, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
+use super::fields::SurfaceFields;
 use super::judgement::{Verdict, judged};
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
-use super::fields::SurfaceFields;
 use super::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;

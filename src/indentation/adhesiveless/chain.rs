@@ -33,11 +33,8 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 impl Chain {
     pub(super) fn new(material: &Material) -> Result<Self, Refusal> {
         let maxwell: Vec<(f64, f64)> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
-        let mut voigt: Vec<(f64, f64)> = material
-            .creep_terms()
-            .iter()
-            .map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time))
-            .collect();
+        let mut voigt: Vec<(f64, f64)> =
+            material.creep_terms().iter().map(|term| (term.retardation_time.recip(), term.compliance / term.retardation_time)).collect();
         voigt.extend(material.steady_viscosity().map(|viscosity| (0.0, viscosity.recip())));
         let maxwell = apart(maxwell, &mut voigt);
         if voigt.len() != maxwell.len() {

@@ -117,8 +117,9 @@ impl<'a> Course<'a> {
         let moved = Moved { chain: self.chain, force, strains: self.line.whole_strains() };
         let whole = force.duration;
         let falls = |time: f64| {
+            // An elastic contact follows its force down as well.
             let (value, rate) = moved.at(time);
-            rate < -moved.rounding(time) - 1e-14 * value / whole
+            !moved.chain.maxwell.is_empty() && rate < -moved.rounding(time) - 1e-14 * value / whole
         };
         let mut until = whole;
         let mut before = 0.0;
@@ -297,7 +298,11 @@ impl<'a> Course<'a> {
                     if excess == 0.0 {
                         break;
                     }
-                    if excess > 0.0 { high = Some((depth, excess)) } else { low = Some((depth, excess)) }
+                    if excess > 0.0 {
+                        high = Some((depth, excess))
+                    } else {
+                        low = Some((depth, excess))
+                    }
                     let secant = last.filter(|(other, _)| (depth - other).abs() > 100.0 * tolerance);
                     let secant = secant.map_or(steepness, |(other, of_other)| (excess - of_other) / (depth - other));
                     let secant = if secant > 0.0 && secant.is_finite() { secant } else { slope };
@@ -332,7 +337,11 @@ impl<'a> Course<'a> {
             self.past.drain(..spare);
             self.line = after;
             self.time = if dt == left { target } else { self.time + dt };
-            self.step = if dt < self.step { self.step.min(dt * factor.clamp(SLOWEST, FASTEST)).max(dt) } else { dt * factor.clamp(SLOWEST, FASTEST) };
+            self.step = if dt < self.step {
+                self.step.min(dt * factor.clamp(SLOWEST, FASTEST)).max(dt)
+            } else {
+                dt * factor.clamp(SLOWEST, FASTEST)
+            };
             let lost = happened.iter().any(|(_, ended)| *ended == Ended::Lost) && self.line.radius() == 0.0;
             if lost {
                 self.lost();
@@ -472,7 +481,11 @@ impl<'a> Course<'a> {
                     let middle = 0.5 * (low + high);
                     let load = self.fresh.depth(0.5 * stiffness * (value - middle) / modulus)?;
                     // More force than Δ asks for: deeper.
-                    if load > middle { low = middle } else { high = middle }
+                    if load > middle {
+                        low = middle
+                    } else {
+                        high = middle
+                    }
                     if high - low <= f64::EPSILON * high {
                         break;
                     }

@@ -303,7 +303,9 @@ impl<'a> Course<'a> {
         let segment = stretch.segment;
         let rate = stretch.rate();
         let same = segment.oscillation.is_none()
-            && self.pace.is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
+            && self
+                .pace
+                .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
         if !same {
             self.record.new_piece();
             self.corner();
@@ -337,7 +339,8 @@ impl<'a> Course<'a> {
                 cycle += 1;
                 self.line.tidy(true);
                 self.observe(index, Some(&segment));
-                let stationary = self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
+                let stationary =
+                    self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
                 if until_stationary && stop.is_none() && stationary == Some(true) {
                     duration = target;
                     self.record.trace.shortened.push((index, target));
@@ -476,7 +479,11 @@ impl<'a> Course<'a> {
             }
             let rest = drive.duration - time;
             self.time = if rest > 0.0 { end - rest } else { end };
-            if ended == Ended::Lost { self.lost() } else { self.turned() }
+            if ended == Ended::Lost {
+                self.lost()
+            } else {
+                self.turned()
+            }
             if rest <= 4.0 * f64::EPSILON * drive.duration {
                 self.line.leap(drive.end())?;
                 self.time = end;

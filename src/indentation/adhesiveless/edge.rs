@@ -96,9 +96,8 @@ impl Line<'_> {
                 let Some(stretch) = self.contact.iter().rev().find(|stretch| stretch.low <= place) else { return moment.rate };
                 stretch.at(place, &mut state);
                 let branches = self.chain.maxwell.iter().zip(&state).zip(moment.kept.iter().zip(&moment.gained));
-                let relaxing: f64 = branches
-                    .map(|((&(modulus, rho), u), (kept, gained))| modulus / self.chain.glassy * (u * kept + gained) / rho)
-                    .sum();
+                let relaxing: f64 =
+                    branches.map(|((&(modulus, rho), u), (kept, gained))| modulus / self.chain.glassy * (u * kept + gained) / rho).sum();
                 moment.rate - relaxing
             }
             Way::Outwards => {
@@ -326,10 +325,15 @@ impl Line<'_> {
                 break;
             }
             let mut parts = Vec::new();
-            self.build((place, stretch.high), false, &mut |s, height, state| {
-                stretch.at(s, state);
-                released(height, state);
-            }, &mut parts);
+            self.build(
+                (place, stretch.high),
+                false,
+                &mut |s, height, state| {
+                    stretch.at(s, state);
+                    released(height, state);
+                },
+                &mut parts,
+            );
             parts.append(&mut freed);
             freed = parts;
             if place > stretch.low {
@@ -358,10 +362,15 @@ impl Line<'_> {
             }
             let place = snapped(&stretch, zero_in(&stretch, &self.opened(&stretch, end)));
             if place > stretch.low {
-                self.build((stretch.low, place), true, &mut |s, height, state| {
-                    stretch.at(s, state);
-                    touched(height, state);
-                }, &mut gained);
+                self.build(
+                    (stretch.low, place),
+                    true,
+                    &mut |s, height, state| {
+                        stretch.at(s, state);
+                        touched(height, state);
+                    },
+                    &mut gained,
+                );
                 reached = place;
             }
             stopped = place < stretch.high;
@@ -375,10 +384,15 @@ impl Line<'_> {
         if !stopped {
             let edge = self.virgin_edge(end.depth, reached)?;
             if edge - reached > NARROWEST * edge {
-                self.build((reached, edge), true, &mut |_, height, state| {
-                    state.fill(0.0);
-                    touched(height, state);
-                }, &mut gained);
+                self.build(
+                    (reached, edge),
+                    true,
+                    &mut |_, height, state| {
+                        state.fill(0.0);
+                        touched(height, state);
+                    },
+                    &mut gained,
+                );
             }
         }
         self.age(end);
@@ -393,10 +407,15 @@ impl Line<'_> {
         let mut freed = Vec::new();
         let mut scratch = Vec::new();
         for stretch in std::mem::take(&mut self.contact) {
-            self.build((stretch.low, stretch.high), false, &mut |s, height, state| {
-                stretch.at(s, state);
-                chain.released(depth - height, state, &mut scratch);
-            }, &mut freed);
+            self.build(
+                (stretch.low, stretch.high),
+                false,
+                &mut |s, height, state| {
+                    stretch.at(s, state);
+                    chain.released(depth - height, state, &mut scratch);
+                },
+                &mut freed,
+            );
         }
         freed.append(&mut self.free);
         self.free = freed;
@@ -521,4 +540,3 @@ fn rising_zero(by: f64, guess: f64, moment: &mut Moment, function: &mut dyn FnMu
     }
     time
 }
-

@@ -299,9 +299,11 @@ impl<'a> Line<'a> {
         let allowed = self.tolerance * self.depth;
         let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
         let resolved = left(&stretch.heights) <= allowed
-            && shares.iter().zip(noise).enumerate().all(|(index, (share, noise))| {
-                share * left(stretch.term(index)) <= allowed.max(noise * self.depth)
-            });
+            && shares
+                .iter()
+                .zip(noise)
+                .enumerate()
+                .all(|(index, (share, noise))| share * left(stretch.term(index)) <= allowed.max(noise * self.depth));
         let middle = 0.5 * (low + high);
         if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
             into.push(stretch);

@@ -2,14 +2,14 @@
 
 use super::chain::Chain;
 use super::course::{Course, Fineness};
+use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::fields::SurfaceFields;
+use crate::indentation::history::Controlled;
 use crate::indentation::judgement::judged;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
-use crate::estimate::Estimate;
-use crate::indentation::history::Controlled;
 use crate::material::Material;
 use crate::refusal::Refusal;
 
@@ -27,10 +27,11 @@ const STEPS: f64 = 1e-6;
 
 fn fineness(accuracy: f64, level: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
+    let finer = (1e-3 / accuracy).powf(0.25).clamp(1.0, 4.0);
     Fineness {
         series: (OF_ACCURACY * accuracy).clamp(FINEST, 1e-10) * coarser,
-        steps: (STEPS * accuracy).clamp(3e-12, 1e-8) * coarser,
-        of_cycle: if level == 0 { 28 } else { 40 },
+        steps: (STEPS * accuracy).clamp(1e-10, 1e-8) * coarser,
+        of_cycle: (finer * if level == 0 { 28.0 } else { 40.0 }) as u32,
         ledger: if level == 0 { (1.6, 16) } else { (1.35, 24) },
     }
 }

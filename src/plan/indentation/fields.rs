@@ -48,12 +48,7 @@ impl IndentationPlan {
                 let springs = Springs::new(&self.material)?;
                 let [fine, coarse] = [self.walked(&springs, path, time, MOVES[0])?, self.walked(&springs, path, time, MOVES[1])?];
                 let nothing = PathPoint { time, energies: None, ..path.first().copied().ok_or_else(no_path)? };
-                let point = PathPoint {
-                    penetration: fine.penetration(),
-                    force: fine.force(),
-                    contact_radius: fine.radius(),
-                    ..nothing
-                };
+                let point = PathPoint { penetration: fine.penetration(), force: fine.force(), contact_radius: fine.radius(), ..nothing };
                 Ok((point, [SurfaceFields::of(&fine), SurfaceFields::of(&coarse)], SAFETY * (fine.force() - coarse.force()).abs()))
             })
             .collect::<Result<_, Refusal>>()?;
