@@ -12,9 +12,10 @@ mod physics;
 use physics::Random;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use viscotack::indentation::{
-    Adhesion, Checkpoint, Controlled, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start, Watch, run,
-    run_watched,
+    Adhesion, Checkpoint, Controlled, EdgeLaw, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment, Start,
+    Watch, run, run_watched,
 };
 use viscotack::material::{Material, RelaxationTerm};
 
@@ -55,6 +56,7 @@ fn problem(controlled: Controlled, start: f64, segments: Vec<Segment>) -> Indent
     IndentationProblem {
         profile: Profile::Paraboloid { radius: 1.0 },
         adhesion: Some(Adhesion { work_of_adhesion: 3e-3, process_zone: 0.013 }),
+        edge_law: EdgeLaw::CONSTANT,
         history: History { start, controlled, segments },
         frame_stiffness: None,
         start: Start::Untouched,
@@ -93,7 +95,20 @@ fn cases() -> Vec<(&'static str, IndentationProblem)> {
         accuracy: 5e-2,
         ..problem(force, 0.02, vec![swings(force, 0.02, 0.002, 1.0, 40.0, true), ramp(force, 0.0, 1.0)])
     };
+    let rim = IndentationProblem {
+        profile: Profile::FlatPunch { radius: 0.3 },
+        start: Start::Relaxed,
+        edge_law: EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT },
+        ..problem(depth, 0.02, vec![ramp(depth, -0.03, 0.2), ramp(depth, 0.04, 0.1), ramp(depth, -0.3, 3.0)])
+    };
+    let two_works = IndentationProblem { edge_law: EdgeLaw { leading_ratio: 0.3, ..EdgeLaw::CONSTANT }, ..approach.clone() };
+    let entry = |speed: f64, trailing: f64, leading: f64| WorkAtSpeed { speed, trailing, leading };
+    let by_speed = WorkBySpeed::table(&[entry(1e-3, 1.0, 1.0), entry(1.0, 4.0, 0.5)]).unwrap();
+    let by_speed = IndentationProblem { edge_law: EdgeLaw { by_speed: Some(by_speed), ..EdgeLaw::CONSTANT }, ..approach.clone() };
     vec![
+        ("the rim of a punch", rim),
+        ("two works of adhesion", two_works),
+        ("works by the speed of the edge", by_speed),
         ("approach, dwell, pull off", approach),
         ("with energies", energies),
         ("forces, one at once", pressed),

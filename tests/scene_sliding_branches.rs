@@ -69,7 +69,8 @@ fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
 /// Two solutions of the same contact: within the bars of both.
 fn assert_meets(what: &str, found: &Values, expected: &Values) {
     let mut compared = 0;
-    for (name, expected) in expected {
+    // How many other contacts there are is said of single states alone.
+    for (name, expected) in expected.iter().filter(|(name, _)| **name != "other_contacts") {
         let Some(found) = found.get(name) else { panic!("{what}: no {name}") };
         let allowed = found.error + expected.error + 1e-13 * expected.value.abs();
         assert!((found.value - expected.value).abs() <= allowed, "{what}, {name}: {found:?} and {expected:?}");
@@ -355,7 +356,9 @@ fn an_isola_is_a_branch_of_its_own_with_two_folds() {
         let stable =
             |flag: f64| isola().filter(|(_, values)| values.get("stable_under_load").is_some_and(|told| told.value == flag)).count();
         assert!(isola().count() == 14 && stable(1.0) > 3 && stable(0.0) > 3);
-        assert!(rows.iter().all(|(row, _)| row.label(2) != "slow" && row.label(2) != "fast"));
+        // From the slow end comes the wide contact beyond snap-in alone, which no load holds.
+        let from_an_end = rows.iter().filter(|(row, _)| row.label(2) == "slow" || row.label(2) == "fast");
+        assert!(from_an_end.into_iter().all(|(_, values)| values["stable_under_load"].value == 0.0 && values["half_width"].value > 2.0));
     }
     assert!(unasked[0].0.reason.as_ref().unwrap().contains("neither end of the speeds has a contact"), "{:?}", unasked[0].0.reason);
     // Each row is a contact: both edges release Δγ against their motion.

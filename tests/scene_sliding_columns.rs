@@ -125,6 +125,7 @@ fn a_reduced_scene_is_the_same_contact() {
             (&["leading_nonconservative_work"], WORK),
             (&["interface_work"], 0.5 * RELAXED_PLANE * AMPLITUDE * AMPLITUDE),
             (&["speed"], 1.0 / (k * TIME)),
+            (&["stable_under_load", "stable_under_penetration", "other_contacts"], 1.0),
         ] {
             for name in names {
                 assert_eq!(si.contains_key(name), reduced.contains_key(name), "{name}");

@@ -106,7 +106,8 @@ fn columns_are_there_on_request_only() {
         |text: &str| -> Vec<&'static str> { Plan::new(&parsed(text)).unwrap().columns().iter().map(|column| column.name).collect() };
     let plain = |rest: &str| scene(INPUTS, "work_of_adhesion = 0.01", rest);
     let load = "mean_pressure = 9e3";
-    assert_eq!(names(&plain(load)).len(), 17);
+    assert_eq!(names(&plain(load)).len(), 20);
+    assert_eq!(names(&plain(&format!("{load}\nframe_stiffness = 1e9"))).len(), 21);
     assert_eq!(names(&plain("[sliding.strength]")).len(), 14);
     assert_eq!(names(&plain("[sliding.branch]\nparameter = \"half_width\"")).len(), 21);
     for (asked, of_state, of_strength, of_branch) in [

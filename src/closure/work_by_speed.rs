@@ -98,6 +98,18 @@ impl WorkBySpeed {
         })
     }
 
+    /// Whether the factors of the trailing and of the leading edge fall, and whether they rise, anywhere with the speed.
+    #[must_use]
+    pub fn trends(&self) -> [(bool, bool); 2] {
+        match &self.0 {
+            Law::Power { .. } => [(false, true); 2],
+            Law::Table(entries) => [|entry: &WorkAtSpeed| entry.trailing, |entry: &WorkAtSpeed| entry.leading].map(|of| {
+                let changes = || entries.windows(2).filter_map(|pair| Some(of(pair.get(1)?) - of(pair.first()?)));
+                (changes().any(|change| change < 0.0), changes().any(|change| change > 0.0))
+            }),
+        }
+    }
+
     /// The slowest and the fastest speed of a table, beyond which its ends are held; none of a law.
     #[must_use]
     pub fn ends(&self) -> Option<[f64; 2]> {

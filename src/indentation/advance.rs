@@ -7,7 +7,7 @@ use super::marcher::{HALF, Marcher, NEARLY};
 use super::motion::Motion;
 use super::past::Node;
 use super::solution::EventKind;
-use super::stepping::{EdgeStep, Stepper, TimeStep};
+use super::stepping::{EdgeStep, Stepper, TimeStep, Way};
 use crate::refusal::Refusal;
 
 /// Attempts at one step; each failed one shrinks it or changes what drives it.
@@ -73,6 +73,13 @@ impl Marcher<'_> {
                 reach = reach.min((TOWARDS_FOLD * distance).max(0.5 * self.nearest_to_fold()));
             }
         }
+        let mut way = Way::Any;
+        if a > 0.0 && self.problem.adhesion.is_some() && self.problem.edge_law.may_rest() {
+            match self.way(&mut cap, left, target, imposed)? {
+                Some(known) => way = known,
+                None => return Ok(()),
+            }
+        }
         let mut forced: Option<Choice> = None;
         let mut was_far = false;
         let mut turnings = 0;
@@ -81,6 +88,7 @@ impl Marcher<'_> {
         for _ in 0..MOST_ATTEMPTS {
             let choice = match forced.take() {
                 Some(choice) => choice,
+                None if way == Way::None => Choice::Time { guess: a },
                 None => match self.choose(reach, cap) {
                     // An edge that would stop short of the end of the stretch: two equal steps of time.
                     Choice::Edge { guess, .. } if guess > HALF * left && guess < NEARLY * left && cap > HALF * left => {
@@ -96,7 +104,7 @@ impl Marcher<'_> {
             };
             let found = match choice {
                 Choice::Time { guess } => {
-                    let outcome = self.stepper().time_driven(cap, guess, 1.5 * reach, imposed)?;
+                    let outcome = self.stepper().time_driven(cap, way, guess, 1.5 * reach, imposed)?;
                     match outcome {
                         TimeStep::Found(trial) => {
                             if trial.motion.to < a && self.leave_rim(cap, left, target, imposed)? {
@@ -138,7 +146,8 @@ impl Marcher<'_> {
                         let room = a - self.smallest();
                         way = match self.problem.adhesion {
                             Some(_) if room <= AT_MARK * self.length => return self.detach(EventKind::ZoneReached, imposed),
-                            // There, and not where the last step before happens to end.
+                            // There, and not where the last step before happens to end; a zone that grows moves the end.
+                            Some(_) if self.problem.edge_law.growing_zone => -HALF * room,
                             Some(_) => -room,
                             None if a <= 2.0 * self.smallest() => return self.detach(EventKind::Detachment, imposed),
                             None => 0.5 * way.max(-a),

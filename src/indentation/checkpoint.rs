@@ -11,6 +11,7 @@ use super::meter::Meter;
 use super::panel::POINTS;
 use super::past::Past;
 use super::record::{Record, RecordState};
+use super::rim::Rim;
 use super::solution::{IndentationWork, Trace};
 use super::stretch::{Place, part, weight};
 use crate::refusal::Refusal;
@@ -68,13 +69,22 @@ pub(super) struct ContactState {
     radius: f64,
     penetration: f64,
     way: f64,
+    rim: Option<Rim>,
     updates: u64,
 }
 
 impl ContactState {
     pub(super) fn of(contact: &Contact<'_>) -> Self {
-        let Contact { springs: _, profile: _, cells, values, radius, penetration, way, updates } = contact;
-        Self { cells: cells.clone(), values: values.clone(), radius: *radius, penetration: *penetration, way: *way, updates: *updates }
+        let Contact { springs: _, profile: _, cells, values, radius, penetration, way, rim, updates } = contact;
+        Self {
+            cells: cells.clone(),
+            values: values.clone(),
+            radius: *radius,
+            penetration: *penetration,
+            way: *way,
+            rim: rim.clone(),
+            updates: *updates,
+        }
     }
 
     /// The contact of the same springs and profile as `like`.
@@ -82,8 +92,11 @@ impl ContactState {
         if self.values.len() != self.cells.len() * POINTS * like.springs.terms() {
             return Err(foreign("its line has another number of terms"));
         }
-        let Self { cells, values, radius, penetration, way, updates } = self;
-        Ok(Contact { springs: like.springs, profile: like.profile.clone(), cells, values, radius, penetration, way, updates })
+        if self.rim.as_ref().map(Rim::terms) != like.rim.as_ref().map(Rim::terms) {
+            return Err(foreign("its indenter has another rim"));
+        }
+        let Self { cells, values, radius, penetration, way, rim, updates } = self;
+        Ok(Contact { springs: like.springs, profile: like.profile.clone(), cells, values, radius, penetration, way, rim, updates })
     }
 }
 

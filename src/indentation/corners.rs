@@ -34,7 +34,7 @@ impl Marcher<'_> {
         self.reach = FIRST_REACH * root * self.length;
         self.dt = self.first_step();
         self.landmarks.clear();
-        let (a, zone) = (self.contact.radius(), self.edge.zone());
+        let (a, zone) = (self.contact.radius(), self.zone_now());
         if zone > 0.0 && a > 0.0 {
             self.landmarks.extend([(a - zone, 1), (a + zone, 1)]);
         }
@@ -58,6 +58,12 @@ impl Marcher<'_> {
         self.remember_turn(self.contact.radius());
     }
 
+    /// δ, at the present K where it grows.
+    pub(super) fn zone_now(&self) -> f64 {
+        let a = self.contact.radius();
+        if a > 0.0 { self.edge.zone_at(self.springs, a, self.contact.edge_load()).max(self.edge.zone()) } else { self.edge.zone() }
+    }
+
     /// Keeps a place at which the line has a kink: a step ends there when the edge comes back.
     pub(super) fn remember_turn(&mut self, place: f64) {
         self.turns.retain(|turn| (turn - place).abs() > SAME_TURN * self.length);
@@ -71,7 +77,7 @@ impl Marcher<'_> {
     pub(super) fn restart_at_landmark(&mut self) {
         let (corner, dt) = (self.corner, self.dt);
         let mut others = std::mem::take(&mut self.landmarks);
-        let (a, zone) = (self.contact.radius(), self.edge.zone());
+        let (a, zone) = (self.contact.radius(), self.zone_now());
         let way = self.past.nodes().get(1).map_or(0.0, |before| (a - before.radius).signum());
         self.restart();
         // The surface keeps the corner: an edge that comes back meets it again.

@@ -4,21 +4,28 @@
 //! g = C/Δγ − 1, with the sign of a pressed edge turned, or −Q(a) without adhesion. At dt = 0 the solid answers glassily, and a stable
 //! edge has g(a − h) < 0 < g(a + h).
 
+use super::edge_law::EdgeLaw;
 use super::line::{Contact, Sweep};
 use super::motion::{Motion, Passage};
 use super::panel::value_at;
 use super::past::{Node, Past};
 use super::problem::Adhesion;
 use super::profile::Profile;
-use super::springs::DEGREE;
+use super::springs::{DEGREE, Springs};
+use super::stepping::SMALLEST;
 use super::window::Window;
 use super::zone::Zone;
 use super::zone_work::zone_work;
 use crate::refusal::Refusal;
+use std::f64::consts::PI;
 
 /// A window graded for one time serves shorter times, and longer ones up to this factor: within a search its grading must not go back and forth.
 const SAME_GRADING: f64 = 4.0;
 
+/// A zone that grows, over its length at G = Δγ: below, the pull is nowhere near enough for the edge to move.
+const LEAST_GROWTH: f64 = 1e-2;
+/// Room about the edge for a zone that grows.
+const ROOM: f64 = 2.0;
 /// Depth of a contact without adhesion, over the deepest so far, below which Q is rounding of what the line bore then.
 const DENTED: f64 = 1e-3;
 /// Deviation from a straight way, over the depth, that is rounding.
@@ -72,6 +79,7 @@ pub(super) struct Trial {
 /// The edge condition, what it remembers, and its counters.
 pub(super) struct Edge {
     pub(super) adhesion: Option<Adhesion>,
+    pub(super) law: EdgeLaw,
     /// Scale of Q without adhesion.
     pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
@@ -88,8 +96,8 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    pub(super) const fn new(adhesion: Option<Adhesion>, load_scale: f64, depth_scale: f64) -> Self {
-        Self { adhesion, load_scale, depth_scale, deepest: 0.0, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
+    pub(super) fn new((adhesion, law): (Option<Adhesion>, EdgeLaw), load_scale: f64, depth_scale: f64) -> Self {
+        Self { adhesion, law, load_scale, depth_scale, deepest: 0.0, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
     }
 
     /// As it was between two steps: what makes trials quick is found again.
@@ -98,8 +106,24 @@ impl Edge {
         (self.kernel, self.window) = (None, None);
     }
 
+    /// δ₀.
     pub(super) fn zone(&self) -> f64 {
         self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
+    }
+
+    /// δ at an edge with Q(a).
+    pub(super) fn zone_at(&self, springs: &Springs, radius: f64, edge_load: f64) -> f64 {
+        let Some(adhesion) = self.adhesion.filter(|_| self.law.growing_zone) else { return self.zone() };
+        let growth = edge_load / (2.0 * PI * springs.relaxed * adhesion.work_of_adhesion) * (edge_load / radius);
+        (growth.max(LEAST_GROWTH) * adhesion.process_zone).min(radius / SMALLEST)
+    }
+
+    /// How far about an edge the closure may look: a zone that grows may do so within the step.
+    fn reach(&self, contact: &Contact<'_>) -> f64 {
+        if !self.law.growing_zone {
+            return self.zone();
+        }
+        ROOM * self.zone_at(contact.springs(), contact.radius(), contact.edge_load()).max(self.zone())
     }
 
     /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first, and one that shrinks to a point
@@ -199,13 +223,37 @@ impl Edge {
     fn prepare(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Window {
         match self.window.take() {
             Some(window) if window.radius.to_bits() == motion.to.to_bits() && motion.time <= SAME_GRADING * window.time => window,
-            _ => Window::new(contact, motion.to, motion.time, self.zone(), whole),
+            _ => Window::new(contact, motion.to, motion.time, self.reach(contact), whole),
         }
+    }
+
+    /// C (J/m²) after a motion, with Q(a) and D(a).
+    fn closure(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Result<[f64; 3], Refusal> {
+        self.evaluations += 1;
+        let mut window = self.prepare(contact, motion, whole);
+        self.updates += window.after(contact, motion);
+        let edge_load = value_at(&window.loads, motion.to);
+        let length = self.zone_at(contact.springs(), motion.to, edge_load);
+        if length > window.reach {
+            window = Window::new(contact, motion.to, motion.time, ROOM * length, whole);
+            self.updates += window.after(contact, motion);
+        }
+        let work = if self.adhesion.is_some() {
+            let kernel = self.kernel_at(motion.to, length)?;
+            let work = zone_work(&kernel, &window.loads, &window.gaps);
+            self.kernel = Some((motion.to, kernel));
+            work
+        } else {
+            0.0
+        };
+        let found = [work, edge_load, value_at(&window.gaps, motion.to)];
+        self.window = Some(window);
+        Ok(found)
     }
 
     fn load(&mut self, contact: &Contact<'_>, motion: &Motion) -> f64 {
         let mut window = self.prepare(contact, motion, true);
-        self.updates += window.after(contact, motion, motion.to);
+        self.updates += window.after(contact, motion);
         let force = window.force(contact, motion);
         self.window = Some(window);
         force
@@ -213,39 +261,33 @@ impl Edge {
 
     /// g of a motion.
     pub(super) fn residual(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Result<f64, Refusal> {
-        self.evaluations += 1;
-        let mut window = self.prepare(contact, motion, whole);
-        self.updates += window.after(contact, motion, motion.to + self.zone());
-        let edge_load = value_at(&window.loads, motion.to);
+        let [work, edge_load, edge_gap] = self.closure(contact, motion, whole)?;
         let g = match self.adhesion {
             Some(adhesion) => {
-                let kernel = self.kernel_at(motion.to)?;
-                let work = zone_work(&kernel, &window.loads, &window.gaps) / adhesion.work_of_adhesion;
-                self.kernel = Some((motion.to, kernel));
-                signed(work, edge_load, value_at(&window.gaps, motion.to))
+                let speed = if self.law.by_speed.is_some() { motion.edge_speed(contact.profile()) } else { 0.0 };
+                self.signed(work / adhesion.work_of_adhesion, (edge_load, edge_gap), motion.to - motion.from, speed)
             }
             None => -edge_load / self.load_scale(contact, motion.to),
         };
-        self.window = Some(window);
         finite(g, motion.to)
     }
 
-    fn kernel_at(&mut self, radius: f64) -> Result<Zone, Refusal> {
+    /// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium. D(a) = −Q(a)/E∞*, so both sides of the
+    /// edge tell; one alone may be noise, where a layer is thinner than any panel.
+    fn signed(&self, work: f64, (edge_load, edge_gap): (f64, f64), way: f64, speed: f64) -> f64 {
+        if edge_load > 0.0 && edge_gap < 0.0 { -work.abs() - 1.0 } else { self.law.excess(work, way, speed) }
+    }
+
+    fn kernel_at(&mut self, radius: f64, length: f64) -> Result<Zone, Refusal> {
         match self.kernel.take() {
-            Some((place, kernel)) if place.to_bits() == radius.to_bits() => Ok(kernel),
-            _ => Zone::new(radius, self.zone()),
+            Some((place, kernel)) if place.to_bits() == radius.to_bits() && kernel.length.to_bits() == length.to_bits() => Ok(kernel),
+            _ => Zone::new(radius, length),
         }
     }
 
     /// C of a motion (J/m²).
     pub(super) fn work(&mut self, contact: &Contact<'_>, motion: &Motion) -> Result<f64, Refusal> {
-        self.evaluations += 1;
-        let mut window = self.prepare(contact, motion, false);
-        self.updates += window.after(contact, motion, motion.to + self.zone());
-        let kernel = self.kernel_at(motion.to)?;
-        let work = zone_work(&kernel, &window.loads, &window.gaps);
-        self.kernel = Some((motion.to, kernel));
-        self.window = Some(window);
+        let [work, ..] = self.closure(contact, motion, false)?;
         finite(work, motion.to)
     }
 
@@ -269,11 +311,12 @@ impl Edge {
         let edge_load = value_at(&loads, radius);
         let g = match self.adhesion {
             Some(adhesion) => {
-                let kernel = self.kernel_at(radius)?;
-                let gaps = next.gap_factor(radius + adhesion.process_zone);
+                let length = self.zone_at(contact.springs(), radius, edge_load);
+                let kernel = self.kernel_at(radius, length)?;
+                let gaps = next.gap_factor(radius + length);
                 let work = zone_work(&kernel, &loads, &gaps) / adhesion.work_of_adhesion;
                 self.kernel = Some((radius, kernel));
-                signed(work, edge_load, value_at(&gaps, radius))
+                self.signed(work, (edge_load, value_at(&gaps, radius)), radius - contact.radius(), f64::INFINITY)
             }
             None => -edge_load / self.load_scale(contact, radius),
         };
@@ -299,12 +342,6 @@ fn course(dt: f64, here: f64, scale: f64, history: &dyn Fn(f64) -> f64) -> [f64;
 /// A point of the march that is now.
 pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, force: f64) -> Node {
     Node { time: 0.0, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
-}
-
-/// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium. D(a) = −Q(a)/E∞*, so both sides of the edge
-/// tell; one alone may be noise, where a layer is thinner than any panel.
-fn signed(work: f64, edge_load: f64, edge_gap: f64) -> f64 {
-    if edge_load > 0.0 && edge_gap < 0.0 { -work.abs() - 1.0 } else { work - 1.0 }
 }
 
 fn finite(value: f64, radius: f64) -> Result<f64, Refusal> {

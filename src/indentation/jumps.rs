@@ -2,6 +2,7 @@
 
 use super::edge::Imposed;
 use super::folds::Fold;
+use super::line::Contact;
 use super::marcher::Marcher;
 use super::solution::EventKind;
 use crate::refusal::Refusal;
@@ -22,7 +23,7 @@ impl Marcher<'_> {
             (None, -1.0)
         };
         let pinned = a >= self.contact.profile().rim() && here <= 0.0;
-        if let Some(contact) = stayed
+        if let Some(contact) = &stayed
             && (here.abs() <= self.edge_tolerance() || pinned)
         {
             self.glide(a, contact.penetration(), 0.0);
@@ -30,6 +31,15 @@ impl Marcher<'_> {
             return Ok(());
         }
         let inwards = here > 0.0;
+        if inwards && self.problem.edge_law.levels(f64::INFINITY)[0].is_infinite() {
+            // No edge is infinitely fast: it goes from here at a speed of its own.
+            self.problem.edge_law.goes(inwards)?;
+            if let Some(depth) = stayed.as_ref().map(Contact::penetration) {
+                self.glide(a, depth, 0.0);
+                self.went(0.0, 0.0, self.time, 0.0);
+                return Ok(());
+            }
+        }
         match self.elsewhere(a, inwards, imposed)? {
             Some(place) => self.jump(place, imposed),
             None if inwards => self.detach(EventKind::Detachment, imposed),
@@ -114,6 +124,9 @@ impl Marcher<'_> {
 
     /// A stable edge somewhere else, at once: the next one inwards or outwards, or none.
     fn elsewhere(&mut self, start: f64, inwards: bool, imposed: &Imposed<'_>) -> Result<Option<f64>, Refusal> {
+        if !inwards {
+            self.problem.edge_law.goes(inwards)?;
+        }
         let stride = SEARCH * self.length;
         let rim = self.contact.profile().rim();
         let (least, most) = (self.smallest(), (1e3 * (start + self.length)).min(rim));

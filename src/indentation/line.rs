@@ -11,6 +11,7 @@ use super::motion::{Motion, Passage, STRAIGHT};
 use super::panel::{POINTS, Panel, RULE};
 use super::passing::Passing;
 use super::profile::Profile;
+use super::rim::Rim;
 use super::row::Row;
 use super::springs::{DEGREE, Springs};
 use super::zone::Zone;
@@ -68,6 +69,8 @@ pub struct Contact<'a> {
     pub(super) penetration: f64,
     /// How far the edge went in the last motion that took time (m).
     pub(super) way: f64,
+    /// Beyond a sharp rim, if the indenter has one.
+    pub(super) rim: Option<Rim>,
     pub(super) updates: u64,
 }
 
@@ -93,7 +96,9 @@ impl<'a> Contact<'a> {
         require_finite("penetration", penetration)?;
         let profile = profile.checked()?;
         profile.holds(radius, 0.0)?;
-        let mut contact = Self { springs, profile, cells: Vec::new(), values: Vec::new(), radius, penetration, way: 0.0, updates: 0 };
+        let rim = Some(profile.rim()).filter(|rim| rim.is_finite());
+        let rim = rim.map(|rim| Rim::new(springs, profile.line(rim), penetration, followed > 0.0));
+        let mut contact = Self { springs, profile, cells: Vec::new(), values: Vec::new(), radius, penetration, way: 0.0, rim, updates: 0 };
         if radius > 0.0 {
             let breaks = contact.profile.breaks(radius);
             contact.cells = breaks.windows(2).map(|pair| Cell { low: pair[0], high: pair[1], bonded: true }).collect();
@@ -172,6 +177,7 @@ impl<'a> Contact<'a> {
             radius: motion.to,
             penetration,
             way: if motion.time > 0.0 { motion.to - motion.from } else { 0.0 },
+            rim: self.rim.as_ref().map(|rim| rim.after(self.springs, motion)),
             updates: self.updates,
         };
         next.updates += (next.cells.len() * POINTS) as u64;
@@ -289,16 +295,17 @@ impl<'a> Contact<'a> {
         panels
     }
 
-    /// D = W − (Δ − f) on the panels outside the contact, on to `end` (m).
+    /// D = W − (Δ − f) on the panels outside the contact, on to `end` (m); beyond a sharp rim the opening since the rim last released.
     #[must_use]
     pub fn gap_factor(&self, end: f64) -> Vec<Panel> {
-        let mut panels = self.free_displacement(end);
+        let mut panels = self.free_displacement(end.min(self.profile.rim()));
         for panel in &mut panels {
             let heights = Cell { low: panel.lower, high: panel.upper, bonded: false }.heights(&self.profile);
             for (value, height) in panel.values.iter_mut().zip(heights) {
                 *value += height - self.penetration;
             }
         }
+        panels.extend(self.rim.as_ref().and_then(|rim| beyond_rim(self.profile.rim(), end, rim.opening(self.penetration))));
         panels
     }
 
@@ -374,6 +381,11 @@ impl<'a> Contact<'a> {
     pub fn zone_work(&self, process_zone: f64) -> Result<f64, Refusal> {
         Ok(zone_work(&Zone::new(self.radius, process_zone)?, &self.line_load(), &self.gap_factor(self.radius + process_zone)))
     }
+}
+
+/// D from the rim to `end` (m).
+pub(super) fn beyond_rim(rim: f64, end: f64, opening: f64) -> Option<Panel> {
+    (end > rim).then_some(Panel { lower: rim, upper: end, values: [opening; POINTS] })
 }
 
 /// Part of a cell, its state interpolated; zero where the cell has none.

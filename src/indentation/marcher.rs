@@ -148,7 +148,7 @@ impl<'a> Marcher<'a> {
         let opening = problem.adhesion.map_or(depth, |adhesion| {
             (2.0 * PI * contact.radius().max(length) * adhesion.work_of_adhesion / springs.glassy).sqrt().min(depth)
         });
-        let edge = Edge::new(problem.adhesion, springs.glassy * depth, depth);
+        let edge = Edge::new((problem.adhesion, problem.edge_law.clone()), springs.glassy * depth, depth);
         Ok(Self {
             springs,
             problem,
@@ -184,8 +184,15 @@ impl<'a> Marcher<'a> {
                 let depth = self.contact.penetration();
                 let here = move |_: f64| depth;
                 let (_, residual) = self.edge.jumped(&self.contact, self.contact.radius(), &Imposed::Penetration(&here))?;
-                // A punch that its rim holds is in equilibrium below the work of adhesion.
-                if self.contact.radius() >= self.contact.profile().rim() { residual.max(0.0) } else { residual }
+                if self.contact.radius() >= self.contact.profile().rim() {
+                    // A punch that its rim holds is in equilibrium below the work of adhesion.
+                    residual.max(0.0)
+                } else if self.problem.start == Start::Untouched && self.problem.edge_law.by_speed.is_some() {
+                    // It jumped in, which no speed at rest tells of.
+                    0.0
+                } else {
+                    residual
+                }
             }
             _ => 0.0,
         };

@@ -157,6 +157,11 @@ impl Motion {
         (value, powers)
     }
 
+    /// |da/dt| at the end; infinite for a motion at once.
+    pub(super) fn edge_speed(&self, profile: &Profile) -> f64 {
+        (self.area_rate(profile, 1.0) / (2.0 * PI * self.to * self.time)).abs()
+    }
+
     /// dA/du, A = πa², at a part of the time.
     pub(super) fn area_rate(&self, profile: &Profile, part: f64) -> f64 {
         let (from, to) = (self.from, self.to);

@@ -1,15 +1,16 @@
 //! What is asked of a contact in time.
 
+use super::edge_law::EdgeLaw;
 use super::history::{Controlled, History};
 use super::profile::Profile;
 use crate::refusal::{Refusal, require_positive};
 
-/// Adhesion at the edge.
+/// Adhesion at the edge; how it follows the edge says [`EdgeLaw`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Adhesion {
-    /// Δγ (J/m²).
+    /// Δγ (J/m²); of a receding edge at rest, where they differ.
     pub work_of_adhesion: f64,
-    /// δ (m).
+    /// δ (m); at G = Δγ, where it grows.
     pub process_zone: f64,
 }
 
@@ -29,6 +30,8 @@ pub struct IndentationProblem {
     pub profile: Profile,
     /// Adhesion; none for the contact without (Lee–Radok advancing, Ting receding).
     pub adhesion: Option<Adhesion>,
+    /// How work of adhesion and process zone follow the edge.
+    pub edge_law: EdgeLaw,
     /// What is imposed in time.
     pub history: History,
     /// k_f (N/m) of the frame that holds the indenter; needed where the history controls [`Controlled::Frame`].
@@ -50,6 +53,7 @@ impl IndentationProblem {
         Self {
             profile,
             adhesion,
+            edge_law: EdgeLaw::CONSTANT,
             history,
             frame_stiffness: None,
             start: Start::Untouched,
@@ -77,6 +81,20 @@ impl IndentationProblem {
         if let Some(adhesion) = self.adhesion {
             require_positive("work_of_adhesion", adhesion.work_of_adhesion)?;
             require_positive("process_zone", adhesion.process_zone)?;
+        }
+        self.edge_law.checked()?;
+        if self.edge_law.growing_zone && !self.profile.rim().is_finite() {
+            return Err(Refusal::Undefined {
+                quantity: "a process zone that grows with the load",
+                reason: "K at an advancing edge does not give it, and only an indenter with a sharp rim never needs one".into(),
+            });
+        }
+        let radius_rests = self.edge_law.may_rest() || self.edge_law.growing_zone;
+        if radius_rests && self.adhesion.is_some() && self.history.controls(Controlled::ContactRadius) {
+            return Err(Refusal::Undefined {
+                quantity: "the penetration of a given contact radius",
+                reason: "an edge at rest bears any of a range of works of adhesion, or the process zone follows the load".into(),
+            });
         }
         match self.frame_stiffness {
             Some(stiffness) => {

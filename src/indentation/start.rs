@@ -4,7 +4,7 @@ use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_ra
 use super::history::Controlled;
 use super::line::Contact;
 use super::panel::Panel;
-use super::problem::{IndentationProblem, Start};
+use super::problem::{Adhesion, IndentationProblem, Start};
 use super::profile::Profile;
 use super::springs::Springs;
 use crate::refusal::Refusal;
@@ -40,7 +40,19 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
     let profile = &problem.profile;
     let history = &problem.history;
     let value = history.start;
-    let (a, depth) = match (problem.adhesion, history.controlled) {
+    // An edge that has crept outwards to rest, or jumps out at once.
+    let closing = if relaxed { 0.0 } else { f64::INFINITY };
+    let adhesion = match problem.adhesion {
+        Some(adhesion) if profile.rim().is_infinite() => {
+            if !relaxed {
+                problem.edge_law.goes(false)?;
+            }
+            let [_, leading] = problem.edge_law.levels(closing);
+            Some(Adhesion { work_of_adhesion: leading * adhesion.work_of_adhesion, ..adhesion })
+        }
+        adhesion => adhesion,
+    };
+    let (a, depth) = match (adhesion, history.controlled) {
         (Some(adhesion), Controlled::ContactRadius) => {
             let state = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
             (state.contact_radius, state.penetration)

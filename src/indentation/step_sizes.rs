@@ -82,7 +82,10 @@ impl Marcher<'_> {
 
     /// The smallest contact that is one.
     pub(super) fn smallest(&self) -> f64 {
-        self.problem.adhesion.map_or(1e-3 * self.length / 8.0, |adhesion| SMALLEST * adhesion.process_zone)
+        if self.problem.adhesion.is_none() {
+            return 1e-3 * self.length / 8.0;
+        }
+        SMALLEST * self.zone_now()
     }
 }
 

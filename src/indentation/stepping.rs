@@ -43,6 +43,17 @@ pub(super) enum TimeStep {
     Far(bool),
 }
 
+/// What is known of the way that the edge goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// Either, or none.
+    Any,
+    /// It rests.
+    None,
+    Inwards,
+    Outwards,
+}
+
 /// One step from a state.
 pub(super) struct Stepper<'m, 'a> {
     pub(super) edge: &'m mut Edge,
@@ -87,6 +98,11 @@ impl Search {
         let within = |point: &f64| *point > left && *point < right;
         let chord = (low * high_value - high * low_value) / (high_value - low_value);
         Some(suggestion.filter(within).or(Some(chord).filter(within)).unwrap_or(0.5 * (low + high)))
+    }
+
+    /// The end at which the value is smallest.
+    fn best(&self) -> Option<(f64, f64)> {
+        [self.low?, self.high?].into_iter().min_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))
     }
 
     fn width(&self) -> f64 {
@@ -213,12 +229,13 @@ impl Stepper<'_, '_> {
     }
 
     /// The edge after `dt`, probably near `guess`, at most `reach` from here.
-    pub(super) fn time_driven(&mut self, dt: f64, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
+    pub(super) fn time_driven(&mut self, dt: f64, way: Way, guess: f64, reach: f64, imposed: &Imposed<'_>) -> Result<TimeStep, Refusal> {
         self.edge.held = None;
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
         // A contact no larger than its process zone has no closure: further in is far.
-        let inner = (here - reach).max(SMALLEST * self.edge.zone()).min(here);
+        let zone = self.edge.zone_at(self.contact.springs(), here, self.contact.edge_load()).max(self.edge.zone());
+        let inner = (here - reach).max(SMALLEST * zone).min(here);
         let outer = (here + reach).min(rim);
         let (mut search, mut pace) = (Search::new(), Pace::default());
         // Without a past, a little to either side of the edge tells which way it goes.
@@ -230,13 +247,29 @@ impl Stepper<'_, '_> {
             search.low = Some((0.0, -1.0));
             place = place.max(stride);
         }
+        if way != Way::Any {
+            let mut trial = self.edge.trial(self.contact, self.past, (here, dt), Drive::Time, imposed)?;
+            let value = trial.residual;
+            if way == Way::None || value.abs() <= self.tolerance || (value > 0.0) != (way == Way::Inwards) {
+                trial.residual = 0.0;
+                return Ok(TimeStep::Found(trial));
+            }
+            // The edge goes one way only, and here is one end of it.
+            if way == Way::Inwards {
+                search.high = Some((here, value));
+                place = place.min(here - stride).max(inner);
+            } else {
+                search.low = Some((here, value));
+                place = place.max(here + stride).min(outer);
+            }
+        }
         let begun = search;
         for count in 0..MOST_TRIALS {
             let mut trial = self.edge.trial(self.contact, self.past, (place, dt), Drive::Time, imposed)?;
             let value = trial.residual;
             if count > 0 && trial.degree < degree {
                 // A polynomial that ceased to rise: what was found of a higher degree is of another function.
-                search = Search::new();
+                search = begun;
             }
             degree = trial.degree;
             let before = search.last;
@@ -260,6 +293,19 @@ impl Stepper<'_, '_> {
                 raised = true;
                 (search, degree) = (begun, 0);
                 continue;
+            }
+            if closed && way != Way::Any && value.abs() > REOPENED && degree > 1 {
+                // The speed of the edge jumps where a polynomial ceases to rise; that of a straight way does not.
+                self.edge.held = Some(1);
+                (search, raised) = (begun, true);
+                continue;
+            }
+            if closed
+                && way != Way::Any
+                && let Some((best, _)) = search.best().filter(|best| best.1.abs() < value.abs())
+            {
+                // Places have no more digits, and the speed of a short way has few: the better end.
+                return Ok(TimeStep::Found(self.edge.trial(self.contact, self.past, (best, dt), Drive::Time, imposed)?));
             }
             if value.abs() <= accepted || closed {
                 return Ok(TimeStep::Found(trial));

@@ -1,9 +1,10 @@
 //! The part of the line that the closure sees, cut once for a trial edge and moved in many trial times.
 
-use super::line::{Cell, Contact};
+use super::line::{Cell, Contact, beyond_rim};
 use super::motion::Motion;
 use super::panel::{POINTS, Panel, RULE};
 use super::passing::Passing;
+use super::rim::Rim;
 
 /// Cells about an edge, as they are before a step.
 #[derive(Debug, Clone)]
@@ -12,6 +13,8 @@ pub(super) struct Window {
     pub(super) radius: f64,
     /// The time for which the swept stretch is graded.
     pub(super) time: f64,
+    /// How far about the edge the fields are held.
+    pub(super) reach: f64,
     cells: Vec<Cell>,
     values: Vec<f64>,
     /// f at every node.
@@ -44,11 +47,12 @@ impl Window {
                 }
             }
         }
-        Self { radius, time, cells, values, heights, inner: rest, loads: Vec::new(), gaps: Vec::new(), state: vec![0.0; n] }
+        Self { radius, time, reach, cells, values, heights, inner: rest, loads: Vec::new(), gaps: Vec::new(), state: vec![0.0; n] }
     }
 
-    /// Q and D after a motion to the trial edge; D on to `end`. Returns the points updated.
-    pub(super) fn after(&mut self, contact: &Contact<'_>, motion: &Motion, end: f64) -> u64 {
+    /// Q and D after a motion to the trial edge. Returns the points updated.
+    pub(super) fn after(&mut self, contact: &Contact<'_>, motion: &Motion) -> u64 {
+        let end = motion.to + self.reach;
         let n = contact.springs.terms();
         let penetration = motion.end_penetration();
         let mut passing = Passing::new(contact.springs, &contact.profile, motion);
@@ -78,9 +82,12 @@ impl Window {
             if bonded { self.loads.push(panel) } else { self.gaps.push(panel) }
         }
         let reached = self.gaps.last().map_or(motion.to, |panel| panel.upper);
-        if reached < end {
-            self.gaps.push(Panel::sampled(reached, end, |s| contact.profile.line(s) - penetration));
+        let rim = contact.profile.rim();
+        if reached < end.min(rim) {
+            self.gaps.push(Panel::sampled(reached, end.min(rim), |s| contact.profile.line(s) - penetration));
         }
+        let opening = |rim: &Rim| rim.after(contact.springs, motion).opening(penetration);
+        self.gaps.extend(contact.rim.as_ref().filter(|_| end > rim).and_then(|chain| beyond_rim(rim, end, opening(chain))));
         (self.cells.len() * POINTS) as u64
     }
 

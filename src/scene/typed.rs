@@ -11,6 +11,7 @@ use crate::crack::{CrackBody, Motion};
 use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
+use crate::sliding::steady::ReachedBy;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
@@ -218,6 +219,10 @@ pub struct Sliding {
     pub columns: Vec<SlidingColumns>,
     /// Places along the surface at which fields are evaluated, if asked for.
     pub field_points: Option<u32>,
+    /// How the load or penetration was reached.
+    pub reached_by: ReachedBy,
+    /// Stiffness per nominal area (Pa/m) of a frame in which the stability of a contact is reported, of a single state.
+    pub frame_stiffness: Option<f64>,
 }
 
 /// The body that slides.

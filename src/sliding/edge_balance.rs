@@ -12,7 +12,8 @@
 //! Source: thesis Secs 3.2 and 3.3.
 
 use super::contact::{
-    ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure, ZoneWork,
+    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure,
+    ZoneWork,
 };
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals, largest};
 use crate::estimate::Estimate;
@@ -249,8 +250,16 @@ impl EdgeBalance {
             return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
         };
         let (trailing, leading) = &**zones;
-        let trailing_moved = solve(edges.moved_out(-trailing.length()), state.held())?;
-        let leading_moved = solve(edges.moved_out(leading.length()), state.held())?;
+        let behind = edges.moved_out(-trailing.length());
+        let ahead = edges.moved_out(leading.length());
+        let wider = ContactSystem::new(&self.memory, self.indenter, behind, self.resolution)?;
+        let trailing_moved = wider.state(behind.eccentricity, state.held())?;
+        // Equal zones widen the contact alike.
+        let leading_moved = if trailing.length().to_bits() == leading.length().to_bits() {
+            wider.state(ahead.eccentricity, state.held())?
+        } else {
+            solve(ahead, state.held())?
+        };
         let targets = adhesion.targets();
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
         let defect = |work: f64, target: f64, amplitude: f64| {

@@ -29,6 +29,7 @@ pub mod branch;
 pub mod companion;
 pub mod contact;
 pub mod edge_balance;
+pub(in crate::sliding) mod equilibrium;
 pub mod green;
 pub mod layer;
 pub mod layer_green;

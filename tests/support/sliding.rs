@@ -44,7 +44,7 @@ pub fn contact_at_rate(
                 leading_release,
                 residual: contact.certificate.residual,
                 admissible: contact.certificate.admissible,
-                steps: contact.work.path_steps,
+                steps: contact.work.half_widths,
             })
         }
         SlidingOutcome::Full(full) => Err(Refusal::NoSuchState {

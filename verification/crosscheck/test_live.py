@@ -26,6 +26,7 @@ SCRIPTS = {
     "rolling_cylinders": ["mpmath", "numpy", "scipy"],
     "contact_rolling": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],
+    "sliding_held_loads": ["mpmath", "numpy", "scipy"],
     "sliding_hysteresis": ["mpmath"],
     "sliding_wave": ["mpmath"],
     "material_conversion": ["mpmath"],

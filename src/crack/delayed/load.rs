@@ -3,6 +3,7 @@
 //! Before time zero there is no load; after the last segment the last load holds. Loads are zero or more: faces pressed together are a
 //! contact, not a crack. A smooth K(t) is given as a table, and the table is then the load that is solved.
 
+use crate::Estimate;
 use crate::elastic::pure_shear_strip::PureShearStrip;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
@@ -181,6 +182,35 @@ impl LoadHistory {
             Some(stretch) if stretch.duration.is_infinite() => stretch.from,
             Some(stretch) => stretch.from + (stretch.to - stretch.from) * ((time - stretch.start) / stretch.duration),
         }
+    }
+}
+
+/// A time known to this part of itself is that of a corner it lies on.
+const SAME_TIME: f64 = 1e-13;
+
+impl LoadHistory {
+    /// K at a time that is known to its bound: all loads from the earliest to the latest time. An event on a jump of the load comes after it.
+    #[must_use]
+    pub fn around(&self, time: Estimate) -> Estimate {
+        let [earliest, latest] = [time.value - time.error, time.value + time.error];
+        let certain = time.error <= SAME_TIME * time.value;
+        // The clock of an event may be an ulp before the corner that the event lies on.
+        let reached = if certain { time.value * (1.0 + SAME_TIME) } else { time.value };
+        let index = self.stretches.partition_point(|stretch| stretch.start <= reached).saturating_sub(1);
+        let start = self.stretches.get(index).map_or(0.0, |stretch| stretch.start);
+        let value = self.at(time.value.max(start));
+        let first = self.stretches.partition_point(|stretch| stretch.start + stretch.duration < earliest).min(index);
+        let first = if certain && time.value - start <= SAME_TIME * time.value { index } else { first };
+        let mut error = 0.0_f64;
+        let last = if certain { start } else { latest };
+        for stretch in self.stretches.iter().skip(first).take_while(|stretch| stretch.start <= last) {
+            let load = |time: f64| {
+                let part = if stretch.duration.is_finite() { ((time - stretch.start) / stretch.duration).clamp(0.0, 1.0) } else { 0.0 };
+                stretch.from + (stretch.to - stretch.from) * part
+            };
+            error = error.max((load(earliest) - value).abs()).max((load(latest) - value).abs());
+        }
+        Estimate::new(value, error)
     }
 }
 

@@ -42,6 +42,34 @@ pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
     terms
 }
 
+/// A time that is summed up from many steps: what one addition rounds off is added by the next. Equal steps would otherwise all be rounded to the same side.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Clock {
+    time: f64,
+    rounded_off: f64,
+}
+
+impl Clock {
+    pub(crate) const fn time(&self) -> f64 {
+        self.time
+    }
+
+    pub(crate) fn pass(&mut self, duration: f64) {
+        let duration = duration + self.rounded_off;
+        let sum = self.time + duration;
+        // Knuth's exact rest of a sum.
+        let added = sum - self.time;
+        self.rounded_off = (self.time - (sum - added)) + (duration - added);
+        self.time = sum;
+    }
+}
+
+/// What is left of a value after z retardation times; `zeroth` is n₀(z). Short steps subtract what goes: a factor near one would be rounded to the same side in all
+/// of many equal steps.
+fn faded(value: f64, z: f64, decay: f64, zeroth: f64) -> f64 {
+    if z < 0.5 { value - z * zeroth * value } else { decay * value }
+}
+
 /// A piece of history: a parabola in time from x to x, straight from κ to κ, or a rest at one place under any load.
 #[derive(Debug, Clone)]
 struct Piece {
@@ -135,7 +163,7 @@ pub(crate) struct Memory {
     /// Pieces before this one are behind the window.
     first: usize,
     /// Time and place of the tip since the last [`Memory::rebase`].
-    pub(crate) clock: f64,
+    clock: Clock,
     pub(crate) place: f64,
     left_since_sum: usize,
     /// Term integrals evaluated.
@@ -156,7 +184,7 @@ impl Memory {
             zone,
             pieces: VecDeque::new(),
             first: 0,
-            clock: 0.0,
+            clock: Clock::default(),
             place: 0.0,
             left_since_sum: 0,
             kernel_evaluations: 0,
@@ -198,21 +226,23 @@ impl Memory {
 
     /// The sums after a step that is not taken.
     pub(crate) fn after(&mut self, step: &Step) -> Sums {
-        let (clock, place, zone) = (self.clock + step.duration, self.place + step.advance, step.zone);
+        let (clock, place, zone) = (self.clock.time() + step.duration, self.place + step.advance, step.zone);
         let exchanged = self.exchanged(place - zone);
         let mut sums = Sums { memory: 0.0, exposure: 0.0, lag: 0.0, growth: 0.0 };
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
-            let old = decay * self.exposure[index];
+            let z = term.rate * step.duration;
+            let old = faded(self.exposure[index], z, decay, n0);
+            let behind = faded(self.lag[index], z, decay, n0);
             let own = gain * (last * n0 + (first - last) * n1);
             let mut exposure = old + own;
             let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
-            let mut lag = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
+            let mut lag = behind + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             // 1 − Δx·v/z is the weight of the step itself.
             let advance = step.advance / zone;
-            let mut memory = (old - decay * self.lag[index] / zone - advance * old)
+            let mut memory = (old - behind / zone - advance * old)
                 + gain * (last * n0 + (first - last - last * advance) * n1 - (first - last) * advance * n2)
                 + bent / zone;
             let mut lack = self.lack_after(index, step, decay, n0);
@@ -255,7 +285,7 @@ impl Memory {
             }
         }
         let earlier = (passed - 0.5 * (low + high)) * piece.duration;
-        let ago = self.clock + step.duration - (piece.end - (1.0 - passed) * piece.duration);
+        let ago = self.clock.time() + step.duration - (piece.end - (1.0 - passed) * piece.duration);
         let load = piece.loads[0] + passed * (piece.loads[1] - piece.loads[0]);
         self.terms.iter().map(|term| term.gain * (-term.rate * ago).exp()).sum::<f64>() * load * earlier
     }
@@ -280,7 +310,8 @@ impl Memory {
     pub(crate) fn memories_in(&self, zone: f64) -> Vec<f64> {
         let exchanged = self.exchanged(self.place - zone);
         let of_term = |(index, term): (usize, &Term)| {
-            let change = |(sign, piece): &(f64, Piece)| sign * Self::held(*term, index, piece, self.clock, self.place, zone).weighted;
+            let change =
+                |(sign, piece): &(f64, Piece)| sign * Self::held(*term, index, piece, self.clock.time(), self.place, zone).weighted;
             self.exposure[index] - self.lag[index] / zone + exchanged.iter().map(change).sum::<f64>()
         };
         self.terms.iter().enumerate().map(of_term).collect()
@@ -290,7 +321,8 @@ impl Memory {
     fn lack_after(&self, index: usize, step: &Step, decay: f64, n0: f64) -> f64 {
         let Some(term) = self.terms.get(index) else { return 0.0 };
         let [first, last] = step.loads;
-        decay * (self.lack[index] + term.gain * (first - self.load)) + term.gain * (last - first) * n0
+        let lack = self.lack[index] + term.gain * (first - self.load);
+        faded(lack, term.rate * step.duration, decay, n0) + term.gain * (last - first) * n0
     }
 
     /// Takes a step; what is then behind the window goes, and what is again in it comes back.
@@ -299,17 +331,18 @@ impl Memory {
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
             let gain = term.gain * step.duration;
-            let old = decay * self.exposure[index];
+            let z = term.rate * step.duration;
+            let old = faded(self.exposure[index], z, decay, n0);
             self.lack[index] = self.lack_after(index, step, decay, n0);
             let bent = gain * step.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
-            self.lag[index] = decay * self.lag[index] + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
+            self.lag[index] = faded(self.lag[index], z, decay, n0) + step.advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
             self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
         }
         self.kernel_evaluations += self.terms.len() as u64;
         let from = self.place;
         self.load = last;
         self.zone = step.zone;
-        self.clock += step.duration;
+        self.clock.pass(step.duration);
         self.place += step.advance;
         if step.duration > 0.0 {
             self.remember(step, from, speeds);
@@ -343,7 +376,7 @@ impl Memory {
     /// Adds a whole piece to the sums, or subtracts it.
     fn exchange(&mut self, piece: &Piece, sign: f64) {
         for (index, term) in self.terms.iter().enumerate() {
-            let held = Self::held(*term, index, piece, self.clock, self.place, self.zone);
+            let held = Self::held(*term, index, piece, self.clock.time(), self.place, self.zone);
             self.exposure[index] += sign * held.exposure;
             self.lag[index] += sign * held.lag;
             self.lack[index] -= sign * term.rate * held.exposure;
@@ -354,7 +387,7 @@ impl Memory {
     /// Adds the step to the pieces; a rest joins a rest at the same place.
     fn remember(&mut self, step: &Step, from: f64, speeds: Option<[f64; 2]>) {
         let mut piece = Piece {
-            end: self.clock,
+            end: self.clock.time(),
             duration: step.duration,
             places: [from, self.place],
             bend: step.bend,
@@ -391,6 +424,21 @@ impl Memory {
         self.most_pieces = self.most_pieces.max(self.pieces.len());
     }
 
+    /// The time since the last [`Memory::rebase`].
+    pub(crate) const fn time(&self) -> f64 {
+        self.clock.time()
+    }
+
+    /// Lets time pass whose history is replaced afterwards.
+    pub(crate) fn wait(&mut self, duration: f64) {
+        self.clock.pass(duration);
+    }
+
+    /// κ at the last step.
+    pub(crate) const fn load(&self) -> f64 {
+        self.load
+    }
+
     /// How many pieces are held.
     pub(crate) fn pieces_held(&self) -> usize {
         self.pieces.len()
@@ -413,16 +461,17 @@ impl Memory {
             for (index, term) in self.terms.iter().enumerate() {
                 let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * piece.duration);
                 let gain = term.gain * piece.duration;
-                let old = decay * self.exposure[index];
+                let z = term.rate * piece.duration;
+                let old = faded(self.exposure[index], z, decay, n0);
                 if let Some([rested, lack]) = piece.rested.as_ref().and_then(|values| values.get(index)) {
                     self.lack[index] = lack - term.rate * old;
-                    self.lag[index] *= decay;
+                    self.lag[index] = faded(self.lag[index], z, decay, n0);
                     self.exposure[index] = old + rested;
                     continue;
                 }
                 self.lack[index] = self.lack_after(index, &step, decay, n0);
                 let bent = gain * piece.bend * (last * (n1 - n2) + (first - last) * (n2 - n3));
-                self.lag[index] = decay * self.lag[index] + advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
+                self.lag[index] = faded(self.lag[index], z, decay, n0) + advance * (old + gain * (last * n1 + (first - last) * n2)) - bent;
                 self.exposure[index] = old + gain * (last * n0 + (first - last) * n1);
             }
             self.load = last;
@@ -446,12 +495,12 @@ impl Memory {
 
     /// Sets clock and place back near zero, so that long histories lose no digits; returns by how much.
     pub(crate) fn rebase(&mut self) -> [f64; 2] {
-        let shift = [self.clock, self.place.floor()];
+        let shift = [self.clock.time(), self.place.floor()];
         for piece in &mut self.pieces {
             piece.end -= shift[0];
             piece.places = piece.places.map(|place| place - shift[1]);
         }
-        self.clock = 0.0;
+        self.clock.time = 0.0;
         self.place -= shift[1];
         shift
     }
@@ -465,7 +514,7 @@ impl Memory {
             let [[from, earlier, first], [to, later, last]] = pair else { continue };
             if earlier > later {
                 self.pieces.push_back(Piece {
-                    end: self.clock - later,
+                    end: self.clock.time() - later,
                     duration: earlier - later,
                     places: [self.place - from, self.place - to],
                     bend: (-0.5 * acceleration * (earlier - later) * (earlier - later)).clamp(to - from, from - to),

@@ -76,4 +76,4 @@ pub use load::{LoadHistory, LoadSegment, Wave};
 pub use onset::{Onset, onset};
 pub use problem::GrowthProblem;
 pub use regime::{Regime, RegimeReport, regime};
-pub use trajectory::{Event, EventKind, Resolution, Sample, TipState, Trajectory, trajectory};
+pub use trajectory::{Event, EventKind, Resolution, Sample, TipState, Trajectory, refined_until, trajectory};

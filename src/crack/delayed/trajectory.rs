@@ -1,7 +1,8 @@
 //! The trajectory of the tip with an error for every number: four runs, each with half the step of the one before.
 //!
 //! # How the errors are known
-//! The runs have ½, 1, 2 and 4 times the lines per process zone, and the values are those of the finest: of third order in the step, with a
+//! The runs have ½, 1, 2 and 4 times the lines per process zone. Where the last three do not have the same events in the same order, runs with half the step are added: what
+//! happens is no matter of accuracy. The values are those of the finest: of third order in the step, with a
 //! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
 //! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would
 //! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
@@ -144,6 +145,21 @@ pub fn trajectory(
     outputs: &[f64],
     resolution: Resolution,
 ) -> Result<Trajectory, Refusal> {
+    refined_until(problem, history, outputs, resolution, &|_| 0.0)
+}
+
+/// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved up to
+/// [`MOST_LINES`] a process zone, and as long as that helps; the caller compares what comes out.
+///
+/// # Errors
+/// Those of [`trajectory`].
+pub fn refined_until(
+    problem: &GrowthProblem<'_>,
+    history: &LoadHistory,
+    outputs: &[f64],
+    resolution: Resolution,
+    excess: &dyn Fn(&Trajectory) -> f64,
+) -> Result<Trajectory, Refusal> {
     let lines = resolution.lines_per_zone;
     if !(4..=65_536).contains(&lines) {
         return Err(Refusal::out_of_range("lines_per_zone", f64::from(lines), "between 4 and 65536"));
@@ -155,17 +171,46 @@ pub fn trajectory(
         }
         until = output;
     }
-    let runs = [
-        run(problem, history, outputs, until, lines.div_ceil(2), resolution.most_steps)?,
-        run(problem, history, outputs, until, lines, resolution.most_steps)?,
-        run(problem, history, outputs, until, 2 * lines, resolution.most_steps)?,
-        run(problem, history, outputs, until, 4 * lines, resolution.most_steps)?,
-    ];
+    let of_lines = |lines: u32| run(problem, history, outputs, until, lines, resolution.most_steps);
+    let mut lines = lines;
+    let mut runs = [of_lines(lines.div_ceil(2))?, of_lines(lines)?, of_lines(2 * lines)?, of_lines(4 * lines)?];
+    let mut dropped = GrowthWork::default();
+    // The least excess so far, and how many runs have not lowered it.
+    let (mut least, mut in_vain) = (f64::INFINITY, 0);
+    loop {
+        let found = of_runs(problem, history, outputs, &runs, lines, dropped)?;
+        let same = same_story(&runs);
+        let excess = excess(&found);
+        in_vain = if excess < HELPFUL * least { 0 } else { in_vain + 1 };
+        least = least.min(excess);
+        if (same && (excess <= 1.0 || in_vain >= MOST_IN_VAIN)) || 8 * lines > MOST_LINES {
+            return Ok(found);
+        }
+        // A run that takes too many steps is not added: the bounds say what is known without it.
+        let Ok(finer) = of_lines(8 * lines) else { return Ok(found) };
+        lines *= 2;
+        runs.rotate_left(1);
+        let [.., last] = &mut runs;
+        dropped = dropped.plus(last.work);
+        *last = finer;
+    }
+}
+
+/// What four runs say, with the work of runs before them.
+fn of_runs(
+    problem: &GrowthProblem<'_>,
+    history: &LoadHistory,
+    outputs: &[f64],
+    runs: &[Run; 4],
+    lines: u32,
+    dropped: GrowthWork,
+) -> Result<Trajectory, Refusal> {
+    let until = outputs.last().copied().unwrap_or(0.0);
     let peak = history.peak();
     let zone = problem.process_zone_at(peak);
     let samples: Vec<Sample> =
-        outputs.iter().enumerate().map(|(index, &time)| sample(&runs, f64::from(lines), index, time, history.at(time), zone)).collect();
-    let mut events = events(&runs, f64::from(lines), zone, until);
+        outputs.iter().enumerate().map(|(index, &time)| sample(runs, f64::from(lines), index, time, history.at(time), zone)).collect();
+    let mut events = events(runs, f64::from(lines), zone, until);
     // Under one constant load the delay is known to rounding from its own equation.
     if history.stretches().len() == 1
         && let Some(Event { kind: EventKind::GrowthBegins { speed }, time, .. }) = events.first_mut()
@@ -179,9 +224,25 @@ pub fn trajectory(
     if bad_sample || events.iter().any(|event| bad(&event.time) || bad(&event.growth) || event.kind.numbers().iter().any(bad)) {
         return Err(Refusal::NotConverged { what: "the growth of the crack", detail: "a result is not a finite number".into() });
     }
-    let work = runs.iter().fold(GrowthWork::default(), |sum, run| sum.plus(run.work));
+    let work = runs.iter().fold(dropped, |sum, run| sum.plus(run.work));
     let residual = runs.iter().map(|run| run.residual).fold(0.0, f64::max);
     Ok(Trajectory { samples, events, residual, work })
+}
+
+/// Lines of the finest run that is added.
+const MOST_LINES: u32 = 16_384;
+/// A run helps where it makes the longest bound shorter than this part: third order makes it an eighth.
+const HELPFUL: f64 = 0.6;
+/// Runs that may help nothing before no more are added: what is left is rounding.
+const MOST_IN_VAIN: u32 = 2;
+
+/// Whether the three finest runs have the same events in the same order. A rest shorter than the error of a coarse run may be missing there: what happens is not a
+/// matter of accuracy, so finer ones decide.
+fn same_story(runs: &[Run; 4]) -> bool {
+    let [_, one, two, three] = runs;
+    let same =
+        |other: &Run| other.events.len() == three.events.len() && other.events.iter().zip(&three.events).all(|(a, b)| a.kind == b.kind);
+    same(one) && same(two)
 }
 
 /// The steady motion that growth under a constant load K tends to: the opening theory of [`VirtualWork`] with the same zone.

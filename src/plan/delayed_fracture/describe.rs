@@ -52,7 +52,7 @@ impl DelayedFracturePlan {
         if self.crack.output.points > 0 || !self.is_one_step() {
             let lines = self.resolution().lines_per_zone;
             sentences.push(format!(
-                "steps of third order with exact memory of each term, {}, {lines}, {} and {} a process zone; values are those of the finest, the differences give the error",
+                "steps of third order with exact memory of each term, {}, {lines}, {} and {} a process zone; halved further until the bounds meet the accuracy; values are those of the finest, the differences give the error",
                 lines.div_ceil(2),
                 2 * lines,
                 4 * lines

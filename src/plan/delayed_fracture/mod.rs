@@ -40,8 +40,7 @@ pub(super) struct DelayedFracturePlan {
     examples: Vec<DelayedFracture>,
 }
 
-/// Lines per process zone at an accuracy of 1e-4, at least and at most.
-const LINES: f64 = 192.0;
+/// Lines per process zone that a history starts with at an accuracy of 1e-7, and at any lower one; and at most.
 const FEWEST_LINES: f64 = 64.0;
 const MOST_LINES: f64 = 4096.0;
 /// Steps of one run before it is refused.
@@ -106,10 +105,10 @@ impl DelayedFracturePlan {
         squared / (std::f64::consts::TAU * cohesive_stress * cohesive_stress)
     }
 
-    /// How finely the history is stepped: the error falls with the third power of the lines.
+    /// How finely the history is stepped at first: the error falls with the third power of the lines. Steps are halved until the bounds meet the accuracy.
     fn resolution(&self) -> Resolution {
-        let finer = (1e-4 / self.accuracy).cbrt();
-        let lines = (LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
+        let finer = (1e-7 / self.accuracy).cbrt();
+        let lines = (FEWEST_LINES * finer).ceil().clamp(FEWEST_LINES, MOST_LINES);
         Resolution { lines_per_zone: lines as u32, most_steps: MOST_STEPS }
     }
 

@@ -3,7 +3,7 @@
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
 use crate::crack::delayed::trajectory::tends_to;
-use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, regime, trajectory};
+use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_until, regime};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Work};
 use crate::refusal::Refusal;
@@ -32,31 +32,41 @@ impl DelayedFracturePlan {
         let only_summary = outputs.is_empty() && self.is_one_step();
         // With no time asked for, events up to the end are still found.
         let asked = if outputs.is_empty() { vec![self.duration] } else { outputs.clone() };
-        let found = if only_summary { None } else { Some(trajectory(&problem, &self.history, &asked, self.resolution())?) };
+        let excess = |found: &Trajectory| {
+            let scales = self.scales(&problem, Some(found));
+            let rows = self.rows_of(&problem, found, outputs.len(), empty);
+            rows.iter().filter_map(|row| self.longest_bound(row, &scales)).map(|(_, bound)| bound).fold(0.0, f64::max) / self.accuracy
+        };
+        let found = if only_summary { None } else { Some(refined_until(&problem, &self.history, &asked, self.resolution(), &excess)?) };
         let scales = self.scales(&problem, found.as_ref());
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];
-        if let Some(found) = &found {
-            let mut events = found.events.iter().peekable();
-            for sample in found.samples.iter().take(outputs.len()) {
-                while let Some(event) = events.next_if(|event| event.time.value <= sample.time) {
-                    rows.push(self.event_row(&problem, event, empty("event")));
-                }
-                rows.push(self.sample_row(&problem, sample, empty("sample")));
-            }
-            rows.extend(events.map(|event| self.event_row(&problem, event, empty("event"))));
-            if let Some(last) = found.samples.last() {
-                let mut row = self.sample_row(&problem, last, empty("event"));
-                if let Some(event) = row.labels.get_mut(2) {
-                    *event = "end".into();
-                }
-                rows.push(row);
-            }
-        }
+        rows.extend(found.iter().flat_map(|found| self.rows_of(&problem, found, outputs.len(), empty)));
         for row in &mut rows {
             self.judge(row, &scales);
             row.representable(&columns(self.units))?;
         }
         Ok(rows)
+    }
+
+    /// The tip at the first so many samples and at all events, in order of time, and at the end.
+    fn rows_of(&self, problem: &GrowthProblem<'_>, found: &Trajectory, outputs: usize, empty: &dyn Fn(&str) -> Row) -> Vec<Row> {
+        let mut rows = Vec::new();
+        let mut events = found.events.iter().peekable();
+        for sample in found.samples.iter().take(outputs) {
+            while let Some(event) = events.next_if(|event| event.time.value <= sample.time) {
+                rows.push(self.event_row(problem, event, empty("event")));
+            }
+            rows.push(self.sample_row(problem, sample, empty("sample")));
+        }
+        rows.extend(events.map(|event| self.event_row(problem, event, empty("event"))));
+        if let Some(last) = found.samples.last() {
+            let mut row = self.sample_row(problem, last, empty("event"));
+            if let Some(event) = row.labels.get_mut(2) {
+                *event = "end".into();
+            }
+            rows.push(row);
+        }
+        rows
     }
 
     fn scales(&self, problem: &GrowthProblem<'_>, found: Option<&Trajectory>) -> Scales {
@@ -75,14 +85,19 @@ impl DelayedFracturePlan {
         if self.units == Units::Reduced { 0.5_f64.sqrt() } else { 1.0 }
     }
 
-    /// The columns that the load alone decides.
-    fn load_values(&self, problem: &GrowthProblem<'_>, intensity: f64, row: &mut Row) {
-        let exact = |value: f64| Some(Estimate::relative(value, 4.0 * f64::EPSILON));
+    /// The columns that the load alone decides: at an event it is known as well as the time is.
+    fn load_values(&self, problem: &GrowthProblem<'_>, intensity: Estimate, row: &mut Row) {
+        let [low, high] = [(intensity.value - intensity.error).max(0.0), intensity.value + intensity.error];
+        let mut of_load = |column: usize, function: &dyn Fn(f64) -> f64| {
+            let value = function(intensity.value);
+            let spread = (function(low) - value).abs().max((function(high) - value).abs());
+            put(row, column, Some(Estimate::new(value, spread + 4.0 * f64::EPSILON * value.abs())));
+        };
         let modulus = self.plane_material.relaxed_modulus();
-        put(row, at::STRESS_INTENSITY, exact(intensity * self.intensity_unit()));
-        put(row, at::PROCESS_ZONE, exact(problem.process_zone_at(intensity)));
+        of_load(at::STRESS_INTENSITY, &|load| load * self.intensity_unit());
+        of_load(at::PROCESS_ZONE, &|load| problem.process_zone_at(load));
         if modulus > 0.0 {
-            put(row, at::RATIO, exact(self.crack.body.drive(self.crack.work_of_adhesion, intensity) / modulus));
+            of_load(at::RATIO, &|load| self.crack.body.drive(self.crack.work_of_adhesion, load) / modulus);
         }
     }
 
@@ -103,7 +118,7 @@ impl DelayedFracturePlan {
         if let Some(state) = row.labels.get_mut(1) {
             *state = word.into();
         }
-        self.load_values(problem, peak, &mut row);
+        self.load_values(problem, Estimate::exact(peak), &mut row);
         let work = self.crack.work_of_adhesion;
         let ratio = |release: f64| release.is_finite().then(|| Estimate::relative(release / work, 6.0 * f64::EPSILON));
         put(&mut row, at::RELAXED_RELEASE, ratio(report.relaxed_release));
@@ -174,7 +189,7 @@ impl DelayedFracturePlan {
         put(&mut row, at::TIME, Some(Estimate::exact(sample.time)));
         put(&mut row, at::GROWTH, sample.growth);
         put(&mut row, at::SPEED, sample.speed);
-        self.load_values(problem, sample.intensity, &mut row);
+        self.load_values(problem, Estimate::exact(sample.intensity), &mut row);
         row
     }
 
@@ -193,12 +208,12 @@ impl DelayedFracturePlan {
         put(&mut row, at::SPEED, speed);
         put(&mut row, at::SPEED_BEFORE, before);
         put(&mut row, at::JUMP, jump);
-        self.load_values(problem, self.history.at(event.time.value), &mut row);
+        self.load_values(problem, self.history.around(event.time), &mut row);
         row
     }
 
-    /// Flags a row with an error bound above the wanted accuracy of the larger of its value and its reference scale.
-    fn judge(&self, row: &mut Row, scales: &Scales) {
+    /// The longest error bound of a row over the larger of its value and its reference scale, and the column.
+    fn longest_bound(&self, row: &Row, scales: &Scales) -> Option<(usize, f64)> {
         let scale = |column: usize| match column {
             at::TIME | at::DELAY if !self.is_one_step() => scales.time,
             at::TIME => scales.time,
@@ -206,14 +221,20 @@ impl DelayedFracturePlan {
             at::SPEED | at::SPEED_BEFORE | at::INITIAL_SPEED => scales.speed,
             _ => 0.0,
         };
-        let short = row.values.iter().enumerate().find_map(|(column, value)| {
+        let bounds = row.values.iter().enumerate().filter_map(|(column, value)| {
             let estimate = (*value)?;
             let measure = estimate.value.abs().max(scale(column));
-            (estimate.error > self.accuracy * measure).then(|| (name(column), estimate.error / measure))
+            (estimate.error > 0.0).then(|| (column, estimate.error / measure))
         });
-        if let Some((column, error)) = short {
+        bounds.max_by(|(_, one), (_, other)| one.total_cmp(other))
+    }
+
+    /// Flags a row with an error bound above the wanted accuracy.
+    fn judge(&self, row: &mut Row, scales: &Scales) {
+        if let Some((column, error)) = self.longest_bound(row, scales).filter(|(_, error)| *error > self.accuracy) {
             row.status = Status::Inaccurate;
-            row.reason = Some(format!("the error bound of {column} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
+            row.reason =
+                Some(format!("the error bound of {} is {error:.1e}, above the wanted accuracy {:.1e}", name(column), self.accuracy));
         }
     }
 }

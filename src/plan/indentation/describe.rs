@@ -20,6 +20,8 @@ impl IndentationPlan {
         };
         let given = |on: bool, yes: &str, no: &str| if on { yes.to_owned() } else { no.to_owned() };
         let adhesive = self.indentation.adhesion.is_some();
+        let law = &self.indentation.edge_law;
+        let two_works = law.leading_ratio < 1.0;
         let frame = self.indentation.frame_stiffness.is_some();
         let overlay = has_measured_force(&self.indentation);
         let fields = self.indentation.fields.is_some();
@@ -28,6 +30,29 @@ impl IndentationPlan {
                 name: "adhesion",
                 on: adhesive,
                 why: given(adhesive, "[adhesion] is given", "no [adhesion]: the load vanishes at the edge"),
+            },
+            Effect {
+                name: "two works of adhesion",
+                on: two_works,
+                why: given(
+                    two_works,
+                    "the leading work is below the trailing one: an edge between them rests",
+                    "the edge takes the same to open as it gives to close",
+                ),
+            },
+            Effect {
+                name: "work of adhesion by speed",
+                on: law.by_speed.is_some(),
+                why: given(
+                    law.by_speed.is_some(),
+                    "[adhesion.by_speed] is given, of the speed of the edge; beyond a table its ends are held",
+                    "no [adhesion.by_speed]",
+                ),
+            },
+            Effect {
+                name: "process-zone growth",
+                on: law.growing_zone,
+                why: given(law.growing_zone, "law = \"growing\": with the square of the stress intensity", "the process zone is constant"),
             },
             Effect { name: "memory", on: terms > 0, why: memory },
             Effect { name: "relaxed start", on: self.indentation.start == IndentationStart::Relaxed, why: start.into() },
@@ -81,6 +106,9 @@ impl IndentationPlan {
                 IndentationStart::Untouched => "first touch: the glassy contact jumps in".to_owned(),
                 IndentationStart::Relaxed => "start: the soft elastic contact at the same process zone".to_owned(),
             });
+            if matches!(self.indentation.shape, IndentationShape::FlatPunch { .. }) {
+                sentences.push("beyond the rim of the punch only opening since the rim last released counts as a gap".to_owned());
+            }
             sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
         } else {
             sentences.push(

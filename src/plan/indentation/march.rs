@@ -55,6 +55,7 @@ impl IndentationPlan {
         let problem = IndentationProblem {
             profile: self.profile.clone(),
             adhesion: self.adhesion(),
+            edge_law: self.indentation.edge_law.clone(),
             history,
             frame_stiffness: self.indentation.frame_stiffness.map(|stiffness| stiffness * self.scale.force),
             start: match self.indentation.start {

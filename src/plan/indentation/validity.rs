@@ -3,7 +3,7 @@
 use super::IndentationPlan;
 use super::columns::{at, position};
 use crate::elastic::TaborNumber;
-use crate::indentation::Profile;
+use crate::indentation::{Adhesion, Profile};
 use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
@@ -69,7 +69,12 @@ impl IndentationPlan {
             },
         };
         let given = self.indentation.adhesion;
-        let zone = self.adhesion().map(|adhesion| adhesion.process_zone);
+        let law = &self.indentation.edge_law;
+        let growth = |adhesion: &Adhesion| {
+            let intensity = row.value(at::STRESS_INTENSITY).filter(|_| law.growing_zone);
+            intensity.map_or(1.0, |intensity| intensity * intensity / (2.0 * self.relaxed * adhesion.work_of_adhesion))
+        };
+        let zone = self.adhesion().map(|adhesion| adhesion.process_zone * growth(&adhesion)).filter(|zone| *zone > 0.0);
         let cohesive = match given.map(|adhesion| adhesion.process_zone) {
             Some(IndentationZone::Cohesive { cohesive_stress, .. }) => Some(cohesive_stress * self.scale.force),
             _ => None,
@@ -94,6 +99,13 @@ impl IndentationPlan {
         let mut entries = judged(&ASSUMPTIONS, rows);
         if self.indentation.adhesion.is_some_and(|adhesion| adhesion.interaction_range.is_none()) {
             entries.push(not_judged("Tabor number", None, "give adhesion.interaction_range to have it judged"));
+        }
+        if self.indentation.edge_law.by_speed.as_ref().is_some_and(|law| law.ends().is_some()) {
+            entries.push(not_judged(
+                "speed of the edge within the table of works",
+                None,
+                "an edge rests, creeps and jumps: beyond the table its ends are held",
+            ));
         }
         entries.push(not_judged(
             "constant Poisson ratio",

@@ -127,6 +127,16 @@ static BRANCH_COLUMNS: [Definition; 5] = [
     column("stable_in_frame", Measure::Number, "The same as stable_under_load in the frame of the scene."),
 ];
 
+/// Of a single contact: how many others there are.
+static OTHERS: Definition = column(
+    "other_contacts",
+    Measure::Number,
+    "How many other contacts there are: stable ones of the load or penetration that is held, any of a half-width.",
+);
+
+/// Positions of the stabilities among the columns of a branch.
+const STABILITIES: usize = 2;
+
 /// What a contact bears; those of the penetration are of a wave.
 static STRENGTH_COLUMNS: [Definition; 14] = [
     column("speed", Measure::Speed, "v of the sliding body along +x."),
@@ -171,6 +181,10 @@ pub(super) fn definitions(sliding: &Sliding) -> Vec<&'static Definition> {
             if let SlidingTask::Branch(branch) = &sliding.task {
                 let framed = usize::from(branch.frame_stiffness.is_some());
                 definitions.extend(BRANCH_COLUMNS.iter().take(if wave { 4 + framed } else { 3 }));
+            } else {
+                let framed = usize::from(sliding.frame_stiffness.is_some());
+                definitions.extend(BRANCH_COLUMNS.iter().skip(STABILITIES).take(if wave { 2 + framed } else { 1 }));
+                definitions.push(&OTHERS);
             }
             definitions
         }

@@ -2,19 +2,15 @@
 
 use super::SlidingPlan;
 use crate::outcome::Work;
-use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, SlidingContact, SlidingTask};
+use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, SlidingContact, SlidingLoad, SlidingTask};
 use crate::sliding::branch::{Scan, beyond_both_ends};
 
-/// Balances of an elastic contact, whatever its speed.
-const ELASTIC: f64 = 5.0;
-/// Balances at a rate so slow that the relaxed contact is all but the answer.
-const SLOW: f64 = 8.0;
-/// Further balances per factor e of the rate, on the path from the slow contact, of a single term; the more terms, the smoother the path.
-const PER_LOGARITHM: [f64; 2] = [6.0, 10.0];
-/// The path begins at this part of a process zone in the longest retardation time.
-const START: f64 = 0.1;
-/// The zone that stands for it where there is no adhesion (in 1/k).
-const NO_ZONE: f64 = 0.1;
+/// Balances of a contact of a load or penetration: the equilibrium curve, the contact and its stability. With adhesion, and without.
+const ON_CURVE: [f64; 2] = [95.0, 85.0];
+/// Balances of a contact of a given half-width.
+const OF_WIDTH: f64 = 21.0;
+/// Balances of the elastic companion.
+const COMPANION: f64 = 95.0;
 /// Contacts solved for one balance with adhesion: as it is, and with each edge moved.
 const SOLVES: f64 = 3.0;
 
@@ -40,8 +36,8 @@ const SENSITIVITIES: [f64; 2] = [50.0, 1500.0];
 const PROBES: f64 = 40.0;
 const OUTSIDE: f64 = 0.7;
 
-/// Balances of a half-width of a scan: six for the forms, the rest for what comes out as a contact.
-const SCANNED: f64 = 8.0;
+/// Balances of a half-width of a scan: two for the forms, the rest for what comes out as a contact.
+const SCANNED: f64 = 6.0;
 
 impl SlidingPlan {
     /// Balances of a branch.
@@ -89,15 +85,13 @@ impl SlidingPlan {
         own + companion + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
     }
 
-    /// Balances of one contact at a speed. Measured over the shipped scenes, see `tests/explain_predicts_work.rs`.
-    fn balances(&self, contact: SlidingContact, speed: f64) -> f64 {
-        let Some(time) = self.material.longest_retardation_time() else { return ELASTIC };
-        let (zone, per_logarithm) = match (contact, self.reduced_adhesion()) {
-            (SlidingContact::Adhesive, Some(adhesion)) => (adhesion.trailing_zone.min(adhesion.leading_zone), PER_LOGARITHM[0]),
-            _ => (NO_ZONE, PER_LOGARITHM[1]),
-        };
-        let smoothness = (self.material.creep_terms().len() as f64).sqrt();
-        SLOW + per_logarithm / smoothness * (self.rate(speed) * time / (START * zone)).max(1.0).ln()
+    /// Balances of one contact. Measured over the shipped scenes, see `tests/explain_predicts_work.rs`.
+    const fn balances(&self, contact: SlidingContact) -> f64 {
+        match (self.sliding.control, contact) {
+            (SlidingLoad::HalfWidth(_), _) => OF_WIDTH,
+            (_, SlidingContact::Adhesive) => ON_CURVE[0],
+            (_, SlidingContact::Adhesiveless) => ON_CURVE[1],
+        }
     }
 
     /// Expected work of a sweep of so many states, over the speeds that it runs through.
@@ -116,10 +110,9 @@ impl SlidingPlan {
             };
         }
         let of_contact = |contact: SlidingContact| {
-            let mut balances =
-                self.speeds.iter().map(|&speed| self.balances(contact, speed)).sum::<f64>() / self.speeds.len().max(1) as f64;
+            let mut balances = self.balances(contact);
             if contact == SlidingContact::Adhesive {
-                balances += if self.asks(SlidingColumns::ElasticCompanion) { ELASTIC } else { 0.0 };
+                balances += if self.asks(SlidingColumns::ElasticCompanion) { COMPANION } else { 0.0 };
                 balances += if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[0] } else { 0.0 };
             }
             let solves = if contact == SlidingContact::Adhesive { SOLVES } else { 1.0 };

@@ -116,7 +116,7 @@ impl SlidingPlan {
             match (self.sliding.speed == 0.0 && !self.swept, self.material.is_elastic()) {
                 (true, _) => "speed zero: the relaxed contact",
                 (_, true) => "elastic: the same contact at every speed, without friction",
-                _ => "the contact is followed in speed from the relaxed one, whose form is known",
+                _ => "every contact of the speed is found half-width by half-width: the equilibrium curve, which gives the contacts of what is held, their stability and their limits",
             }
             .to_owned(),
         );

@@ -6,7 +6,8 @@ use crate::estimate::Estimate;
 use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::{Sliding, SlidingContact, SlidingTask, SlidingZone, Units};
-use crate::sliding::steady::{FullContact, PartialContact, PartialValues, SlidingOutcome, SlidingWork, steady_sliding};
+use crate::sliding::branch::Stability;
+use crate::sliding::steady::{FullContact, PartialContact, PartialValues, SlidingOutcome, SlidingWork, steady_sliding_reached_by};
 use std::f64::consts::PI;
 
 /// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
@@ -67,7 +68,8 @@ impl SlidingPlan {
 
     fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
         let problem = self.problem(contact)?;
-        let (mut reduced, extras) = match steady_sliding(&self.material, &problem)? {
+        let mut stability = vec![None; self.stabilities().count() + 1];
+        let (mut reduced, extras) = match steady_sliding_reached_by(&self.material, &problem, self.sliding.reached_by)? {
             SlidingOutcome::Partial(partial) => {
                 row.labels = vec![contact.word().to_owned(), "partial".to_owned()];
                 row.work = counted(&partial.work);
@@ -83,6 +85,7 @@ impl SlidingPlan {
                     row.fields = self.fields(&partial, points)?;
                     row.work.field_evaluations = u64::from(points);
                 }
+                stability = self.stability_values(&partial);
                 let speed = Estimate::exact(self.sliding.speed);
                 let zones = self.zones().filter(|_| contact == SlidingContact::Adhesive);
                 (self.partial_values(&partial.values, speed, zones), self.extras_of_state(&problem, Some(&partial.values))?)
@@ -98,6 +101,7 @@ impl SlidingPlan {
             }
         };
         reduced.truncate(if self.is_wave() { COLUMNS.len() } else { at::PENETRATION });
+        reduced.extend(stability);
         reduced.extend(extras.values);
         row.work += extras.work;
         self.finish(row, reduced, self.works_of_adhesion())?;
@@ -106,6 +110,24 @@ impl SlidingPlan {
             row.reason = Some(row.reason.take().into_iter().chain(extras.notes).collect::<Vec<_>>().join("; "));
         }
         row.representable(&columns(&self.sliding, self.units))
+    }
+
+    /// What is held, one after the other: a load, of a wave a penetration, and a frame if there is one; as the stiffness of a frame in reduced units.
+    fn stabilities(&self) -> impl Iterator<Item = f64> {
+        let frame = self.sliding.frame_stiffness.map(|stiffness| stiffness * self.scale.displacement / self.scale.load);
+        [Some(0.0), self.is_wave().then_some(f64::INFINITY), frame].into_iter().flatten()
+    }
+
+    /// Whether a contact stays where it is under each of these, and how many others there are.
+    fn stability_values(&self, contact: &PartialContact) -> Vec<Option<Estimate>> {
+        let flag = |stability: Stability| match stability {
+            Stability::Stable => Some(Estimate::exact(1.0)),
+            Stability::Unstable => Some(Estimate::exact(0.0)),
+            Stability::Marginal => None,
+        };
+        let stays = |frame: f64| contact.stability.as_ref().and_then(|stability| flag(stability.in_frame(frame)));
+        let others = Some(Estimate::exact(contact.others as f64));
+        self.stabilities().map(stays).chain(std::iter::once(others)).collect()
     }
 
     /// Δγ of both edges as the units of their energy release rates.
@@ -205,8 +227,8 @@ impl SlidingPlan {
     pub(super) fn limit(&self, name: &'static str, value: f64) -> PassedLimit {
         let plain = Sliding { task: SlidingTask::State, ..self.sliding.clone() };
         let of_column = |column: usize| columns(&plain, self.units).into_iter().nth(column).map_or_else(String::new, |c| c.unit);
-        let (name, value, unit) = if name.contains("rate") {
-            ("the speed of the last partial contact", value * self.scale.length, of_column(at::SPEED))
+        let (name, value, unit) = if name.contains("half-width of") {
+            (name, value * self.scale.length, of_column(at::HALF_WIDTH))
         } else if name.contains("narrowest half-width") {
             ("the narrowest half-width", value * self.scale.length, of_column(at::HALF_WIDTH))
         } else if name.contains("penetration") {

@@ -25,21 +25,25 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "adhesion.trailing_work_of_adhesion",
         kind: WORK,
-        meaning: "Sliding: Δγ of the trailing edge, where the contact opens; together with `leading_work_of_adhesion`, instead of `work_of_adhesion`.",
+        meaning: "Sliding: Δγ of the trailing edge, where the contact opens; together with `leading_work_of_adhesion`, instead of `work_of_adhesion`. Indentation: Δγ of an edge that recedes.",
     },
     Key {
         path: "adhesion.leading_work_of_adhesion",
         kind: WORK,
-        meaning: "Sliding: Δγ of the leading edge, where the contact closes; together with `trailing_work_of_adhesion`, instead of `work_of_adhesion`.",
+        meaning: "Sliding: Δγ of the leading edge, where the contact closes; together with `trailing_work_of_adhesion`, instead of `work_of_adhesion`. Indentation: Δγ of an edge that advances, at most the other; between the two the edge rests.",
     },
     Key {
         path: "adhesion.by_speed",
         kind: Kind::Table,
-        meaning: "The works of adhesion follow the speed of the edge: the law Δγ(1 + (v/v₀)ⁿ) by `speed` and `exponent`, or a table. Of sliding contacts, and of cracks of given speed.",
+        meaning: "The works of adhesion follow the speed of the edge: the law Δγ(1 + (v/v₀)ⁿ) by `speed` and `exponent`, or a table. Of sliding contacts, of indenters (the speed of the edge itself), and of cracks of given speed.",
     },
     Key {
         path: "adhesion.by_speed.speed",
-        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L) per reference time" },
+        kind: Kind::Number {
+            dimension: Dimension::SPEED,
+            range: Range::Positive,
+            reduced: "1/k (of a cylinder L, of an indenter R) per reference time",
+        },
         meaning: "v₀, at which the work is twice that at rest.",
     },
     Key {
@@ -50,11 +54,15 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "adhesion.by_speed.table",
         kind: Kind::Tables,
-        meaning: "Works at growing speeds, instead of all others: ln Δγ runs linearly in ln v from entry to entry, and speeds outside are refused.",
+        meaning: "Works at growing speeds, instead of all others: ln Δγ runs linearly in ln v from entry to entry, and speeds outside are refused; the edge of an indenter, which rests and jumps, keeps the ends there.",
     },
     Key {
         path: "adhesion.by_speed.table[].speed",
-        kind: Kind::Number { dimension: Dimension::SPEED, range: Range::Positive, reduced: "1/k (of a cylinder L) per reference time" },
+        kind: Kind::Number {
+            dimension: Dimension::SPEED,
+            range: Range::Positive,
+            reduced: "1/k (of a cylinder L, of an indenter R) per reference time",
+        },
         meaning: "v of the entry.",
     },
     Key { path: "adhesion.by_speed.table[].work_of_adhesion", kind: WORK, meaning: "Δγ of both edges at that speed." },
@@ -105,11 +113,11 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Choice(&[
             Word {
                 word: "growing",
-                meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, which alone has it",
+                meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, and a choice of a flat punch",
             },
             Word {
                 word: "constant",
-                meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have",
+                meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have by default",
             },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),

@@ -99,6 +99,23 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "Half the width of the contact; the load is found.",
     },
     Key {
+        path: "sliding.reached_by",
+        kind: Kind::Choice(&[
+            Word { word: "loading", meaning: "raised from nothing at this speed: the narrowest stable contact; the default" },
+            Word { word: "unloading", meaning: "lowered from the widest partial contact: the widest stable contact" },
+        ]),
+        meaning: "How the mean pressure, load or penetration was reached: which contact is meant where several are stable. The column `other_contacts` says how many others there are.",
+    },
+    Key {
+        path: "sliding.frame_stiffness",
+        kind: Kind::Number {
+            dimension: Dimension::STIFFNESS_PER_AREA,
+            range: Range::Positive,
+            reduced: "E0*k/2 (mean pressure over penetration)",
+        },
+        meaning: "Wave: the stiffness k_f, per nominal area, of a frame that holds Δ + p̄/k_f; adds the column `stable_in_frame`.",
+    },
+    Key {
         path: "sliding.branch",
         kind: Kind::Table,
         meaning: "A whole curve of adhesive contacts, unstable ones too, with its turns: pull-off, snap-in, separation, folds, zero load. Along a load no load is given besides; along the others the given one is held.",

@@ -2,7 +2,9 @@
 
 use super::section::Section;
 use super::shape_points::shape_points;
+use super::works;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
+use crate::indentation::EdgeLaw;
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
@@ -29,7 +31,8 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         return Err(top.wrong("fields", message, "write [indentation.fields] with its times"));
     }
     let shape = shape(&table, document)?;
-    let adhesion = adhesion(top)?;
+    let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
+    let edge_law = edge_law.unwrap_or_default();
     let Some(history) = history::read(document, CONTROLLED, "an indentation")? else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
             .help("add [[history]] tables, such as: [[history]] penetration = \"2 µm\", rate = \"1 µm/s\""));
@@ -54,6 +57,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         start,
         at_start,
         adhesion,
+        edge_law,
         frame_stiffness,
         history,
         speed_factor: table.number("speed_factor")?.unwrap_or(1.0),
@@ -137,9 +141,10 @@ fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQu
     Ok(())
 }
 
-fn adhesion(top: &Section<'_>) -> Result<Option<IndentationAdhesion>, SceneError> {
-    let Some(table) = top.table("adhesion") else { return Ok(None) };
-    let work_of_adhesion = table.required_number("work_of_adhesion")?;
+fn adhesion(top: &Section<'_>, shape: &IndentationShape) -> Result<Option<(IndentationAdhesion, EdgeLaw)>, SceneError> {
+    let (Some(table), Some(works)) = (top.table("adhesion"), works::of_indenter(top)?) else { return Ok(None) };
+    let [work_of_adhesion, leading_work] = works.given;
+    let mut edge_law = EdgeLaw { leading_ratio: leading_work / work_of_adhesion, by_speed: works.law, growing_zone: false };
     let zone = table.table("process_zone").ok_or_else(|| table.missing("process_zone"))?;
     zone.without(&["trailing_length", "leading_length"], "a sliding contact")?;
     let process_zone = match zone.exactly_one(&["length", "cohesive_stress"])? {
@@ -148,11 +153,15 @@ fn adhesion(top: &Section<'_>) -> Result<Option<IndentationAdhesion>, SceneError
             IndentationZone::Length(zone.required_number("length")?)
         }
         _ => {
-            if let Some(law) = zone.text("law")
-                && law != "constant"
-            {
-                let message = format!("`{}` = {law:?} is a law of cracks: the process zone of an indenter is constant", zone.full("law"));
-                return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
+            let rimmed = matches!(shape, IndentationShape::FlatPunch { .. });
+            match zone.text("law") {
+                None | Some("constant") => {}
+                Some("growing") if rimmed => edge_law.growing_zone = true,
+                Some(law) => {
+                    let message =
+                        format!("`{}` = {law:?}: of indenters, only a flat punch has a process zone that grows", zone.full("law"));
+                    return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
+                }
             }
             IndentationZone::Cohesive {
                 cohesive_stress: zone.required_number("cohesive_stress")?,
@@ -160,7 +169,8 @@ fn adhesion(top: &Section<'_>) -> Result<Option<IndentationAdhesion>, SceneError
             }
         }
     };
-    Ok(Some(IndentationAdhesion { work_of_adhesion, process_zone, interaction_range: table.number("interaction_range")? }))
+    let adhesion = IndentationAdhesion { work_of_adhesion, process_zone, interaction_range: table.number("interaction_range")? };
+    Ok(Some((adhesion, edge_law)))
 }
 
 fn fields(table: &Section<'_>, history: &History) -> Result<Option<IndentationFields>, SceneError> {

@@ -8,6 +8,7 @@ use crate::scene::typed::{
     ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
     SlidingZone,
 };
+use crate::sliding::steady::ReachedBy;
 use std::f64::consts::TAU;
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Sliding, SceneError> {
@@ -57,7 +58,57 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
             Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
         }
     };
-    Ok(Sliding { indenter, counter_body, speed, control, task, contacts, adhesion, works_per_edge, work_by_speed, columns, field_points })
+    let reached_by = reached_by(&sliding, &task, control)?;
+    let frame_stiffness = frame_stiffness(&sliding, &task, indenter)?;
+    Ok(Sliding {
+        indenter,
+        counter_body,
+        speed,
+        control,
+        task,
+        contacts,
+        adhesion,
+        works_per_edge,
+        work_by_speed,
+        columns,
+        field_points,
+        reached_by,
+        frame_stiffness,
+    })
+}
+
+/// How what is held was reached.
+fn reached_by(sliding: &Section<'_>, task: &SlidingTask, control: SlidingLoad) -> Result<ReachedBy, SceneError> {
+    let Some(word) = sliding.text("reached_by") else { return Ok(ReachedBy::Loading) };
+    if *task != SlidingTask::State {
+        let message = "`sliding.reached_by` picks one of several contacts, but a branch or a strength goes through all of them";
+        return Err(sliding.wrong("reached_by", message, "leave it out"));
+    }
+    if let SlidingLoad::HalfWidth(_) = control {
+        let message = "`sliding.reached_by` tells how a load or penetration was reached, but the half-width is given";
+        return Err(sliding.wrong("reached_by", message, "leave it out"));
+    }
+    Ok(if word == "unloading" { ReachedBy::Unloading } else { ReachedBy::Loading })
+}
+
+/// The frame of a single contact.
+fn frame_stiffness(sliding: &Section<'_>, task: &SlidingTask, indenter: SlidingIndenter) -> Result<Option<f64>, SceneError> {
+    let Some(stiffness) = sliding.number("frame_stiffness")? else { return Ok(None) };
+    if let SlidingIndenter::Cylinder { .. } = indenter {
+        let message = "`sliding.frame_stiffness`: a cylinder has no penetration, which a frame would hold";
+        return Err(sliding.wrong("frame_stiffness", message, "leave it out"));
+    }
+    match task {
+        SlidingTask::State => Ok(Some(stiffness)),
+        SlidingTask::Branch(_) => {
+            let message = "`sliding.frame_stiffness` is of a single contact";
+            Err(sliding.wrong("frame_stiffness", message, "write `sliding.branch.frame_stiffness` instead"))
+        }
+        SlidingTask::Strength => {
+            let message = "`sliding.frame_stiffness` is of a single contact, not of a strength";
+            Err(sliding.wrong("frame_stiffness", message, "leave it out"))
+        }
+    }
 }
 
 fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {

@@ -12,7 +12,7 @@ const PER_EDGE: [&str; 2] = ["trailing_work_of_adhesion", "leading_work_of_adhes
 pub(super) struct GivenWorks<'a> {
     table: Section<'a>,
     /// At speed zero, or at the first speed of a table: trailing, leading.
-    given: [f64; 2],
+    pub(super) given: [f64; 2],
     /// Whether each edge has its own.
     pub(super) per_edge: bool,
     /// What they are multiplied by.
@@ -21,6 +21,37 @@ pub(super) struct GivenWorks<'a> {
 
 /// Reads the works of an [adhesion] table.
 pub(super) fn read<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>>, SceneError> {
+    read_by(top, of_edges)
+}
+
+/// The same of an indenter, whose one edge opens and closes: one work may be given, and another one for one way.
+pub(super) fn of_indenter<'a>(top: &Section<'a>) -> Result<Option<GivenWorks<'a>>, SceneError> {
+    let works = read_by(top, of_either_way)?;
+    if let Some(GivenWorks { table, given: [trailing, leading], .. }) = &works
+        && leading > trailing
+    {
+        let key = if table.node().get(PER_EDGE[1]).is_some() { PER_EDGE[1] } else { PER_EDGE[0] };
+        let message =
+            "`adhesion.leading_work_of_adhesion` is above the trailing work at rest: the edge would close and open at once, without end";
+        return Err(table.wrong(key, message, "must be at most the trailing work"));
+    }
+    Ok(works)
+}
+
+fn of_either_way(table: &Section<'_>) -> Result<[f64; 2], SceneError> {
+    let given = PER_EDGE.map(|key| table.node().get(key).is_some());
+    if table.node().get(WHOLE).is_none() || given[0] == given[1] {
+        return of_edges(table);
+    }
+    let whole = table.required_number(WHOLE)?;
+    let [trailing, leading] = PER_EDGE.map(|key| table.number(key));
+    Ok([trailing?.unwrap_or(whole), leading?.unwrap_or(whole)])
+}
+
+fn read_by<'a>(
+    top: &Section<'a>,
+    of_edges: impl Fn(&Section<'_>) -> Result<[f64; 2], SceneError>,
+) -> Result<Option<GivenWorks<'a>>, SceneError> {
     let Some(table) = top.table("adhesion") else { return Ok(None) };
     let Some(by_speed) = table.table("by_speed") else {
         let given = of_edges(&table)?;

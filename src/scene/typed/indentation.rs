@@ -1,6 +1,7 @@
 //! An indenter in time, as a scene gives it.
 
 use super::history::{History, HistoryQuantity};
+use crate::indentation::EdgeLaw;
 use std::sync::Arc;
 
 /// A rigid round body pressed on, or pulled off, in time.
@@ -17,6 +18,8 @@ pub struct Indentation {
     pub at_start: (HistoryQuantity, f64),
     /// What holds the faces together, if anything does.
     pub adhesion: Option<IndentationAdhesion>,
+    /// How the work of adhesion and the process zone follow the edge.
+    pub edge_law: EdgeLaw,
     /// k_f (N/m), if a frame is given.
     pub frame_stiffness: Option<f64>,
     /// What is done.
@@ -75,7 +78,7 @@ pub enum IndentationStart {
 /// Adhesion of an indenter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IndentationAdhesion {
-    /// Δγ (J/m²); in a reduced scene γ̃.
+    /// Δγ (J/m²), of a receding edge at rest; in a reduced scene γ̃.
     pub work_of_adhesion: f64,
     /// The process zone.
     pub process_zone: IndentationZone,

@@ -8,7 +8,7 @@ use super::equations::{BranchEquations, edges_at};
 use super::point::variations_at;
 use super::trace::{BranchWork, Coarse, near};
 use super::values::widened;
-use crate::continuation::curve::{Quantity, linearized};
+use crate::continuation::curve::{CurveEquations, Quantity, linearized};
 use crate::continuation::fold::{CENTRAL_STEP, Differences, FoldPoint, between, located, part_at, shifted};
 use crate::estimate::Estimate;
 use crate::material::Material;
@@ -194,6 +194,20 @@ fn solved(
         jacobian = point.jacobian;
         level = finer;
     }
+}
+
+/// The value of what turns along loads near given unknowns (ln tan(a/2), e, p̄), to the accuracy of the problem.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] if nothing turns there.
+pub(in crate::sliding) fn turn_near(
+    material: &Material,
+    problem: &BranchProblem,
+    quantity: FoldQuantity,
+    start: [f64; 3],
+) -> Result<Estimate, Refusal> {
+    let scales = BranchEquations::new(material, problem, Resolution::Medium)?.scales(start);
+    solved(material, problem, quantity, (start, scales), &mut BranchWork::default()).map(|found| found.value)
 }
 
 /// The fold between two neighbouring points of a coarse curve.

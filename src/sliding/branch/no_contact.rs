@@ -7,13 +7,13 @@
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
 use super::end::BranchEnd;
-use super::every::ContactAt;
 use super::fold::{Fold, FoldQuantity, Turn};
 use super::scan::{Scan, branches_through, contacts_at, scanned_parameters};
 use super::trace::{Branch, trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::steady::{From, end_bears};
+use crate::sliding::equilibrium::ContactAt;
+use crate::sliding::steady::{SlidingWork, contact_on_the_curve};
 
 /// Rates and half-widths that are looked at between two folds.
 const RATES: usize = 4;
@@ -128,12 +128,12 @@ impl SpeedFolds {
     }
 }
 
-/// Whether neither end of the speeds bears the load, penetration or half-width that is held, by the closed forms of elastic contacts: then all speeds are scanned.
+/// Whether neither end of the speeds bears the load, penetration or half-width that is held, by the equilibrium curves there: then all speeds are scanned.
 #[must_use]
 pub fn beyond_both_ends(material: &Material, problem: &BranchProblem) -> bool {
     let BranchPath::Speeds(control) = problem.path else { return false };
-    let bears = |rate: f64, from: From| end_bears(material, &problem.steady(rate.ln(), control), from);
-    !bears(problem.parameters[0], From::Slow) && !bears(problem.parameters[1], From::Fast)
+    let carries = |rate: f64| contact_on_the_curve(material, &problem.steady(rate.ln(), control), &mut SlidingWork::default()).is_ok();
+    problem.parameters.iter().all(|&rate| !carries(rate))
 }
 
 fn between(slow: &Branch, fast: &Branch, problem: &BranchProblem) -> Option<NoContactBetween> {

@@ -1,28 +1,24 @@
 //! Every contact of a held load, penetration or half-width at one speed, and every branch of a problem: also those that neither the slow nor the fast contact
 //! belongs to.
 //!
-//! At each of a row of half-widths all contacts are known ([`super::every`]); where the load (or penetration) of neighbours along the row passes the one that
-//! is held, a contact of it lies between. A branch is missed only if it fits between two half-widths and two speeds of the scan.
+//! At each of a row of half-widths all contacts are known; where the load (or penetration) of neighbours along the row passes the one that
+//! is held, a contact of it lies between ([`crate::sliding::equilibrium`]). A branch is missed only if it fits between two half-widths and two speeds of the scan.
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
-use super::every::{ContactAt, EveryContact};
 use super::start::place_of;
 use super::trace::{Branch, trace};
 use crate::continuation::fold::interpolated;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution};
-use crate::sliding::edge_balance::{EdgeBalance, SlidingControl};
+use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::equilibrium::{ContactAt, ContactsOfWidth, EquilibriumCurve, HeldQuantity};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// The resolution of a scan.
 const RESOLUTION: Resolution = Resolution::Coarse;
-/// Residual of a contact between two half-widths of a scan.
-const TOLERANCE: f64 = 1e-4;
-/// Largest change of eccentricity between neighbours along the row that are one contact.
-const NEIGHBOURS: f64 = 0.6;
 /// A contact nearer than this to a curve, in scaled unknowns, lies on it.
 const ON_CURVE: f64 = 0.05;
 /// Half-widths of a scan of usual fineness.
@@ -75,7 +71,7 @@ pub struct EveryBranch {
 pub fn contacts_of_width(material: &Material, problem: &BranchProblem, half_width: f64) -> Result<Vec<ContactAt>, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
-    EveryContact::new(memory, problem.indenter, problem.adhesion, Resolution::Medium).at(half_width)
+    ContactsOfWidth::new(memory, problem.indenter, Some(problem.adhesion), Resolution::Medium).at(half_width)
 }
 
 /// The half-widths of a scan.
@@ -100,10 +96,10 @@ pub(in crate::sliding) fn contacts_of(
 ) -> Result<(Vec<ContactAt>, u64), Refusal> {
     let (rate, adhesion) = problem.at(third);
     let memory = Arc::new(ContactMemory::new(material, rate)?);
-    let every = EveryContact::new(Arc::clone(&memory), problem.indenter, adhesion, RESOLUTION);
+    let every = ContactsOfWidth::new(memory, problem.indenter, Some(adhesion), RESOLUTION);
     // A contact that a width refuses is a gap in the row: the zone may be wider than the room there.
     let at = |width: f64| every.at(width).unwrap_or_default();
-    let (held, value): (fn(&ContactAt) -> f64, f64) = match control {
+    let (quantity, value) = match control {
         None => {
             let found = row(problem, half_widths).into_iter().flat_map(at).collect();
             return Ok((found, every.evaluations()));
@@ -112,77 +108,12 @@ pub(in crate::sliding) fn contacts_of(
             let found = at(half_width);
             return Ok((found, every.evaluations()));
         }
-        Some(SlidingControl::MeanPressure(pressure)) => (|contact| contact.mean_pressure, pressure),
-        Some(SlidingControl::Penetration(penetration)) => (|contact| contact.penetration, penetration),
+        Some(SlidingControl::MeanPressure(pressure)) => (HeldQuantity::MeanPressure, pressure),
+        Some(SlidingControl::Penetration(penetration)) => (HeldQuantity::Penetration, penetration - 1.0),
     };
-    let widths = row(problem, half_widths);
-    let rows: Vec<Vec<ContactAt>> = widths.iter().map(|&width| at(width)).collect();
-    let off = |contact: &ContactAt| held(contact) - value;
-    let mut pairs: Vec<(ContactAt, ContactAt)> = Vec::new();
-    let mut cross = |from: &ContactAt, to: &ContactAt| {
-        let crosses = off(from) * off(to) <= 0.0;
-        if crosses {
-            pairs.push((*from, *to));
-        }
-        crosses
-    };
-    for (index, narrow) in rows.iter().enumerate() {
-        for from in narrow {
-            let (Some(to), before) = (
-                rows.get(index + 1).and_then(|row| neighbour(row, from)),
-                index.checked_sub(1).and_then(|index| rows.get(index)).and_then(|row| neighbour(row, from)),
-            ) else {
-                continue;
-            };
-            if cross(from, to) {
-                continue;
-            }
-            // Both between neighbours: where what is held comes near its value and goes back.
-            let Some(before) = before else { continue };
-            let [begin, middle, end] = [before, from, to].map(off);
-            if begin * middle > 0.0 && middle.abs() <= begin.abs().min(end.abs()) {
-                let places = [before, from, to].map(|contact| place_of(problem, contact.half_width));
-                let vertex = places[1] + 0.5 * (places[2] - places[1]) * (begin - end) / (begin - 2.0 * middle + end);
-                let turn = at(ContactEdges::at_place(problem.indenter, vertex, 0.0).half_width);
-                if let Some(turn) = neighbour(&turn, from)
-                    && cross(before, turn)
-                {
-                    cross(turn, to);
-                }
-            }
-        }
-    }
-    let balance =
-        EdgeBalance::new(memory, problem.indenter, Some(adhesion), control.unwrap_or(SlidingControl::MeanPressure(0.0)), RESOLUTION);
-    let mut found: Vec<ContactAt> = Vec::new();
-    for (from, to) in &pairs {
-        let (begin, end) = (off(from), off(to));
-        let part = if begin.abs() > 0.0 { begin / (begin - end) } else { 0.0 };
-        let between = |first: f64, second: f64| first + part * (second - first);
-        let start = [between(from.half_width, to.half_width), between(from.eccentricity, to.eccentricity)];
-        let Ok((solution, _)) = balance.solve_admissible(start, None, TOLERANCE) else { continue };
-        let state = &solution.solution.state;
-        let contact = ContactAt {
-            half_width: solution.unknowns[0],
-            eccentricity: solution.unknowns[1],
-            mean_pressure: state.mean_pressure(),
-            penetration: state.penetration(),
-        };
-        let same = |other: &ContactAt| {
-            (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs() < 1e-3 * contact.half_width
-        };
-        if !found.iter().any(same) {
-            found.push(contact);
-        }
-    }
-    let evaluations = every.evaluations() + balance.take_evaluations();
-    Ok((found, evaluations))
-}
-
-/// The contact of a half-width that continues one of the next.
-fn neighbour<'a>(row: &'a [ContactAt], contact: &ContactAt) -> Option<&'a ContactAt> {
-    let far = |other: &ContactAt| (other.eccentricity - contact.eccentricity).abs();
-    row.iter().min_by(|first, second| far(first).total_cmp(&far(second))).filter(|other| far(other) < NEIGHBOURS)
+    let curve = EquilibriumCurve::within(every, problem.half_widths)?;
+    let found = curve.contacts(quantity, value);
+    Ok((found, curve.evaluations()))
 }
 
 /// Every branch of a problem: that of its start (of speeds: from the slow and the fast side), and those of the contacts that a scan finds on none.

@@ -144,7 +144,8 @@ impl SecondVariations {
                 eccentricity: edges.eccentricity + ahead,
             };
             let found = balance.evaluate_edges(moved, Prescribed::MeanPressure(pressure + more))?;
-            let [trailing, leading] = found.residual();
+            // Without adhesion the amplitude falls where a work would grow.
+            let [trailing, leading] = found.residual().map(|residual| if balance.adhesion().is_some() { residual } else { -residual });
             // The separation has its own digits near full contact.
             let depth = if indenter == Indenter::Wave { -found.state.mean_separation() } else { found.state.penetration() };
             // The residual is the root of the work: half its change.

@@ -1,7 +1,6 @@
 //! Where a branch begins.
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};
-use super::every::ContactAt;
 use super::scan::contacts_of;
 use super::stability::{SecondVariations, Stability};
 use super::trace::BranchWork;
@@ -9,8 +8,9 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::equilibrium::ContactAt;
 use crate::sliding::steady::{
-    From, PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, Start, adhesion_at, start_at_rate, steady_by_paths, steady_sliding,
+    PartialValues, SlidingOutcome, SlidingProblem, SlidingWork, adhesion_at, contact_on_the_curve, steady_sliding,
 };
 
 /// The half-width at which the loads of one speed are begun, if it is asked for.
@@ -27,21 +27,29 @@ pub(super) fn place_of(problem: &BranchProblem, half_width: f64) -> f64 {
 
 /// The unknowns at which a branch begins.
 pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
-    // What is found where paths fail is found by these very branches.
-    let solve = if matches!(problem.path, BranchPath::Loads | BranchPath::Zones(_)) { steady_by_paths } else { steady_sliding };
+    // What there is where no contact is found is told by these very branches.
+    let told_by_branches = !matches!(problem.path, BranchPath::Adhesions(_));
     let mut steady = |rate: f64, control: SlidingControl| -> Result<(PartialValues, f64), Refusal> {
         let problem = at_start(problem, rate, control);
-        match solve(material, &problem)? {
-            SlidingOutcome::Partial(contact) => {
-                work.closure_evaluations += contact.work.closure_evaluations;
-                Ok((contact.values, contact.values.half_width.value))
+        let mut counters = SlidingWork::default();
+        let found = if told_by_branches {
+            contact_on_the_curve(material, &problem, &mut counters)
+        } else {
+            match steady_sliding(material, &problem)? {
+                SlidingOutcome::Partial(contact) => {
+                    counters = contact.work;
+                    Ok(*contact)
+                }
+                SlidingOutcome::Full(full) => Err(Refusal::NoSuchState {
+                    reason: "there is full contact where the branch begins".into(),
+                    limit_name: full.limit_name,
+                    limit: full.limit,
+                }),
             }
-            SlidingOutcome::Full(full) => Err(Refusal::NoSuchState {
-                reason: "there is full contact where the branch begins".into(),
-                limit_name: full.limit_name,
-                limit: full.limit,
-            }),
-        }
+        };
+        work.closure_evaluations += counters.closure_evaluations;
+        let contact = found?;
+        Ok((contact.values, contact.values.half_width.value))
     };
     let placed = |control: SlidingControl, values: &PartialValues, third: f64| match control {
         SlidingControl::HalfWidth(_) => [values.mean_pressure.value, values.eccentricity.value, third],
@@ -64,17 +72,8 @@ pub(super) fn start(material: &Material, problem: &BranchProblem, work: &mut Bra
             }
         }
         (BranchPath::Speeds(control), from) => {
-            let (from, rate) = match from {
-                BranchStart::Fast => (From::Fast, problem.parameters[1]),
-                _ => (From::Slow, problem.parameters[0]),
-            };
-            let mut counters = SlidingWork::default();
-            let steady = at_start(problem, rate, control);
-            let start = start_at_rate(material, &steady, from, &mut counters).map_err(|none| none.refusal());
-            work.closure_evaluations += counters.closure_evaluations;
-            let Start { unknowns: [first, eccentricity], .. } = start?;
-            let first = if matches!(control, SlidingControl::HalfWidth(_)) { first } else { place_of(problem, first) };
-            Ok([first, eccentricity, rate.ln()])
+            let rate = if from == BranchStart::Fast { problem.parameters[1] } else { problem.parameters[0] };
+            steady(rate, control).map(|(values, _)| placed(control, &values, rate.ln()))
         }
         (BranchPath::Adhesions(control) | BranchPath::Zones(control), _) => {
             let third = if matches!(problem.path, BranchPath::Zones(_)) { 0.0 } else { problem.adhesion.trailing_work.ln() };

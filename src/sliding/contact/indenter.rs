@@ -69,12 +69,16 @@ impl Indenter {
 
     /// H₀, H₁ and cos e W − sin e S from (sin(y/2), cos(y/2)), X and (sin e, cos e).
     pub(super) fn pressures(self, (sine, cosine): (f64, f64), root: f64, (sin_e, cos_e): (f64, f64)) -> [f64; 3] {
-        let slope = match self {
+        [cosine / root, sine / root, cos_e * cosine * root - sin_e * self.slope((sine, cosine), root)]
+    }
+
+    /// S = −W′ from (sin(y/2), cos(y/2)) and X.
+    pub(super) fn slope(self, (sine, cosine): (f64, f64), root: f64) -> f64 {
+        match self {
             // S = ½ sin(y/2) X + cos(y/2) sin y/X.
             Self::Wave => 0.5 * sine * root + 2.0 * cosine * cosine * sine / root,
             Self::Parabola => 2.0 * sine / root,
-        };
-        [cosine / root, sine / root, cos_e * cosine * root - sin_e * slope]
+        }
     }
 
     /// Gap of cos e W − sin e S, and depth asinh(|X|/2s) of H₀, outside the contact.

@@ -9,6 +9,7 @@ use super::resolution::Resolution;
 use nalgebra::DMatrix;
 
 /// Integrals over the gap with the memory of one creep term.
+#[derive(Debug, Clone)]
 pub(super) struct OutsideIntegrals {
     pub(super) cosine: f64,
     pub(super) sine: f64,
@@ -17,14 +18,24 @@ pub(super) struct OutsideIntegrals {
     pub(super) root_sine: f64,
 }
 
-/// M_ε at the trailing edge of H₀, H₁ and cos e W − sin e S.
-pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, shift: (f64, f64), resolution: Resolution) -> [f64; 3] {
+/// M_ε at the trailing edge of H₀, H₁, W and −S.
+pub(super) struct InsideIntegrals {
+    pub(super) flat: f64,
+    pub(super) odd: f64,
+    pub(super) wave: f64,
+    pub(super) slope: f64,
+}
+
+/// The integrals over the contact with the memory of one relaxation term, from its trailing edge.
+pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, resolution: Resolution) -> InsideIntegrals {
     let (gap, indenter) = (2.0 * edges.half_gap, arcs.indenter);
     let arc = ArcRange { length: 2.0 * edges.half_width, before: gap, behind: gap, starts_at_edge: true };
-    memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+    let [flat, odd, wave, slope] = memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
         let Place { root, angle } = arcs.inside(ArcPoint { from_trailing, from_leading });
-        indenter.pressures(angle, root, shift).map(|value| value / ratio)
-    })
+        let [flat, odd, wave] = indenter.pressures(angle, root, (0.0, 1.0));
+        [flat, odd, wave, -indenter.slope(angle, root)].map(|value| value / ratio)
+    });
+    InsideIntegrals { flat, odd, wave, slope }
 }
 
 /// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.

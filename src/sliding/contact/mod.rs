@@ -48,6 +48,7 @@ mod process_zone;
 mod quadrature;
 mod resolution;
 mod state;
+mod system;
 
 pub use edges::ContactEdges;
 pub use fields::ArcPoint;
@@ -56,3 +57,4 @@ pub use memory::ContactMemory;
 pub use process_zone::{Edge, ProcessZone, ZonePressure, ZoneWork, edge_work};
 pub use resolution::Resolution;
 pub use state::{ContactState, Prescribed, WaveContact};
+pub(super) use system::ContactSystem;

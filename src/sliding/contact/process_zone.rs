@@ -26,7 +26,7 @@
 //!
 //! Source of the closure: thesis Eqs 3.26–3.30.
 
-use super::arcs::Place;
+use super::arcs::{Arcs, Place};
 use super::fields::ArcPoint;
 use super::indenter::Indenter;
 use super::memory::ContactMemory;
@@ -60,6 +60,10 @@ pub fn edge_work(contact: &ContactState, moved: &ContactState, edge: Edge, proce
 /// The pressure at the nodes of a process zone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonePressure(Vec<Field>);
+
+/// The gap at the nodes of a process zone.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::sliding) struct ZoneGap(Vec<Field>);
 
 /// A field at the nodes of a panel, and the sizes of the terms that it is a sum of.
 #[derive(Debug, Clone, PartialEq)]
@@ -163,13 +167,35 @@ impl ProcessZone {
     /// The pressure inside the edge of a contact with that edge moved out.
     #[must_use]
     pub fn tension(&self, moved: &ContactState) -> ZonePressure {
-        ZonePressure(self.pressures(moved))
+        ZonePressure(self.pressures(moved, &self.inside_fields(&moved.arcs)))
+    }
+
+    /// Those of contacts of one half-width, which share what does not depend on the load.
+    pub(in crate::sliding) fn tensions<const N: usize>(&self, moved: &[ContactState; N]) -> [ZonePressure; N] {
+        let fields = moved.first().map(|state| self.inside_fields(&state.arcs)).unwrap_or_default();
+        moved.each_ref().map(|state| ZonePressure(self.pressures(state, &fields)))
+    }
+
+    /// The gaps outside the edge of contacts of one half-width.
+    pub(in crate::sliding) fn gaps_outside<const N: usize>(&self, contacts: &[ContactState; N]) -> [ZoneGap; N] {
+        let fields = contacts.first().map(|state| self.outside_fields(&state.arcs, self.edge)).unwrap_or_default();
+        contacts.each_ref().map(|state| ZoneGap(self.gaps(state, &self.outside, &fields)))
     }
 
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
     pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> ZoneWork {
-        self.integral(&tension.0, &self.gaps(contact, self.edge, &self.outside))
+        self.work_on(tension, &self.gap(contact))
+    }
+
+    /// The gap outside the edge of a contact.
+    pub(in crate::sliding) fn gap(&self, contact: &ContactState) -> ZoneGap {
+        ZoneGap(self.gaps(contact, &self.outside, &self.outside_fields(&contact.arcs, self.edge)))
+    }
+
+    /// (1/2δ) ∫ tension·gap of any two fields.
+    pub(in crate::sliding) fn work_on(&self, tension: &ZonePressure, gap: &ZoneGap) -> ZoneWork {
+        self.integral(&tension.0, &gap.0)
     }
 
     /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the
@@ -178,7 +204,7 @@ impl ProcessZone {
     pub fn release(&self, reversed: &ContactState, tension: &ZonePressure) -> ZoneWork {
         let edge = mirrored(self.edge);
         let marches = self.reversed.get_or_init(|| Arc::new(outside_marches(&reversed.memory, &self.panels, self.length, edge)));
-        self.integral(&tension.0, &self.gaps(reversed, edge, marches))
+        self.integral(&tension.0, &self.gaps(reversed, marches, &self.outside_fields(&reversed.arcs, edge)))
     }
 
     fn integral(&self, pressures: &[Field], gaps: &[Field]) -> ZoneWork {
@@ -194,25 +220,27 @@ impl ProcessZone {
         ZoneWork { value: value / (2.0 * self.length), size: size / (2.0 * self.length) }
     }
 
-    /// p at the nodes of the zone inside the edge.
-    fn pressures(&self, state: &ContactState) -> Vec<Field> {
-        let indenter = self.indenter;
-        let half_width = state.edges.half_width;
-        let shift = indenter.shift(state.edges.eccentricity);
-        let elastic: Vec<[Values; 3]> = self
-            .angles
-            .iter()
-            .map(|angles| {
-                let mut fields = [Values::zeros(), Values::zeros(), Values::zeros()];
-                for (index, &sine_cosine) in angles.iter().enumerate() {
-                    let Place { root, angle } = state.arcs.inside_at(sine_cosine, self.edge == Edge::Trailing);
-                    for (field, value) in fields.iter_mut().zip(indenter.pressures(angle, root, shift)) {
-                        field[index] = value;
-                    }
+    /// H₀, H₁, W and S at the nodes of the zone inside the edge.
+    fn inside_fields(&self, arcs: &Arcs) -> Vec<[Values; 4]> {
+        let fields_of = |angles: &[(f64, f64); NODES]| {
+            let mut fields = [Values::zeros(); 4];
+            for (index, &sine_cosine) in angles.iter().enumerate() {
+                let Place { root, angle } = arcs.inside_at(sine_cosine, self.edge == Edge::Trailing);
+                let [flat, odd, wave] = self.indenter.pressures(angle, root, (0.0, 1.0));
+                for (field, value) in fields.iter_mut().zip([flat, odd, wave, self.indenter.slope(angle, root)]) {
+                    field[index] = value;
                 }
-                fields
-            })
-            .collect();
+            }
+            fields
+        };
+        self.angles.iter().map(fields_of).collect()
+    }
+
+    /// p at the nodes of the zone inside the edge.
+    fn pressures(&self, state: &ContactState, fields: &[[Values; 4]]) -> Vec<Field> {
+        let half_width = state.edges.half_width;
+        let (sin_e, cos_e) = self.indenter.shift(state.edges.eccentricity);
+        let elastic: Vec<[Values; 3]> = fields.iter().map(|[flat, odd, wave, slope]| [*flat, *odd, wave * cos_e - slope * sin_e]).collect();
         let combined = |(flat, odd): (f64, f64), [even, uneven, wave]: &[Values; 3]| wave + even * flat + uneven * odd;
         let beta = state.memory.stiffening_ratio();
         let now = state.strengths(None);
@@ -243,32 +271,38 @@ impl ProcessZone {
         pressures
     }
 
-    /// The gap at the nodes of the zone outside an edge.
-    fn gaps(&self, state: &ContactState, edge: Edge, marches: &[TermMarch]) -> Vec<Field> {
-        let indenter = self.indenter;
-        let gap_width = 2.0 * state.edges.half_gap;
-        let shift = indenter.shift(state.edges.eccentricity);
-        let mut gaps = Vec::with_capacity(self.panels.len());
-        let mut loads = Vec::with_capacity(self.panels.len());
-        for angles in &self.angles {
-            let (mut gap, mut even, mut odd) = (Values::zeros(), Values::zeros(), Values::zeros());
+    /// g_W, |X| cos(y/2), the depth of H₀, and cos(y/2)/|X| and sin(y/2)/|X| at the nodes of the zone outside an edge.
+    fn outside_fields(&self, arcs: &Arcs, edge: Edge) -> Vec<[Values; 5]> {
+        let fields_of = |angles: &[(f64, f64); NODES]| {
+            let mut fields = [Values::zeros(); 5];
             for (index, &sine_cosine) in angles.iter().enumerate() {
-                let Place { root, angle } = state.arcs.outside_at(sine_cosine, edge == Edge::Trailing);
-                let (wave, depth) = indenter.gaps(angle, root, state.arcs.half.0, shift);
-                gap[index] = wave - state.flat_strength * depth;
-                even[index] = angle.1 / root;
-                odd[index] = angle.0 / root;
+                let Place { root, angle } = arcs.outside_at(sine_cosine, edge == Edge::Trailing);
+                let (wave, depth) = self.indenter.gaps(angle, root, arcs.half.0, (0.0, 1.0));
+                for (field, value) in fields.iter_mut().zip([wave, angle.1 * root, depth, angle.1 / root, angle.0 / root]) {
+                    field[index] = value;
+                }
             }
-            gaps.push(Field { size: gap.abs(), value: gap });
-            loads.push((even, odd));
-        }
+            fields
+        };
+        self.angles.iter().map(fields_of).collect()
+    }
+
+    /// The gap at the nodes of the zone outside an edge.
+    fn gaps(&self, state: &ContactState, marches: &[TermMarch], fields: &[[Values; 5]]) -> Vec<Field> {
+        let gap_width = 2.0 * state.edges.half_gap;
+        let (sin_e, cos_e) = self.indenter.shift(state.edges.eccentricity);
+        let elastic = |[wave, slope, depth, ..]: &[Values; 5]| {
+            let value = wave * cos_e + slope * sin_e - depth * state.flat_strength;
+            Field { size: value.abs(), value }
+        };
+        let mut gaps: Vec<Field> = fields.iter().map(elastic).collect();
         for (term, march) in marches.iter().enumerate() {
             let (Some(&load), Some(&(outside_cosine, outside_sine))) = (state.loads.get(term), state.outside.get(term)) else { continue };
             let far = || {
                 let outside = ArcPoint { from_trailing: gap_width - self.length, from_leading: self.length };
                 state.remembered_outside(outside, term)
             };
-            let field = |panel: usize| loads.get(panel).map(|(even, odd): &(Values, Values)| odd * outside_cosine + even * outside_sine);
+            let field = |panel: usize| fields.get(panel).map(|[.., even, odd]| odd * outside_cosine + even * outside_sine);
             self.march(march, far, field, |panel, memory| {
                 if let Some(gap) = gaps.get_mut(panel) {
                     gap.add(memory, -load * march.layer * 2.0 / PI);

@@ -3,11 +3,11 @@
 use super::arcs::Arcs;
 use super::edges::ContactEdges;
 use super::indenter::Indenter;
-use super::integrals::{OutsideIntegrals, condition_number, inside_integrals, outside_integrals};
+use super::integrals::OutsideIntegrals;
 use super::memory::ContactMemory;
 use super::resolution::Resolution;
-use crate::refusal::{Refusal, require_finite};
-use nalgebra::DMatrix;
+use super::system::ContactSystem;
+use crate::refusal::Refusal;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -45,14 +45,20 @@ pub struct ContactState {
     pub(super) loads: Vec<f64>,
     /// (O^c_j, O^s_j) of every creep term.
     pub(super) outside: Vec<(f64, f64)>,
-    mean_pressure: f64,
-    penetration: f64,
-    separation: f64,
+    pub(super) totals: Totals,
+    pub(super) condition: f64,
+}
+
+/// The totals of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Totals {
+    pub(super) mean_pressure: f64,
+    pub(super) penetration: f64,
+    pub(super) separation: f64,
     /// ∫p e^{−iy}dy of a wave; a parabola has moments instead ([`super::moments`]).
-    first_harmonic: (f64, f64),
+    pub(super) first_harmonic: (f64, f64),
     /// The sizes of the terms that both parts of it are sums of.
-    harmonic_sizes: (f64, f64),
-    condition: f64,
+    pub(super) harmonic_sizes: (f64, f64),
 }
 
 impl ContactState {
@@ -90,90 +96,7 @@ impl ContactState {
         prescribed: Prescribed,
         resolution: Resolution,
     ) -> Result<Self, Refusal> {
-        let ContactEdges { half_width, half_gap, eccentricity } = edges;
-        if !(half_width > 0.0 && half_gap > 0.0) {
-            return Err(Refusal::out_of_range("half_width", half_width, "greater than 0 and, of a wave, below π (in 1/k)"));
-        }
-        require_finite("eccentricity", eccentricity)?;
-        let arcs = Arcs::new(edges, indenter);
-        let square = arcs.half.0 * arcs.half.0;
-        let shift = indenter.shift(eccentricity);
-        let outside: Vec<OutsideIntegrals> =
-            memory.creep().iter().map(|mode| outside_integrals(&arcs, edges, mode.ratio, resolution)).collect();
-        // Rows M_{ε_i} f_i(−a) = 0: the loads j_jV_j under cos e W − sin e S, and under H₀.
-        let count = memory.creep().len();
-        let mut matrix = DMatrix::zeros(count, count);
-        let mut sides = DMatrix::zeros(count, 2);
-        for (row, relaxation) in memory.relaxation.iter().enumerate() {
-            let [flat, odd, wave] = inside_integrals(&arcs, edges, relaxation.ratio, shift, resolution);
-            // Rows are divided by M_ε H₀(−a), columns by their O^s: everything is then of order one.
-            sides[(row, 0)] = wave / flat;
-            sides[(row, 1)] = 1.0;
-            for (column, integrals) in outside.iter().enumerate() {
-                matrix[(row, column)] = 2.0 / PI * memory.pole(column, row) * (integrals.cosine / integrals.sine * (odd / flat) + 1.0);
-            }
-        }
-        let condition_of = matrix.clone();
-        if count > 0 && !matrix.lu().solve_mut(&mut sides) {
-            return Err(Refusal::NotConverged {
-                what: "the memory loads of a sliding contact",
-                detail: "the linear system is singular".into(),
-            });
-        }
-        let scaled =
-            |side: usize| -> Vec<f64> { outside.iter().enumerate().map(|(row, integrals)| sides[(row, side)] / integrals.sine).collect() };
-        let (wave_loads, flat_loads) = (scaled(0), scaled(1));
-        let depth_of = |loads: &[f64]| loads.iter().zip(&outside).map(|(load, integrals)| load * integrals.depth).sum::<f64>() / PI;
-        // Δ and p̄ are linear in D: Δ from the crest, 1 − Δ from the trough, each without the digits that it would lose in the other.
-        let log_sine = log_half_sine(&arcs);
-        let crest = match indenter {
-            Indenter::Wave => {
-                let half = (0.5 * eccentricity).sin();
-                2.0 * half * half + shift.1 * square * (1.0 - 2.0 * log_sine)
-            }
-            Indenter::Parabola => 0.5 * eccentricity * eccentricity + square * (1.0 - 2.0 * log_sine),
-        };
-        let (fixed, per_flat) = (crest - depth_of(&wave_loads), -log_sine - depth_of(&flat_loads));
-        let trough = shift.1 * separation_of_wave(&arcs) + depth_of(&wave_loads);
-        let flat_strength = match prescribed {
-            Prescribed::MeanPressure(pressure) => 2.0 * (require_finite("mean_pressure", pressure)? - square * shift.1),
-            Prescribed::Penetration(penetration) => (require_finite("penetration", penetration)? - fixed) / per_flat,
-            Prescribed::MeanSeparation(_) if indenter == Indenter::Parabola => {
-                return Err(Refusal::Undefined {
-                    quantity: "the mean separation of a cylinder",
-                    reason: "its gap grows without bound".into(),
-                });
-            }
-            Prescribed::MeanSeparation(separation) => (trough - require_finite("mean_separation", separation)?) / per_flat,
-        };
-        let loads: Vec<f64> = wave_loads.iter().zip(&flat_loads).map(|(wave, flat)| wave + flat_strength * flat).collect();
-        let mean_pressure = square * shift.1 + 0.5 * flat_strength;
-        let penetration = fixed + flat_strength * per_flat;
-        let separation = trough - flat_strength * per_flat;
-        let (first_harmonic, harmonic_sizes) = match indenter {
-            Indenter::Wave => first_harmonic(memory, (square, eccentricity), flat_strength, &loads, &outside),
-            Indenter::Parabola => ((0.0, 0.0), (0.0, 0.0)),
-        };
-        let state = Self {
-            edges,
-            indenter,
-            arcs,
-            resolution,
-            memory: Arc::clone(memory),
-            flat_strength,
-            loads,
-            outside: outside.iter().map(|integrals| (integrals.cosine, integrals.sine)).collect(),
-            mean_pressure,
-            penetration,
-            separation,
-            first_harmonic,
-            harmonic_sizes,
-            condition: condition_number(&condition_of),
-        };
-        require_finite("mean_pressure", state.mean_pressure)?;
-        require_finite("penetration", state.penetration)?;
-        require_finite("friction_stress", state.friction_stress())?;
-        Ok(state)
+        ContactSystem::new(memory, indenter, edges, resolution)?.state(edges.eccentricity, prescribed)
     }
 
     /// The mirror image of the contact with the same edges and penetration (of a parabola: load) that slides the other way: a contact with the
@@ -226,13 +149,13 @@ impl ContactState {
     /// p̄ in E0*kΛ/2.
     #[must_use]
     pub const fn mean_pressure(&self) -> f64 {
-        self.mean_pressure
+        self.totals.mean_pressure
     }
 
     /// Δ in Λ.
     #[must_use]
     pub const fn penetration(&self) -> f64 {
-        self.penetration
+        self.totals.penetration
     }
 
     /// Friction stress in E0*k²Λ²/2, positive against the motion: −Im[e^{−ie} ∫p e^{−iy}dy]/2π, of a parabola ∫p (y + e)dy/2π.
@@ -242,25 +165,25 @@ impl ContactState {
         match self.indenter {
             Indenter::Wave => {
                 let (sin_e, cos_e) = eccentricity.sin_cos();
-                -(self.first_harmonic.1 * cos_e - self.first_harmonic.0 * sin_e) / (2.0 * PI)
+                -(self.totals.first_harmonic.1 * cos_e - self.totals.first_harmonic.0 * sin_e) / (2.0 * PI)
             }
-            Indenter::Parabola => self.first_moment() / (2.0 * PI) + eccentricity * self.mean_pressure,
+            Indenter::Parabola => self.first_moment() / (2.0 * PI) + eccentricity * self.totals.mean_pressure,
         }
     }
 
     /// The sizes of the terms that friction stress and interface work of a wave are sums of, which rounding is relative to; of a parabola none are told.
     pub(in crate::sliding) fn harmonic_sizes(&self) -> (f64, f64) {
         let (sin_e, cos_e) = self.edges.eccentricity.sin_cos();
-        let (real, imaginary) = self.harmonic_sizes;
+        let (real, imaginary) = self.totals.harmonic_sizes;
         let friction = (imaginary * cos_e.abs() + real * sin_e.abs()) / (2.0 * PI);
         let profile = real * cos_e.abs() + imaginary * sin_e.abs();
-        (friction, 0.5 * profile + PI * (1.0 + self.penetration.abs()) * self.mean_pressure.abs())
+        (friction, 0.5 * profile + PI * (1.0 + self.totals.penetration.abs()) * self.totals.mean_pressure.abs())
     }
 
     /// U = ½∫p w in E0*Λ²/2: ½[Re(e^{−ie}∫p e^{−iy}) + 2π(Δ − 1)p̄], of a parabola ½[2πp̄Δ − ½∫p (y + e)²].
     #[must_use]
     pub fn interface_work(&self) -> f64 {
-        0.5 * (self.profile_work() + 2.0 * PI * self.penetration * self.mean_pressure)
+        0.5 * (self.profile_work() + 2.0 * PI * self.totals.penetration * self.totals.mean_pressure)
     }
 
     /// ∫p h over the contact with the profile h measured from the crest.
@@ -269,10 +192,12 @@ impl ContactState {
         match self.indenter {
             Indenter::Wave => {
                 let (sin_e, cos_e) = eccentricity.sin_cos();
-                self.first_harmonic.0 * cos_e + self.first_harmonic.1 * sin_e - 2.0 * PI * self.mean_pressure
+                self.totals.first_harmonic.0 * cos_e + self.totals.first_harmonic.1 * sin_e - 2.0 * PI * self.totals.mean_pressure
             }
             Indenter::Parabola => {
-                -0.5 * self.second_moment() - eccentricity * self.first_moment() - PI * eccentricity * eccentricity * self.mean_pressure
+                -0.5 * self.second_moment()
+                    - eccentricity * self.first_moment()
+                    - PI * eccentricity * eccentricity * self.totals.mean_pressure
             }
         }
     }
@@ -280,16 +205,16 @@ impl ContactState {
     /// 1 − Δ in Λ, of a wave: vanishes with the gap at full contact, to its last digits.
     #[must_use]
     pub const fn mean_separation(&self) -> f64 {
-        self.separation
+        self.totals.separation
     }
 
     /// What a contact with a moved edge keeps of this one: the penetration (its smaller side), of a parabola the load.
     #[must_use]
     pub const fn held(&self) -> Prescribed {
         match self.indenter {
-            Indenter::Wave if self.penetration > 0.5 => Prescribed::MeanSeparation(self.separation),
-            Indenter::Wave => Prescribed::Penetration(self.penetration),
-            Indenter::Parabola => Prescribed::MeanPressure(self.mean_pressure),
+            Indenter::Wave if self.totals.penetration > 0.5 => Prescribed::MeanSeparation(self.totals.separation),
+            Indenter::Wave => Prescribed::Penetration(self.totals.penetration),
+            Indenter::Parabola => Prescribed::MeanPressure(self.totals.mean_pressure),
         }
     }
 
@@ -316,13 +241,13 @@ impl ContactState {
 }
 
 /// ln sin(a/2), ln(a/2) of a parabola.
-fn log_half_sine(arcs: &Arcs) -> f64 {
+pub(super) fn log_half_sine(arcs: &Arcs) -> f64 {
     let (sine, cosine) = arcs.half;
     if arcs.indenter == Indenter::Wave && cosine * cosine < 0.5 { 0.5 * (-cosine * cosine).ln_1p() } else { sine.ln() }
 }
 
 /// 1 − s² + 2s² ln s with s = sin(a/2), from x = cos²(a/2): x + (1 − x) ln(1 − x) = Σ_{k≥2} xᵏ/(k(k − 1)).
-fn separation_of_wave(arcs: &Arcs) -> f64 {
+pub(super) fn separation_of_wave(arcs: &Arcs) -> f64 {
     let x = arcs.half.1.powi(2);
     if x > 0.25 {
         return x + (1.0 - x) * 2.0 * arcs.half.0.ln();
@@ -336,7 +261,7 @@ fn separation_of_wave(arcs: &Arcs) -> f64 {
 }
 
 /// ∫p e^{−iy} of a wave from that of q: e^{ie}(2πs² − πs⁴) + πD(1 − s²) − iΣ loads·∫|X| e_j e^{−iη/2}; and the size of these terms.
-fn first_harmonic(
+pub(super) fn first_harmonic(
     memory: &ContactMemory,
     (square, eccentricity): (f64, f64),
     flat_strength: f64,

@@ -9,10 +9,10 @@
 //! Large first-order terms may cancel in it; what is left of them is the bend: the derivatives are differences over a step, and moving the unknowns is no straight line.
 //! Where it is above the request, the next level follows.
 
-use super::path::Start;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{AdhesiveValues, PartialContact, PartialValues, SlidingCertificate, SlidingWork};
+use super::start::Start;
 use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_two_by_two};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
@@ -47,13 +47,8 @@ pub(super) fn solved(
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
     let balance_at = |resolution| prepared.balance(problem.control, resolution);
-    let mut resolution = if problem.accuracy > 1e-4 {
-        Resolution::Coarse
-    } else if problem.accuracy > 1e-9 {
-        Resolution::Medium
-    } else {
-        Resolution::Fine
-    };
+    // Starts are contacts of the medium level: at a coarser one the next level would show no error of theirs.
+    let mut resolution = if problem.accuracy > 1e-9 { Resolution::Medium } else { Resolution::Fine };
     let mut start = *start;
     let mut balance = balance_at(resolution);
     loop {
@@ -112,6 +107,8 @@ pub(super) fn solved(
                 work: *work,
                 start: Start { unknowns: found.unknowns, jacobian: Some(jacobian) },
                 state: states.state,
+                stability: None,
+                others: 0,
             });
         }
         start = Start { unknowns: [found.unknowns[0] - moved[0], found.unknowns[1] - moved[1]], jacobian: Some(jacobian) };

@@ -3,10 +3,9 @@
 //! What adhesion changes goes with the pull, √Γ. A contact whose works are so much larger that they are felt tells how much that is, and the root of the ratio of the
 //! works brings it down to those that were asked for. What belongs to the edges alone, such as their release rates, is not known and left out.
 
-use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{PartialContact, PartialValues, SlidingOutcome, SlidingWork};
-use super::solve::by_paths;
+use super::solve::contact_on_the_curve;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::sliding::contact::Indenter;
@@ -95,12 +94,7 @@ fn felt(adhesion: WaveAdhesion, factor: f64, half_width: f64) -> WaveAdhesion {
 }
 
 fn partial(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<PartialContact> {
-    problem.checked().ok()?;
-    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion).ok()?;
-    match by_paths(material, problem, &prepared, work).ok()? {
-        SlidingOutcome::Partial(contact) => Some(*contact),
-        SlidingOutcome::Full(_) => None,
-    }
+    contact_on_the_curve(material, problem, work).ok()
 }
 
 #[cfg(test)]

@@ -1,11 +1,16 @@
-//! The edge conditions of one speed and adhesion at every level of resolution, prepared once for many contacts.
+//! The edge conditions of one speed and adhesion at every level of resolution, and its equilibrium curve, prepared once for many contacts.
 
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactMemory, Indenter, Resolution};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
+use crate::sliding::equilibrium::{ContactsOfWidth, EquilibriumCurve};
 use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc;
+
+/// The resolution of the curve: about seven digits.
+const CURVE: Resolution = Resolution::Medium;
 
 /// Prepared conditions.
 #[derive(Debug)]
@@ -13,7 +18,10 @@ pub(in crate::sliding) struct Prepared {
     memory: Arc<ContactMemory>,
     indenter: Indenter,
     adhesion: Option<WaveAdhesion>,
+    rate: f64,
     levels: RefCell<Vec<(Resolution, EdgeBalance)>>,
+    /// With the size that it was asked for.
+    curve: RefCell<Option<(f64, Rc<EquilibriumCurve>)>>,
 }
 
 impl Prepared {
@@ -27,7 +35,38 @@ impl Prepared {
         indenter: Indenter,
         adhesion: Option<WaveAdhesion>,
     ) -> Result<Self, Refusal> {
-        Ok(Self { memory: Arc::new(ContactMemory::new(material, rate)?), indenter, adhesion, levels: RefCell::new(Vec::new()) })
+        let memory = Arc::new(ContactMemory::new(material, rate)?);
+        Ok(Self { memory, indenter, adhesion, rate, levels: RefCell::new(Vec::new()), curve: RefCell::new(None) })
+    }
+
+    /// kv (1/s).
+    pub(super) const fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// Whether nothing is remembered at this rate.
+    pub(super) fn is_elastic(&self) -> bool {
+        self.memory.kernel().terms().is_empty()
+    }
+
+    /// The contacts of any half-width.
+    pub(super) fn contacts_of_width(&self) -> ContactsOfWidth {
+        ContactsOfWidth::new(Arc::clone(&self.memory), self.indenter, self.adhesion, CURVE)
+    }
+
+    /// The equilibrium curve; of a cylinder around a half-width.
+    ///
+    /// # Errors
+    /// Those of the contacts.
+    pub(super) fn curve(&self, size: f64) -> Result<Rc<EquilibriumCurve>, Refusal> {
+        if let Some((known, curve)) = &*self.curve.borrow()
+            && (known.to_bits() == size.to_bits() || self.indenter == Indenter::Wave)
+        {
+            return Ok(Rc::clone(curve));
+        }
+        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE)?);
+        *self.curve.borrow_mut() = Some((size, Rc::clone(&curve)));
+        Ok(curve)
     }
 
     /// The conditions under a control at a level.

@@ -24,12 +24,6 @@ pub struct SlidingProblem<'a> {
 }
 
 impl SlidingProblem<'_> {
-    /// The adhesion at another rate kv (1/s).
-    #[must_use]
-    pub(in crate::sliding) fn adhesion_at(&self, rate: f64) -> Option<WaveAdhesion> {
-        Some(adhesion_at(self.adhesion?, self.work_by_speed, self.rate, rate))
-    }
-
     /// Checks every number.
     ///
     /// # Errors

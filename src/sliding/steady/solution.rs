@@ -1,7 +1,8 @@
 //! What a steady sliding contact turns out to be, every number with its error; reduced units as in [`Indenter`](super::Indenter).
 
-use super::path::Start;
+use super::start::Start;
 use crate::estimate::Estimate;
+use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::ContactState;
 
 /// How the contact ends up.
@@ -24,8 +25,39 @@ pub struct PartialContact {
     pub certificate: SlidingCertificate,
     /// What it took.
     pub work: SlidingWork,
-    /// From here a contact under nearly the same conditions is found without a path.
+    /// From here a contact under nearly the same conditions is found without a curve.
     pub start: Start,
+    /// Whether it stays where it is; none where the second variations are not known, or were not asked for.
+    pub stability: Option<ContactStability>,
+    /// How many other contacts there are: of a load or penetration stable ones, of a half-width any.
+    pub others: usize,
+}
+
+/// Whether a contact stays where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactStability {
+    /// How the works at the edges change when they move.
+    pub variations: SecondVariations,
+}
+
+impl ContactStability {
+    /// Under a held load.
+    #[must_use]
+    pub fn under_load(&self) -> Stability {
+        self.variations.under_load()
+    }
+
+    /// Under a held penetration.
+    #[must_use]
+    pub fn under_penetration(&self) -> Stability {
+        self.variations.under_penetration()
+    }
+
+    /// In a frame of stiffness k_f (p̄ per Δ, in E0*k/2).
+    #[must_use]
+    pub fn in_frame(&self, frame_stiffness: f64) -> Stability {
+        self.variations.in_frame(frame_stiffness)
+    }
 }
 
 /// The numbers of a contact with two edges.
@@ -89,8 +121,8 @@ pub struct SlidingWork {
     pub contacts: u64,
     /// Evaluations of both edge conditions.
     pub closure_evaluations: u64,
-    /// Contacts on the path from the slow or the fast one.
-    pub path_steps: u64,
+    /// Half-widths at which every contact was looked for.
+    pub half_widths: u64,
 }
 
 /// Full contact.

@@ -1,129 +1,285 @@
-//! Solving a [`SlidingProblem`].
+//! A steady sliding contact: the one that what is held leads to, full contact, or the reason why there is neither.
 //!
-//! A contact that grows continuously out of the slow one is taken where there is one; else the one that comes from the fast side; else, for a pull,
-//! the one that an unloaded contact at this speed becomes; else, under a load above snap-in or past a fold where the contact was widening, full contact, in closed form;
-//! else, where paths lead to no contact that can exist, the one without adhesion if that is too faint to be felt ([`super::faint`]), or what [`super::elsewhere`] finds.
+//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable ones the
+//! narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells what was passed. Of a
+//! given half-width the contact of the smallest eccentricity is the one.
 
 use super::accuracy::solved;
-use super::elsewhere::elsewhere;
 use super::faint::without_faint_adhesion;
-use super::path::{From, NoStart, PathEnd, Start, start_at_rate, start_by_pulling};
+use super::limits::{beyond, beyond_a_width, beyond_a_zone, closing_pressure, size_of};
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
-use super::solution::{FullContact, PartialContact, SlidingOutcome, SlidingWork};
+use super::solution::{ContactStability, FullContact, PartialContact, SlidingOutcome, SlidingWork};
+use super::start::Start;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
-use crate::sliding::contact::Indenter;
+use crate::sliding::branch::{SecondVariations, Stability};
+use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::equilibrium::{Crossing, Held, HeldQuantity};
+use std::f64::consts::PI;
+
+/// The resolution of second variations: signs are told to five digits.
+const VARIATIONS: Resolution = Resolution::Medium;
+/// Half gaps below this need every digit for the signs of second variations.
+const NARROW: f64 = 0.2;
+/// Largest distance of a contact from where the curve crosses what is held, over the contact or gap.
+const FARTHEST: f64 = 0.05;
+
+/// How what is held was reached, at the speed of the problem: which one of several stable contacts is meant.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum ReachedBy {
+    /// Raised from nothing: the narrowest.
+    #[default]
+    Loading,
+    /// Lowered from the widest partial contact: the widest.
+    Unloading,
+}
+
+/// The steady contact of a material on a sliding indenter, reached by loading.
+///
+/// # Errors
+/// As [`steady_sliding_reached_by`].
+pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+    steady_sliding_reached_by(material, problem, ReachedBy::Loading)
+}
 
 /// The steady contact of a material on a sliding indenter.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, past a fold where the contact
-/// was narrowing, and where an edge would be pressed or the faces would meet; [`Refusal::NotConverged`] is a defect.
-pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would meet;
+/// [`Refusal::NotConverged`] is a defect.
+pub fn steady_sliding_reached_by(
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    reached_by: ReachedBy,
+) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
-    let by_paths = by_paths(material, problem, &prepared, &mut work);
-    let told = match &by_paths {
+    let found = searched(material, problem, &prepared, reached_by, &mut work).and_then(|searched| match searched {
+        Searched::Outcome(outcome) => Ok(outcome),
+        Searched::Nothing(nothing) => nothing.explained(material, problem, &prepared, &mut work),
+    });
+    let settled = match &found {
         Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
         Err(Refusal::NotConverged { .. }) => false,
         _ => true,
     };
-    if told {
-        return by_paths;
+    if settled {
+        return found;
     }
-    if let Some(outcome) = without_faint_adhesion(material, problem, &mut work) {
-        return Ok(outcome);
-    }
-    by_paths.or_else(|refusal| elsewhere(material, problem, &prepared, &mut work).unwrap_or(Err(refusal)))
+    without_faint_adhesion(material, problem, &mut work).map_or(found, Ok)
 }
 
-/// The same by paths alone, for the starts of branches: a contact that cannot exist at the end of a path is [`Refusal::NotConverged`].
+/// What the equilibrium curve has of what is held.
+enum Searched {
+    /// A contact, or full contact without adhesion.
+    Outcome(SlidingOutcome),
+    /// No contact.
+    Nothing(Nothing),
+}
+
+/// No contact: what is known of why.
+enum Nothing {
+    /// Of a load or penetration: what the curve has, and the stable contacts that cannot exist.
+    Held { held: (HeldQuantity, f64), found: Held, refused: Vec<Crossing>, reached_by: ReachedBy },
+    /// Of a half-width.
+    HalfWidth(f64),
+}
+
+/// The contact of a problem, without a word on why there is none: that would follow branches, which begin here.
 ///
 /// # Errors
-/// As [`steady_sliding`].
-pub(in crate::sliding) fn steady_by_paths(material: &Material, problem: &SlidingProblem<'_>) -> Result<SlidingOutcome, Refusal> {
+/// [`Refusal::NoSuchState`] if there is none; as [`steady_sliding`].
+pub(in crate::sliding) fn contact_on_the_curve(
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    work: &mut SlidingWork,
+) -> Result<PartialContact, Refusal> {
     problem.checked()?;
     let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
-    by_paths(material, problem, &prepared, &mut SlidingWork::default())
+    match searched(material, problem, &prepared, ReachedBy::Loading, work)? {
+        Searched::Outcome(SlidingOutcome::Partial(contact)) => Ok(*contact),
+        Searched::Outcome(SlidingOutcome::Full(full)) => {
+            Err(Refusal::NoSuchState { reason: "the contact is full".into(), limit_name: full.limit_name, limit: full.limit })
+        }
+        Searched::Nothing(_) => Err(Refusal::NoSuchState {
+            reason: "no stable contact of what is held exists at this speed".into(),
+            limit_name: "stable contacts",
+            limit: 0.0,
+        }),
+    }
 }
 
-pub(super) fn by_paths(
+/// The contact on the equilibrium curve.
+fn searched(
     material: &Material,
     problem: &SlidingProblem<'_>,
     prepared: &Prepared,
+    reached_by: ReachedBy,
     work: &mut SlidingWork,
-) -> Result<SlidingOutcome, Refusal> {
+) -> Result<Searched, Refusal> {
+    let held = match problem.control {
+        SlidingControl::HalfWidth(half_width) => return of_width(problem, prepared, half_width, work),
+        SlidingControl::MeanPressure(pressure) => (HeldQuantity::MeanPressure, pressure),
+        // 1 − Δ keeps its digits near full contact.
+        SlidingControl::Penetration(penetration) => (HeldQuantity::Penetration, penetration - 1.0),
+    };
+    if problem.adhesion.is_none() && problem.indenter == Indenter::Wave {
+        let full = |limit_name, limit| full_contact(material, problem, limit_name, limit, SlidingWork::default()).map(Searched::Outcome);
+        let closing = closing_pressure(material, prepared)?;
+        match problem.control {
+            SlidingControl::MeanPressure(pressure) if pressure >= closing => {
+                return full("mean pressure of full contact at this speed", closing);
+            }
+            SlidingControl::Penetration(penetration) if penetration >= 1.0 => return full("penetration of full contact", 1.0),
+            _ => {}
+        }
+    }
+    let curve = prepared.curve(size_of(problem))?;
+    let found = curve.held(held.0, held.1);
+    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable != Some(false)).collect();
+    if reached_by == ReachedBy::Unloading {
+        candidates.reverse();
+    }
+    let mut refused = Vec::new();
     let mut not_converged = None;
-    let mut finish = |start: &Start, work: &mut SlidingWork| match solved(prepared, problem, start, work) {
-        Ok(contact) => Some(SlidingOutcome::Partial(Box::new(contact))),
-        Err(refusal) => {
-            not_converged = Some(refusal);
-            None
-        }
-    };
-    let slow = match start_at_rate(material, problem, From::Slow, work) {
-        Ok(start) => {
-            if let Some(outcome) = finish(&start, work) {
-                return Ok(outcome);
+    let mut outcome = None;
+    for (index, crossing) in candidates.iter().enumerate() {
+        match accepted(prepared, problem, crossing, held.0, work) {
+            Ok(mut contact) => {
+                let others = candidates.iter().enumerate().filter(|&(other, crossing)| other != index && crossing.stable == Some(true));
+                let found = WaveContact { half_width: contact.values.half_width.value, eccentricity: contact.values.eccentricity.value };
+                contact.others = curve.others(held, found, others.map(|(_, crossing)| crossing));
+                outcome = Some(contact);
+                break;
             }
-            None
-        }
-        Err(NoStart::Elastic(refusal @ (Refusal::OutOfRange { .. } | Refusal::Undefined { .. }))) => return Err(refusal),
-        Err(none) => Some(none),
-    };
-    let remembers = !material.is_elastic() && problem.rate > 0.0;
-    if remembers
-        && let Ok(start) = start_at_rate(material, problem, From::Fast, work)
-        && let Some(outcome) = finish(&start, work)
-    {
-        return Ok(outcome);
-    }
-    if remembers
-        && problem.adhesion.is_some()
-        && let SlidingControl::MeanPressure(pressure) = problem.control
-        && pressure < 0.0
-    {
-        match start_by_pulling(material, problem, work) {
-            Ok(start) => {
-                if let Some(outcome) = finish(&start, work) {
-                    return Ok(outcome);
-                }
-            }
-            Err(NoStart::Fold(PathEnd { last, .. })) if last < 0.0 => {
-                return Err(Refusal::NoSuchState {
-                    reason: "the load pulls harder than a contact at this speed can hold".into(),
-                    limit_name: "last mean pressure held",
-                    limit: last,
-                });
-            }
-            Err(_) => {}
+            // At a turn of the half-width it is told by the contact alone.
+            Err(_) if crossing.stable.is_none() => {}
+            Err(refusal) if curve.exists(crossing) => not_converged = Some(refusal),
+            Err(_) => refused.push(*crossing),
         }
     }
-    match (slow, not_converged) {
-        (Some(NoStart::Elastic(Refusal::NoSuchState { limit_name, limit, .. })), _) if may_fill(problem, limit) => {
-            full_contact(material, problem, limit_name, limit, *work)
-        }
-        (Some(NoStart::Fold(PathEnd { last, widening: true })), _)
-            if problem.indenter == Indenter::Wave && matches!(problem.control, SlidingControl::MeanPressure(_)) =>
-        {
-            full_contact(material, problem, "fold: rate kv (1/s) up to which the contact grows out of the slow one", last, *work)
-        }
-        (Some(NoStart::Elastic(refusal)), _) => Err(refusal),
-        (Some(NoStart::Fold(PathEnd { last, .. })), _) => Err(Refusal::NoSuchState {
-            reason: "the contact that grows out of the slow one ends at a fold before this speed, and none comes from the fast side".into(),
-            limit_name: "rate kv (1/s)",
-            limit: last,
-        }),
+    work.half_widths += curve.widths();
+    let evaluations = curve.evaluations();
+    work.closure_evaluations += evaluations;
+    work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
+    match (outcome, not_converged) {
+        (Some(contact), _) => Ok(Searched::Outcome(SlidingOutcome::Partial(Box::new(PartialContact { work: *work, ..contact })))),
         (None, Some(refusal)) => Err(refusal),
-        (None, None) => Err(Refusal::NotConverged { what: "a sliding contact", detail: "no path was followed".into() }),
+        (None, None) => Ok(Searched::Nothing(Nothing::Held { held, found, refused, reached_by })),
     }
 }
 
-/// The steady contact near another one of the same control, without a path.
+impl Nothing {
+    /// Full contact, or the limit that was passed.
+    fn explained(
+        self,
+        material: &Material,
+        problem: &SlidingProblem<'_>,
+        prepared: &Prepared,
+        work: &mut SlidingWork,
+    ) -> Result<SlidingOutcome, Refusal> {
+        let size = size_of(problem);
+        let curve = prepared.curve(size)?;
+        let unstable = match &self {
+            Self::Held { held, found, refused, reached_by } => {
+                if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {
+                    return outcome;
+                }
+                found.crossings.len()
+            }
+            Self::HalfWidth(half_width) => {
+                if let Some(refusal) = beyond_a_width(&curve, *half_width) {
+                    return Err(refusal);
+                }
+                0
+            }
+        };
+        if let Some(refusal) = beyond_a_zone(material, problem, size) {
+            return Err(refusal);
+        }
+        let (reason, limit_name, limit) = if unstable > 0 {
+            ("every contact of what is held is unstable".into(), "unstable contacts", unstable as f64)
+        } else {
+            let widths = curve.widths();
+            let reason = format!("no steady partial contact exists at this speed: none at any of {widths} half-widths, whatever the load");
+            (reason, "half-widths looked at", widths as f64)
+        };
+        Err(Refusal::NoSuchState { reason, limit_name, limit })
+    }
+}
+
+/// The contact near a crossing, with its stability.
+fn accepted(
+    prepared: &Prepared,
+    problem: &SlidingProblem<'_>,
+    crossing: &Crossing,
+    quantity: HeldQuantity,
+    work: &mut SlidingWork,
+) -> Result<PartialContact, Refusal> {
+    let mut contact = solved(prepared, problem, &Start::at(crossing.half_width, crossing.eccentricity), work)?;
+    let half_width = contact.values.half_width.value;
+    let room = FARTHEST * half_width.min(problem.indenter.widest() - half_width);
+    let another =
+        || Refusal::NotConverged { what: "a sliding contact", detail: "only another contact than the stable one was found".into() };
+    if half_width < crossing.between[0] - room || half_width > crossing.between[1] + room {
+        return Err(another());
+    }
+    contact.stability = stability(prepared, problem, &contact, work);
+    let held = contact.stability.as_ref().map(|stability| match quantity {
+        HeldQuantity::MeanPressure => stability.under_load(),
+        HeldQuantity::Penetration => stability.under_penetration(),
+    });
+    if held == Some(Stability::Unstable) { Err(another()) } else { Ok(contact) }
+}
+
+/// The second variations of a contact.
+fn stability(
+    prepared: &Prepared,
+    problem: &SlidingProblem<'_>,
+    contact: &PartialContact,
+    work: &mut SlidingWork,
+) -> Option<ContactStability> {
+    let values = &contact.values;
+    let pressure = values.mean_pressure.value;
+    let edges = WaveContact { half_width: values.half_width.value, eccentricity: values.eccentricity.value };
+    let narrow = problem.indenter == Indenter::Wave && PI - edges.half_width < NARROW;
+    let balance = prepared.balance(SlidingControl::MeanPressure(pressure), if narrow { Resolution::Finest } else { VARIATIONS });
+    let variations = SecondVariations::new(&balance, edges, pressure, problem.indenter).ok();
+    let evaluations = balance.take_evaluations();
+    work.closure_evaluations += evaluations;
+    work.contacts += balance.contacts_per_evaluation() * evaluations;
+    variations.map(|variations| ContactStability { variations })
+}
+
+/// The contact of a given half-width.
+fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, work: &mut SlidingWork) -> Result<Searched, Refusal> {
+    let every = prepared.contacts_of_width();
+    let mut contacts = every.at(half_width)?;
+    contacts.sort_by(|first, second| first.eccentricity.abs().total_cmp(&second.eccentricity.abs()));
+    work.half_widths += every.widths();
+    let evaluations = every.evaluations();
+    work.closure_evaluations += evaluations;
+    work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
+    let mut last = None;
+    for contact in &contacts {
+        match solved(prepared, problem, &Start::at(contact.mean_pressure, contact.eccentricity), work) {
+            Ok(mut found) => {
+                found.stability = stability(prepared, problem, &found, work);
+                found.others = contacts.len() - 1;
+                found.work = *work;
+                return Ok(Searched::Outcome(SlidingOutcome::Partial(Box::new(found))));
+            }
+            Err(refusal) => last = Some(refusal),
+        }
+    }
+    last.map_or(Ok(Searched::Nothing(Nothing::HalfWidth(half_width))), Err)
+}
+
+/// The steady contact near another one of the same control, without a curve.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NotConverged`] if no admissible contact is near.
@@ -141,16 +297,6 @@ pub(in crate::sliding) fn near_counted(
 ) -> Result<PartialContact, Refusal> {
     problem.checked()?;
     solved(prepared, problem, start, work)
-}
-
-/// Whether the limit that an elastic contact has passed is snap-in or full contact.
-fn may_fill(problem: &SlidingProblem<'_>, limit: f64) -> bool {
-    let asked = match problem.control {
-        SlidingControl::MeanPressure(pressure) => pressure,
-        SlidingControl::Penetration(penetration) => penetration,
-        SlidingControl::HalfWidth(_) => return false,
-    };
-    problem.indenter == Indenter::Wave && asked >= limit
 }
 
 pub(super) fn full_contact(

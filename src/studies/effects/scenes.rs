@@ -359,6 +359,33 @@ fn spheres() -> Vec<Effect> {
             costs: true,
         },
         Effect {
+            name: "two works of adhesion (sphere)",
+            neutral: "the edge takes the same either way",
+            tolerance: Tolerance::Exact,
+            without: SPHERE.to_owned(),
+            with: changed(
+                SPHERE,
+                &[("work_of_adhesion = 1.6e-4", "trailing_work_of_adhesion = 1.6e-4\nleading_work_of_adhesion = 1.6e-4")],
+            ),
+            columns: CONTACT,
+            costs: false,
+        },
+        Effect {
+            name: "works that follow the speed (sphere)",
+            neutral: "the same work at all speeds",
+            tolerance: Tolerance::Relative(2e-3, "the accuracy that is asked for, of both"),
+            without: SPHERE.to_owned(),
+            with: changed(
+                SPHERE,
+                &[(
+                    "work_of_adhesion = 1.6e-4",
+                    "by_speed = { table = [{ speed = 1e-9, work_of_adhesion = 1.6e-4 }, { speed = 1e9, work_of_adhesion = 1.6e-4 }] }",
+                )],
+            ),
+            columns: CONTACT,
+            costs: false,
+        },
+        Effect {
             name: "relaxation (sphere)",
             neutral: "E∞ = (1 + 10⁻⁹)E0",
             tolerance: Tolerance::Relative(2e-3, "the accuracy that is asked for, of both"),

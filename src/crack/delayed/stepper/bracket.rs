@@ -1,4 +1,35 @@
-//! A change of sign in a bracket.
+//! A change of sign: near a guess, or in a bracket.
+
+/// Corrections at most; from a good guess three settle.
+const MOST_SECANTS: u32 = 8;
+
+/// A correction of this part of the value leaves less than an ulp: it is the square of the one before that is left.
+const SETTLED: f64 = 1e-12;
+
+/// The zero in 0…`upper` near a guess, by secants from a slope that the function knows roughly (value, slope); none if they leave or wander.
+pub(super) fn near<C>(upper: f64, guess: f64, function: impl Fn(f64, &mut C) -> [f64; 2], context: &mut C) -> Option<f64> {
+    let [mut value, mut slope] = function(guess, context);
+    let mut x = guess;
+    for _ in 0..MOST_SECANTS {
+        if value.abs() <= f64::EPSILON {
+            return Some(x);
+        }
+        let next = x - value / slope;
+        if !(next > 0.0 && next <= upper) {
+            return None;
+        }
+        if (next - x).abs() <= SETTLED * x {
+            return Some(next);
+        }
+        let [after, _] = function(next, context);
+        let secant = (after - value) / (next - x);
+        if !(secant * slope > 0.0 && after.abs() < value.abs()) {
+            return None;
+        }
+        (x, value, slope) = (next, after, secant);
+    }
+    None
+}
 
 /// The place in 0…`upper` where a function negative at 0 and positive at `upper` changes sign: the rule of Anderson and Björck (1973,
 /// BIT 13, 253) with halving as its safeguard.

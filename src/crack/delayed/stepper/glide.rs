@@ -10,7 +10,7 @@ impl Stepper<'_> {
     /// Follows slow growth by its quasi-steady speed, as far as that is good; false if it is not good enough here.
     pub(super) fn glide(&mut self, ahead: &mut Ahead, breaks: bool) -> bool {
         let tolerance = Steadiness::tolerance(self.lines_per_zone);
-        let end = ahead.left.min(self.until - self.time()) - if breaks { 1e-9 * ahead.whole } else { 0.0 };
+        let end = ahead.left().min(self.until - self.time()) - if breaks { 1e-9 * ahead.whole } else { 0.0 };
         let (mut moved, mut left) = (0.0, end);
         let Some(mut now) = self.quasi_steady.motion(ahead.load, ahead.slope).filter(|motion| {
             let allowed = tolerance + Steadiness::noise(ahead.load);
@@ -41,7 +41,7 @@ impl Stepper<'_> {
             self.doubts[0] += doubt * advance;
             self.doubts[1] = doubt * now.speed.max(four.speed);
             self.write_outputs(ahead, duration, advance, [now.speed, four.speed], Between::Read);
-            self.memory.clock += duration;
+            self.memory.wait(duration);
             self.memory.place += advance;
             ahead.pass(duration);
             self.run.work.steps += 1;

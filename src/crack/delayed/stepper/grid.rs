@@ -15,6 +15,10 @@ const WIDEST_LAYER: f64 = 0.1;
 /// Finer layers are of no weight for the place, and lines come near the rounding of places.
 const FINEST_LAYER: f64 = 1e-6;
 
+/// A line that is nearer ahead than this part of the distance to the one after it counts as reached: where a step ends is rounded, and a step between two
+/// roundings of one line would be decided by rounding alone.
+const REACHED: f64 = 1e-3;
+
 /// The grading of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Grading {
@@ -99,11 +103,16 @@ impl Grid {
         self.grading.is_none_or(|_| self.passed as f64 >= Grading::ZONES * f64::from(self.lines_per_zone))
     }
 
-    pub(super) const fn pass_line(&mut self) {
-        self.passed += 1;
+    /// Passes the lines that a step to this place has reached; whether there are any.
+    pub(super) fn reach(&mut self, place: f64) -> bool {
+        let before = self.passed;
+        while self.next_line() - place <= REACHED * (self.offset(self.passed + 2) - self.offset(self.passed + 1)) {
+            self.passed += 1;
+        }
+        self.passed > before
     }
 
-    /// The line just passed is here, and the lines ahead are those of another zone.
+    /// The line just reached is here, and the lines ahead are those of another zone.
     pub(super) fn rescale(&mut self, place: f64, zone: f64) {
         self.zone = zone;
         self.start = place - self.offset(self.passed);
@@ -118,6 +127,27 @@ impl Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A step that ends on a line, to rounding, has reached it: the next line is a whole distance ahead, however the end was rounded.
+    #[test]
+    fn no_line_is_left_within_rounding_of_the_place() {
+        for layer in [1e-6, 3e-4, 0.02, 1.0] {
+            for lines in [32, 223, 960, 16_384] {
+                for ulps in [-2_i32, -1, 0, 1, 2] {
+                    let mut grid = Grid::graded(3.7, 0.3, lines, layer);
+                    let mut place = 3.7;
+                    for line in 1..=3 * u64::from(lines) {
+                        let wanted = grid.start + grid.offset(line);
+                        let step = grid.next_line() - place;
+                        assert!(step > 0.99 * (grid.offset(line) - grid.offset(line - 1)), "{layer} {lines} {ulps} {line}: {step:e}");
+                        place = wanted + f64::from(ulps) * 4.5e-16;
+                        assert!(grid.reach(place), "{layer} {lines} {ulps} {line}");
+                        assert_eq!(grid.passed, line);
+                    }
+                }
+            }
+        }
+    }
 
     #[test]
     fn graded_lines_are_nested_start_in_the_layer_and_end_even() {

@@ -13,6 +13,12 @@
 //! zero, solved for within its step; a step over it would let the tip stop late, in all runs alike. When
 //! all steps of a window agree to rounding under a constant load, the motion is uniform from then on: the rest of the stretch is one piece.
 
+//!
+//! # What happens, and what is only rounding
+//! No event is inferred from a residual or from an equality of numbers. A line counts as reached from a thousandth of its distance on (`grid`); the tip stops where the
+//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step in
+//! which the closure gains less than its rounding goes by the speed.
+
 mod bracket;
 mod glide;
 mod grid;
@@ -21,7 +27,7 @@ mod record;
 mod rest;
 
 use super::load::LoadHistory;
-use super::memory::{Memory, Step, Sums, terms_of};
+use super::memory::{Clock, Memory, Step, Sums, terms_of};
 use super::problem::GrowthProblem;
 use super::quasi_steady::QuasiSteady;
 use super::zone::RelativeZone;
@@ -40,6 +46,9 @@ const FASTEST: f64 = 1e150;
 
 /// Where more of the exposure than this is of terms that answer within the step, dividing by the rest would cost its digits.
 const MOST_IMPLICIT: f64 = 0.999;
+
+/// Loads that differ by less than this part are one load, rounded in two ways.
+const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 
 /// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
 const NEAREST: f64 = 1e-8;
@@ -87,11 +96,14 @@ struct Stepper<'a> {
 /// The load over the rest of a stretch.
 #[derive(Clone, Copy)]
 struct Ahead {
+    /// The load now, at the start of the stretch and at its end.
     load: f64,
-    slope: f64,
-    left: f64,
+    first: f64,
     last: f64,
+    slope: f64,
+    /// How long the stretch takes, and how much of that has passed (s).
     whole: f64,
+    passed: Clock,
     /// When the stretch ends, by the clock of the history.
     end: f64,
     longest_step: f64,
@@ -101,8 +113,13 @@ struct Ahead {
 }
 
 impl Ahead {
+    /// What is left of the stretch (s).
+    fn left(&self) -> f64 {
+        self.whole - self.passed.time()
+    }
+
     fn load_after(&self, duration: f64) -> f64 {
-        if duration >= self.left { self.last } else { self.load + self.slope * duration }
+        if duration >= self.left() { self.last } else { self.first + self.slope * (self.passed.time() + duration) }
     }
 
     fn step(&self, duration: f64, advance: f64) -> Step {
@@ -118,8 +135,20 @@ impl Ahead {
 
     fn pass(&mut self, duration: f64) {
         self.load = self.load_after(duration);
-        self.left = if duration >= self.left { 0.0 } else { self.left - duration };
+        if duration >= self.left() {
+            // Infinite for a stretch that is: nothing passes it.
+            self.whole = self.passed.time();
+        } else {
+            self.passed.pass(duration);
+        }
     }
+}
+
+/// The speed of a tip: the better one of two while that is above zero, then the one that the held memory gives. A tip that stopped by the better one alone would start
+/// again at once, as at rest the held memory decides: an arrest that comes and goes with the length of the steps.
+fn unless_stopped(better: f64, held: f64) -> f64 {
+    let speed = if better > 0.0 && better.is_finite() { better } else { held };
+    if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
 }
 
 /// Runs a history up to a time, with the tip's state at the `outputs` (times not decreasing, none after `until`).
@@ -180,10 +209,11 @@ pub(crate) fn run(
         let longest_step = 2.0 * duration / f64::from(lines_per_zone);
         let mut ahead = Ahead {
             load: first,
-            slope,
-            left: duration,
+            first,
             last,
+            slope,
             whole: duration,
+            passed: Clock::default(),
             end: stretch.start + duration,
             longest_step,
             speed: 0.0,
@@ -200,8 +230,8 @@ pub(crate) fn run(
         }
         // The clock is that of the history, not a sum of steps.
         if stretch.duration.is_finite() {
-            stepper.base[0] = stretch.start + duration - stepper.memory.clock;
-            if stepper.memory.clock > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
+            stepper.base[0] = stretch.start + duration - stepper.memory.time();
+            if stepper.memory.time() > 0.0 && stepper.run.work.steps - stepper.rebased_at > stepper.memory.pieces_held() as u64 {
                 stepper.rebase();
             }
         }
@@ -211,7 +241,7 @@ pub(crate) fn run(
 
 impl Stepper<'_> {
     fn time(&self) -> f64 {
-        self.base[0] + self.memory.clock
+        self.base[0] + self.memory.time()
     }
 
     /// Whether the last output is reached, to the clock's rounding. A step of growth may end after it, so that no step depends on it.
@@ -246,32 +276,40 @@ impl Stepper<'_> {
         load * (load + sums.memory) - 1.0
     }
 
-    /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ.
+    /// −(∂w/∂t)/(∂w/∂x), the speed that keeps the work at Δγ; not above zero if the tip stops.
     fn speed_of(&self, sums: &Sums, step: &Step, load_slope: f64) -> f64 {
         let (load, zone) = (step.loads[1], step.zone);
         let memory_rate = sums.growth + sums.lag / (zone * zone) * self.zone.rate(load, load_slope);
         let rate = load_slope * (2.0 * load + sums.memory) + load * memory_rate;
         let exposure = sums.exposure + self.memory.exposure_beyond_parabola(step);
-        let speed = zone * rate / (load * exposure);
+        let held = zone * rate / (load * exposure);
         // Terms that answer within the step hold the slope with which its way ends, not that of the parabola: v = v₀ + C(v − slope).
         let part = self.memory.rate_by_last_slope(step) / exposure;
         let speed = if step.advance > 0.0 && step.duration > 0.0 && part < MOST_IMPLICIT {
-            (speed - part * (step.advance - step.bend) / step.duration) / (1.0 - part)
+            (held - part * (step.advance - step.bend) / step.duration) / (1.0 - part)
         } else {
-            speed
+            held
         };
-        if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
+        unless_stopped(speed, held)
     }
 
-    /// A new stretch of load, possibly after a jump of the load.
+    /// What rounding leaves of the closure: of the sums, and of a place that is known to an ulp.
+    fn rounding(&self, sums: &Sums, load: f64, zone: f64) -> f64 {
+        8.0 * f64::EPSILON * (1.0 + load * sums.exposure * (1.0 + self.memory.place.abs() / zone))
+    }
+
+    /// A new stretch of load, possibly after a jump of the load. Only a load that jumps can move the tip at once, or leave it behind: no residual of a step can.
     fn enter(&mut self, ahead: &Ahead) {
         let zone = ahead.zone.at(ahead.load);
         let here = Step::none(ahead.load, zone);
-        let excess = self.excess(&here);
         self.uniform = (0.0, 0);
         self.threshold = if self.ever_moved { RESTART_THRESHOLD } else { 0.0 };
         let before = if self.moving { self.speed } else { 0.0 };
-        if excess > 1e-12 {
+        let change = ahead.load - self.memory.load();
+        let same = SAME_LOAD * ahead.load;
+        let sums = self.sums(&here);
+        let excess = ahead.load * (ahead.load + sums.memory) - 1.0;
+        if change > same && excess > self.rounding(&sums, ahead.load, zone) {
             // The tip jumps to where the work is Δγ again: within one process zone, beyond which there is no memory and κ < 1.
             let advance = bracketed(zone, 0.5 * zone, |advance, this: &mut Self| -this.excess(&Step { advance, ..here }), self);
             if !self.ever_moved {
@@ -284,7 +322,7 @@ impl Stepper<'_> {
             self.memory.take(&Step { advance, ..here }, None);
             self.moving = true;
             self.ever_moved = true;
-        } else if self.moving && excess < -1e-12 {
+        } else if self.moving && change < -same {
             self.arrest(before);
         }
         if self.moving {
@@ -304,17 +342,15 @@ impl Stepper<'_> {
         self.longest_advance = 2.0 * leaving / f64::from(self.lines_per_zone);
         let here = Step::none(ahead.load, zone);
         let sums = self.sums(&here);
-        self.speed = self.speed_of(&sums, &here, ahead.slope) + self.unseen / sums.exposure;
-        if !self.speed.is_finite() {
-            self.speed = 0.0;
-        }
+        let held = self.speed_of(&sums, &here, ahead.slope);
+        self.speed = unless_stopped(held + self.unseen / sums.exposure, held);
         let layer = self.speed * self.shortest_time / zone;
         self.grid = Grid::graded(self.memory.place, zone, self.lines_per_zone, layer);
     }
 
     /// Passes a stretch of load.
     fn pass(&mut self, ahead: &mut Ahead, breaks: bool) -> Result<(), Refusal> {
-        while ahead.left > 0.0 && !self.is_over() {
+        while ahead.left() > 0.0 && !self.is_over() {
             if self.run.work.steps >= self.most_steps {
                 return Err(Refusal::NotConverged {
                     what: "the growth of the crack",
@@ -326,7 +362,7 @@ impl Stepper<'_> {
                 });
             }
             if self.moving {
-                if breaks && (ahead.left <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
+                if breaks && (ahead.left() <= 1e-9 * ahead.whole || 1.0 - ahead.load <= NEAREST) {
                     break;
                 }
                 self.grow(ahead, breaks);

@@ -103,9 +103,9 @@ impl Stepper<'_> {
     pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         let (start, from) = (self.time(), self.place());
         // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
-        let end = if ahead.left <= duration { ahead.end } else { start + duration };
+        let end = if ahead.left() <= duration { ahead.end } else { start + duration };
         while let Some(&output) = self.outputs.get(self.run.samples.len()) {
-            if output >= end && !(ahead.left <= duration && output <= end) {
+            if output >= end && !(ahead.left() <= duration && output <= end) {
                 break;
             }
             let sample = if advance > 0.0 && duration > 0.0 {

@@ -6,7 +6,7 @@ use super::{Ahead, RESTART_THRESHOLD, Stepper};
 
 impl Stepper<'_> {
     pub(super) fn rest(&mut self, ahead: &mut Ahead) {
-        let longest = ahead.left.min(self.until - self.time());
+        let longest = ahead.left().min(self.until - self.time());
         // Just after a slow arrest the work falls with the square of the time, and the bound in a zone that shrinks, of first order, would take it apart endlessly.
         let sure = std::mem::take(&mut self.sure);
         if ahead.zone_changes()
@@ -44,7 +44,7 @@ impl Stepper<'_> {
             self.event(kind, [0.0, self.speed], 0.0);
             self.rests.push(self.memory.place);
             // What is left of the stretch takes as many steps as a whole one.
-            ahead.longest_step = 2.0 * ahead.left / f64::from(self.lines_per_zone);
+            ahead.longest_step = 2.0 * ahead.left() / f64::from(self.lines_per_zone);
             self.moving = true;
             self.ever_moved = true;
             self.uniform = (0.0, 0);
