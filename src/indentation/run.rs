@@ -43,7 +43,7 @@ pub fn run_watched(
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
-    if problem.adhesion.is_none() {
+    if problem.is_without_steps() {
         return super::adhesiveless::solve(material, problem, watch);
     }
     let mut finished = 0;
@@ -82,20 +82,20 @@ pub fn run_watched(
     }
 }
 
-/// The contact at a time (s) of a history without adhesion that has been solved: time, Δ, F and a, and its surface twice, the second time with coarser
+/// The contact at a time (s) of a history that has been solved without steps in time ([`IndentationProblem::is_without_steps`]): time, Δ, F and a, and its surface twice, the second time with coarser
 /// panels, so that their difference tells the error.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] with adhesion; every refusal of [`run`].
-pub fn surface_without_adhesion(
+/// [`Refusal::Undefined`] for other problems; every refusal of [`run`].
+pub fn surface_without_steps(
     material: &Material,
     problem: &IndentationProblem,
     solved: &IndentationSolution,
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     problem.checked()?;
-    if problem.adhesion.is_some() {
-        return Err(Refusal::Undefined { quantity: "the surface", reason: "with adhesion it follows from the path of the march".into() });
+    if !problem.is_without_steps() {
+        return Err(Refusal::Undefined { quantity: "the surface", reason: "it follows from the path of the march".into() });
     }
     super::adhesiveless::surface_at(material, problem, &solved.march, time)
 }

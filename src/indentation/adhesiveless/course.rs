@@ -31,16 +31,11 @@ const FIRST_OF_LEDGER: f64 = 0.02;
 /// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
 const REPEATED: f64 = 1e-6;
 
-/// What is not known of Δ after all its steps, over the error of one.
-const OF_STEPS: f64 = 10.0;
-
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
     /// What series leave, over the depth.
     pub(super) series: f64,
-    /// Error of Δ of a step where it is not given, over the depth.
-    pub(super) steps: f64,
     /// Points of a cycle.
     pub(super) of_cycle: u32,
     /// Ratio of instants after a corner, and even ones of a stretch, between which power is added up.
@@ -61,10 +56,6 @@ pub(super) struct Course<'a> {
     meter: Option<Meter>,
     /// The last points of the same smooth piece.
     recent: Vec<PathPoint>,
-    /// Where Δ was at earlier times of the stretch, the newest last, without the present.
-    pub(super) past: Vec<(f64, f64)>,
-    /// Next step where Δ is not given.
-    pub(super) step: f64,
     pace: Option<(Controlled, f64)>,
     pub(super) evaluations: u64,
     watch: Option<(&'a dyn Watch, u32)>,
@@ -88,8 +79,6 @@ impl<'a> Course<'a> {
             record: Record::without_contact(),
             meter: None,
             recent: Vec::new(),
-            past: Vec::new(),
-            step: 0.0,
             pace: None,
             evaluations: 0,
             watch: None,
@@ -113,9 +102,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        let given = self.problem.history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration);
-        let met = if given { 0.0 } else { OF_STEPS * self.fineness.steps * self.line.depth };
-        Ok((trace, self.line.joined + met))
+        Ok((trace, self.line.joined))
     }
 
     /// The line at a time of the history.
@@ -129,13 +116,12 @@ impl<'a> Course<'a> {
     fn run(&mut self) -> Result<(), Refusal> {
         let history = &self.problem.history;
         self.begin()?;
-        let mut last = (history.controlled, history.start);
+        let mut last = history.start;
         for (index, segment) in history.segments.iter().enumerate() {
             if self.stop.is_some() {
                 return Ok(());
             }
-            let from = if segment.controlled == last.0 { last.1 } else { self.present(segment.controlled) };
-            let stretch = Stretch { from, segment: *segment };
+            let stretch = Stretch { from: last, segment: *segment };
             let duration = if segment.duration == 0.0 {
                 self.at_once(segment.controlled, segment.end)?;
                 self.pace = None;
@@ -144,7 +130,7 @@ impl<'a> Course<'a> {
             } else {
                 self.stretch(index, &stretch)?
             };
-            last = (segment.controlled, segment.value(from, duration));
+            last = segment.value(last, duration);
             self.observe(index, None);
         }
         Ok(())
@@ -164,21 +150,11 @@ impl<'a> Course<'a> {
         self.origin + self.time
     }
 
-    /// The present value of a quantity.
-    pub(super) fn present(&self, controlled: Controlled) -> f64 {
-        match controlled {
-            Controlled::Penetration => self.line.penetration,
-            Controlled::Force => self.line.force(),
-            Controlled::ContactRadius => self.line.radius(),
-            Controlled::Frame => self.line.penetration + self.problem.frame_stiffness.map_or(0.0, |k| self.line.force() / k),
-        }
-    }
-
     fn begin(&mut self) -> Result<(), Refusal> {
         let history = &self.problem.history;
         match self.problem.start {
             Start::Untouched => self.settle(history.controlled, history.start)?,
-            Start::Relaxed => self.relaxed(history.controlled, history.start)?,
+            Start::Relaxed => self.relaxed(history.start)?,
         }
         self.point(false);
         self.record.keep();
@@ -202,8 +178,6 @@ impl<'a> Course<'a> {
 
     /// Nothing behind counts for what follows.
     pub(super) fn corner(&mut self) {
-        self.past.clear();
-        self.step = 0.0;
         self.recent.clear();
     }
 
@@ -357,9 +331,6 @@ impl<'a> Course<'a> {
         self.pace = segment.oscillation.is_none().then_some((segment.controlled, rate));
         self.origin += duration;
         self.time = 0.0;
-        for (time, _) in &mut self.past {
-            *time -= duration;
-        }
         Ok(duration)
     }
 
@@ -435,7 +406,7 @@ impl<'a> Course<'a> {
                     let drive = self.drive(stretch, target);
                     self.along(&drive)?;
                 }
-                controlled => self.toward(stretch, controlled, target)?,
+                _ => self.toward(stretch, target)?,
             }
         }
         self.point(false);

@@ -424,15 +424,6 @@ impl Line<'_> {
     fn without_stretches(&self) -> Self {
         Self { contact: Vec::new(), free: Vec::new(), ..*self }
     }
-
-    /// Δ at which an open contact touches: how deep the free surface lies on the axis.
-    pub(super) fn surface(&self) -> f64 {
-        self.free.first().map_or(0.0, |stretch| {
-            let mut state = vec![0.0; self.chain.terms()];
-            stretch.at(stretch.low, &mut state);
-            stretch.heights[0] + state.iter().sum::<f64>()
-        })
-    }
 }
 
 /// Where S passes zero in a stretch; an end where it does not.

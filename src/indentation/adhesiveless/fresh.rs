@@ -117,16 +117,9 @@ pub(super) struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    /// What rounding leaves of its rate.
-    pub(super) fn rounding(&self, time: f64) -> f64 {
-        let flows: f64 = self.chain.voigt.iter().map(|(_, flow)| flow).sum();
-        8.0 * f64::EPSILON * flows * self.force.value(time).abs().max(self.force.start.abs())
-    }
-
-    /// Value and rate.
-    pub(super) fn at(&self, time: f64) -> (f64, f64) {
-        let (force, pace) = (self.force.value(time), self.force.rate(time));
-        let (mut value, mut rate) = (force / self.chain.glassy, pace / self.chain.glassy);
+    pub(super) fn at(&self, time: f64) -> f64 {
+        let force = self.force.value(time);
+        let mut value = force / self.chain.glassy;
         for (&(slowness, flow), strain) in self.chain.voigt.iter().zip(&self.strains) {
             let kept = (-slowness * time).exp();
             let driven = if slowness > 0.0 {
@@ -136,10 +129,8 @@ impl Moved<'_> {
             } else {
                 flow * self.force.integral(time)
             };
-            let now = strain * kept + driven;
-            value += now;
-            rate += flow * force - slowness * now;
+            value += strain * kept + driven;
         }
-        (value, rate)
+        value
     }
 }

@@ -112,11 +112,6 @@ impl<'a> Line<'a> {
         self.depth = self.depth.max(penetration.abs());
     }
 
-    /// Whether nothing outside the contact was ever touched, or all of it has recovered.
-    pub(super) fn is_fresh_outside(&self) -> bool {
-        self.free.is_empty()
-    }
-
     /// The place at which the undeformed surface lies at a depth, no less than another one; none beyond the end of a table.
     pub(super) fn virgin_edge(&self, depth: f64, from: f64) -> Result<f64, Refusal> {
         let rim = self.profile.rim();

@@ -12,10 +12,11 @@
 //!
 //! Without adhesion nothing but S ≥ 0 decides what is in contact, chain by chain, and S falls along s ([`line`]): given Δ(t), no chain waits for another.
 //! Each knows the instants at which the edge passes it, as roots of its own S(t), and what it is between them in closed form; the strains are kept as
-//! Chebyshev series between the places where the edge turned. There are no steps in time: one stretch of the history is one move ([`edge`]). Only where
-//! something else than Δ is imposed does Δ itself follow step by step ([`controls`]); a force on a fresh surface gives it in closed form ([`fresh`]).
+//! Chebyshev series between the places where the edge turned. There are no steps in time: one stretch of the history is one move ([`edge`]). Instead of Δ
+//! a force may be given that only grows on a fresh surface: it gives Δ in closed form ([`fresh`]). Other forces, frames and radii are marched
+//! ([`crate::indentation::march`]).
 //!
-//! Errors come from the series (and the steps of Δ, where there are any): two courses of different fineness tell.
+//! Errors come from the series: two courses of different fineness tell.
 //!
 //! Sources: Lee & Radok, J. Appl. Mech. 27 (1960) 438; Ting, J. Appl. Mech. 33 (1966) 845 and 35 (1968) 248; Graham, Int. J. Eng. Sci. 5 (1967) 495.
 

@@ -20,19 +20,23 @@ const COARSER: f64 = 30.0;
 const OF_CHANGE: f64 = 100.0;
 /// Slope of S over f′ that is told from none.
 const SOFTEST: f64 = 1e4;
+/// Points of cycles and powers over their first number, at most: a contact that is lost and found within a cycle has a force that is not smooth.
+const DENSEST: u32 = 8;
 /// Series over the accuracy.
 const OF_ACCURACY: f64 = 1e-7;
-/// The same of the steps of Δ where it is not given.
-const STEPS: f64 = 1e-6;
 
-fn fineness(accuracy: f64, level: u32) -> Fineness {
+/// How finely courses go: the coarser one (level 0) and the finer one, at points of cycles and of powers `points` times as dense.
+fn fineness(accuracy: f64, level: u32, points: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
     let finer = (1e-3 / accuracy).powf(0.25).clamp(1.0, 4.0);
     Fineness {
         series: (OF_ACCURACY * accuracy).clamp(FINEST, 1e-10) * coarser,
-        steps: (STEPS * accuracy).clamp(1e-10, 1e-8) * coarser,
-        of_cycle: (finer * if level == 0 { 28.0 } else { 40.0 }) as u32,
-        ledger: if level == 0 { (1.6, 16) } else { (1.35, 24) },
+        of_cycle: (finer * if level == 0 { 28.0 } else { 40.0 }) as u32 * points,
+        ledger: if level == 0 {
+            (1.6_f64.powf(f64::from(points).recip()), 16 * points)
+        } else {
+            (1.35_f64.powf(f64::from(points).recip()), 24 * points)
+        },
     }
 }
 
@@ -43,31 +47,38 @@ pub(in crate::indentation) fn solve(
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
     let chain = Chain::new(material)?;
-    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
-        Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
-    };
-    let (mut coarse, _) = course(0, &[])?;
-    let stops = coarse.shortened.clone();
-    let (fine, unknown) = course(1, &stops)?;
-    problem.profile.holds(fine.summary.scales[2], 0.0)?;
     let mut work = IndentationWork::default();
-    for trace in [&coarse, &fine] {
-        work.add(&trace.work);
+    let (mut points, mut number) = (1, 0);
+    loop {
+        let mut course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
+            number += 1;
+            Course::new(&chain, problem, fineness(problem.accuracy, level, points)).watched(watch, number).through(stops)
+        };
+        let (mut coarse, _) = course(0, &[])?;
+        let stops = coarse.shortened.clone();
+        let (fine, unknown) = course(1, &stops)?;
+        problem.profile.holds(fine.summary.scales[2], 0.0)?;
+        for trace in [&coarse, &fine] {
+            work.add(&trace.work);
+        }
+        // The finer course errs by a small part of the change between both.
+        coarse.tolerance = fine.tolerance * OF_CHANGE;
+        let traces = vec![fine, coarse];
+        let mut solution = judged(problem, &traces, 0)
+            .map(|verdict| verdict.solution(work))
+            .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
+        if solution.reached || points >= DENSEST {
+            widen(&mut solution, &chain, problem, unknown);
+            return Ok(solution);
+        }
+        points *= 2;
     }
-    // The finer course errs by a small part of the change between both.
-    coarse.tolerance = fine.tolerance * OF_CHANGE;
-    let traces = vec![fine, coarse];
-    let mut solution = judged(problem, &traces, 0)
-        .map(|verdict| verdict.solution(work))
-        .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
-    widen(&mut solution, &chain, problem, unknown);
-    Ok(solution)
 }
 
 /// One course, as fine as an accuracy asks for.
 pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
     let chain = Chain::new(material)?;
-    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1)).through(&[])?;
+    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1, 1)).through(&[])?;
     trace.tolerance = accuracy;
     problem.profile.holds(trace.summary.scales[2], 0.0)?;
     Ok(trace)
@@ -76,7 +87,7 @@ pub(in crate::indentation) fn course(material: &Material, problem: &IndentationP
 /// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
 /// is f′ in a fresh contact and at least f′/β.
 fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, unknown: f64) {
-    let given = problem.history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration);
+    let given = !problem.history.controls(Controlled::Force);
     let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
     let of_depth = if given { 0.0 } else { unknown };
@@ -120,7 +131,7 @@ pub(in crate::indentation) fn surface_at(
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     let chain = Chain::new(material)?;
-    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1)).line_at(time, &solved.shortened)?;
+    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1, 1)).line_at(time, &solved.shortened)?;
     let (depth, profile) = (line.penetration, &problem.profile);
     let surface = |grades: i32| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {

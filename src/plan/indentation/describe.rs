@@ -97,9 +97,12 @@ impl IndentationPlan {
         let mut sentences = vec![
             "the contact is carried to a line on which every place is a spring chain of its own: no mesh of the body, no matrix (Sneddon's transform)".to_owned(),
         ];
-        if self.indentation.adhesion.is_some() {
+        let marched = !self.without_steps;
+        if marched {
             sentences
                 .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
+        }
+        if self.indentation.adhesion.is_some() {
             sentences
                 .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
             sentences.push(match self.indentation.start {
@@ -115,17 +118,23 @@ impl IndentationPlan {
                 "without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's and Graham's receding"
                     .to_owned(),
             );
-            sentences.push(
-                "every place knows when the edge passes it, as a root of its own: exact for any number of terms and turns, without steps in time where the penetration is given"
-                    .to_owned(),
-            );
+            if !marched {
+                sentences.push(
+                    "every place knows when the edge passes it, as a root of its own: exact for any number of terms and turns, without steps in time"
+                        .to_owned(),
+                );
+            }
         }
         if self.timeline.oscillates() {
-            sentences.push("every cycle of an oscillation is followed until each repeats the last one; its stiffness is that of the fundamental, its work ∮F dΔ".to_owned());
+            let followed = if marched {
+                "every cycle of an oscillation is marched"
+            } else {
+                "cycles of an oscillation are followed until each repeats the last one"
+            };
+            sentences.push(format!("{followed}; its stiffness is that of the fundamental, its work ∮F dΔ"));
         }
-        let adhesive = self.indentation.adhesion.is_some();
         sentences
-            .push(if adhesive { "errors by marching again with other steps" } else { "errors by a second, coarser solution" }.to_owned());
+            .push(if marched { "errors by marching again with other steps" } else { "errors by a second, coarser solution" }.to_owned());
         sentences
     }
 

@@ -1,12 +1,10 @@
-//! Pressure and surface displacement at chosen times: with adhesion the march is walked again along its own path, thinned; without, the history is
-//! solved again up to each.
+//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps is solved again up
+//! to each.
 
 use super::IndentationPlan;
 use super::rows::Values;
 use crate::estimate::Estimate;
-use crate::indentation::{
-    Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_without_adhesion,
-};
+use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_without_steps};
 use crate::outcome::FieldPoint;
 use crate::refusal::Refusal;
 use crate::scene::typed::IndentationFields;
@@ -30,7 +28,6 @@ impl IndentationPlan {
     pub(super) fn fields_of(&self, solution: &IndentationSolution, wanted: &IndentationFields) -> Result<Vec<FieldRow>, Refusal> {
         let path = &solution.march.path;
         let end = path.last().map_or(0.0, |point| point.time);
-        let adhesive = self.indentation.adhesion.is_some();
         let problem = self.problem()?;
         let states: Vec<(PathPoint, [SurfaceFields; 2], f64)> = wanted
             .times
@@ -41,8 +38,8 @@ impl IndentationPlan {
                     return Err(Refusal::OutOfRange { quantity: "fields.times", value: time, allowed: "within the history" });
                 }
                 let time = time.min(end);
-                if !adhesive {
-                    let (point, surfaces) = surface_without_adhesion(&self.material, &problem, solution, time)?;
+                if problem.is_without_steps() {
+                    let (point, surfaces) = surface_without_steps(&self.material, &problem, solution, time)?;
                     return Ok((point, surfaces, 0.0));
                 }
                 let springs = Springs::new(&self.material)?;
@@ -64,7 +61,7 @@ impl IndentationPlan {
     fn walked<'s>(&self, springs: &'s Springs, path: &[PathPoint], time: f64, moves: usize) -> Result<Contact<'s>, Refusal> {
         let profile = self.profile.clone();
         let problem = self.problem()?;
-        let sweep = Sweep::Linear;
+        let sweep = if problem.adhesion.is_some() { Sweep::Linear } else { Sweep::Profile };
         let first = path.first().ok_or_else(no_path)?;
         let mut contact = match problem.start {
             Start::Relaxed => Contact::relaxed(springs, profile, first.contact_radius, first.penetration)?,
