@@ -297,6 +297,8 @@ fn what_is_solved_without_steps() {
         assert!(!of(history).is_without_steps());
     }
     assert!(!of(History::force(1.0).ramp(2.0, 1.0)).relaxed().is_without_steps());
+    let punch = |history| IndentationProblem::new(Profile::FlatPunch { radius: 1e-3 }, None, history).is_without_steps();
+    assert!(punch(pressed()) && !punch(pressed().oscillate(Oscillation::steady(1e-6, 1.0), 3.0)));
 }
 
 /// Thousands of cycles within bounded memory; each of the last ones is the one before.

@@ -319,7 +319,7 @@ fn a_record_with_noise_ends() {
     let mut scene = String::from(
         "accuracy = 1e-2\n[material]\nrelaxed_modulus = 6000.0\npoisson_ratio = 0.5\n\
          relaxation = [{ modulus = 5000.0, relaxation_time = 3.0 }, { modulus = 6000.0, relaxation_time = 0.2 }]\n\
-         [indentation]\nsphere = { radius = \"100 µm\" }\n",
+         [indentation]\nsphere = { radius = \"100 µm\" }\ninstants = 1\n",
     );
     for k in 1..=2000 {
         let time = 15.0 * f64::from(k) / 2000.0;

@@ -82,6 +82,11 @@ impl Chain {
         self.voigt.iter().filter(|(rate, _)| *rate > 0.0).fold(relaxation, |most, &(rate, _)| most.max(rate.recip()))
     }
 
+    /// How long a difference is remembered: the longest time, for ever where something flows.
+    pub(super) fn memory(&self) -> f64 {
+        if self.voigt.iter().any(|(rate, _)| *rate == 0.0) { f64::INFINITY } else { self.longest_time() }
+    }
+
     /// What leaves contact at W: u becomes e, in place.
     pub(super) fn released(&self, displacement: f64, state: &mut [f64], scratch: &mut Vec<f64>) {
         scratch.clear();

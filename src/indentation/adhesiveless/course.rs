@@ -29,7 +29,9 @@ const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 const FIRST_OF_LEDGER: f64 = 0.02;
 
 /// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
-const REPEATED: f64 = 1e-6;
+const REPEATED: f64 = 1e-5;
+/// Change of a cycle over the depth that is rounding.
+const NO_CHANGE: f64 = 4e-15;
 
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
@@ -347,10 +349,13 @@ impl<'a> Course<'a> {
         let left = (last + 1).saturating_sub(next);
         let before = at_start.replace(self.line.clone());
         let Some(before) = before.filter(|_| left > 1) else { return 0 };
-        // Nothing that follows makes a difference larger: so many cycles change by at most so many times as much as this one did.
-        let change = self.line.distance(&before) * left as f64;
+        // Nothing that follows makes a difference larger: so many cycles change by at most so many times as much as this one did, and no more of them
+        // than memory lasts.
+        let last_change = self.line.distance(&before);
+        let remembered = 2.0 * (1.0 + oscillation.frequency * self.chain.memory());
+        let change = last_change * remembered.min(left as f64);
         let allowed = REPEATED * self.problem.accuracy * self.line.depth;
-        if change > allowed {
+        if change > allowed && last_change > NO_CHANGE * self.line.depth {
             return 0;
         }
         self.line.joined += change;

@@ -22,6 +22,8 @@ const OF_CHANGE: f64 = 100.0;
 const SOFTEST: f64 = 1e4;
 /// Points of cycles and powers over their first number, at most: a contact that is lost and found within a cycle has a force that is not smooth.
 const DENSEST: u32 = 8;
+/// Part of an error that denser points must leave to go on.
+const HELPED: f64 = 0.6;
 /// Series over the accuracy.
 const OF_ACCURACY: f64 = 1e-7;
 
@@ -48,7 +50,7 @@ pub(in crate::indentation) fn solve(
 ) -> Result<IndentationSolution, Refusal> {
     let chain = Chain::new(material)?;
     let mut work = IndentationWork::default();
-    let (mut points, mut number) = (1, 0);
+    let (mut points, mut number, mut excess) = (1, 0, f64::INFINITY);
     loop {
         let mut course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
             number += 1;
@@ -64,10 +66,12 @@ pub(in crate::indentation) fn solve(
         // The finer course errs by a small part of the change between both.
         coarse.tolerance = fine.tolerance * OF_CHANGE;
         let traces = vec![fine, coarse];
-        let mut solution = judged(problem, &traces, 0)
-            .map(|verdict| verdict.solution(work))
-            .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
-        if solution.reached || points >= DENSEST {
+        let verdict =
+            judged(problem, &traces, 0).ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
+        let helped = verdict.excess < HELPED * excess;
+        excess = verdict.excess;
+        let mut solution = verdict.solution(work);
+        if solution.reached || points >= DENSEST || !helped {
             widen(&mut solution, &chain, problem, unknown);
             return Ok(solution);
         }

@@ -48,6 +48,8 @@ const CYCLE_MOVES: f64 = 72.0;
 const CYCLE_MOVES_ORDER: f64 = 0.25;
 const REPEATING: f64 = 20.0;
 const MOVE_UPDATES: f64 = 350.0;
+/// Moves between two instants where the power is added up.
+const LEDGER: f64 = 30.0;
 
 /// No prediction is larger.
 const MOST: f64 = 1e11;
@@ -94,6 +96,7 @@ impl IndentationPlan {
                 None => MOVES,
             })
             .sum();
+        let moves = if self.indentation.energies { moves * LEDGER } else { moves };
         (moves, moves * MOVE_UPDATES)
     }
 
