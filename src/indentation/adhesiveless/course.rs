@@ -386,7 +386,7 @@ impl<'a> Course<'a> {
                     _ => break,
                 }
             }
-        } else if self.problem.energies {
+        } else if self.problem.energies && self.until.is_infinite() {
             let (ratio, even) = self.fineness.ledger;
             let mut way = FIRST_OF_LEDGER * self.chain.shortest_time().min(target - self.time);
             while self.time + way < target {

@@ -126,8 +126,8 @@ impl<'a> Line<'a> {
             if self.profile.line(high) < depth {
                 return Err(Refusal::NoSuchState {
                     reason: format!("the contact reaches out beyond the last point of the table: the depth of its edge would be {depth:e}"),
-                    limit_name: "the depth of the line profile at its last point",
-                    limit: self.profile.line(high),
+                    limit_name: "the radius of its last point",
+                    limit: high,
                 });
             }
         } else {
