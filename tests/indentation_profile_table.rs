@@ -214,3 +214,91 @@ fn wrong_points_are_refused() {
         (0..40).map(|k| f64::from(k) * 0.1).map(|r| (r, 1e-3 * r * r + (5.0 * (r - 1.0)).tanh() + 5.0f64.tanh())).collect();
     assert!(matches!(Profile::table(&plateau), Err(Refusal::NoSuchState { .. })));
 }
+
+/// Rough tables: heights that rise by noise, of a rough tip, of steps, of a flat with one asperity. Where terms of f′ cancel, its series must be taken to end where rounding
+/// begins: 2e-15 of a small difference is never reached, and halving for it fills the memory. Oracle: f by Gauss's rule in θ from point to point, r = s sin θ, of
+/// the slopes of the cubic. 1e-12: sums of a few hundred numbers.
+#[test]
+fn rough_points_end_with_a_shape_or_a_refusal() {
+    const NODES: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_5),
+        (0.960_289_856_497_536_2, 0.101_228_536_290_376_3),
+    ];
+    let (told, tell) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let mut seed = 20_261_125_u64;
+        let mut drawn = move || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let (mut shapes, mut refused) = (0, 0);
+        for table in 0..200 {
+            let count = 4 + (drawn() * 40.0) as usize;
+            let (kind, noise) = (table % 4, drawn() * 0.4);
+            let (mut r, mut z, mut points) = (0.0, 0.0, vec![(0.0, 0.0)]);
+            for k in 1..count {
+                let step = if drawn() < 0.2 { 1e-3 } else { 1.0 } * (0.5 + drawn());
+                let mean = match kind {
+                    0 => r + 0.5 * step,
+                    1 => 1.0 + 0.2 * drawn(),
+                    2 => {
+                        if k % 5 == 0 {
+                            3.0
+                        } else {
+                            1e-3
+                        }
+                    }
+                    _ => {
+                        if r < 5.0 {
+                            1e-2
+                        } else {
+                            r
+                        }
+                    }
+                };
+                r += step;
+                z += step * mean * (1.0 + noise * (drawn() - 0.5));
+                points.push((r, z));
+            }
+            match Profile::table(&points) {
+                Ok(profile) => {
+                    let Profile::Table(shape) = &profile else { panic!("not a table") };
+                    shapes += 1;
+                    for _ in 0..5 {
+                        let s = r * drawn().max(1e-3);
+                        let angle = |r: f64| (r / s).min(1.0).asin();
+                        let mut knots: Vec<f64> = points.iter().map(|point| point.0).filter(|r| *r < s).map(angle).collect();
+                        knots.push(FRAC_PI_2);
+                        let mut sum = 0.0;
+                        for pair in knots.windows(2) {
+                            for part in 0..8 {
+                                let width = (pair[1] - pair[0]) / 8.0;
+                                let middle = pair[0] + width * (f64::from(part) + 0.5);
+                                for (node, weight) in NODES {
+                                    let at = |theta: f64| shape.slope(s * theta.sin());
+                                    sum += 0.5 * width * weight * (at(middle + 0.5 * width * node) + at(middle - 0.5 * width * node));
+                                }
+                            }
+                        }
+                        assert!(
+                            (profile.line(s) - s * sum).abs() < 1e-12 * s * sum.abs(),
+                            "{table} {s:e} {:e} {:e}",
+                            profile.line(s),
+                            s * sum
+                        );
+                    }
+                }
+                Err(refusal) => {
+                    refused += 1;
+                    assert!(matches!(refusal, Refusal::NoSuchState { .. }), "{table}: {refusal}");
+                }
+            }
+        }
+        told.send((shapes, refused)).unwrap();
+    });
+    let (shapes, refused) = tell.recv_timeout(std::time::Duration::from_secs(120)).expect("a shape does not end, or is wrong");
+    println!("{shapes} shapes, {refused} that flatten outwards");
+    assert!(shapes > 30 && refused > 10);
+}

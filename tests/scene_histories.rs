@@ -25,7 +25,7 @@ fn history_of(text: &str, csv: &str, allowed: &[HistoryQuantity], owner: &str) -
     let mut document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();
     document.attach("measured.csv", SourceText::new("measured.csv", csv.to_owned()));
     check(&document.root)?;
-    Ok(read::history::read(&document, allowed, owner)?.unwrap().segments)
+    Ok(read::history::read_alone(&document, allowed, owner)?.unwrap().segments)
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn what_is_wrong_is_said_at_its_line() {
 #[test]
 fn an_empty_history_and_a_missing_one_differ() {
     let document = |text: &str| Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();
-    assert!(read::history::read(&document("title = \"x\""), CRACK, "a crack").unwrap().is_none());
-    let error = read::history::read(&document("history = []"), CRACK, "a crack").unwrap_err();
+    assert!(read::history::read_alone(&document("title = \"x\""), CRACK, "a crack").unwrap().is_none());
+    let error = read::history::read_alone(&document("history = []"), CRACK, "a crack").unwrap_err();
     assert!(error.to_string().contains("empty list"), "{error}");
 }

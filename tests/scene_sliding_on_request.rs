@@ -117,7 +117,7 @@ fn columns_are_there_on_request_only() {
     ] {
         let with = |rest: &str| plain(&format!("columns = [\"{asked}\"]\n{rest}"));
         for (rest, base, more) in
-            [(load, 17, of_state), ("[sliding.strength]", 14, of_strength), ("[sliding.branch]\nparameter = \"half_width\"", 21, of_branch)]
+            [(load, 20, of_state), ("[sliding.strength]", 14, of_strength), ("[sliding.branch]\nparameter = \"half_width\"", 21, of_branch)]
         {
             match more {
                 Some(more) => assert_eq!(names(&with(rest)).len(), base + more, "{asked} {rest}"),
@@ -125,12 +125,12 @@ fn columns_are_there_on_request_only() {
             }
         }
     }
-    assert_eq!(names(&state(INPUTS, "")).len(), 19);
+    assert_eq!(names(&state(INPUTS, "")).len(), 22);
     let work = |rest: &str| {
         let found = solved(&plain(rest));
         found.len()
     };
-    assert_eq!(work(load), 17);
+    assert_eq!(work(load), 20);
 }
 
 #[test]

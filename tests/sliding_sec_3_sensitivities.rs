@@ -197,3 +197,45 @@ fn sensitivities_of_strengths_are_derivatives_of_strengths() {
         }
     }
 }
+
+/// What a scene asks for is how well the contact is known, and derivatives there lack as much: the bounds cover what a tighter run changes. Oracle: the same at 1e-11.
+#[test]
+fn bounds_of_sensitivities_cover_what_the_place_lacks() {
+    let wide: [(f64, f64); 2] = [(0.99, 7e-7), (0.01, 0.13)];
+    let mut compared = 0;
+    for (beta, shares, rate, work, zone) in [
+        (1.16, &wide[..], 3.1e4, 9e-3, 0.029),
+        (5.0, &ONE[..], 0.3, 8e-3, 0.01),
+        (20.0, &THREE[..], 2.0, 3e-3, 3e-3),
+        (2.0, &wide[..], 30.0, 5e-3, 0.05),
+        (100.0, &ONE[..], 1e-2, 1e-3, 1e-3),
+    ] {
+        let material = solid(RELAXED, beta, 1.0, shares);
+        for (indenter, control) in [
+            (Indenter::Wave, SlidingControl::MeanPressure(0.0)),
+            (Indenter::Wave, SlidingControl::HalfWidth(0.9)),
+            (Indenter::Wave, SlidingControl::Penetration(0.2)),
+            (Indenter::Parabola, SlidingControl::HalfWidth(0.7)),
+        ] {
+            let at = |accuracy: f64| {
+                let adhesion = Some(WaveAdhesion::even(work, zone));
+                let problem = SlidingProblem { rate, indenter, adhesion, work_by_speed: None, control, accuracy };
+                let Ok(SlidingOutcome::Partial(partial)) = steady_sliding(&material, &problem) else { return None };
+                let found = state_sensitivities(&material, &problem, &partial.values).ok()?;
+                Some([found.half_width, found.mean_pressure, found.penetration, found.friction_stress])
+            };
+            let Some(truth) = at(1e-11) else { continue };
+            for accuracy in [1e-3, 1e-5, 1e-7] {
+                let found = at(accuracy).unwrap();
+                for (one, other) in found.iter().flatten().zip(truth.iter().flatten()) {
+                    let (Some(one), Some(other)) = (one, other) else { continue };
+                    compared += 1;
+                    let off = (one.value - other.value).abs();
+                    assert!(off <= one.error + other.error, "β = {beta}, {indenter:?}, {control:?}, {accuracy:e}: {one:?} {other:?}");
+                }
+            }
+        }
+    }
+    println!("{compared} sensitivities");
+    assert!(compared > 400);
+}

@@ -19,6 +19,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "method": plan.method(),
             "groups": plan.groups(),
             "predicted_work": work,
+            "predicted_memory_bytes": plan.predicted_memory(),
             "accuracy": source.scene.accuracy,
         });
         print(&format!("{value:#}\n"))?;
@@ -45,7 +46,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         let line = format!("  {:32} {:.6e} {unit}", group.name, group.value);
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    let _ = writeln!(text, "\npredicted work\n  {work}");
+    let _ = writeln!(text, "\npredicted work\n  {work}, at most {} MB of memory", plan.predicted_memory().div_ceil(1_000_000));
     print(&text)?;
     Ok(0)
 }

@@ -115,6 +115,12 @@ impl IndentationProblem {
                 reason: "an edge at rest bears any of a range of works of adhesion, or the process zone follows the load".into(),
             });
         }
+        let rim = self.profile.rim();
+        let starts = std::iter::once((self.history.controlled, self.history.start));
+        let ends = self.history.segments.iter().map(|segment| (segment.controlled, segment.end));
+        if let Some((_, radius)) = starts.chain(ends).find(|(controlled, value)| *controlled == Controlled::ContactRadius && *value > rim) {
+            return Err(Refusal::out_of_range("contact_radius", radius, "at most the radius of the rim"));
+        }
         match self.frame_stiffness {
             Some(stiffness) => {
                 require_positive("frame_stiffness", stiffness)?;

@@ -22,7 +22,6 @@
 pub mod broad;
 mod complex_modulus;
 pub mod conversion;
-pub mod felt;
 pub mod fit;
 mod running_mean;
 pub mod shift;

@@ -108,14 +108,14 @@ pub enum Verdict {
 
 impl Outcome {
     /// The exit code. A sweep gives 0 if any row is solved; a single state only if every row of it is. Otherwise 4 if a row is
-    /// inaccurate or did not converge, 2 if one contradicts the scene, 3 if no such state exists.
+    /// inaccurate, did not converge or is inadmissible, 2 if one contradicts the scene, 3 if no such state exists.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         let any = |status: Status| self.rows.iter().any(|row| row.status == status);
         let solved = if self.swept.is_empty() { self.rows.iter().all(|row| row.status == Status::Solved) } else { any(Status::Solved) };
         if solved {
             0
-        } else if any(Status::Inaccurate) || any(Status::NotConverged) {
+        } else if any(Status::Inaccurate) || any(Status::NotConverged) || any(Status::Inadmissible) {
             4
         } else if any(Status::Invalid) {
             2

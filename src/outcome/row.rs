@@ -31,6 +31,8 @@ pub enum Status {
     Invalid,
     /// An iteration did not converge: a defect to report.
     NotConverged,
+    /// A state was found that cannot exist (it overlaps, or is pressed where it must pull): a defect to report; the witness says by how much.
+    Inadmissible,
 }
 
 impl Status {
@@ -50,6 +52,7 @@ impl Status {
             Self::Undefined => "undefined",
             Self::Invalid => "invalid",
             Self::NotConverged => "not_converged",
+            Self::Inadmissible => "inadmissible",
         }
     }
 }
@@ -94,7 +97,7 @@ pub struct Certificate {
     pub residual: f64,
     /// |d ln(output)/d ln(input)| of the solution: how strongly it feels its input.
     pub condition: f64,
-    /// Whether the state was checked to be one that can exist (signs, limits).
+    /// Whether the state was checked to be one that can exist (signs, limits). A row without it keeps no values, see [`Row::settled`].
     pub admissible: bool,
 }
 
@@ -143,7 +146,7 @@ pub struct Row {
     pub status: Status,
     /// Why, for everything but [`Status::Solved`]; for a full contact, the limit that was passed.
     pub reason: Option<String>,
-    /// The limit that was passed, by a state that does not exist or by a full contact.
+    /// The limit that was passed, by a state that does not exist or by a full contact; of an inadmissible state, what it violates.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub witness: Option<Witness>,
     /// Values in the order of the columns; none where a quantity does not exist.
@@ -202,10 +205,27 @@ impl Row {
         if let Refusal::NoSuchState { limit_name, limit, .. } = refusal {
             self.witness = Some(Witness { name: (*limit_name).to_owned(), value: *limit });
         }
-        self.values.fill(None);
         self.certificate = None;
+        self.emptied();
+    }
+
+    /// No value, and nothing that follows from one.
+    fn emptied(&mut self) {
+        self.values.fill(None);
         self.assumptions.clear();
         self.fields.clear();
+    }
+
+    /// The row as it may be shown. A state that cannot exist is never solved: its row ends as [`Status::Inadmissible`], keeps its certificate as evidence, and no value.
+    #[must_use]
+    pub fn settled(mut self) -> Self {
+        if self.status.has_values() && self.certificate.is_some_and(|certificate| !certificate.admissible) {
+            self.status = Status::Inadmissible;
+            let violated = self.witness.as_ref().map_or_else(String::new, |witness| format!(" ({} = {:e})", witness.name, witness.value));
+            self.reason = Some(format!("the state that was found cannot exist{violated}: please report this scene"));
+            self.emptied();
+        }
+        self
     }
 
     /// Lets a row pass whose every number is finite: infinities and NaNs stand in no table, and JSON has no word for them.

@@ -85,7 +85,8 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     if let Some(first) = noted().next() {
         let _ = writeln!(text, "{} of {total} rows {}: {}", noted().count(), row_word(first), first.reason.as_deref().unwrap_or(""));
     }
-    for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged] {
+    for status in [Status::Inaccurate, Status::NoSuchState, Status::Undefined, Status::Invalid, Status::NotConverged, Status::Inadmissible]
+    {
         let count = outcome.rows.iter().filter(|row| row.status == status).count();
         if let Some(first) = outcome.rows.iter().find(|row| row.status == status) {
             let _ = writeln!(text, "{count} of {total} rows {}: {}", status.word(), first.reason.as_deref().unwrap_or(""));

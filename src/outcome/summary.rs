@@ -38,6 +38,7 @@ pub fn summary(outcome: &Outcome) -> Value {
             "undefined": count(Status::Undefined),
             "invalid": count(Status::Invalid),
             "not_converged": count(Status::NotConverged),
+            "inadmissible": count(Status::Inadmissible),
         },
         "results": if outcome.rows.len() <= MOST_ROWS { outcome.rows.iter().map(|row| result(outcome, row)).collect() } else { Vec::new() },
     })

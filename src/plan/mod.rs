@@ -33,6 +33,15 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
 
+/// The program with its libraries and a few rows.
+const BYTES_OF_THE_PROGRAM: u64 = 10 << 20;
+/// A row with its words, certificate and work; a value with its error, as a number and in the tables that are written.
+const BYTES_OF_A_ROW: u64 = 800;
+const BYTES_OF_A_CELL: u64 = 48;
+/// A place of a field, and a field there.
+const BYTES_OF_A_POINT: u64 = 72;
+const BYTES_OF_A_FIELD: u64 = 48;
+
 /// What a problem says about one state of a scene, and how it solves it.
 trait ProblemPlan: Debug + Send + Sync {
     /// The problem's name.
@@ -47,6 +56,12 @@ trait ProblemPlan: Debug + Send + Sync {
     fn groups(&self) -> Vec<Group>;
     /// Predicted work of the whole sweep of so many states.
     fn predicted_work(&self, states: u64) -> Work;
+    /// Rows of a state, at most.
+    fn rows_of_a_state(&self) -> u64;
+    /// Memory that solving a state takes besides its rows (bytes), at most.
+    fn memory_of_a_state(&self) -> u64 {
+        1 << 20
+    }
     /// The times (from, to) that the state visits, if they are known before it is solved: 0 and ∞ are open ends.
     fn visited_times(&self) -> Option<[f64; 2]> {
         None
@@ -86,9 +101,6 @@ pub struct Plan {
     material: SceneMaterial,
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
-    unfelt: Option<material::Unfelt>,
-    /// Predicted work with all terms, and without the unfelt ones.
-    saved: Option<[Work; 2]>,
     states: usize,
 }
 
@@ -98,25 +110,16 @@ impl Plan {
     /// # Errors
     /// A number of the scene that the physics refuses.
     pub fn new(scene: &Scene) -> Result<Self, Refusal> {
-        let mut full = problem_plan(scene)?;
+        let mut problem = problem_plan(scene)?;
         let states = sweep::states(&scene.sweeps);
-        let visited = full.visited_times();
+        let visited = problem.visited_times();
         // A law that the scene reaches beyond is expanded as far.
         let wide = material::widened(scene, visited);
         let scene = wide.as_ref().unwrap_or(scene);
         if wide.is_some() {
-            full = problem_plan(scene)?;
+            problem = problem_plan(scene)?;
         }
-        let unfelt = material::Unfelt::new(scene, visited)?;
-        let (problem, saved) = match unfelt.as_ref().and_then(|unfelt| unfelt.shorter(scene)) {
-            Some(shorter) => {
-                let problem = problem_plan(&shorter)?;
-                let saved = [full.predicted_work(states as u64), problem.predicted_work(states as u64)];
-                (problem, Some(saved))
-            }
-            None => (full, None),
-        };
-        Ok(Self { problem, material: scene.material.clone(), visited, unfelt, saved, states })
+        Ok(Self { problem, material: scene.material.clone(), visited, states })
     }
 
     /// The problem's name.
@@ -136,7 +139,6 @@ impl Plan {
     pub fn effects(&self) -> Vec<Effect> {
         let mut effects = self.problem.effects();
         effects.extend(material::effects(&self.material));
-        effects.extend(self.unfelt.as_ref().map(|unfelt| unfelt.effect(self.saved)));
         effects
     }
 
@@ -156,6 +158,19 @@ impl Plan {
     #[must_use]
     pub fn predicted_work(&self) -> Work {
         self.problem.predicted_work(self.states as u64)
+    }
+
+    /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
+    /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
+    #[must_use]
+    pub fn predicted_memory(&self) -> u64 {
+        let states = self.states as u64;
+        let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
+        let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
+        let rows = (self.problem.rows_of_a_state() * states).saturating_mul(row);
+        let fields = self.predicted_work().field_evaluations.saturating_mul(point);
+        let at_once = (rayon::current_num_threads() as u64).min(states);
+        BYTES_OF_THE_PROGRAM + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
     }
 
     /// Number of states.
@@ -190,11 +205,7 @@ impl Plan {
 
     /// The same, telling a desk how far it is, and from the checkpoint that is there.
     fn solve_at(&self, desk: &Desk<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
-        let mut rows = self.problem.solve(state, swept, desk);
-        if let Some(unfelt) = &self.unfelt {
-            unfelt.widen(&mut rows);
-        }
-        rows
+        self.problem.solve(state, swept, desk).into_iter().map(Row::settled).collect()
     }
 
     /// The model's assumptions held against the rows.

@@ -52,8 +52,6 @@ pub struct SceneMaterial {
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.
     pub climate: Option<Climate>,
-    /// Relative change of a result that leaving unfelt terms out may make, if given.
-    pub leave_out: Option<f64>,
 }
 
 /// What a scene asks for.

@@ -27,6 +27,7 @@ SCRIPTS = {
     "contact_rolling": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],
     "sliding_held_loads": ["mpmath", "numpy", "scipy"],
+    "adhesiveless": ["mpmath"],
     "sliding_hysteresis": ["mpmath"],
     "sliding_wave": ["mpmath"],
     "material_conversion": ["mpmath"],
@@ -36,7 +37,7 @@ SCRIPTS = {
 }
 # The elastic references know no subset: only the full run.
 FULL_ONLY = {"elastic"}
-HELPERS = {"common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check"}
+HELPERS = {"common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check", "ting_graham"}
 
 
 def run(script):

@@ -1,6 +1,7 @@
 //! The exact line profile of one piece of a shape: f = s∫z′/√(s² − r²) dr and f′ = ∫(z′ + r z″)/√(s² − r²) dr.
 //!
-//! Every term of the sums is of one sign where z is convex, so that nothing cancels. With r = s sin θ the integrand is a polynomial of second degree in
+//! Every term of the sums is of one sign where z is convex. Where it is not, terms of f′ cancel, so the sum of their magnitudes is told as well: rounding is
+//! relative to it. With r = s sin θ the integrand is a polynomial of second degree in
 //! sin θ, which eight nodes integrate to rounding; far from s the root itself is smooth, and nodes in r do without the sines.
 
 use crate::special::gauss_legendre::UNIT_RULE_8;
@@ -17,7 +18,7 @@ pub(super) struct Piece {
     pub(super) high: f64,
     start: f64,
     pub(super) coefficients: [f64; 3],
-    /// r, and weights times z′ and z′ + r z″, at the nodes.
+    /// x, and weights times z′ and z′ + r z″, at the nodes.
     nodes: [f64; 8],
     weighted: [[f64; 8]; 2],
 }
@@ -35,9 +36,8 @@ impl Piece {
             [first, 2.0 * (3.0 * secant - 2.0 * first - last) / width, 3.0 * (first + last - 2.0 * secant) / (width * width)];
         let mut piece = Self { low, high, start: from, coefficients, nodes: [0.0; 8], weighted: [[0.0; 8]; 2] };
         for (g, (node, weight)) in UNIT_RULE_8.iter().enumerate().take(8) {
-            let r = low + width * node;
-            let [own, other] = piece.integrands(r);
-            piece.nodes[g] = r;
+            let [own, other] = piece.integrands(width * node);
+            piece.nodes[g] = width * node;
             piece.weighted[0][g] = width * weight * own;
             piece.weighted[1][g] = width * weight * other;
         }
@@ -51,38 +51,45 @@ impl Piece {
     }
 
     pub(super) fn slope(&self, r: f64) -> f64 {
-        self.integrands(r)[0]
+        self.integrands(r - self.low)[0]
     }
 
-    /// z′ and z′ + r z″.
-    fn integrands(&self, r: f64) -> [f64; 2] {
-        let x = r - self.low;
+    /// z′ and z′ + r z″ at x = r − low.
+    fn integrands(&self, x: f64) -> [f64; 2] {
+        let r = self.low + x;
         let [a, b, c] = self.coefficients;
         let slope = a + x * (b + x * c);
         [slope, slope + r * (b + 2.0 * x * c)]
     }
 
-    /// ∫ of both over the part of the piece below s, over √(s² − r²).
-    fn integrals(&self, s: f64) -> [f64; 2] {
-        if s - self.high >= FAR * (self.high - self.low) {
-            let mut sums = [0.0; 2];
+    /// ∫ of both over the part of the piece below s = base + beyond, over √(s² − r²), and of the magnitude of the second.
+    fn integrals(&self, base: f64, beyond: f64) -> [f64; 3] {
+        let s = base + beyond;
+        // Distances from the ends, which rounding of s would spoil near a point.
+        let [from_low, from_high] = [self.low, self.high].map(|end| (base - end) + beyond);
+        if from_high >= FAR * (self.high - self.low) {
+            let mut sums = [0.0; 3];
             for g in 0..8 {
-                let r = self.nodes[g];
-                let root = ((s - r) * (s + r)).sqrt();
+                let x = self.nodes[g];
+                let root = ((from_low - x) * (s + self.low + x)).sqrt();
                 sums[0] += self.weighted[0][g] / root;
                 sums[1] += self.weighted[1][g] / root;
+                sums[2] += self.weighted[1][g].abs() / root;
             }
             return sums;
         }
-        let angle = |r: f64| r.atan2(((s - r) * (s + r)).max(0.0).sqrt());
-        let (low, high) = (angle(self.low), angle(self.high.min(s)));
+        // By the complement of θ, small near s, and by x from the distance: a piece far narrower than its place keeps its digits.
+        let complement = |distance: f64, r: f64| (distance * (s + r)).max(0.0).sqrt().atan2(r);
+        let low = if from_high > 0.0 { complement(from_high, self.high) } else { 0.0 };
+        let high = complement(from_low, self.low);
         let parts = ((high - low) / WIDEST).ceil().max(1.0);
         let width = (high - low) / parts;
-        let mut sums = [0.0; 2];
+        let mut sums = [0.0; 3];
         for part in 0..parts as u32 {
             for (node, weight) in UNIT_RULE_8.iter() {
-                let r = s * (low + width * (f64::from(part) + node)).sin();
-                for (sum, value) in sums.iter_mut().zip(self.integrands(r)) {
+                let half = 0.5 * (low + width * (f64::from(part) + node));
+                let [own, other] = self.integrands(from_low - 2.0 * s * half.sin().powi(2));
+                for (sum, value) in sums.iter_mut().zip([own, other, other.abs()]) {
                     *sum += width * weight * value;
                 }
             }
@@ -91,13 +98,15 @@ impl Piece {
     }
 }
 
-/// f and f′ at s > 0 within the pieces.
-pub(super) fn line_profile(pieces: &[Piece], s: f64) -> [f64; 2] {
-    let mut sums = [0.0; 2];
-    for piece in pieces.iter().take_while(|piece| piece.low < s) {
-        for (sum, value) in sums.iter_mut().zip(piece.integrals(s)) {
+/// f and f′ at s = base + beyond > 0 within the pieces, and the sum of the magnitudes of the terms of f′. Near a point, which is then the base, f′ goes as
+/// the root of what lies beyond.
+pub(super) fn line_profile(pieces: &[Piece], base: f64, beyond: f64) -> [f64; 3] {
+    let s = base + beyond;
+    let mut sums = [0.0; 3];
+    for piece in pieces.iter().take_while(|piece| (base - piece.low) + beyond > 0.0) {
+        for (sum, value) in sums.iter_mut().zip(piece.integrals(base, beyond)) {
             *sum += value;
         }
     }
-    [s * sums[0], sums[1]]
+    [s * sums[0], sums[1], sums[2]]
 }

@@ -7,10 +7,12 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Terms of a series.
 const TERMS: usize = 24;
-/// Last coefficients over the largest below which a series has converged.
+/// Last coefficients over the largest, of f′ over the magnitude of its terms, below which a series has converged.
 const SMALL: f64 = 2e-15;
-/// Halvings of a stretch.
+/// Halvings of a stretch, all towards a point near which another one lies.
 const DEEPEST: u32 = 40;
+/// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; a shape that asks for more is noise.
+const MOST_STRETCHES: usize = 3 * DEEPEST as usize;
 
 /// f and f′ over low ≤ s ≤ high.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,22 +45,23 @@ impl Series {
         let axis_terms = [FRAC_PI_2 * a, b, FRAC_PI_4 * c];
         let mut stretches = Vec::with_capacity(rest.len());
         for piece in rest {
-            // What is still to be covered, the nearest last.
-            let mut waiting = vec![(piece.low, piece.high, true, 0)];
-            while let Some((low, high, rooted, depth)) = waiting.pop() {
-                let (stretch, converged) = Stretch::sampled(pieces, low, high, rooted);
+            // What is still to be covered, from the point on, the nearest last.
+            let mut waiting = vec![(0.0, piece.high - piece.low, true, 0)];
+            let own = stretches.len();
+            while let Some((from, to, rooted, depth)) = waiting.pop() {
+                let (stretch, converged) = Stretch::sampled(pieces, piece.low, [from, to], rooted);
                 if converged {
                     stretches.push(stretch);
-                } else if depth < DEEPEST {
-                    let middle = 0.5 * (low + high);
-                    waiting.push((middle, high, false, depth + 1));
-                    waiting.push((low, middle, rooted, depth + 1));
+                } else if depth < DEEPEST && stretches.len() < own + MOST_STRETCHES {
+                    let middle = 0.5 * (from + to);
+                    waiting.push((middle, to, false, depth + 1));
+                    waiting.push((from, middle, rooted, depth + 1));
                 } else {
-                    return Err(unresolved(low));
+                    return Err(unresolved(piece.low + from));
                 }
             }
         }
-        let [value, slope] = line_profile(pieces, 1.0);
+        let [value, slope, _] = line_profile(pieces, 1.0, 0.0);
         let mut series = Self {
             axis: axis_terms,
             first: axis.high,
@@ -135,13 +138,13 @@ fn unresolved(place: f64) -> Refusal {
 }
 
 impl Stretch {
-    /// The series through TERMS places, and whether they suffice.
-    fn sampled(pieces: &[Piece], low: f64, high: f64, rooted: bool) -> (Self, bool) {
-        let width = high - low;
+    /// The series through TERMS places that lie so far beyond a point, and whether they suffice.
+    fn sampled(pieces: &[Piece], point: f64, [from, to]: [f64; 2], rooted: bool) -> (Self, bool) {
+        let (low, high, width) = (point + from, point + to, to - from);
         let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
-        let samples: [[f64; 2]; TERMS] = std::array::from_fn(|k| {
+        let samples: [[f64; 3]; TERMS] = std::array::from_fn(|k| {
             let x = 0.5 * (1.0 + angle(k).cos());
-            line_profile(pieces, low + width * if rooted { x * x } else { x })
+            line_profile(pieces, point, from + width * if rooted { x * x } else { x })
         });
         let transformed = |which: usize| -> [f64; TERMS] {
             std::array::from_fn(|j| {
@@ -151,8 +154,8 @@ impl Stretch {
         };
         let [value, slope] = [transformed(0), transformed(1)];
         let small = |series: &[f64; TERMS], scale: f64| series[TERMS - 3..].iter().all(|c| c.abs() <= SMALL * scale);
-        // f′ is that of its own stretch, or of f over the place, whichever is larger: no more digits are there.
-        let slope_scale = slope[0].abs().max(value[0].abs() / high);
+        // Where terms of f′ cancel, no more digits are there than their magnitudes leave.
+        let slope_scale = samples.iter().fold(0.0, |most: f64, sample| most.max(sample[2])).max(value[0].abs() / high);
         // A stretch as narrow as rounding is a line.
         let converged = (small(&value, value[0].abs()) && small(&slope, 4.0 * slope_scale)) || width <= 1e-12 * high;
         (Self { low, width, rooted, value, slope }, converged)

@@ -31,9 +31,13 @@ const PER_DECADE: f64 = 7.0;
 const MOST_LENGTH: f64 = 92.2;
 /// Most terms.
 const MOST_TERMS: usize = 200;
-/// Steps of a refinement, and how often weights are raised.
+/// Most steps of a refinement, how many are taken between two looks at its largest error, and how often weights are raised.
 const STEPS: usize = 60;
+const BETWEEN_LOOKS: usize = 5;
 const RAISED: usize = 3;
+/// Part of the accuracy at which a refinement ends, as nothing is gained by more; and looks without a smaller largest error after which it ends.
+const ENOUGH: f64 = 0.7;
+const PATIENCE: u32 = 4;
 /// Cells beyond each end of the range, and how they grow.
 const END_CELLS: usize = 8;
 const END_GROWTH: f64 = 1.4;
@@ -185,8 +189,21 @@ fn graded_steps(law: &BroadLaw, [low, high]: [f64; 2], step: f64) -> SeriesShape
 /// Refined until the largest error is as small as it gets, or small enough.
 fn minimax(start: &SeriesShape, data: &[Observation], window: [f64; 2], accuracy: f64) -> SeriesShape {
     let mut weighted = data.to_vec();
-    let mut best = start.refined(&weighted, window, STEPS);
-    let mut reached = largest_error(&best, data);
+    let descended = |from: &SeriesShape, weighted: &[Observation]| {
+        let (mut shape, mut least, mut stale) = (from.clone(), f64::INFINITY, 0);
+        for _ in 0..STEPS / BETWEEN_LOOKS {
+            shape = shape.refined(weighted, window, BETWEEN_LOOKS);
+            let error = largest_error(&shape, data);
+            stale = if error < least { 0 } else { stale + 1 };
+            least = least.min(error);
+            if error <= ENOUGH * accuracy || stale == PATIENCE {
+                break;
+            }
+        }
+        let error = largest_error(&shape, data);
+        (shape, error)
+    };
+    let (mut best, mut reached) = descended(start, &weighted);
     let mut current = best.clone();
     for _ in 0..RAISED {
         // Far off, weights do not help; near enough, they are not needed.
@@ -198,8 +215,8 @@ fn minimax(start: &SeriesShape, data: &[Observation], window: [f64; 2], accuracy
         for (observation, error) in weighted.iter_mut().zip(&errors) {
             observation.scale /= (error / mean).clamp(0.1, 10.0).sqrt();
         }
-        current = current.refined(&weighted, window, STEPS);
-        let now = largest_error(&current, data);
+        let now;
+        (current, now) = descended(&current, &weighted);
         if now < reached {
             (best, reached) = (current.clone(), now);
         }

@@ -169,6 +169,11 @@ impl ProblemPlan for DelayedFracturePlan {
         Work { closure_evaluations: mean(sum.closure_evaluations), kernel_evaluations: mean(sum.kernel_evaluations), ..Work::default() }
     }
 
+    fn rows_of_a_state(&self) -> u64 {
+        // The summary, and a few events of each piece of the history.
+        u64::from(self.crack.output.points) + 4 * self.history.stretches().len() as u64 + 16
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(self.units)
     }

@@ -5,7 +5,7 @@ use super::columns::{COUNT, at, columns, name};
 use crate::crack::delayed::trajectory::tends_to;
 use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_until, regime};
 use crate::estimate::Estimate;
-use crate::outcome::{Certificate, Row, Status, Work};
+use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::Units;
 
@@ -171,8 +171,12 @@ impl DelayedFracturePlan {
         // A tip that never heals never goes back.
         let places: Vec<Estimate> = found.samples.iter().filter_map(|sample| sample.growth).collect();
         let forward = places.windows(2).all(|pair| matches!(pair, [one, two] if two.value + two.error + one.error >= one.value));
-        let admissible = forward && found.samples.iter().filter_map(|sample| sample.speed).all(|speed| speed.value >= 0.0);
+        let admissible = forward && found.samples.iter().filter_map(|sample| sample.speed).all(|speed| speed.value + speed.error >= 0.0);
         row.certificate = Some(Certificate { residual: found.residual, condition, admissible });
+        if !admissible {
+            let back = places.iter().zip(places.iter().skip(1)).map(|(one, two)| two.value - one.value).fold(0.0, f64::min);
+            row.witness = Some(Witness { name: "growth that goes back".into(), value: back });
+        }
         row.assumptions = self.assumptions(problem, scales);
         Ok(row)
     }

@@ -1,6 +1,7 @@
 //! What an indentation is expected to cost: the one place to tune when the solver changes.
 
 use super::IndentationPlan;
+use super::cycles::MOST_ROWS as MOST_CYCLE_ROWS;
 use super::timeline::Leg;
 use crate::outcome::Work;
 use crate::scene::typed::{HistoryQuantity, IndentationShape};
@@ -54,7 +55,41 @@ const LEDGER: f64 = 30.0;
 /// No prediction is larger.
 const MOST: f64 = 1e11;
 
+/// Rows of events besides instants and cycles.
+const EVENTS: u64 = 64;
+/// Memory of a point of the path in all marches that judge each other, and of the line with its trials (bytes).
+const POINT_OF_THE_PATH: u64 = 900;
+const LINE: u64 = 3 << 20;
+/// Memory of a cycle in all marches (bytes), and most cycles that are held.
+const CYCLE_HELD: u64 = 2000;
+const MOST_CYCLES: u64 = 4096;
+/// Most points of a path that are held, as `indentation::record` has it, and points for each predicted balance.
+const MOST_POINTS: u64 = 40_000;
+const POINTS_A_BALANCE: u64 = 1;
+
 impl IndentationPlan {
+    /// Rows of a state, at most.
+    pub(super) fn most_rows(&self) -> u64 {
+        let instants = u64::from(self.indentation.instants);
+        let cycles: f64 = self.timeline.legs.iter().map(Leg::cycles).sum();
+        let fields = self.indentation.fields.as_ref().map_or(0, |fields| fields.times.len() as u64);
+        let swings = if self.timeline.oscillates() { instants + (cycles.ceil() as u64).min(MOST_CYCLE_ROWS as u64) } else { 0 };
+        self.timeline.legs.len() as u64 + instants * self.timeline.open_ramps.len() as u64 + swings + fields + EVENTS
+    }
+
+    /// Memory of a state besides its rows (bytes), at most: paths are thinned, and the line is coarsened, so neither grows with the length of a history.
+    pub(super) fn most_memory(&self) -> u64 {
+        let kept = self.timeline.legs.len() as u64;
+        // Of oscillations every path comes to its most points.
+        let points = if self.timeline.oscillates() {
+            MOST_POINTS
+        } else {
+            MOST_POINTS.min(POINTS_A_BALANCE * self.work_of_a_state().closure_evaluations)
+        };
+        let cycles: f64 = self.timeline.legs.iter().map(Leg::cycles).sum();
+        LINE + POINT_OF_THE_PATH * (points + kept) + CYCLE_HELD * (cycles.ceil() as u64).min(MOST_CYCLES)
+    }
+
     /// Expected balances and updates of all cycles.
     fn work_of_cycles(&self) -> (f64, f64) {
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);

@@ -9,7 +9,7 @@ use crate::plan::curves::thinned;
 use std::f64::consts::FRAC_PI_4;
 
 /// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
-const MOST_ROWS: usize = 2000;
+pub(super) const MOST_ROWS: usize = 2000;
 /// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
 

@@ -113,6 +113,14 @@ impl ProblemPlan for IndentationPlan {
         self.work_of_a_state() * states
     }
 
+    fn rows_of_a_state(&self) -> u64 {
+        self.most_rows()
+    }
+
+    fn memory_of_a_state(&self) -> u64 {
+        self.most_memory()
+    }
+
     fn visited_times(&self) -> Option<[f64; 2]> {
         // A jump of the edge takes no time: nothing is too fast.
         Some([0.0, self.timeline.duration()]).filter(|visited| visited[1] > 0.0)

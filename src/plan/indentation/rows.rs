@@ -5,7 +5,7 @@ use super::columns::{COLUMNS, Measure, at, columns, present};
 use crate::elastic::JkrSphere;
 use crate::estimate::Estimate;
 use crate::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
-use crate::outcome::{Certificate, Row, Status, Work};
+use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::curves::thinned;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
@@ -311,9 +311,15 @@ impl IndentationPlan {
         row.values = present(&self.indentation).into_iter().map(shown).collect();
         // Rounding of the edge condition leaves 1e-9 of either scale.
         let [intensity, depth] = [at::STRESS_INTENSITY, at::PENETRATION].map(|place| scales.get(place).copied().unwrap_or(0.0));
-        let admissible = solution.smallest_gap_factor >= -ADMISSIBLE * depth
-            && (self.indentation.adhesion.is_none() || solution.smallest_stress_intensity_factor >= -ADMISSIBLE * intensity);
-        row.certificate = Some(Certificate { residual, condition: 1.0, admissible });
+        // Of the whole history: what overlapped once has spoiled all that follows.
+        let violated = [
+            ("smallest gap outside the contact", solution.smallest_gap_factor, depth, true),
+            ("smallest stress intensity", solution.smallest_stress_intensity_factor, intensity, self.indentation.adhesion.is_some()),
+        ]
+        .into_iter()
+        .find(|(_, least, scale, judged)| *judged && (least.is_nan() || *least < -ADMISSIBLE * scale));
+        row.certificate = Some(Certificate { residual, condition: 1.0, admissible: violated.is_none() });
+        row.witness = violated.map(|(name, value, ..)| Witness { name: name.into(), value });
         row.assumptions = self.assumptions(row);
         row.work = Work::default();
         Ok(())

@@ -6,7 +6,6 @@ mod file;
 mod reach;
 mod screen;
 mod tables;
-mod unfelt;
 
 pub use file::material_file;
 pub use screen::{screen, summary};
@@ -19,7 +18,6 @@ use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
 
 pub(super) use effects::{effects, validity};
 pub(super) use reach::widened;
-pub(super) use unfelt::Unfelt;
 
 /// A material to report on.
 #[derive(Debug, Clone)]

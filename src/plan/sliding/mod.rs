@@ -193,6 +193,15 @@ impl ProblemPlan for SlidingPlan {
         self.work_of_states(states)
     }
 
+    fn rows_of_a_state(&self) -> u64 {
+        match &self.sliding.task {
+            SlidingTask::State => self.sliding.contacts.len() as u64,
+            // Along speeds a slow and a fast branch; turns besides.
+            SlidingTask::Branch(branch) => 2 * u64::from(branch.points) + 32,
+            SlidingTask::Strength => 1,
+        }
+    }
+
     fn visited_times(&self) -> Option<[f64; 2]> {
         let speed = self.sliding.speed.abs();
         if self.sliding.task != SlidingTask::State || speed == 0.0 {

@@ -78,6 +78,12 @@ impl SlidingPlan {
                     condition: partial.certificate.condition,
                     admissible: partial.certificate.admissible,
                 });
+                if !partial.certificate.admissible {
+                    row.witness = Some(Witness {
+                        name: "signs of both edges or of the gap are violated; residual".into(),
+                        value: partial.certificate.residual,
+                    });
+                }
                 if problem.adhesion.is_some() && partial.values.adhesion.is_none() {
                     row.reason = Some(FAINT.to_owned());
                 }

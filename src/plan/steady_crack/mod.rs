@@ -226,6 +226,10 @@ impl ProblemPlan for SteadyCrackPlan {
         self.work_of_a_state() * states
     }
 
+    fn rows_of_a_state(&self) -> u64 {
+        self.crack.theories.len() as u64
+    }
+
     fn visited_times(&self) -> Option<[f64; 2]> {
         let CrackControl::Speed(speed) = self.crack.control else { return None };
         let beta = self.plane_material.stiffening_ratio();

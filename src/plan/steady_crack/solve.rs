@@ -5,7 +5,7 @@ use super::{Prescribed, SteadyCrackPlan};
 use crate::crack::near_tip::{ClosingTip, OpeningTip};
 use crate::crack::{Motion, SteadyState, at_drive, at_speed};
 use crate::estimate::Estimate;
-use crate::outcome::{Certificate, FieldPoint, Row, Status, Work};
+use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::{Fields, Theory, Units};
 use std::f64::consts::{PI, TAU};
@@ -35,15 +35,21 @@ impl SteadyCrackPlan {
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
         let beta = self.plane_material.stiffening_ratio();
-        let admissible = state.energy_release_rate_ratio.is_none_or(|ratio| match self.crack.motion {
-            Motion::Opening => ratio.value >= 1.0 && ratio.value <= beta,
-            Motion::Closing => ratio.value <= 1.0 && ratio.value >= 1.0 / beta,
-        });
-        row.certificate = Some(Certificate {
-            residual: state.residual,
-            condition: self.condition(&state),
-            admissible: admissible && state.drive.value > 0.0,
-        });
+        // Between its limits, at which it may lie, by its own error.
+        let admissible = state.drive.value > 0.0
+            && state.energy_release_rate_ratio.is_none_or(|ratio| {
+                let (low, high) = match self.crack.motion {
+                    Motion::Opening => (1.0, beta),
+                    Motion::Closing => (1.0 / beta, 1.0),
+                };
+                let doubt = ratio.error + 4.0 * f64::EPSILON * ratio.value;
+                ratio.value >= low - doubt && ratio.value <= high + doubt
+            });
+        row.certificate = Some(Certificate { residual: state.residual, condition: self.condition(&state), admissible });
+        if !admissible {
+            let value = state.energy_release_rate_ratio.map_or(state.drive.value, |ratio| ratio.value);
+            row.witness = Some(Witness { name: "energy release rate over the work of adhesion, beyond its limits".into(), value });
+        }
         row.assumptions = self.assumptions(&row.values);
         if let (Some(fields), Theory::VirtualWork) = (self.crack.fields, theory) {
             row.fields = self.fields(&fields, &state)?;

@@ -156,7 +156,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.leave_out",
         kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::NonNegative, reduced: "1" },
-        meaning: "Terms far slower or faster than all times that the scene visits are left out, their sums kept, as long as no result changes by more than this part of itself; 0 keeps all. Default: a twentieth of the accuracy for data and laws, 0 for given terms.",
+        meaning: "All terms are always kept: only 0, which says so, is allowed.",
     },
     Key { path: "material.expansion", kind: Kind::Table, meaning: "How a law is expanded into terms." },
     Key {

@@ -55,7 +55,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document, material: &SceneMater
         Some(_) => (HistoryQuantity::Stress, "a crack in a strip"),
         None => (HistoryQuantity::StressIntensity, "a crack (for a stress give [crack.strip])"),
     };
-    let Some(history) = history::read(document, &[quantity], owner)? else { return Err(top.missing("history")) };
+    let Some(history) = history::read(top, document, &[quantity], owner)? else { return Err(top.missing("history")) };
     let duration = duration(&history);
     let output = output(&crack, duration)?;
     if duration == 0.0 && output.points > 0 {

@@ -24,13 +24,25 @@ const COMPANIONS: [(&str, &[&str]); 7] = [
     ("wave", &["cycles"]),
 ];
 
+/// Reads the history of a checked document by itself; as a problem reads it, but for keys that nobody reads.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read_alone(document: &Document, allowed: &[HistoryQuantity], owner: &str) -> Result<Option<History>, SceneError> {
+    read(&Section::top(&document.root, Units::of(&document.root)), document, allowed, owner)
+}
+
 /// Reads the history of a checked document, of the quantities that its problem lets one control; none if there is no `[[history]]`.
 /// `owner` is the problem in messages ("a crack").
 ///
 /// # Errors
 /// The first thing that is wrong.
-pub fn read(document: &Document, allowed: &[HistoryQuantity], owner: &str) -> Result<Option<History>, SceneError> {
-    let top = Section::top(&document.root, Units::of(&document.root));
+pub(super) fn read(
+    top: &Section<'_>,
+    document: &Document,
+    allowed: &[HistoryQuantity],
+    owner: &str,
+) -> Result<Option<History>, SceneError> {
     let Some(node) = document.root.get("history") else { return Ok(None) };
     let items = top.items("history");
     if items.is_empty() {
@@ -148,8 +160,8 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
         }
         (None, None) => None,
     };
-    let to = table.node().get("to").map(|_| dependent(&table, "to", quantity.dimension(), quantity.range())).transpose()?;
-    let until_stationary = matches!(table.node().get("until_stationary").map(|node| &node.value), Some(Value::Flag(true)));
+    let to = table.value("to").map(|_| dependent(&table, "to", quantity.dimension(), quantity.range())).transpose()?;
+    let until_stationary = matches!(table.value("until_stationary").map(|node| &node.value), Some(Value::Flag(true)));
     if until_stationary {
         let moving = ["to", "to_frequency"].into_iter().find(|key| table.node().get(key).is_some());
         if let Some(key) = moving {
@@ -171,7 +183,7 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
 
 /// A number whose dimension is that of the segment's quantity.
 fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) -> Result<f64, SceneError> {
-    let Some(node) = item.node().get(key) else {
+    let Some(node) = item.value(key) else {
         return Err(item.missing(key).help(format!("`{}` is {}", item.full(key), dimension.example())));
     };
     let path = item.full(key);

@@ -33,7 +33,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let shape = shape(&table, document)?;
     let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
     let edge_law = edge_law.unwrap_or_default();
-    let Some(history) = history::read(document, CONTROLLED, "an indentation")? else {
+    let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
             .help("add [[history]] tables, such as: [[history]] penetration = \"2 µm\", rate = \"1 µm/s\""));
     };
@@ -62,7 +62,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         history,
         speed_factor: table.number("speed_factor")?.unwrap_or(1.0),
         instants: table.number("instants")?.unwrap_or(DEFAULT_INSTANTS) as u32,
-        energies: table.node().get("energies").is_some(),
+        energies: table.value("energies").is_some(),
         fields,
     })
 }
@@ -175,7 +175,7 @@ fn adhesion(top: &Section<'_>, shape: &IndentationShape) -> Result<Option<(Inden
 
 fn fields(table: &Section<'_>, history: &History) -> Result<Option<IndentationFields>, SceneError> {
     let Some(fields) = table.table("fields") else { return Ok(None) };
-    let Some(node) = fields.node().get("times") else { return Err(fields.missing("times")) };
+    let Some(node) = fields.value("times") else { return Err(fields.missing("times")) };
     let Value::List(items) = &node.value else { return Err(fields.missing("times")) };
     if items.is_empty() {
         return Err(SceneError::at(&node.place, "`indentation.fields.times` is an empty list", "name at least one time"));

@@ -27,6 +27,11 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         }
         _ => MaterialOrigin::Terms,
     };
+    let measured_warm = matches!(&origin, MaterialOrigin::Data(fitted) if fitted.data.rows.iter().any(|row| row.temperature.is_some()));
+    if reference.is_some() && shift.is_none() && !measured_warm && table.node().get("temperature").is_none() {
+        let message = "`material.reference_temperature` has no effect without shift factors";
+        return Err(table.wrong("reference_temperature", message, "leave it out, or add material.shift"));
+    }
     let series = match (&origin, way) {
         (MaterialOrigin::Data(fitted), _) => fitted.fit.material.clone(),
         (MaterialOrigin::Law(law), _) => law.expansion.material.clone(),
@@ -42,18 +47,15 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
     let (series, climate) = material_source::at_temperature(&table, shift, reference, series)?;
-    Ok(SceneMaterial {
-        name: table.text("name").map(str::to_owned),
-        series,
-        poisson_ratio,
-        origin,
-        climate,
-        leave_out: table.number("leave_out")?,
-    })
+    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.
 fn belonging(table: &Section<'_>, way: Option<&str>) -> Result<(), SceneError> {
+    // No bound on what leaving terms out changes holds for every problem: a cylinder's friction has a part from every wavelength.
+    if table.number("leave_out")?.is_some_and(|part| part > 0.0) {
+        return Err(table.wrong("leave_out", "no term of a material is left out any more", "delete this line"));
+    }
     let data = way == Some("data");
     if data && table.units() == Units::Reduced {
         return Err(table.wrong("data", "`material.data` is measured in SI units, and the scene is in reduced ones", "this file"));

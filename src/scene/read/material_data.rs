@@ -23,6 +23,7 @@ pub(super) fn from_data(
     reference: Option<f64>,
 ) -> Result<MaterialOrigin, SceneError> {
     let wanted = table.number("fit_error")?.map_or(Wanted::Scatter, Wanted::Error);
+    table.taken("columns");
     let columns = table.node().get("columns").map_or("", |node| node.written());
     let words = format!("{:?} {columns} {wanted:?} {poisson_ratio:?} {shift:?} {reference:?}", table.text("data"));
     document.materials().get(&words, || {

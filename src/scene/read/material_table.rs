@@ -87,6 +87,14 @@ pub(super) fn material_data(table: &Section<'_>, document: &Document, poisson_ra
         MeasuredSort::Relaxation => Role::Relaxation,
         MeasuredSort::Creep => Role::Creep,
     };
+    for (role, ..) in stated_columns(table)? {
+        let of_moduli = matches!(role, Role::Frequency | Role::AngularFrequency | Role::Storage | Role::Loss | Role::LossTangent);
+        let used = role == Role::Temperature || if sort == MeasuredSort::Moduli { of_moduli } else { role == Role::Time || role == main };
+        if let (false, Some(columns)) = (used, table.table("columns")) {
+            let message = format!("`{}` has no effect on a table of the {}", columns.full(word(role)), word(main).replace('_', " "));
+            return Err(columns.wrong(word(role), message, "leave it out"));
+        }
+    }
     let stretch = match rows.columns.iter().find(|column| column.shear) {
         None => 1.0,
         Some(column) => {

@@ -106,7 +106,13 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         Problem::DelayedFracture(_) => 1e-4,
         Problem::Indentation(_) => 1e-3,
     };
-    Ok(Scene {
+    let owner = match &problem {
+        Problem::SteadyCrack(_) => "a steady crack",
+        Problem::DelayedFracture(_) => "a crack under a history",
+        Problem::Sliding(_) => "a sliding contact",
+        Problem::Indentation(_) => "an indentation",
+    };
+    let scene = Scene {
         // One line, whatever the text or the file's name holds.
         title: top.text("title").map_or_else(stem, str::to_owned).replace(char::is_control, " "),
         units,
@@ -114,7 +120,9 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         material,
         problem,
         sweeps: Vec::new(),
-    })
+    };
+    top.all_read(&["units", "sweep"], owner)?;
+    Ok(scene)
 }
 
 /// Reads the material alone, of a scene or of a material file.
@@ -123,7 +131,10 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
 /// The first thing that is wrong with it.
 pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     check(&document.root)?;
-    material::read(&Section::top(&document.root, Units::of(&document.root)), document)
+    let top = Section::top(&document.root, Units::of(&document.root));
+    let material = material::read(&top, document)?;
+    top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
+    Ok(material)
 }
 
 /// The one problem table of a scene.

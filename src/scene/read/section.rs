@@ -5,19 +5,64 @@ use crate::scene::catalogue::{self, Kind};
 use crate::scene::check::{Units, allowed_words, number};
 use crate::scene::diagnostic::{Place, SceneError};
 use crate::scene::document::{Node, Value};
+use std::cell::RefCell;
+use std::collections::HashSet;
+use std::rc::Rc;
 
-/// A table at a path of a scene.
+/// A table at a path of a scene. What is read through it is remembered, so that a key that nobody read is refused: see [`Section::all_read`].
 pub(super) struct Section<'a> {
     node: &'a Node,
     /// Path with real indices, for messages.
     path: String,
     units: Units,
+    /// Paths that were read in this scene.
+    read: Rc<RefCell<HashSet<String>>>,
 }
 
 impl<'a> Section<'a> {
     /// The scene itself.
     pub(super) fn top(root: &'a Node, units: Units) -> Self {
-        Self { node: root, path: String::new(), units }
+        Self { node: root, path: String::new(), units, read: Rc::default() }
+    }
+
+    /// The value under a key, which counts as read.
+    pub(super) fn value(&self, key: &str) -> Option<&'a Node> {
+        let node = self.node.get(key)?;
+        self.read.borrow_mut().insert(self.full(key));
+        Some(node)
+    }
+
+    /// Counts a table as read with all that it holds: its reader is skipped where the same words were read before.
+    pub(super) fn taken(&self, key: &str) {
+        let mut waiting: Vec<(String, &Node)> = self.node.get(key).map(|node| (self.full(key), node)).into_iter().collect();
+        while let Some((path, node)) = waiting.pop() {
+            waiting.extend(node.entries().iter().map(|entry| (format!("{path}.{}", entry.key), &entry.node)));
+            self.read.borrow_mut().insert(path);
+        }
+    }
+
+    /// Refuses the first key of this table that nobody read: it would have no effect. `others` are read elsewhere.
+    pub(super) fn all_read(&self, others: &[&str], owner: &str) -> Result<(), SceneError> {
+        let read = self.read.borrow();
+        let mut waiting: Vec<(String, &Node)> = vec![(self.path.clone(), self.node)];
+        while let Some((path, node)) = waiting.pop() {
+            for entry in node.entries() {
+                let full = if path.is_empty() { entry.key.clone() } else { format!("{path}.{}", entry.key) };
+                if others.contains(&full.as_str()) {
+                    continue;
+                }
+                if !read.contains(&full) {
+                    let message = format!("`{full}` has no effect on {owner} as this scene describes it");
+                    let help = catalogue::key(&catalogue::generic_path(&full)).map_or("", |key| key.meaning);
+                    return Err(SceneError::at(&entry.key_place, message, "leave it out").help(format!("{full}: {help}")));
+                }
+                match &entry.node.value {
+                    Value::List(items) => waiting.extend(items.iter().enumerate().map(|(index, item)| (format!("{full}.{index}"), item))),
+                    _ => waiting.push((full, &entry.node)),
+                }
+            }
+        }
+        Ok(())
     }
 
     pub(super) const fn node(&self) -> &'a Node {
@@ -30,8 +75,8 @@ impl<'a> Section<'a> {
 
     /// The subtable under a key, if it is there.
     pub(super) fn table(&self, key: &str) -> Option<Section<'a>> {
-        let node = self.node.get(key)?;
-        Some(Section { node, path: self.full(key), units: self.units })
+        let node = self.value(key)?;
+        Some(Section { node, path: self.full(key), units: self.units, read: Rc::clone(&self.read) })
     }
 
     /// The subtable under a key.
@@ -44,11 +89,16 @@ impl<'a> Section<'a> {
 
     /// The items of a list of tables.
     pub(super) fn items(&self, key: &str) -> Vec<Section<'a>> {
-        match self.node.get(key).map(|node| &node.value) {
+        match self.value(key).map(|node| &node.value) {
             Some(Value::List(items)) => items
                 .iter()
                 .enumerate()
-                .map(|(index, node)| Section { node, path: format!("{}.{index}", self.full(key)), units: self.units })
+                .map(|(index, node)| Section {
+                    node,
+                    path: format!("{}.{index}", self.full(key)),
+                    units: self.units,
+                    read: Rc::clone(&self.read),
+                })
                 .collect(),
             _ => Vec::new(),
         }
@@ -56,7 +106,7 @@ impl<'a> Section<'a> {
 
     /// A number in coherent units.
     pub(super) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
-        let Some(node) = self.node.get(key) else { return Ok(None) };
+        let Some(node) = self.value(key) else { return Ok(None) };
         let path = self.full(key);
         match catalogue::key(&catalogue::generic_path(&path)).map(|entry| entry.kind) {
             Some(Kind::Number { dimension, .. }) => number(node, &path, dimension, self.units).map(Some),
@@ -75,7 +125,7 @@ impl<'a> Section<'a> {
 
     /// A text.
     pub(super) fn text(&self, key: &str) -> Option<&'a str> {
-        match &self.node.get(key)?.value {
+        match &self.value(key)?.value {
             Value::Text(text) => Some(text),
             _ => None,
         }
@@ -88,7 +138,7 @@ impl<'a> Section<'a> {
 
     /// The texts of a list.
     pub(super) fn texts(&self, key: &str) -> Vec<&'a str> {
-        match self.node.get(key).map(|node| &node.value) {
+        match self.value(key).map(|node| &node.value) {
             Some(Value::List(items)) => items
                 .iter()
                 .filter_map(|item| match &item.value {

@@ -21,7 +21,7 @@ pub(super) fn task(sliding: &Section<'_>, with_adhesion: bool) -> Result<Sliding
     }
     match sliding.table("branch") {
         Some(table) => Ok(SlidingTask::Branch(branch(&table, sliding.node().get("wave").is_some())?)),
-        None => Ok(SlidingTask::Strength),
+        None => Ok(sliding.value(name).map_or(SlidingTask::State, |_| SlidingTask::Strength)),
     }
 }
 
@@ -112,7 +112,7 @@ fn range(table: &Section<'_>, parameter: BranchParameter, wave: bool) -> Result<
         BranchParameter::WorkOfAdhesion => (Dimension::ENERGY_PER_AREA, true),
     };
     let end = |key: &'static str| -> Result<Option<f64>, SceneError> {
-        let Some(node) = table.node().get(key) else { return Ok(None) };
+        let Some(node) = table.value(key) else { return Ok(None) };
         let value = number(node, &table.full(key), dimension, table.units())?;
         if positive && value <= 0.0 {
             let message = format!("`{}` is out of range along {}", table.full(key), parameter.word());

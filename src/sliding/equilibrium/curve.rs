@@ -12,10 +12,10 @@ use std::sync::Arc;
 
 /// Distance of neighbouring places, ln tan(a/2).
 const SPACING: f64 = 0.9;
-/// The same where contact or gap is narrow, and nothing but powers changes.
-const WIDE_SPACING: f64 = 1.8;
-/// Places farther out than this are narrow.
-const NARROW: f64 = 4.0;
+/// The same at both ends of the row, where a turn has a neighbour on one side only; it grows from there.
+const END_SPACING: f64 = 0.15;
+/// How much from one to the next.
+const GROWTH: f64 = 1.8;
 /// A change of load below this part of those beside is looked at more closely.
 const DIP: f64 = 0.8;
 /// Parts of it.
@@ -137,14 +137,19 @@ fn with_dips(every: &ContactsOfWidth, chain: Vec<Point>) -> Vec<Point> {
 
 /// Places from one end to the other.
 fn places(narrowest: f64, widest: f64) -> Vec<f64> {
-    let mut places = vec![narrowest];
-    let mut place = narrowest;
-    while place < widest {
-        let spacing = if place < -NARROW || place > NARROW { WIDE_SPACING } else { SPACING };
-        // No sliver at the end.
-        place = if place + 1.3 * spacing >= widest { widest } else { place + spacing };
-        places.push(place);
-    }
+    let middle = 0.5 * (narrowest + widest);
+    let half = |from: f64, sign: f64| {
+        let (mut places, mut step) = (vec![from], END_SPACING);
+        let mut place = from;
+        while sign * (middle - place) > step {
+            place += sign * step;
+            places.push(place);
+            step = (GROWTH * step).min(SPACING);
+        }
+        places
+    };
+    let mut places = half(narrowest, 1.0);
+    places.extend(half(widest, -1.0).into_iter().rev());
     places
 }
 

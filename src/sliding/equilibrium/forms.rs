@@ -189,8 +189,10 @@ impl Conditions {
     /// The points in which both conics meet.
     fn adhesive(&self, works: &[Form; 2]) -> Vec<(f64, f64)> {
         // Unknowns in which both conics are of order one.
-        let ratio = |over: usize| works.iter().map(|form| ((form[0].abs() + 1.0) / form[over].abs()).powf(0.25)).product::<f64>();
-        let scales = [1.0, ratio(1), ratio(2)];
+        let unit = if self.indenter == Indenter::Wave { 1.0 } else { 0.0 };
+        let ratio =
+            |over: fn(&Form, f64) -> f64| works.iter().map(|form| ((form[0].abs() + 1.0) / over(form, unit)).powf(0.25)).product::<f64>();
+        let scales = [1.0, ratio(|form, unit| form[1].abs() + unit), ratio(|form, _| form[2].abs())];
         let [first, second] = works.each_ref().map(|form| conic(form, self.indenter, scales));
         // Across a narrow gap both edges pull almost alike: what tells them apart has its own size.
         let apart = normalized(&combined(&second, &first, -1.0));

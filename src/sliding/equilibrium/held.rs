@@ -9,6 +9,7 @@ use super::curve::EquilibriumCurve;
 use super::width::{Point, apart};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
+use std::f64::consts::FRAC_PI_2;
 
 /// Steps of the search for a turn; an error of the place enters the value squared.
 const TURN_STEPS: usize = 24;
@@ -122,27 +123,22 @@ pub(in crate::sliding) struct Stretch {
 pub(in crate::sliding) struct Held {
     /// The contacts, narrow ones first.
     pub(in crate::sliding) crossings: Vec<Crossing>,
-    /// The stretches of stable contacts, narrow ones first.
-    pub(in crate::sliding) stretches: Vec<Stretch>,
-    /// The largest value of any contact, stable or not; none without contacts.
+    /// The largest value of any contact about the crest, stable or not; none without contacts.
     pub(in crate::sliding) largest: Option<StretchEnd>,
 }
 
 impl EquilibriumCurve {
     /// The contacts of a held value.
     pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Held {
-        let mut found = Held { crossings: Vec::new(), stretches: Vec::new(), largest: None };
+        let mut found = Held { crossings: Vec::new(), largest: None };
         for chain in &self.chains {
-            let ends = self.with_ends(quantity, value, chain);
-            // Contacts of a penetration stay beyond the turn of the half-width, where the eccentricity changes most.
-            let bends = if quantity == HeldQuantity::Penetration { self.with_bends(ends) } else { ends };
-            let chain = self.with_turns(quantity, value, &bends);
-            for point in &chain {
+            let chain = self.followed(quantity, value, chain);
+            // A contact on the other side of the trough says nothing of one on the crest.
+            for point in chain.iter().filter(|point| point.eccentricity.abs() < FRAC_PI_2) {
                 if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
                     found.largest = Some(end_at(quantity, point, End::Last, [None; 2]));
                 }
             }
-            self.stretches(quantity, &chain, &mut found.stretches);
             for pair in chain.windows(2) {
                 let [from, to] = pair else { continue };
                 let (before, after) = (quantity.of(from) - value, quantity.of(to) - value);
@@ -154,8 +150,25 @@ impl EquilibriumCurve {
             }
         }
         found.crossings.sort_by(|first, second| first.half_width.total_cmp(&second.half_width));
-        found.stretches.sort_by(|first, second| first.lowest.half_width.total_cmp(&second.lowest.half_width));
         found
+    }
+
+    /// The stretches of stable contacts, narrow ones first; located as well as it takes to compare them with a held value.
+    pub(in crate::sliding) fn stable_stretches(&self, quantity: HeldQuantity, value: f64) -> Vec<Stretch> {
+        let mut found = Vec::new();
+        for chain in &self.chains {
+            self.stretches(quantity, &self.followed(quantity, value, chain), &mut found);
+        }
+        found.sort_by(|first, second| first.lowest.half_width.total_cmp(&second.lowest.half_width));
+        found
+    }
+
+    /// A chain as far as it goes, as finely as it bends, with its turns.
+    fn followed(&self, quantity: HeldQuantity, value: f64, chain: &[Point]) -> Vec<Point> {
+        let ends = self.with_ends(quantity, value, chain);
+        // Contacts of a penetration stay beyond the turn of the half-width, where the eccentricity changes most.
+        let bends = if quantity == HeldQuantity::Penetration { self.with_bends(ends) } else { ends };
+        self.with_turns(quantity, value, &bends)
     }
 
     /// A chain as far as it goes, where the value may lie between its last point and its end.
@@ -226,7 +239,8 @@ impl EquilibriumCurve {
             };
             let [one, here, other] = [before, point, after].map(|point| quantity.of(point));
             let turns = (here > one && here >= other) || (here < one && here <= other);
-            match turns.then(|| self.turn(quantity, held, [*before, *point, *after])).flatten() {
+            match turns.then(|| self.turn(quantity, Some(held), [*before, *point, *after])).flatten() {
+                Some(turn) if turn.place.total_cmp(&point.place).is_eq() => all.push(*point),
                 // In the order of the chain.
                 Some(turn) if (turn.place - point.place) * (after.place - before.place) < 0.0 => all.extend([turn, *point]),
                 Some(turn) => all.extend([*point, turn]),
@@ -236,9 +250,9 @@ impl EquilibriumCurve {
         all
     }
 
-    /// The turn between three neighbours, by parabolas through the best three, as well as it takes to see on which side of the held value it is; none where the half-width turns
+    /// The turn between three neighbours, by parabolas through the best three, as well as it takes to see on which side of a held value it is; none where the half-width turns
     /// as well.
-    fn turn(&self, quantity: HeldQuantity, held: f64, [before, here, after]: [Point; 3]) -> Option<Point> {
+    fn turn(&self, quantity: HeldQuantity, held: Option<f64>, [before, here, after]: [Point; 3]) -> Option<Point> {
         let sign = if quantity.of(&here) >= quantity.of(&before) { 1.0 } else { -1.0 };
         let mut three = if before.place < after.place { [before, here, after] } else { [after, here, before] };
         if !(three[0].place < three[1].place && three[1].place < three[2].place) {
@@ -256,7 +270,8 @@ impl EquilibriumCurve {
             if !vertex.is_finite() || z - x < TURN_PLACE {
                 break;
             }
-            let known = z - x < TURN_BRACKET && (above < TURN_VALUE * (1.0 + g.abs()) || FAR_FROM_HELD * above < (sign * held - g).abs());
+            let clear = held.is_some_and(|held| FAR_FROM_HELD * above < (sign * held - g).abs());
+            let known = z - x < TURN_BRACKET && (clear || above < TURN_VALUE * (1.0 + g.abs()));
             if known {
                 break;
             }
@@ -348,6 +363,17 @@ impl EquilibriumCurve {
         held_by(self.every.indenter(), quantity, point, [&one, &other], Some(sign))
     }
 
+    /// The turn at the end of a stretch, located.
+    pub(in crate::sliding) fn located_turn(&self, quantity: HeldQuantity, end: &StretchEnd) -> StretchEnd {
+        let [Some(inside), Some(beyond)] = end.neighbours else { return *end };
+        let three = [inside, (end.place, end.eccentricity), beyond].map(|(place, eccentricity)| self.beside(place, eccentricity));
+        let [Some(one), Some(here), Some(other)] = three else { return *end };
+        match self.turn(quantity, None, [one, here, other]) {
+            Some(turn) => end_at(quantity, &turn, End::Turn, [Some(&one), Some(&other)]),
+            None => *end,
+        }
+    }
+
     /// The last value of a stretch that ends because its contacts go on unstable without a turn; none if it ends otherwise.
     pub(in crate::sliding) fn last_stable(&self, quantity: HeldQuantity, end: &StretchEnd) -> Option<f64> {
         let [Some(inside), Some(beyond)] = end.neighbours else { return None };
@@ -371,16 +397,19 @@ impl EquilibriumCurve {
 
     /// The stable stretches of a chain.
     fn stretches(&self, quantity: HeldQuantity, chain: &[Point], found: &mut Vec<Stretch>) {
-        let indenter = self.every.indenter();
-        let stable: Vec<bool> = chain
+        // Half way between neighbours, where a turn at one of them does not blur the signs.
+        let middles: Vec<Option<Point>> = chain
             .windows(2)
             .map(|pair| match pair {
                 [from, to] if (to.place - from.place).abs() > 0.0 => {
-                    held_by(indenter, quantity, from, [from, to], None) || held_by(indenter, quantity, to, [from, to], None)
+                    let middle = self.beside(0.5 * (from.place + to.place), 0.5 * (from.eccentricity + to.eccentricity))?;
+                    let sign = ((quantity.of(to) - quantity.of(from)) * (to.place - from.place)).signum();
+                    self.is_stable(quantity, &middle, sign, tilt(from, to)).then_some(middle)
                 }
-                _ => false,
+                _ => None,
             })
             .collect();
+        let stable: Vec<bool> = middles.iter().map(Option::is_some).collect();
         let mut begin = 0;
         while begin < stable.len() {
             if !stable[begin] {
@@ -400,8 +429,8 @@ impl EquilibriumCurve {
                 if (here >= one) == (here >= other) { End::Turn } else { End::Last }
             };
             let before = begin.checked_sub(1).and_then(|before| chain.get(before));
-            let first = end_at(quantity, &chain[begin], how(begin), [chain.get(begin + 1), before]);
-            let last = end_at(quantity, &chain[end], how(end), [chain.get(end - 1), chain.get(end + 1)]);
+            let first = end_at(quantity, &chain[begin], how(begin), [middles[begin].as_ref(), before]);
+            let last = end_at(quantity, &chain[end], how(end), [middles[end - 1].as_ref(), chain.get(end + 1)]);
             let (lowest, highest) = if first.value <= last.value { (first, last) } else { (last, first) };
             found.push(Stretch { lowest, highest });
             begin = end;

@@ -39,6 +39,8 @@ pub(super) struct Linearized {
     pub(super) by_time: [f64; QUANTITIES],
     /// The scales of the unknowns.
     pub(super) scales: [f64; 3],
+    /// What is left of both edge conditions at the place.
+    pub(super) residual: [f64; 2],
     /// Δ and friction at the place.
     pub(super) values: [f64; 2],
     /// What rounding leaves uncertain of every derivative of a quantity.
@@ -107,7 +109,8 @@ impl Place<'_> {
         let sizes = [penetration.abs() + load, friction.abs() + length.min(1.0) * load];
         let [first, second] = here.rounding;
         let rounding = [first, second, digits * sizes[0], digits * sizes[1]].map(|rounding| 1.5 * rounding / step);
-        Ok(Linearized { by_unknown, by_zone, by_work, by_ratio, by_time, scales, values: [penetration, friction], rounding })
+        let residual = [trailing, leading];
+        Ok(Linearized { by_unknown, by_zone, by_work, by_ratio, by_time, scales, residual, values: [penetration, friction], rounding })
     }
 }
 

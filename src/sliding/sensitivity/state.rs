@@ -41,9 +41,11 @@ pub fn state_sensitivities(
     })?;
     let unknowns = [values.half_width.value, values.eccentricity.value, values.mean_pressure.value];
     let place = Place { material, rate: problem.rate, indenter: problem.indenter, adhesion, unknowns };
-    let derivatives = |resolution, step| derivatives(&place.linearized(resolution, step)?, problem.control, unknowns);
-    let rough = derivatives(Resolution::Fine, 4.0 * CENTRAL_STEP)?;
-    let best = derivatives(Resolution::Finest, 2.0 * CENTRAL_STEP)?;
+    let here = place.linearized(Resolution::Fine, 4.0 * CENTRAL_STEP)?;
+    let rough = derivatives(&here, problem.control, unknowns)?;
+    // The place itself is known as well as the accuracy of the scene asks: by Newton's step from it, what it lacks is part of the difference that makes the bound.
+    let unknowns = nearer(&here, problem.control, unknowns)?;
+    let best = derivatives(&Place { unknowns, ..place }.linearized(Resolution::Finest, 2.0 * CENTRAL_STEP)?, problem.control, unknowns)?;
     let of = |output: usize, value: Estimate| -> Sensitivity {
         std::array::from_fn(|index| {
             let (rough, best) = (rough[index]?[output], best[index]?[output]);
@@ -59,24 +61,43 @@ pub fn state_sensitivities(
     })
 }
 
+/// The condition that what is prescribed stays, by the unknowns in units of their scales, and what is left of it.
+fn held(linear: &Linearized, control: SlidingControl, [half_width, _, pressure]: [f64; 3]) -> (Vector3<f64>, f64) {
+    let [length, _, load] = linear.scales;
+    match control {
+        SlidingControl::HalfWidth(given) => (Vector3::new(length, 0.0, 0.0), half_width - given),
+        SlidingControl::MeanPressure(given) => (Vector3::new(0.0, 0.0, load), pressure - given),
+        SlidingControl::Penetration(given) => (Vector3::from(linear.by_unknown[2]), linear.values[0] - given),
+    }
+}
+
+/// Both edge conditions and what is prescribed, by the unknowns in units of their scales, inverted.
+fn inverse(linear: &Linearized, control: SlidingControl, unknowns: [f64; 3]) -> Result<Matrix3<f64>, Refusal> {
+    let row = |index: usize| Vector3::from(linear.by_unknown[index]).transpose();
+    let singular =
+        || Refusal::NotConverged { what: "the sensitivity of a contact", detail: "the Jacobian is singular: a fold is here".into() };
+    Matrix3::from_rows(&[row(0), row(1), held(linear, control, unknowns).0.transpose()]).try_inverse().ok_or_else(singular)
+}
+
+/// The unknowns after one step of Newton's.
+fn nearer(linear: &Linearized, control: SlidingControl, unknowns: [f64; 3]) -> Result<[f64; 3], Refusal> {
+    let [trailing, leading] = linear.residual;
+    let left = Vector3::new(trailing, leading, held(linear, control, unknowns).1);
+    let step = inverse(linear, control, unknowns)? * left;
+    Ok(std::array::from_fn(|index| unknowns[index] - linear.scales[index] * step[index]))
+}
+
 /// dY/dln θ of a, p̄, Δ and friction (the second and the last in their own units) for each parameter.
 type Derivatives = [Option<[Estimate; 4]>; 5];
 
-fn derivatives(linear: &Linearized, control: SlidingControl, [half_width, _, pressure]: [f64; 3]) -> Result<Derivatives, Refusal> {
+fn derivatives(linear: &Linearized, control: SlidingControl, unknowns: [f64; 3]) -> Result<Derivatives, Refusal> {
+    let [half_width, _, pressure] = unknowns;
     let row = |index: usize| Vector3::from(linear.by_unknown[index]);
     let [length, _, load] = linear.scales;
     let by_half_width = Vector3::new(length, 0.0, 0.0);
     let by_pressure = Vector3::new(0.0, 0.0, load);
-    // The condition that what is prescribed stays, with its rounding.
-    let (held, held_rounding) = match control {
-        SlidingControl::HalfWidth(_) => (by_half_width, 0.0),
-        SlidingControl::MeanPressure(_) => (by_pressure, 0.0),
-        SlidingControl::Penetration(_) => (row(2), linear.rounding[2]),
-    };
-    let matrix = Matrix3::from_rows(&[row(0).transpose(), row(1).transpose(), held.transpose()]);
-    let singular =
-        || Refusal::NotConverged { what: "the sensitivity of a contact", detail: "the Jacobian is singular: a fold is here".into() };
-    let inverse = matrix.try_inverse().ok_or_else(singular)?;
+    let held_rounding = if let SlidingControl::Penetration(_) = control { linear.rounding[2] } else { 0.0 };
+    let inverse = inverse(linear, control, unknowns)?;
     let outputs = [(by_half_width, 0.0), (by_pressure, 0.0), (row(2), linear.rounding[2]), (row(3), linear.rounding[3])];
     let own = [half_width, pressure, linear.values[0], linear.values[1]];
     let of = |parameter: Parameter| -> Option<[Estimate; 4]> {

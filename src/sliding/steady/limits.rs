@@ -79,6 +79,7 @@ pub(super) fn beyond(
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
     let names = if quantity == HeldQuantity::MeanPressure { LOADS } else { DEPTHS };
+    let known = curve.stable_stretches(quantity, value);
     let wave = problem.indenter == Indenter::Wave;
     let full = |limit: &Limit| full_contact(material, problem, limit.name, limit.value.value, work);
     let pulls = |limit: &Limit| {
@@ -92,7 +93,7 @@ pub(super) fn beyond(
     };
     // A stable contact that cannot exist: the edge of those that can, on its own stretch.
     for crossing in refused {
-        let Some(stretch) = held.stretches.iter().find(|stretch| stretch.lowest.value <= value && value <= stretch.highest.value) else {
+        let Some(stretch) = known.iter().find(|stretch| stretch.lowest.value <= value && value <= stretch.highest.value) else {
             continue;
         };
         for (end, name) in [(stretch.highest, names.smallest_possible), (stretch.lowest, names.largest_possible)] {
@@ -105,6 +106,8 @@ pub(super) fn beyond(
         }
     }
     let limit_of = |end: &StretchEnd, other: Option<&StretchEnd>, upper: bool| -> Limit {
+        let located = if end.end == End::Turn { curve.located_turn(quantity, end) } else { *end };
+        let end = &located;
         let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
         let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
@@ -143,8 +146,7 @@ pub(super) fn beyond(
         End::Last => curve.last_stable(quantity, &end).map_or(end, |value| StretchEnd { value, ..end }),
         End::Turn => end,
     };
-    let stretches: Vec<Stretch> = held
-        .stretches
+    let stretches: Vec<Stretch> = known
         .iter()
         .filter(|stretch| curve.has_possible(stretch))
         .map(|stretch| Stretch { lowest: closed_in(stretch.lowest), highest: closed_in(stretch.highest) })

@@ -318,30 +318,7 @@ fn sliding() -> Vec<Effect> {
             columns: EDGES,
             costs: true,
         },
-        Effect {
-            name: "terms that are not felt (sliding)",
-            neutral: "they change a result by less than 10⁻⁷ of itself",
-            tolerance: Tolerance::Relative(1e-6, "what may be left out, ten times granted"),
-            without: spectrum("leave_out = 1e-7"),
-            with: spectrum("leave_out = 0"),
-            columns: EDGES,
-            // Fewer unknowns in as many linear systems: the time tells.
-            costs: false,
-        },
     ]
-}
-
-/// A power law of 36 terms over twelve decades, at speeds that feel four of them.
-fn spectrum(leave_out: &str) -> String {
-    let terms: Vec<String> =
-        (0..12).map(|index| format!("{{ fraction = {:e}, retardation_time = {:e} }}", 1.0 / 12.0, 10f64.powi(4 - index))).collect();
-    changed(
-        SLIDING,
-        &[
-            (SLIDING_TERM, &format!("{leave_out}\ncreep = [{}]", terms.join(", "))),
-            ("from = \"10 µm/s\"\nto = \"100 mm/s\"\npoints = 6", "values = [\"1 mm/s\"]"),
-        ],
-    )
 }
 
 fn spheres() -> Vec<Effect> {

@@ -1,0 +1,366 @@
+#!/usr/bin/env python3
+"""Indentation without adhesion: random scenes through the command line, every value against the independent Ting–Graham program.
+
+    verification/crosscheck/adhesiveless_study.py                   a few hundred scenes (seed 1)
+    verification/crosscheck/adhesiveless_study.py --full            10 000 scenes (seed 2)
+    verification/crosscheck/adhesiveless_study.py --only SEED NUMBER  one of them, row by row
+
+    --scenes N, --seed S, --from N, --binary PATH, --save FOLDER (scenes that disagree), --jobs N
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import math
+import os
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+import tools
+
+sys.path.insert(0, tools.REFERENCES)
+
+import ting_graham
+from adhesiveless_scenes import Draw
+
+BINARY = os.path.join(tools.TARGET, "release", "viscotack")
+LIMIT = 20              # seconds of its processor after which a run counts as not ending
+REDUCED, FULL = (300, 1), (10_000, 2)
+# Events that the program may name when contact begins or ends.
+ENDS, BEGINS = ("detachment",), ("touch", "first_touch", "jump_in")
+# Rounding of the judge, over the largest value of the history.
+ROUNDING = 2e-12
+
+
+def oscillation_of(leg, speed, duration):
+    """The deviation as a function of the time in the leg, and the times of its extremes and zeros."""
+    f0, f1, amplitude = leg["frequency"] * speed, leg["end_frequency"] * speed, leg["amplitude"]
+    ratio = f1 / f0
+
+    def cycles(x):
+        if leg["sweep"] == "linear" or abs(ratio - 1.0) < 1e-9:
+            return x * (f0 + 0.5 * (f1 - f0) * x / duration)
+        return f0 * duration * np.expm1(x / duration * math.log(ratio)) / math.log(ratio)
+
+    total = float(cycles(np.array(duration)))
+    marks = np.arange(0.25, total, 0.25)
+    low, high = np.zeros(len(marks)), np.full(len(marks), duration)
+    times = ting_graham.bracketed(lambda x: cycles(x) - marks, low, high, iterations=200) if len(marks) else np.zeros(0)
+
+    def deviation(x):
+        n = cycles(np.asarray(x, dtype=float))
+        return amplitude * np.sin(2.0 * np.pi * (n - np.round(n)))
+
+    return deviation, list(times)
+
+
+def judged_history(scene):
+    """The independent program's history, and the position of every instant that the scene asks for: (time, position)."""
+    history = ting_graham.History(ting_graham.solid_of(scene["solid"]), ting_graham.shape_of(scene["shape"]), scene["stiffness"])
+    history.begin(*scene["start"], scene["relaxed"])
+    instants, speed = scene["instants"], scene["speed"]
+    expected = [(0.0, history.now())]
+
+    def mark(position):
+        expected.append((history.time_of(*position), position))
+
+    def straight(quantity, end, duration, parts=(1.0,)):
+        history.ramp(quantity, end, duration)
+        for part in parts:
+            mark(history.in_leg(-1, part))
+
+    for leg in scene["legs"]:
+        kind, quantity = leg["kind"], leg["quantity"]
+        if kind == "step":
+            history.step(quantity, leg["end"])
+            mark(history.now())
+        elif kind == "ramp":
+            known = history.here[0] == quantity
+            parts = [k / instants for k in range(1, instants + 1)] if known else [1.0]
+            straight(quantity, leg["end"], leg["duration"] / speed, parts)
+        elif kind == "hold":
+            if leg["duration"] > 0.0:
+                shares = [k / instants if k % 2 == instants % 2 else 10.0 ** (6.0 * (k / instants - 1.0)) for k in range(1, instants + 1)]
+                straight(quantity, history.here[1], leg["duration"] / speed, sorted(set(shares)))
+        elif kind == "table":
+            before = 0.0
+            for row, (t, value) in enumerate(zip(leg["times"], leg["values"])):
+                if row == 0:
+                    if history.here != (quantity, value):
+                        history.step(quantity, value)
+                        mark(history.now())
+                else:
+                    straight(quantity, value, (t - before) / speed)
+                before = t
+        elif kind == "cycles":
+            half = 0.5 * leg["period"] / speed
+            for _ in range(leg["cycles"]):
+                ways = [(leg["lower"], leg["upper"]), (None, leg["lower"])] if leg["wave"] == "triangle" else [
+                    (leg["upper"], leg["upper"]), (leg["lower"], leg["lower"])]
+                for first, last in ways:
+                    if first is not None and history.here != (quantity, first):
+                        history.step(quantity, first)
+                        mark(history.now())
+                    straight(quantity, last, half)
+        else:
+            duration = leg["duration"] / speed
+            history.ramp(quantity, leg["end"], duration, oscillation_of(leg, speed, duration))
+            # Whole cycles end at the mean itself.
+            history.here = (quantity, leg["end"])
+            mark(history.in_leg(-1, 1.0))
+    return history, expected
+
+
+def run(scene, binary, folder):
+    """The program's summary, exit code and seconds; none where it does not end."""
+    for name, content in scene["files"].items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(content)
+    path = os.path.join(folder, "scene.toml")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(scene["toml"])
+    start = time.perf_counter()
+    try:
+        done = subprocess.run([binary, "run", path, "--json"], capture_output=True, text=True, timeout=40 * LIMIT, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 1)))
+    except subprocess.TimeoutExpired:
+        return None, None, LIMIT, ""
+    if done.returncode == -signal.SIGXCPU:
+        return None, None, LIMIT, ""
+    seconds = time.perf_counter() - start
+    try:
+        return json.loads(done.stdout), done.returncode, seconds, done.stderr
+    except ValueError:
+        return {}, done.returncode, seconds, done.stderr
+
+
+def judge(scene, summary, code, message, detail=None):
+    """What is wrong, a sentence each, and (name, bound, difference, scale) of every value compared."""
+    history, expected = judged_history(scene)
+    if not summary:
+        return [f"refused, exit {code}: {first_line(message)}"], [], history
+    wrong, compared = [], []
+    if code not in (0, 4):
+        reason = next((row.get("reason") for row in summary["results"] if row.get("reason")), "")
+        return [f"refused, exit {code}: {reason or first_line(message)}"], [], history
+    rows = summary["results"]
+    if not rows:
+        return [f"{summary['rows']['total']} rows: more than the summary holds"], [], history
+    bad = [row for row in rows if row["status"] not in ("solved", "inaccurate")]
+    if bad:
+        return [f"{bad[0]['status']}: {bad[0].get('reason')}"], [], history
+    force_unit = 1.0 if scene["si"] else math.pi
+    end = history.time_of(*history.now())
+    positions, picked, next_expected = [], [], 0
+    for row in rows:
+        if row["row"] != "instant":
+            continue
+        t = row["values"]["time"]["value"]
+        position = None
+        if next_expected < len(expected) and abs(t - expected[next_expected][0]) <= 1e-11 * end + 1e-9 * t * (len(expected) > 0) * 0.0:
+            position = expected[next_expected][1]
+            next_expected += 1
+        else:
+            position = history.at_time(t)
+        positions.append(position)
+        picked.append(row)
+    if next_expected < len(expected):
+        wrong.append(f"{len(expected) - next_expected} instants of {len(expected)} are missing, the first at {expected[next_expected][0]:.6g}")
+    depth, force, radius, error, edges = history.values(positions)
+    open_force = [not edges[1][k] for k in range(len(positions))]
+    force = force / force_unit
+    error = error / force_unit
+    values = {"penetration": depth, "force": force, "contact_radius": radius}
+    own = {"penetration": np.zeros(len(depth)), "force": error, "contact_radius": np.zeros(len(depth))}
+    if scene["stiffness"] is not None:
+        values["frame_displacement"] = depth + force * force_unit / scene["stiffness"]
+        own["frame_displacement"] = error * force_unit / scene["stiffness"]
+    for name, judged in values.items():
+        scale = float(np.max(np.abs(judged))) if len(judged) else 0.0
+        for k, row in enumerate(picked):
+            cell = row["values"].get(name)
+            if cell is None or cell["value"] is None:
+                wrong.append(f"{name} at {row['values']['time']['value']:.6g} is empty")
+                continue
+            if name in ("penetration", "frame_displacement") and open_force[k] and history.floating(positions[k]):
+                # An open indenter under a force is nowhere.
+                continue
+            value, bound = cell["value"], cell["error"]
+            if not (isinstance(value, float) or isinstance(value, int)) or not math.isfinite(value):
+                wrong.append(f"{name} is {value}")
+                continue
+            difference = abs(value - judged[k])
+            allowed = (bound or 0.0) + own[name][k] + (ROUNDING + history.tolerance(name)) * scale
+            compared.append((name, bound or 0.0, difference, scale))
+            if detail is not None:
+                detail.append((name, row["values"]["time"]["value"], value, bound, float(judged[k]), difference, allowed))
+            if difference > allowed:
+                wrong.append(f"{name} at {row['values']['time']['value']:.9g}: {value:.12g} ± {bound:.1e}, right {judged[k]:.12g} ({difference / scale if scale else 0:.1e} of its largest)")
+    wrong += judge_events(scene, rows, history, end)
+    if any(row.get("certificate") and row["certificate"].get("admissible") is False for row in rows):
+        wrong.append("a row is not admissible and yet given out")
+    return wrong, compared, history
+
+
+def judge_events(scene, rows, history, end):
+    wrong = []
+    ours = {"end": [], "begin": []}
+    for event in history.contact.events:
+        t = history.time_of(event[1], event[2])
+        ours["end" if event[0] == "detachment" else "begin"].append(t)
+    found = [(row["event"], row["values"]["time"]["value"], row["values"]["time"]["error"] or 0.0) for row in rows if row["row"] == "event"]
+    for word, t, bound in found:
+        if word == "largest_tension":
+            wrong.append(f"a largest tension at {t:.6g}: nothing pulls without adhesion")
+            continue
+        kind = "end" if word in ENDS else ("begin" if word in BEGINS else None)
+        if kind is None:
+            wrong.append(f"an event {word} at {t:.6g}")
+            continue
+        near = min((abs(t - own) for own in ours[kind]), default=math.inf)
+        if near > bound + (ROUNDING + history.tolerance("time")) * end:
+            wrong.append(f"{word} at {t:.9g} ± {bound:.1e}; the nearest that is right is {near:.2e} away")
+    given = [t for word, t, _ in found if word in ENDS]
+    for own in ours["end"]:
+        if not any(abs(t - own) <= 1e-3 * end + 1e-9 for t in given):
+            wrong.append(f"no detachment at {own:.9g}")
+    return wrong
+
+
+def first_line(message):
+    lines = [line for line in (message or "").splitlines() if line.strip()]
+    return lines[0][:200] if lines else ""
+
+
+def one(task):
+    seed, number, binary, save = task
+    started = time.process_time()
+    result = dict(number=number, seed=seed, kind={}, wrong=[], compared=[], skipped=None, seconds=[0.0, 0.0])
+    try:
+        scene = Draw(seed, number).scene()
+    except Exception as error:  # noqa: BLE001
+        result["skipped"] = f"no scene: {type(error).__name__} {error}"
+        return result
+    result["kind"] = scene["kind"]
+    with tempfile.TemporaryDirectory() as folder:
+        summary, code, seconds, message = run(scene, binary, folder)
+    result["seconds"][0] = seconds
+    started = time.process_time()
+    try:
+        if summary is None:
+            result["wrong"] = [f"no end within {LIMIT} s of the processor"]
+            result["class"] = "endless"
+        else:
+            result["wrong"], result["compared"], _ = judge(scene, summary, code, message)
+            result["class"] = "refused" if result["wrong"] and not result["compared"] else ("wrong" if result["wrong"] else "right")
+    except NotImplementedError as error:
+        result["skipped"] = f"the judge does not treat {error}"
+    except Exception as error:  # noqa: BLE001
+        import traceback
+        result["skipped"] = f"the judge failed: {type(error).__name__} {error} {traceback.format_exc().splitlines()[-3].strip()}"
+    result["seconds"][1] = time.process_time() - started
+    if save and (result["wrong"] or result["skipped"]):
+        keep(scene, result, save)
+    return result
+
+
+def keep(scene, result, save):
+    folder = os.path.join(save, f"{scene['seed']}_{scene['number']}")
+    os.makedirs(folder, exist_ok=True)
+    for name, content in [*scene["files"].items(), ("scene.toml", scene["toml"])]:
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(content)
+    with open(os.path.join(folder, "why.txt"), "w", encoding="utf-8") as file:
+        file.write("\n".join([json.dumps(scene["kind"]), result["skipped"] or ""] + result["wrong"]) + "\n")
+
+
+def percentile(values, part):
+    return float(np.percentile(values, part)) if len(values) else math.nan
+
+
+def report(results, seconds):
+    """The counts as text, and how many scenes are not right."""
+    lines = []
+    done = [r for r in results if not r["skipped"]]
+    classes = collections.Counter(r["class"] for r in done)
+    values = [c for r in done for c in r["compared"]]
+    lines.append(f"{len(results)} scenes, {len(done)} judged, {len(values)} values: " + ", ".join(f"{classes[c]} {c}" for c in ("right", "wrong", "refused", "endless")))
+    skipped = collections.Counter(r["skipped"][:90] for r in results if r["skipped"])
+    for why, count in skipped.most_common(12):
+        lines.append(f"  not judged {count}: {why}")
+    ratios = [b / d for _, b, d, s in values if d > 0.0 and d > 1e-12 * s]
+    exact = sum(1 for _, b, d, s in values if d <= 1e-12 * s)
+    lines.append(f"bound over error: median {percentile(ratios, 50):.3g}, 95th percentile {percentile(ratios, 95):.3g} of {len(ratios)} values; {exact} agree to 1e-12")
+    for key in ("shape", "control", "start", "terms", "turns", "special", "units", "liquid"):
+        table = collections.defaultdict(collections.Counter)
+        for r in done:
+            table[str(r["kind"].get(key))][r["class"]] += 1
+        lines.append(f"{key}: " + "; ".join(f"{word} {sum(c.values())} ({', '.join(f'{n} {k}' for k, n in c.items() if k != 'right') or 'all right'})" for word, c in sorted(table.items())))
+    times = np.array([r["seconds"] for r in results]) if results else np.zeros((1, 2))
+    lines.append(f"seconds a scene: program {times[:, 0].mean():.3f}, judge {times[:, 1].mean():.3f} (median {np.median(times[:, 1]):.3f}, largest {times[:, 1].max():.2f}); {seconds:.0f} s in all")
+    return "\n".join(lines), sum(classes[c] for c in ("wrong", "refused", "endless")) + sum(skipped.values())
+
+
+def study(scenes, seed, binary=BINARY, save=None, jobs=1, first=0):
+    start = time.perf_counter()
+    tasks = [(seed, number, binary, save) for number in range(first, first + scenes)]
+    if jobs > 1:
+        with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
+            results = list(pool.map(one, tasks, chunksize=4))
+    else:
+        results = [one(task) for task in tasks]
+    return results, time.perf_counter() - start
+
+
+def show(seed, number, binary):
+    scene = Draw(seed, number).scene()
+    print(scene["toml"], *(f"{name}:\n{content}" for name, content in scene["files"].items()))
+    with tempfile.TemporaryDirectory() as folder:
+        summary, code, seconds, message = run(scene, binary, folder)
+    print(f"exit {code}, {seconds:.3f} s", message[:500])
+    if summary is None:
+        return
+    detail = []
+    start = time.perf_counter()
+    wrong, _, history = judge(scene, summary, code, message, detail)
+    for name, t, value, bound, judged, difference, allowed in detail:
+        print(f"{'   ' if difference <= allowed else '!! '}{name:18} t={t:<14.8g} {value:<22.14g} ± {bound:<9.1e} judge {judged:<22.14g} off {difference:.1e}")
+    print(f"judge {time.perf_counter() - start:.3f} s; events", [(e[0], history.time_of(e[1], e[2])) for e in history.contact.events])
+    print(*wrong, sep="\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Indentation without adhesion against the independent Ting–Graham program.")
+    parser.add_argument("--full", action="store_true", help="10 000 scenes")
+    parser.add_argument("--scenes", type=int)
+    parser.add_argument("--seed", type=int)
+    parser.add_argument("--from", type=int, default=0, dest="first")
+    parser.add_argument("--binary", default=BINARY)
+    parser.add_argument("--save")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--limit", type=int, default=LIMIT, help="seconds of a run")
+    parser.add_argument("--only", type=int, nargs=2, metavar=("SEED", "NUMBER"))
+    options = parser.parse_args()
+    globals()["LIMIT"] = options.limit
+    if options.only:
+        show(*options.only, options.binary)
+        return
+    count, seed = FULL if options.full else REDUCED
+    results, seconds = study(options.scenes or count, options.seed or seed, options.binary, options.save, options.jobs, options.first)
+    text, failed = report(results, seconds)
+    print(text)
+    for r in results[:]:
+        if r["wrong"] and len(results) <= 400:
+            print(f"{r['seed']} {r['number']} {r['kind'].get('shape')}/{r['kind'].get('control')}: {r['wrong'][0]}")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
