@@ -31,6 +31,14 @@ impl SurfaceFields {
         Self { radius: contact.radius(), line_load, displacement }
     }
 
+    /// The fields of a line given by its load in contact and its displacement, panel by panel from the axis outwards, at rest beyond the last one.
+    pub(super) fn made_of(radius: f64, line_load: Vec<Panel>, mut displacement: Vec<Panel>) -> Self {
+        if displacement.is_empty() {
+            displacement.push(Panel::sampled(0.0, f64::MIN_POSITIVE, |_| 0.0));
+        }
+        Self { radius, line_load, displacement }
+    }
+
     /// p (Pa) at a radius r ≥ 0 (m); 0 outside the contact.
     ///
     /// # Errors

@@ -35,12 +35,17 @@ pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
-/// One march through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²).
+/// One march through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²). Where no steps
+/// are needed ([`IndentationProblem::is_without_steps`]) one course of the exact method, as fine as the tolerance as an accuracy asks for.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
 pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
+    if problem.is_without_steps() {
+        problem.checked()?;
+        return super::adhesiveless::course(material, problem, crate::refusal::require_positive("tolerance", tolerance)?);
+    }
     march_to(material, problem, tolerance, &[], Guide::default())
 }
 

@@ -71,13 +71,13 @@ impl Sums {
 }
 
 /// A polynomial by Newton's divided differences, in times relative to the last point.
-struct Course {
+pub(super) struct Course {
     times: Vec<f64>,
     divided: Vec<f64>,
 }
 
 impl Course {
-    fn through(points: &[PathPoint], of: fn(&PathPoint) -> f64) -> Self {
+    pub(super) fn through(points: &[PathPoint], of: fn(&PathPoint) -> f64) -> Self {
         let zero = points.last().map_or(0.0, |point| point.time);
         let times: Vec<f64> = points.iter().rev().map(|point| point.time - zero).collect();
         let mut divided: Vec<f64> = points.iter().rev().map(of).collect();
@@ -90,7 +90,7 @@ impl Course {
     }
 
     /// Value and slope.
-    fn at(&self, time: f64) -> (f64, f64) {
+    pub(super) fn at(&self, time: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
         for (node, factor) in self.times.iter().zip(&self.divided).rev() {
             slope = slope * (time - node) + value;
@@ -182,6 +182,18 @@ impl Meter {
                 self.sums.extend(quantity, course.at(low).0);
             }
         }
+    }
+
+    /// The last cycle once more, for one that is the same.
+    pub(super) fn again(&mut self) -> Option<Cycle<f64>> {
+        let last = self.last?;
+        self.number += 1;
+        let end = self.origin + self.oscillation.time_of(self.number as f64, self.duration)?;
+        let cycle = Cycle { number: self.number, start: last.end, end, ..last };
+        self.last = Some(cycle);
+        self.sums.start = end;
+        Spread::add(&mut self.spread, &cycle, self.oscillation.cycles_at(self.duration, self.duration));
+        Some(cycle)
     }
 
     /// The cycle that ends now, and whether cycles have become stationary, to a tolerance.

@@ -32,6 +32,7 @@
 //!
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
+mod adhesiveless;
 mod advance;
 mod checkpoint;
 mod coarsening;
@@ -91,7 +92,7 @@ pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};
 pub use profile::Profile;
-pub use run::{run, run_watched};
+pub use run::{run, run_watched, surface_without_steps};
 pub use shape::TabulatedShape;
 pub use solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 pub use spread::Spread;

@@ -84,6 +84,25 @@ impl<'a> Record<'a> {
         }
     }
 
+    /// The record of something else than a [`Contact`], which makes its own points.
+    pub(super) fn without_contact() -> Self {
+        Self {
+            trace: Trace::default(),
+            piece: 0,
+            energies: false,
+            turned_over: [0.0; 3],
+            area_rate: 0.0,
+            sudden: false,
+            last: None,
+            cycle_stride: 1,
+            newest_cycle: None,
+        }
+    }
+
+    pub(super) const fn piece(&self) -> u32 {
+        self.piece
+    }
+
     pub(super) fn force(&self) -> f64 {
         self.trace.path.last().map_or(0.0, |point| point.force)
     }
@@ -185,6 +204,18 @@ impl<'a> Record<'a> {
     /// A whole cycle has gone by: whether cycles are stationary. Of many cycles only every so many are kept.
     pub(super) fn cycle(&mut self, meter: &mut Meter, end: f64, tolerance: f64) -> Option<bool> {
         let (cycle, stationary) = meter.finished(end, tolerance);
+        self.add_cycle(cycle, stationary);
+        Some(stationary)
+    }
+
+    /// The last cycle once more.
+    pub(super) fn cycle_again(&mut self, meter: &mut Meter) {
+        if let Some(cycle) = meter.again() {
+            self.add_cycle(cycle, false);
+        }
+    }
+
+    fn add_cycle(&mut self, cycle: Cycle<f64>, stationary: bool) {
         if (cycle.number - 1).is_multiple_of(self.cycle_stride) || stationary {
             self.trace.cycles.push(cycle);
         }
@@ -194,7 +225,6 @@ impl<'a> Record<'a> {
             let stride = self.cycle_stride;
             self.trace.cycles.retain(|cycle| (cycle.number - 1).is_multiple_of(stride));
         }
-        Some(stationary)
     }
 
     /// How long a stretch takes that is known to end early (s).
@@ -214,7 +244,7 @@ impl<'a> Record<'a> {
     }
 
     /// Adds a point to the path; of a long path every second point is dropped, but for kept ones and the newest.
-    fn push(&mut self, point: PathPoint) {
+    pub(super) fn push(&mut self, point: PathPoint) {
         self.trace.summary.add(&point, self.trace.path.last());
         self.trace.path.push(point);
         if self.trace.path.len() > MOST_POINTS + self.trace.kept.len() {
@@ -236,15 +266,13 @@ impl<'a> Record<'a> {
         }
     }
 
-    pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
-        self.trace.events.push(Event {
-            kind,
-            time,
-            penetration: contact.penetration(),
-            force: contact.force(),
-            contact_radius: contact.radius(),
-        });
+    pub(super) fn event(&mut self, event: Event<f64>) {
+        self.trace.events.push(event);
         self.trace.unknown_of_events.push([0.0; 4]);
+    }
+
+    pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
+        self.event(Event { kind, time, penetration: contact.penetration(), force: contact.force(), contact_radius: contact.radius() });
     }
 
     /// An event at a fold of t(a) a little ahead of the last point: values continued to it.

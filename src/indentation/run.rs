@@ -3,10 +3,11 @@
 
 use super::checkpoint::{Checkpoint, Observer, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
+use super::fields::SurfaceFields;
 use super::judgement::{Verdict, judged};
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
-use super::solution::{IndentationSolution, IndentationWork, Trace};
+use super::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
@@ -42,6 +43,9 @@ pub fn run_watched(
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
+    if problem.is_without_steps() {
+        return super::adhesiveless::solve(material, problem, watch);
+    }
     let mut finished = 0;
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST_FIRST, LOOSEST);
     // The last ones, the finest first.
@@ -78,6 +82,24 @@ pub fn run_watched(
     }
 }
 
+/// The contact at a time (s) of a history that has been solved without steps in time ([`IndentationProblem::is_without_steps`]): time, Δ, F and a, and its surface twice, the second time with coarser
+/// panels, so that their difference tells the error.
+///
+/// # Errors
+/// [`Refusal::Undefined`] for other problems; every refusal of [`run`].
+pub fn surface_without_steps(
+    material: &Material,
+    problem: &IndentationProblem,
+    solved: &IndentationSolution,
+    time: f64,
+) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
+    problem.checked()?;
+    if !problem.is_without_steps() {
+        return Err(Refusal::Undefined { quantity: "the surface", reason: "it follows from the path of the march".into() });
+    }
+    super::adhesiveless::surface_at(material, problem, &solved.march, time)
+}
+
 /// The loosest march that two behind it find within the accuracy. Where no march is to follow, those behind are asked too, and the best is told.
 fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<Verdict> {
     let mut best: Option<Verdict> = None;
@@ -96,7 +118,7 @@ fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<V
 }
 
 impl IndentationWork {
-    fn add(&mut self, other: &Self) {
+    pub(super) fn add(&mut self, other: &Self) {
         self.steps += other.steps;
         self.closure_evaluations += other.closure_evaluations;
         self.history_updates += other.history_updates;
@@ -107,7 +129,6 @@ impl IndentationWork {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::super::solution::PathPoint;
     use super::super::{History, Profile};
     use super::*;
 

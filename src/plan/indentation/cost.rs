@@ -41,6 +41,17 @@ const HELD_HISTORY_UPDATES: f64 = 110.0;
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
+/// Without steps in time: moves of both courses for each instant, and where a force is given; moves of a cycle at an accuracy of 1e-3, power of the accuracy
+/// they grow with, cycles of the longest memory and decades of accuracy until each is the last one; points of the line updated for a move.
+const MOVES: f64 = 2.0;
+const LOADED_MOVES: f64 = 10.0;
+const CYCLE_MOVES: f64 = 72.0;
+const CYCLE_MOVES_ORDER: f64 = 0.25;
+const REPEATING: f64 = 20.0;
+const MOVE_UPDATES: f64 = 350.0;
+/// Moves between two instants where the power is added up.
+const LEDGER: f64 = 30.0;
+
 /// No prediction is larger.
 const MOST: f64 = 1e11;
 
@@ -103,8 +114,41 @@ impl IndentationPlan {
         }
     }
 
+    /// Expected moves and updates without steps in time.
+    fn work_of_moves(&self) -> (f64, f64) {
+        let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
+        let finer = (1e-3 / self.accuracy).powf(CYCLE_MOVES_ORDER).clamp(1.0, 4.0);
+        let moves: f64 = self
+            .timeline
+            .legs
+            .iter()
+            .map(|leg| match leg.oscillation {
+                Some(oscillation) => {
+                    let repeated = STATIONARY + REPEATING * oscillation.frequency * longest;
+                    CYCLE_MOVES * finer * leg.cycles().min(repeated)
+                }
+                None if leg.quantity == HistoryQuantity::Force => LOADED_MOVES,
+                None => MOVES,
+            })
+            .sum();
+        let moves = if self.indentation.energies { moves * LEDGER } else { moves };
+        (moves, moves * MOVE_UPDATES)
+    }
+
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
+        let (balances, updates) = if self.without_steps { self.work_of_moves() } else { self.work_of_a_march() };
+        let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
+        Work {
+            closure_evaluations: balances.min(MOST).ceil() as u64,
+            kernel_evaluations: updates.min(MOST).ceil() as u64,
+            field_evaluations: fields,
+            ..Work::default()
+        }
+    }
+
+    /// Expected balances and updates of all marches of a state.
+    fn work_of_a_march(&self) -> (f64, f64) {
         let times = self.material.relaxation_terms().iter().map(|term| term.relaxation_time);
         let (shortest, longest) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
         let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };
@@ -123,13 +167,6 @@ impl IndentationPlan {
         let (each, layers) = if punch { (held, 0.0) } else { (each, LAYERS) };
         let updates = (balances * each * (1.0 + layers * decades * decades)).min(MOST);
         let (cycle_balances, cycle_updates) = self.work_of_cycles();
-        let (balances, updates) = ((balances + cycle_balances).min(MOST), (updates + cycle_updates).min(MOST));
-        let fields = self.indentation.fields.as_ref().map_or(0, |fields| u64::from(fields.points) * fields.times.len() as u64);
-        Work {
-            closure_evaluations: balances.ceil() as u64,
-            kernel_evaluations: updates.ceil() as u64,
-            field_evaluations: fields,
-            ..Work::default()
-        }
+        (balances + cycle_balances, updates + cycle_updates)
     }
 }

@@ -96,8 +96,12 @@ impl IndentationPlan {
     pub(super) fn sentences(&self) -> Vec<String> {
         let mut sentences = vec![
             "the contact is carried to a line on which every place is a spring chain of its own: no mesh of the body, no matrix (Sneddon's transform)".to_owned(),
-            "each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned(),
         ];
+        let marched = !self.without_steps;
+        if marched {
+            sentences
+                .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
+        }
         if self.indentation.adhesion.is_some() {
             sentences
                 .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
@@ -110,12 +114,27 @@ impl IndentationPlan {
             }
             sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
         } else {
-            sentences.push("without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's receding".to_owned());
+            sentences.push(
+                "without adhesion the load vanishes at the edge: Lee and Radok's contact advancing, Ting's and Graham's receding"
+                    .to_owned(),
+            );
+            if !marched {
+                sentences.push(
+                    "every place knows when the edge passes it, as a root of its own: exact for any number of terms and turns, without steps in time"
+                        .to_owned(),
+                );
+            }
         }
         if self.timeline.oscillates() {
-            sentences.push("every cycle of an oscillation is marched; its stiffness is that of the fundamental, its work ∮F dΔ".to_owned());
+            let followed = if marched {
+                "every cycle of an oscillation is marched"
+            } else {
+                "cycles of an oscillation are followed until each repeats the last one"
+            };
+            sentences.push(format!("{followed}; its stiffness is that of the fundamental, its work ∮F dΔ"));
         }
-        sentences.push("errors by marching again with other steps".to_owned());
+        sentences
+            .push(if marched { "errors by marching again with other steps" } else { "errors by a second, coarser solution" }.to_owned());
         sentences
     }
 
@@ -124,11 +143,13 @@ impl IndentationPlan {
         let pick = |of_si: &'static str, reduced: &'static str| if si { of_si } else { reduced };
         let group = |name: &str, value: f64, unit: &str| Group { name: name.into(), value, unit: unit.into() };
         let glassy = self.material.glassy_modulus();
-        let mut groups = vec![
-            group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")),
-            group("glassy modulus E∞*", glassy, pick("Pa", "E0*")),
-            group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
-        ];
+        let mut groups =
+            vec![group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
+        // A liquid has no other modulus to be stiffer than.
+        groups.push(match self.material.steady_viscosity() {
+            None => group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
+            Some(viscosity) => group("steady viscosity η*", viscosity, "Pa s"),
+        });
         if let Some(longest) = self.material.longest_relaxation_time() {
             groups.push(group("longest relaxation time", longest, pick("s", "reference time")));
         }

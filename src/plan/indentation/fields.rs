@@ -1,9 +1,10 @@
-//! Pressure and surface displacement at chosen times: the march is walked again along its own path, thinned.
+//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps is solved again up
+//! to each.
 
 use super::IndentationPlan;
 use super::rows::Values;
 use crate::estimate::Estimate;
-use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep};
+use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_without_steps};
 use crate::outcome::FieldPoint;
 use crate::refusal::Refusal;
 use crate::scene::typed::IndentationFields;
@@ -25,10 +26,10 @@ pub(super) struct FieldRow {
 
 impl IndentationPlan {
     pub(super) fn fields_of(&self, solution: &IndentationSolution, wanted: &IndentationFields) -> Result<Vec<FieldRow>, Refusal> {
-        let springs = Springs::new(&self.material)?;
         let path = &solution.march.path;
         let end = path.last().map_or(0.0, |point| point.time);
-        let states: Vec<(f64, [Contact<'_>; 2])> = wanted
+        let problem = self.problem()?;
+        let states: Vec<(PathPoint, [SurfaceFields; 2], f64)> = wanted
             .times
             .iter()
             .map(|time| {
@@ -37,15 +38,23 @@ impl IndentationPlan {
                     return Err(Refusal::OutOfRange { quantity: "fields.times", value: time, allowed: "within the history" });
                 }
                 let time = time.min(end);
-                Ok((time, [self.walked(&springs, path, time, MOVES[0])?, self.walked(&springs, path, time, MOVES[1])?]))
+                if problem.is_without_steps() {
+                    let (point, surfaces) = surface_without_steps(&self.material, &problem, solution, time)?;
+                    return Ok((point, surfaces, 0.0));
+                }
+                let springs = Springs::new(&self.material)?;
+                let [fine, coarse] = [self.walked(&springs, path, time, MOVES[0])?, self.walked(&springs, path, time, MOVES[1])?];
+                let nothing = PathPoint { time, energies: None, ..path.first().copied().ok_or_else(no_path)? };
+                let point = PathPoint { penetration: fine.penetration(), force: fine.force(), contact_radius: fine.radius(), ..nothing };
+                Ok((point, [SurfaceFields::of(&fine), SurfaceFields::of(&coarse)], SAFETY * (fine.force() - coarse.force()).abs()))
             })
             .collect::<Result<_, Refusal>>()?;
         let largest = path.iter().fold(0.0, |most: f64, point| most.max(point.contact_radius));
         let reach = wanted.to.unwrap_or_else(|| {
-            let asked = states.iter().fold(0.0, |most: f64, (_, [contact, _])| most.max(contact.radius()));
+            let asked = states.iter().fold(0.0, |most: f64, (point, ..)| most.max(point.contact_radius));
             2.0 * if asked > 0.0 { asked } else { largest }
         });
-        states.iter().map(|(time, pair)| self.field_row(solution, *time, pair, reach, wanted.points)).collect()
+        states.iter().map(|(point, fields, off)| self.field_row(solution, point, fields, *off, (reach, wanted.points))).collect()
     }
 
     /// The contact at a time, in about `moves` straight pieces of the path, which is a polynomial between its points; jumps stay jumps.
@@ -53,9 +62,7 @@ impl IndentationPlan {
         let profile = self.profile.clone();
         let problem = self.problem()?;
         let sweep = if problem.adhesion.is_some() { Sweep::Linear } else { Sweep::Profile };
-        let Some(first) = path.first() else {
-            return Err(Refusal::NotConverged { what: "the march", detail: "it has no path".into() });
-        };
+        let first = path.first().ok_or_else(no_path)?;
         let mut contact = match problem.start {
             Start::Relaxed => Contact::relaxed(springs, profile, first.contact_radius, first.penetration)?,
             Start::Untouched => Contact::untouched(springs, profile, first.contact_radius, first.penetration)?,
@@ -91,30 +98,30 @@ impl IndentationPlan {
     fn field_row(
         &self,
         solution: &IndentationSolution,
-        time: f64,
-        [fine, coarse]: &[Contact<'_>; 2],
-        reach: f64,
-        points: u32,
+        point: &PathPoint,
+        fields: &[SurfaceFields; 2],
+        force_off: f64,
+        (reach, points): (f64, u32),
     ) -> Result<FieldRow, Refusal> {
-        // The kept instants before and after bound what the march itself leaves open.
+        let time = point.time;
+        // The kept instants before and after bound what the solution itself leaves open.
         let after = solution.instants.partition_point(|instant| instant.time < time).min(solution.instants.len().saturating_sub(1));
         let neighbours = || [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
         let widest = |of: fn(&Instant) -> Estimate| neighbours().fold(0.0, |most: f64, instant| most.max(of(instant).error));
-        let force_error = widest(|instant| instant.force) + SAFETY * (fine.force() - coarse.force()).abs();
-        let (a, force) = (fine.radius(), fine.force());
+        let force_error = widest(|instant| instant.force) + force_off;
+        let (a, force) = (point.contact_radius, point.force);
         let values = self.basic(
             Estimate::exact(time),
-            Estimate::new(fine.penetration(), widest(|instant| instant.penetration)),
+            Estimate::new(point.penetration, widest(|instant| instant.penetration)),
             Estimate::new(force, force_error),
             Estimate::new(a, widest(|instant| instant.contact_radius)),
         );
         let scale = solution.instants.iter().fold(force.abs(), |most, instant| most.max(instant.force.value.abs()));
         // A relative error of the load is one of the pressure.
         let load_error = if scale > 0.0 { force_error / scale } else { 0.0 };
-        let fields = [SurfaceFields::of(fine), SurfaceFields::of(coarse)];
         let mut found: Vec<(f64, [f64; 2], [f64; 2])> = Vec::with_capacity(points as usize);
         for place in places(a, reach, points) {
-            let [field, other] = &fields;
+            let [field, other] = fields;
             let (pressure, displacement) = (field.pressure(place)?, field.displacement(place)?);
             found.push((place, [pressure, displacement], [other.pressure(place)? - pressure, other.displacement(place)? - displacement]));
         }
@@ -133,6 +140,10 @@ impl IndentationPlan {
             .collect();
         Ok(FieldRow { values, points })
     }
+}
+
+fn no_path() -> Refusal {
+    Refusal::NotConverged { what: "the march", detail: "it has no path".into() }
 }
 
 /// a and Δ within the step that begins at a place of the path: the polynomial in time through the nearest points of the same stretch.

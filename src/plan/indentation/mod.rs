@@ -42,6 +42,8 @@ pub(super) struct IndentationPlan {
     swept: bool,
     timeline: Timeline,
     profile: Profile,
+    /// Whether it is solved without steps in time.
+    without_steps: bool,
 }
 
 impl IndentationPlan {
@@ -52,13 +54,16 @@ impl IndentationPlan {
             _ => 1.0,
         };
         let material = scene.material.series.stiffened(stiffening)?;
-        let relaxed = material.solid_modulus("an indentation")?;
+        // Reduced moduli are over E0*; a process zone of a cohesive stress asks for it as well.
+        if indentation.adhesion.is_some() || scene.units == Units::Reduced {
+            material.solid_modulus("an indentation")?;
+        }
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
-        let plan = Self {
+        let mut plan = Self {
             indentation: indentation.clone(),
+            relaxed: material.relaxed_modulus(),
             material,
-            relaxed,
             poisson_ratio: scene.material.poisson_ratio,
             scale,
             units: scene.units,
@@ -66,8 +71,12 @@ impl IndentationPlan {
             swept: !scene.sweeps.is_empty(),
             timeline,
             profile: march::profile(&indentation.shape)?,
+            without_steps: false,
         };
-        plan.problem()?;
+        plan.without_steps = plan.problem()?.is_without_steps();
+        if !plan.without_steps {
+            plan.material.solid_modulus("an indentation")?;
+        }
         if plan.characteristic_numbers().iter().all(|group| group.value.is_finite()) {
             Ok(plan)
         } else {

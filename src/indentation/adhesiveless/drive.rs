@@ -1,0 +1,230 @@
+//! The penetration within a stretch of time, Δ(x) = Δ₀ + Σ w_k (x/T)^k + A(sin(φ + ωx) − sin φ), 0 ≤ x ≤ T, and what it does to a point in contact.
+
+use super::chain::Chain;
+
+/// Highest power of the time.
+pub(super) const DEGREE: usize = 8;
+
+/// An oscillation of one frequency upon a polynomial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Wave {
+    pub(super) amplitude: f64,
+    /// ω (rad/s) and φ (rad).
+    pub(super) pace: f64,
+    pub(super) phase: f64,
+}
+
+/// Δ(x).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Drive {
+    pub(super) start: f64,
+    /// T (s).
+    pub(super) duration: f64,
+    powers: [f64; DEGREE],
+    used: usize,
+    wave: Option<Wave>,
+}
+
+impl Drive {
+    pub(super) fn straight(start: f64, end: f64, duration: f64) -> Self {
+        let mut powers = [0.0; DEGREE];
+        powers[0] = end - start;
+        Self { start, duration, powers, used: 1, wave: None }
+    }
+
+    pub(super) fn with_wave(mut self, wave: Wave) -> Self {
+        self.wave = Some(wave);
+        self
+    }
+
+    /// The polynomial through places x/T of 0…1, none of them 0, with Δ − Δ₀ there.
+    pub(super) fn through(start: f64, duration: f64, points: &[(f64, f64)]) -> Self {
+        // Newton's divided differences of (Δ − Δ₀)/(x/T), a polynomial of one degree less, then as powers.
+        let points = points.get(..points.len().min(DEGREE)).unwrap_or(points);
+        let count = points.len();
+        let mut divided: Vec<f64> = points.iter().map(|(place, rise)| rise / place).collect();
+        for order in 1..count {
+            for k in (order..count).rev() {
+                divided[k] = (divided[k] - divided[k - 1]) / (points[k].0 - points[k - order].0);
+            }
+        }
+        let mut powers = [0.0; DEGREE];
+        for k in (0..count).rev() {
+            // p ← p·(y − y_k) + d_k
+            for l in (1..DEGREE).rev() {
+                powers[l] = powers[l - 1] - points[k].0 * powers[l];
+            }
+            powers[0] = divided[k] - points[k].0 * powers[0];
+        }
+        Self { start, duration, powers, used: count.max(1), wave: None }
+    }
+
+    /// The polynomial of highest degree through a function of the time.
+    pub(super) fn fitted(start: f64, duration: f64, mut value: impl FnMut(f64) -> f64) -> Self {
+        let points: [(f64, f64); DEGREE] = std::array::from_fn(|k| {
+            let place = (0.5 - 0.5 * (std::f64::consts::PI * (k as f64 + 1.0) / DEGREE as f64).cos()).min(1.0);
+            (place, value(place * duration) - start)
+        });
+        Self::through(start, duration, &points)
+    }
+
+    pub(super) fn value(&self, x: f64) -> f64 {
+        let y = x / self.duration;
+        let polynomial = self.powers[..self.used].iter().rev().fold(0.0, |sum, power| (sum + power) * y);
+        // sin(φ + ωx) − sin φ without loss for short times.
+        let wave = self.wave.map_or(0.0, |w| {
+            let half = 0.5 * w.pace * x;
+            2.0 * w.amplitude * half.sin() * (w.phase + half).cos()
+        });
+        self.start + polynomial + wave
+    }
+
+    pub(super) fn rate(&self, x: f64) -> f64 {
+        let y = x / self.duration;
+        let slope = self.powers[..self.used].iter().enumerate().rev().fold(0.0, |sum, (k, power)| sum * y + (k as f64 + 1.0) * power);
+        slope / self.duration + self.wave.map_or(0.0, |w| w.amplitude * w.pace * (w.phase + w.pace * x).cos())
+    }
+
+    pub(super) fn end(&self) -> f64 {
+        self.value(self.duration)
+    }
+
+    /// What is left of it after a time.
+    pub(super) fn rest(&self, x: f64) -> Self {
+        let part = x / self.duration;
+        let left = 1.0 - part;
+        let mut shifted = [0.0; DEGREE];
+        shift(&self.powers[..self.used], part, left, &mut shifted);
+        let wave = self.wave.map(|w| Wave { phase: w.phase + w.pace * x, ..w });
+        Self { start: self.value(x), duration: self.duration - x, powers: shifted, used: self.used, wave }
+    }
+
+    /// The first part of it.
+    pub(super) fn until(&self, x: f64) -> Self {
+        let part = x / self.duration;
+        let mut scale = 1.0;
+        let powers = self.powers.map(|power| {
+            scale *= part;
+            power * scale
+        });
+        Self { duration: x, powers, ..*self }
+    }
+
+    /// ∫₀^x e^{−(x − x′)/ρ}Δ̇ dx′; `kept`: e^{−x/ρ}.
+    pub(super) fn gained(&self, rho: f64, x: f64, kept: f64) -> f64 {
+        let z = x / rho;
+        let y = x / self.duration;
+        let lost = -(-z).exp_m1();
+        let mut gained = if self.used == 1 {
+            self.powers[0] * y * if z > 0.0 { lost / z } else { 1.0 }
+        } else {
+            let factors = means(z, kept);
+            self.powers[..self.used].iter().zip(factors).rev().fold(0.0, |sum, (power, factor)| (sum + power * factor) * y)
+        };
+        if let Some(w) = self.wave {
+            // A·Im[c(e^{iωx} − e^{−x/ρ})e^{iφ}], c = iωρ/(1 + iωρ), by parts that vanish with x.
+            let a = w.pace * rho;
+            let (real, imaginary) = (a / (1.0 / a + a), 1.0 / (1.0 / a + a));
+            let half = (0.5 * w.pace * x).sin();
+            let (along, across) = (-2.0 * half * half + lost, (w.pace * x).sin());
+            let (first, second) = (real * along - imaginary * across, real * across + imaginary * along);
+            gained += w.amplitude * (first * w.phase.sin() + second * w.phase.cos());
+        }
+        gained
+    }
+
+    /// ∫₀^x Δ dx′.
+    pub(super) fn integral(&self, x: f64) -> f64 {
+        let y = x / self.duration;
+        let powers = self.powers[..self.used].iter().enumerate().rev();
+        let polynomial = powers.fold(0.0, |sum, (k, power)| (sum + power / (k as f64 + 2.0)) * y);
+        let wave = self.wave.map_or(0.0, |w| {
+            let half = 0.5 * w.pace * x;
+            w.amplitude * (2.0 * half.sin() * (w.phase + half).sin() / w.pace - x * w.phase.sin())
+        });
+        x * (self.start + polynomial) + wave
+    }
+}
+
+/// Σ w_k (part + left·y)^k as powers of y, without the constant.
+fn shift(powers: &[f64], part: f64, left: f64, shifted: &mut [f64; DEGREE]) {
+    let mut value = 0.0;
+    for power in powers.iter().rev() {
+        value += power;
+        for k in (0..DEGREE).rev() {
+            let below = if k == 0 { value } else { shifted[k - 1] };
+            shifted[k] = shifted[k] * part + below * left;
+        }
+        value *= part;
+    }
+}
+
+/// Everything that a time since the start of a drive does, to all points alike.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Moment {
+    pub(super) time: f64,
+    /// Δ and Δ̇.
+    pub(super) depth: f64,
+    pub(super) rate: f64,
+    /// e^{−x/ρ_i} and what u_i gains.
+    pub(super) kept: Vec<f64>,
+    pub(super) gained: Vec<f64>,
+    /// e^{−x/τ_j}.
+    pub(super) recovered: Vec<f64>,
+}
+
+impl Moment {
+    pub(super) fn new(chain: &Chain, drive: &Drive, x: f64) -> Self {
+        let mut moment = Self::default();
+        moment.set(chain, drive, x);
+        moment.set_free(chain, drive, x);
+        moment
+    }
+
+    /// For points that are free until then.
+    pub(super) fn set_free(&mut self, chain: &Chain, drive: &Drive, x: f64) {
+        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
+        self.recovered.clear();
+        self.recovered.extend(chain.voigt.iter().map(|&(rate, _)| (-rate * x).exp()));
+    }
+
+    /// For points that are in contact until then.
+    pub(super) fn set(&mut self, chain: &Chain, drive: &Drive, x: f64) {
+        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
+        self.kept.clear();
+        self.gained.clear();
+        for &(_, rho) in &chain.maxwell {
+            let kept = (-x / rho).exp();
+            self.kept.push(kept);
+            self.gained.push(drive.gained(rho, x, kept));
+        }
+    }
+}
+
+/// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards for large z, downwards from a series for small z.
+fn means(z: f64, kept: f64) -> [f64; DEGREE] {
+    let mut values = [0.0; DEGREE];
+    let top = DEGREE as f64;
+    if z > top {
+        let mut last = kept;
+        for (k, value) in values.iter_mut().enumerate() {
+            last = (k as f64 + 1.0) / z * (1.0 - last);
+            *value = last;
+        }
+        return values;
+    }
+    let (mut term, mut sum): (f64, f64) = (1.0, 0.0);
+    for m in 1..60 {
+        let next = sum + term;
+        if next.to_bits() == sum.to_bits() {
+            break;
+        }
+        sum = next;
+        term *= -z / (top + f64::from(m));
+    }
+    for k in (0..DEGREE).rev() {
+        values[k] = sum;
+        sum = 1.0 - z * sum / (k as f64 + 1.0);
+    }
+    values
+}

@@ -1,0 +1,136 @@
+//! A contact that only grows on a surface that nothing has touched yet: Lee and Radok's. Then a elastic function of the edge follows from the force alone,
+//! 2Φ(a) = F/E∞* + Σ C_j, Φ = a f(a) − ∫₀^a f ds, τ_jĊ_j = J_jF − C_j with C_j = 2∫e_j ds over the whole line.
+
+use super::chain::Chain;
+use super::drive::Drive;
+use super::grid::{GRID, NODES};
+use super::line::place_of;
+use crate::indentation::profile::Profile;
+use crate::refusal::Refusal;
+
+/// Halvings of a bracket.
+const MOST_ITERATIONS: u32 = 200;
+
+/// Φ of a shape.
+#[derive(Debug, Clone)]
+pub(super) struct Fresh<'a> {
+    profile: &'a Profile,
+    /// Of a table: its points and ∫f ds up to each.
+    running: Vec<(f64, f64)>,
+}
+
+impl<'a> Fresh<'a> {
+    pub(super) fn of(profile: &'a Profile) -> Self {
+        let mut running = Vec::new();
+        if let Profile::Table(shape) = profile {
+            let mut sum = 0.0;
+            let knots = profile.breaks(shape.reach());
+            running.push((0.0, 0.0));
+            for pair in knots.windows(2) {
+                sum += stretch(profile, pair[0], pair[1]);
+                running.push((pair[1], sum));
+            }
+        }
+        Self { profile, running }
+    }
+
+    /// Φ(a) (m²) at a place a, with Δ = f(a).
+    pub(super) fn at(&self, a: f64) -> f64 {
+        let height = self.profile.line(a);
+        match self.profile {
+            Profile::Paraboloid { .. } => 2.0 / 3.0 * a * height,
+            Profile::Cone { .. } => 0.5 * a * height,
+            Profile::PowerLaw { exponent, .. } => exponent / (exponent + 1.0) * a * height,
+            Profile::FlatPunch { .. } => 0.0,
+            Profile::Table(_) => {
+                let next = self.running.partition_point(|(place, _)| *place <= a).max(1);
+                let (place, sum) = self.running.get(next - 1).copied().unwrap_or_default();
+                a * height - sum - stretch(self.profile, place, a)
+            }
+        }
+    }
+
+    /// The penetration of a fresh contact with Φ (m), at least 0.
+    pub(super) fn depth(&self, load: f64) -> Result<f64, Refusal> {
+        if load <= 0.0 {
+            return Ok(0.0);
+        }
+        let profile = self.profile;
+        match profile {
+            Profile::FlatPunch { radius } => return Ok(load / radius),
+            Profile::Paraboloid { radius } => return Ok((1.5 * load * radius).cbrt().powi(2) / radius),
+            Profile::Cone { .. } => {
+                let slope = profile.line(1.0);
+                return Ok((2.0 * load * slope).sqrt());
+            }
+            Profile::PowerLaw { coefficient, exponent } => {
+                let place = (load * (exponent + 1.0) / (exponent * coefficient)).powf(1.0 / (exponent + 1.0));
+                return Ok(profile.line(place));
+            }
+            Profile::Table(_) => {}
+        }
+        let Some(&(reach, _)) = self.running.last() else { return Ok(0.0) };
+        if self.at(reach) < load {
+            return Err(Refusal::NoSuchState {
+                reason: "the force presses the contact out beyond the last point of the table".into(),
+                limit_name: "the radius of its last point",
+                limit: reach,
+            });
+        }
+        // Φ′ = a f′ ≥ 0: Newton's steps within a bracket.
+        let (mut low, mut high) = (0.0, reach);
+        let mut place = 0.5 * reach;
+        for _ in 0..MOST_ITERATIONS {
+            let excess = self.at(place) - load;
+            if excess > 0.0 {
+                high = place;
+            } else {
+                low = place;
+            }
+            let newton = place - excess / (place * profile.line_slope(place));
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - place).abs() <= 2.0 * f64::EPSILON * place {
+                break;
+            }
+            place = next;
+        }
+        Ok(profile.line(place))
+    }
+}
+
+/// ∫f ds between two places without a point of a table between them.
+fn stretch(profile: &Profile, low: f64, high: f64) -> f64 {
+    if high <= low {
+        return 0.0;
+    }
+    let values = std::array::from_fn::<f64, NODES, _>(|k| profile.line(place_of(low, high, k)));
+    (high - low) * GRID.integral(&values)
+}
+
+/// 2Φ as it follows from a force that is given in time.
+#[derive(Debug, Clone)]
+pub(super) struct Moved<'a> {
+    pub(super) chain: &'a Chain,
+    pub(super) force: Drive,
+    /// C_j at its start.
+    pub(super) strains: Vec<f64>,
+}
+
+impl Moved<'_> {
+    pub(super) fn at(&self, time: f64) -> f64 {
+        let force = self.force.value(time);
+        let mut value = force / self.chain.glassy;
+        for (&(slowness, flow), strain) in self.chain.voigt.iter().zip(&self.strains) {
+            let kept = (-slowness * time).exp();
+            let driven = if slowness > 0.0 {
+                // By parts: J_j[F − F₀e^{−t/τ} − ∫e^{−(t − t′)/τ}Ḟdt′].
+                let risen = -(-slowness * time).exp_m1() * self.force.start + (force - self.force.start);
+                flow / slowness * (risen - self.force.gained(slowness.recip(), time, kept))
+            } else {
+                flow * self.force.integral(time)
+            };
+            value += strain * kept + driven;
+        }
+        value
+    }
+}

@@ -1,0 +1,152 @@
+//! Seventeen places of a stretch of the line, and what they tell between them.
+//!
+//! Where the edge turned, states go with the root of the distance, on one side or on both. Along a stretch s = low + width·sin²(θ/2), so that a root at
+//! either end is smooth in θ, and a Chebyshev series in θ keeps it to rounding.
+
+use crate::special::gauss_legendre::UNIT_RULE_20;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::LazyLock;
+
+/// Places of a stretch, both ends among them.
+pub(super) const NODES: usize = 17;
+/// Coefficients whose size tells whether a series has ended.
+const TAIL: usize = 3;
+
+/// A number for each place.
+pub(super) type Nodal = [f64; NODES];
+
+pub(super) struct Grid {
+    /// sin²(θ/2), and ξ = 2θ/π − 1.
+    pub(super) parts: Nodal,
+    xi: Nodal,
+    /// ∫ds over the width.
+    pub(super) weights: Nodal,
+    /// From values to the last coefficients of the series.
+    tail: [Nodal; TAIL],
+}
+
+pub(super) static GRID: LazyLock<Grid> = LazyLock::new(Grid::new);
+
+impl Grid {
+    fn new() -> Self {
+        let last = NODES - 1;
+        let angle = |k: usize| PI * k as f64 / last as f64;
+        let xi: Nodal = std::array::from_fn(|k| if 2 * k == last { 0.0 } else { -angle(k).cos() });
+        let parts: Nodal = std::array::from_fn(|k| match k {
+            0 => 0.0,
+            k if k == last => 1.0,
+            k => (0.25 * PI * (1.0 + xi[k])).sin().powi(2),
+        });
+        let mut weights = [0.0; NODES];
+        for half in [-1.0, 0.0] {
+            for &(node, weight) in UNIT_RULE_20.iter() {
+                let place = half + node;
+                let rise = FRAC_PI_2 * 0.5 * (FRAC_PI_2 * (1.0 + place)).sin() * weight;
+                for (sum, value) in weights.iter_mut().zip(basis(&xi, place)) {
+                    *sum += rise * value;
+                }
+            }
+        }
+        let tail = std::array::from_fn(|row| {
+            let order = last - row;
+            std::array::from_fn(|k| {
+                let end = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };
+                // ξ_k = −cos(angle): T_m(ξ_k) = (−1)^m cos(m·angle).
+                let sign = if order.is_multiple_of(2) { 1.0 } else { -1.0 };
+                sign * 2.0 / last as f64 * end(k) * end(order) * (order as f64 * angle(k)).cos()
+            })
+        });
+        Self { parts, xi, weights, tail }
+    }
+
+    /// What each place weighs in the value at a distance from the low end and one from the high end.
+    pub(super) fn at(&self, from_low: f64, from_high: f64) -> Nodal {
+        let theta = 2.0 * from_low.max(0.0).sqrt().atan2(from_high.max(0.0).sqrt());
+        basis(&self.xi, (theta / FRAC_PI_2 - 1.0).clamp(-1.0, 1.0))
+    }
+
+    /// The zero of falling values, as the distance from the low end over the width; the values are ≥ 0 at the first place and < 0 at the last.
+    pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
+        let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
+        let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
+        let (mut above, mut below) = (values[next - 1], values[next]);
+        let mut side = 0;
+        for _ in 0..60 {
+            if above == 0.0 || high - low <= 4e-16 {
+                break;
+            }
+            let chord = low + (high - low) * (above / (above - below));
+            let place = if chord > low && chord < high { chord } else { 0.5 * (low + high) };
+            let value = dot(&basis(&self.xi, place), values);
+            if value >= 0.0 {
+                (low, above) = (place, value);
+                if side == 1 {
+                    below *= 0.5;
+                }
+                side = 1;
+            } else {
+                (high, below) = (place, value);
+                if side == -1 {
+                    above *= 0.5;
+                }
+                side = -1;
+            }
+        }
+        (0.25 * PI * (1.0 + low)).sin().powi(2)
+    }
+
+    /// The size of the last coefficients of a series.
+    pub(super) fn tail(&self, values: &Nodal) -> f64 {
+        self.tail.iter().fold(0.0, |most: f64, row| most.max(dot(row, values).abs()))
+    }
+
+    /// ∫ of values over the width.
+    pub(super) fn integral(&self, values: &Nodal) -> f64 {
+        dot(&self.weights, values)
+    }
+}
+
+pub(super) fn dot(weights: &Nodal, values: &[f64]) -> f64 {
+    weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
+}
+
+/// Lagrange's polynomials at a place, by the barycentric formula of Chebyshev's points with both ends.
+fn basis(xi: &Nodal, place: f64) -> Nodal {
+    let mut values = [0.0; NODES];
+    let mut sum = 0.0;
+    for (k, (value, node)) in values.iter_mut().zip(xi).enumerate() {
+        let distance = place - node;
+        if distance == 0.0 {
+            let mut unit = [0.0; NODES];
+            unit[k] = 1.0;
+            return unit;
+        }
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let end = if k == 0 || k == NODES - 1 { 0.5 } else { 1.0 };
+        *value = sign * end / distance;
+        sum += *value;
+    }
+    values.map(|value| value / sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_at_both_ends_are_kept() {
+        let grid = &*GRID;
+        let of = |part: f64| (part.sqrt() + 2.0) * ((1.0 - part) * part).sqrt() + part;
+        let values = grid.parts.map(of);
+        for part in [0.0, 1e-9, 1e-3, 0.3, 0.77, 1.0 - 1e-7, 1.0] {
+            let found = dot(&grid.at(part, 1.0 - part), &values);
+            assert!((found - of(part)).abs() < 2e-13, "{part} {found} {}", of(part));
+        }
+        // ∫√(x(1 − x)) = π/8, ∫x√(1 − x) = 4/15.
+        let exact = PI / 4.0 + 0.5 + 4.0 / 15.0;
+        assert!((grid.integral(&values) - exact).abs() < 1e-13, "{}", grid.integral(&values) - exact);
+        assert!(grid.tail(&values) < 1e-12);
+        let falling = grid.parts.map(|part| 0.3 - part);
+        assert!((grid.falling_zero(&falling) - 0.3).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,171 @@
+//! A contact without adhesion with errors: a course, judged by a coarser one.
+
+use super::chain::Chain;
+use super::course::{Course, Fineness};
+use crate::estimate::Estimate;
+use crate::indentation::checkpoint::Watch;
+use crate::indentation::fields::SurfaceFields;
+use crate::indentation::history::Controlled;
+use crate::indentation::judgement::judged;
+use crate::indentation::panel::Panel;
+use crate::indentation::problem::IndentationProblem;
+use crate::indentation::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
+use crate::material::Material;
+use crate::refusal::Refusal;
+
+/// Series of the finest course, and how much coarser the other is.
+const FINEST: f64 = 1e-13;
+const COARSER: f64 = 30.0;
+/// Tolerances that say so to who judges: its bound is then three times the change.
+const OF_CHANGE: f64 = 100.0;
+/// Slope of S over f′ that is told from none.
+const SOFTEST: f64 = 1e4;
+/// Points of cycles and powers over their first number, at most: a contact that is lost and found within a cycle has a force that is not smooth.
+const DENSEST: u32 = 8;
+/// Part of an error that denser points must leave to go on.
+const HELPED: f64 = 0.6;
+/// Series over the accuracy.
+const OF_ACCURACY: f64 = 1e-7;
+
+/// How finely courses go: the coarser one (level 0) and the finer one, at points of cycles and of powers `points` times as dense.
+fn fineness(accuracy: f64, level: u32, points: u32) -> Fineness {
+    let coarser = COARSER.powi(1 - level as i32);
+    let finer = (1e-3 / accuracy).powf(0.25).clamp(1.0, 4.0);
+    Fineness {
+        series: (OF_ACCURACY * accuracy).clamp(FINEST, 1e-10) * coarser,
+        of_cycle: (finer * if level == 0 { 28.0 } else { 40.0 }) as u32 * points,
+        ledger: if level == 0 {
+            (1.6_f64.powf(f64::from(points).recip()), 16 * points)
+        } else {
+            (1.35_f64.powf(f64::from(points).recip()), 24 * points)
+        },
+    }
+}
+
+/// Solves a history without adhesion to its accuracy.
+pub(in crate::indentation) fn solve(
+    material: &Material,
+    problem: &IndentationProblem,
+    watch: Option<&dyn Watch>,
+) -> Result<IndentationSolution, Refusal> {
+    let chain = Chain::new(material)?;
+    let mut work = IndentationWork::default();
+    let (mut points, mut number, mut excess) = (1, 0, f64::INFINITY);
+    loop {
+        let mut course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
+            number += 1;
+            Course::new(&chain, problem, fineness(problem.accuracy, level, points)).watched(watch, number).through(stops)
+        };
+        let (mut coarse, _) = course(0, &[])?;
+        let stops = coarse.shortened.clone();
+        let (fine, unknown) = course(1, &stops)?;
+        problem.profile.holds(fine.summary.scales[2], 0.0)?;
+        for trace in [&coarse, &fine] {
+            work.add(&trace.work);
+        }
+        // The finer course errs by a small part of the change between both.
+        coarse.tolerance = fine.tolerance * OF_CHANGE;
+        let traces = vec![fine, coarse];
+        let verdict =
+            judged(problem, &traces, 0).ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
+        let helped = verdict.excess < HELPED * excess;
+        excess = verdict.excess;
+        let mut solution = verdict.solution(work);
+        if solution.reached || points >= DENSEST || !helped {
+            widen(&mut solution, &chain, problem, unknown);
+            return Ok(solution);
+        }
+        points *= 2;
+    }
+}
+
+/// One course, as fine as an accuracy asks for.
+pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
+    let chain = Chain::new(material)?;
+    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1, 1)).through(&[])?;
+    trace.tolerance = accuracy;
+    problem.profile.holds(trace.summary.scales[2], 0.0)?;
+    Ok(trace)
+}
+
+/// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
+/// is f′ in a fresh contact and at least f′/β.
+fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, unknown: f64) {
+    let given = !problem.history.controls(Controlled::Force);
+    let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
+    let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
+    let of_depth = if given { 0.0 } else { unknown };
+    let of_force = |a: f64| 2.0 * a * chain.glassy * unknown;
+    let of_edge = |a: f64| {
+        let slope = problem.profile.line_slope(a);
+        // An edge is known no worse than the whole contact.
+        if a > 0.0 && slope > 0.0 { (softest * unknown / slope).min(a) } else { 0.0 }
+    };
+    for instant in &mut solution.instants {
+        let a = instant.contact_radius.value;
+        wider(&mut instant.penetration, of_depth);
+        wider(&mut instant.force, of_force(a));
+        wider(&mut instant.contact_radius, of_edge(a));
+    }
+    for cycle in &mut solution.cycles {
+        for k in 0..2 {
+            let a = cycle.contact_radius[k].value;
+            wider(&mut cycle.penetration[k], of_depth);
+            wider(&mut cycle.force[k], of_force(a));
+            wider(&mut cycle.contact_radius[k], of_edge(a));
+        }
+    }
+    let depth = solution.march.summary.scales[0];
+    for event in &mut solution.events {
+        wider(&mut event.penetration, unknown);
+        // It lets go as fast as the history passes its depth, on the whole.
+        let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+        wider(&mut event.time, duration * unknown / depth.max(f64::MIN_POSITIVE));
+    }
+}
+
+/// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less.
+const GRADES: [i32; 2] = [10, 7];
+
+/// The contact at a time of a history that has been solved, and its surface twice: as it is, and with coarser panels, for the error.
+pub(in crate::indentation) fn surface_at(
+    material: &Material,
+    problem: &IndentationProblem,
+    solved: &Trace,
+    time: f64,
+) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
+    let chain = Chain::new(material)?;
+    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1, 1)).line_at(time, &solved.shortened)?;
+    let (depth, profile) = (line.penetration, &problem.profile);
+    let surface = |grades: i32| {
+        let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {
+            let half = 0.5 * (high - low);
+            let places = (0..grades).map(|k| half * 0.25_f64.powi(k)).collect::<Vec<f64>>();
+            let inner = places.iter().rev().map(|way| low + way).chain(places.iter().skip(1).map(|way| high - way));
+            let places: Vec<f64> = [low].into_iter().chain(inner).chain([high]).collect();
+            let wide = places.windows(2).filter(|pair| pair[1] > pair[0]);
+            wide.map(|pair| Panel::sampled(pair[0], pair[1], sample)).collect::<Vec<Panel>>()
+        };
+        let (mut load, mut displacement) = (Vec::new(), Vec::new());
+        for stretch in &line.contact {
+            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * line.pressing_at(s)));
+            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s)));
+        }
+        for stretch in &line.free {
+            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s) - line.pressing_at(s)));
+        }
+        SurfaceFields::made_of(line.radius(), load, displacement)
+    };
+    let point = PathPoint {
+        time,
+        penetration: depth,
+        force: line.force(),
+        contact_radius: line.radius(),
+        stress_intensity_factor: 0.0,
+        unresolved_intensity: 0.0,
+        residual: 0.0,
+        piece: 0,
+        energies: None,
+    };
+    Ok((point, GRADES.map(surface)))
+}
