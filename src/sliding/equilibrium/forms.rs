@@ -17,6 +17,8 @@ use std::f64::consts::PI;
 const STEPS: usize = 60;
 /// Newton steps at a point where both conics meet.
 const POLISHES: usize = 4;
+/// The square of a load over a pull beyond which the square of the pull is lost in that of the load.
+const WEAK: f64 = 1e9;
 /// Largest residual of a condition at such a point.
 const MEETS: f64 = 1e-5;
 /// The frame that conics are seen in: three orthonormal directions of no meaning.
@@ -160,30 +162,45 @@ impl Conditions {
     /// Eccentricity and mean pressure of every root of both conditions, whatever the signs of the edges.
     pub(super) fn roots(&self) -> Vec<(f64, f64)> {
         match &self.works {
-            Some(works) => self.adhesive(works),
-            None => self.adhesiveless(),
+            Some(works) if !self.is_weak() => self.adhesive(works),
+            Some(works) => self.of_amplitudes([0, 1].map(|edge| self.weak_amplitude(works, edge))),
+            None => self.of_amplitudes([0.0; 2]).into_iter().filter(|&(_, pressure)| pressure > 0.0).collect(),
         }
     }
 
-    /// The amplitudes vanish: p̄ eliminated, a c + b s = 0.
-    fn adhesiveless(&self) -> Vec<(f64, f64)> {
+    /// Whether the pull of the edges is so weak beside the load that the squares of both, which the works are, leave no digits of it.
+    pub(super) fn is_weak(&self) -> bool {
+        self.works.as_ref().is_some_and(|works| works.iter().any(|form| form[0] > WEAK))
+    }
+
+    /// The amplitude at which an edge does the work of adhesion, as far as the work is the square of the amplitude.
+    fn weak_amplitude(&self, works: &[Form; 2], edge: usize) -> f64 {
+        match (works.get(edge), self.amplitudes.get(edge)) {
+            (Some(form), Some(line)) => -line[0].abs() / form[0].sqrt(),
+            _ => f64::NAN,
+        }
+    }
+
+    /// The contacts of given amplitudes of both edges, p̄ eliminated: a c + b s = g.
+    fn of_amplitudes(&self, [one, other]: [f64; 2]) -> Vec<(f64, f64)> {
         let [first, second] = match &self.amplitudes[..] {
             [first, second, ..] => [first, second],
             _ => return Vec::new(),
         };
         let (a, b) = (first[0] * second[2] - second[0] * first[2], first[1] * second[2] - second[1] * first[2]);
+        let g = one * second[2] - other * first[2];
         let eccentricities = match self.indenter {
             Indenter::Wave => {
-                let e = (-a).atan2(b);
-                vec![e, if e > 0.0 { e - PI } else { e + PI }]
+                let (middle, aside) = (b.atan2(a), (g / a.hypot(b)).acos());
+                [middle + aside, middle - aside].map(|e| e - 2.0 * PI * (e / (2.0 * PI)).round()).to_vec()
             }
-            Indenter::Parabola => vec![-a / b],
+            Indenter::Parabola => vec![(g - a) / b],
         };
         let pressure = |e: f64| {
             let (c, s) = direction(self.indenter, e);
-            -((first[0] + second[0]) * c + (first[1] + second[1]) * s) / (first[2] + second[2])
+            (one + other - (first[0] + second[0]) * c - (first[1] + second[1]) * s) / (first[2] + second[2])
         };
-        eccentricities.into_iter().map(|e| (e, pressure(e))).filter(|&(_, pressure)| pressure > 0.0).collect()
+        eccentricities.into_iter().map(|e| (e, pressure(e))).filter(|(e, pressure)| e.is_finite() && pressure.is_finite()).collect()
     }
 
     /// The points in which both conics meet.

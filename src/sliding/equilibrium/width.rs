@@ -115,6 +115,23 @@ impl ContactsOfWidth {
         for point in self.points(edges)? {
             if self.can_exist(&point)? {
                 found.push(point.contact(self.indenter));
+            } else {
+                // Of weak adhesion the point is rough.
+                let control = SlidingControl::HalfWidth(half_width);
+                let balance = self.balance.under(control);
+                let near = balance.solve_admissible([point.mean_pressure, point.eccentricity], None, ROOT);
+                self.widths.set(self.widths.get() + balance.take_evaluations().div_ceil(2));
+                found.extend(near.ok().filter(|(found, _)| apart(self.indenter, found.unknowns[1], point.eccentricity) < SAME).map(
+                    |(found, _)| {
+                        let state = &found.solution.state;
+                        ContactAt {
+                            half_width,
+                            eccentricity: found.unknowns[1],
+                            mean_pressure: found.unknowns[0],
+                            penetration: state.penetration(),
+                        }
+                    },
+                ));
             }
         }
         Ok(found)

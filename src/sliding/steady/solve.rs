@@ -64,8 +64,8 @@ pub fn steady_sliding_reached_by(
     });
     let settled = match &found {
         Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
-        Err(Refusal::NotConverged { .. }) => false,
-        _ => true,
+        Ok(SlidingOutcome::Full(_)) | Err(Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) => true,
+        Err(_) => false,
     };
     if settled {
         return found;
