@@ -5,7 +5,7 @@
 //! Parameters: even and uneven points, a sharp tip, a worn flat; paraboloid, cone, power 2.7, sphere, with 9 to 129 points.
 //! Oracle: mpmath; f = s²/R, (π/2)·slope·s, the Beta function for a power, (s/2)ln((R + s)/(R − s)) for a sphere; the march of the paraboloid itself.
 //! Tolerance: 1e-12 for what rounding alone limits; for sampled shapes what the number of points leaves, stated with each.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::panic, clippy::float_cmp, missing_docs)]
 
 mod support;
 

@@ -62,7 +62,7 @@ impl EquilibriumCurve {
         // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
         let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
         let (narrowest, widest) = match indenter {
-            Indenter::Wave => ((WIDTH_IN_ZONES * zone).max(NARROWEST).min(1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
+            Indenter::Wave => ((WIDTH_IN_ZONES * zone).clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
             Indenter::Parabola => ((WIDTH_IN_ZONES * zone).max(RANGE[0] * size), RANGE[1] * (size + zone)),
         };
         Self::within(ContactsOfWidth::new(memory, indenter, adhesion, resolution), [narrowest, widest])
