@@ -149,7 +149,7 @@ pub fn trajectory(
 }
 
 /// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved up to
-/// [`MOST_LINES`] a process zone, and as long as that helps; the caller compares what comes out.
+/// 16 384 lines a process zone, and as long as that helps; the caller compares what comes out.
 ///
 /// # Errors
 /// Those of [`trajectory`].
