@@ -17,7 +17,7 @@ use crate::continuation::two_unknowns::{Jacobian, TwoResiduals, largest, solve_t
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use crate::sliding::contact::Resolution;
-use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, WaveAdhesion};
+use crate::sliding::edge_balance::{EdgeBalance, EdgeStates, SlidingControl, WaveAdhesion};
 use std::f64::consts::PI;
 
 /// Share of an error that the finer level may still have.
@@ -60,7 +60,13 @@ pub(super) fn solved(
             work.closure_evaluations += evaluations;
             work.contacts += balance.contacts_per_evaluation() * evaluations;
         };
-        let found = balance.solve_admissible(start.unknowns, start.jacobian, (RESIDUAL_SHARE * problem.accuracy).clamp(ROUNDING, LOOSEST));
+        // Beside full contact an edge moves by the defect of the load over the gap.
+        let gap = match problem.control {
+            SlidingControl::HalfWidth(_) => 1.0,
+            _ => (problem.indenter.widest() - start.unknowns[0]).min(1.0),
+        };
+        let tolerance = (RESIDUAL_SHARE * problem.accuracy * gap).clamp(ROUNDING, LOOSEST);
+        let found = balance.solve_admissible(start.unknowns, start.jacobian, tolerance);
         count(&balance, work);
         let (found, admissibility) = found?;
         let (here, release_rounding) = outputs(&balance, &found.solution)?;

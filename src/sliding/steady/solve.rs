@@ -201,6 +201,16 @@ impl Nothing {
         if let Some(refusal) = beyond_a_zone(material, problem, size) {
             return Err(refusal);
         }
+        if let (0, SlidingControl::MeanPressure(_), Indenter::Wave) = (unstable, problem.control, problem.indenter) {
+            // Not even short zones leave a contact: adhesion closes the gap of itself.
+            return full_contact(
+                material,
+                problem,
+                "half-widths looked at without a partial contact at this speed",
+                curve.widths() as f64,
+                *work,
+            );
+        }
         let (reason, limit_name, limit) = if unstable > 0 {
             ("every contact of what is held is unstable".into(), "unstable contacts", unstable as f64)
         } else {

@@ -193,7 +193,7 @@ fn full() -> Vec<HardCase> {
             "Γ = 1 without load",
             "adhesion far above the value at which a wave closes by itself",
             "Johnson: α = 2 > 0.57: no partial contact is stable, full contact",
-            vec![Expected::Is("full contact"), Expected::Value { quantity: "limit", value: 0.0, tolerance: 0.0 }],
+            vec![Expected::Is("full contact")],
             || solved(&one_term(10.0)?, &wave(1e-3, Some(WaveAdhesion::even(1.0, 1e-3)), SlidingControl::MeanPressure(0.0), 1e-6)),
         ),
         HardCase::new(
