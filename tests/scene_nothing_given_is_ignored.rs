@@ -9,7 +9,7 @@
 //! scene (effects, groups, predicted work) and its hash do not count: a key that only changes those is ignored.
 //!
 //! Tolerance: none, bytes.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::indexing_slicing, missing_docs)]
+#![allow(clippy::type_complexity, clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::indexing_slicing, missing_docs)]
 
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -117,7 +117,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("crack, reduced", format!("{REDUCED}[adhesion]\nprocess_zone = {{ length = 1 }}\n[crack]\nspeed = 1\nbody = \"against_rigid\"\n")),
         ("crack, swept", format!("{}[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\npoints = 3\nspacing = \"logarithmic\"\n", crack_of(CREEP))),
         ("crack, swept by values", format!("{}[sweep]\nkey = \"crack.speed\"\nvalues = [1e-6, 1e-5]\n", crack_of(CREEP))),
-        ("crack, work by speed", format!("{}", crack_of(CREEP).replace("work_of_adhesion = 10.0\n", "work_of_adhesion = 10.0\nby_speed = { speed = 1e-5, exponent = 0.3 }\n"))),
+        ("crack, work by speed", crack_of(CREEP).replace("work_of_adhesion = 10.0\n", "work_of_adhesion = 10.0\nby_speed = { speed = 1e-5, exponent = 0.3 }\n")),
         ("strip", format!("{CREEP}{}[crack.strip]\nhalf_height = 0.01\nstrain = 0.06\nlateral = \"clamped\"\n", TORN.replace("speed = 1e-6\n", ""))),
         ("strip by stress", format!("{CREEP}{}[crack.strip]\nhalf_height = 0.01\nstress = 1e5\n", TORN.replace("speed = 1e-6\n", ""))),
         ("crack in time", format!("{CREEP}{}points = 3\nspacing = \"logarithmic\"\nfirst_time = 0.01\n[[history]]\nstress_intensity = 5e3\nduration = 0.5\n[[history]]\nhold = 1.0\n", TORN.replace("speed = 1e-6\n", ""))),
