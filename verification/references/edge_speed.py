@@ -166,7 +166,7 @@ def rows(reduced):
         law = case["law"]
         text = "" if not law else f"power;{double(law[1])};{double(law[2])}" if law[0] == "power" else "table;" + ";".join(",".join(map(double, e)) for e in law[1])
         base = {"case": case["case"], **{k: double(case[k]) for k in ("modulus", "radius", "trailing", "leading", "zone")}, "law": text,
-                "path": ";".join(f"{double(d)},{double(t)}" for d, t in case["path"]), "independence": "closed elastic fields, initial-value problem of the edge"}
+                "path": ";".join(f"{double(d)},{double(t)}" for d, t in case["path"]), "independence": "independent"}
         for instant, ((a, f), (a2, f2)) in enumerate(zip(fine[0], coarse[0])):
             for quantity, value, other in (("contact_radius", a, a2), ("force", f, f2)):
                 out.append({**base, "instant": instant, "quantity": quantity, "value": double(value), "change": f"{abs(other - value):.1e}"})

@@ -242,7 +242,7 @@ def rows(reduced):
                 "law": ";".join(map(double, case["law"])) if case["law"] else "", "start": case["start"],
                 "path": ";".join(f"{double(d)},{double(t)}" for d, t in case["path"]),
                 "quantity": quantity, "value": double(value), "change": f"{abs(coarse[quantity] / value - 1.0):.1e}",
-                "independence": "raw closure by quadrature, initial-value problem of one chain",
+                "independence": "independent",
             })
     return out
 
