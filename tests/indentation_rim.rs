@@ -20,6 +20,7 @@ mod support;
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::path::Path;
+use std::sync::Arc;
 use support::{Row, reference_rows};
 use viscotack::Material;
 use viscotack::closure::work_by_speed::WorkBySpeed;
@@ -167,7 +168,11 @@ fn of_row(row: &Row) -> (Material, IndentationProblem) {
     let mut path = row.text("path").split(';').map(pair);
     let start = path.next().unwrap().0;
     let history = path.fold(History::penetration(start), |history, (depth, duration)| history.ramp(depth, duration));
-    let mut problem = punch(row.number("radius"), row.number("work"), row.number("zone"), history);
+    let rim = row.number("radius");
+    let mut problem = punch(rim, row.number("work"), row.number("zone"), history);
+    if let Ok(radius) = row.text("sphere").parse() {
+        problem.profile = Profile::Rimmed { face: Arc::new(Profile::Paraboloid { radius }), rim };
+    }
     if row.text("start") == "untouched" {
         problem.start = Start::Untouched;
     }
@@ -183,7 +188,7 @@ fn of_row(row: &Row) -> (Material, IndentationProblem) {
 #[test]
 fn the_raw_closure_by_quadrature() {
     let rows = reference_rows("punch_rim.csv");
-    assert!(rows.len() >= 48);
+    assert!(rows.len() >= 68);
     let mut worst = 0.0_f64;
     for case in rows.chunks(4) {
         let (material, problem) = of_row(&case[0]);
@@ -207,6 +212,81 @@ fn the_raw_closure_by_quadrature() {
         }
     }
     println!("worst {worst:.2} of what is allowed");
+}
+
+/// Round, conical and other faces held by a rim: slow, Q(rim) is E0*(Δ − f(rim)) and reaches −√(2πaΔγE0*), where the rim lets go; fast, Q changes by E∞* times the way,
+/// whatever pressed before. The edge of a fast pull has left at once; that of a slow one goes on as Johnson, Kendall and Roberts say.
+#[test]
+fn faces_that_are_not_flat() {
+    for (modulus, rim, work, time) in [(1e6 / 0.75, 5e-5, 0.05, 0.1), (2.7, 3.1, 0.4, 50.0)] {
+        let material = Material::standard_solid(modulus, 10.0 * modulus, time).unwrap();
+        let unit = (2.0 * PI * rim * work / modulus).sqrt();
+        // Of height h at the rim: f and ∫f ds there.
+        let faces = |h: f64| {
+            let points: Vec<(f64, f64)> = (0..=40).map(|k| f64::from(k) * rim / 32.0).map(|r| (r, 0.5 * h * (r / rim).powi(2))).collect();
+            [
+                (Profile::Paraboloid { radius: rim * rim / h }, h, h * rim / 3.0),
+                (Profile::Cone { slope: h / rim }, PI / 2.0 * h, PI / 4.0 * h * rim),
+                (Profile::PowerLaw { coefficient: h / rim.powi(4), exponent: 4.0 }, h, h * rim / 5.0),
+                (Profile::table(&points).unwrap(), h, h * rim / 3.0),
+            ]
+        };
+        // In other units one shape will do.
+        let some = if modulus > 1e3 { 4 } else { 1 };
+        for (face, height, area) in faces(unit).into_iter().take(some) {
+            for preload in [0.2, 3.0] {
+                let start = height + preload * unit;
+                let shape = Profile::Rimmed { face: Arc::new(face.clone()), rim };
+                let let_go = |duration: f64, zone: f64| {
+                    let history = History::penetration(start).ramp(height - 8.0 * unit, duration);
+                    let problem = IndentationProblem { profile: shape.clone(), accuracy: 1e-3, ..punch(rim, work, zone * rim, history) };
+                    -let_go(&solved(&material, &problem), rim).1
+                };
+                let force = |load_at_rim: f64, depth: f64| {
+                    2.0 * (modulus * (depth * rim - area) + rim * (load_at_rim - modulus * (depth - height)))
+                };
+                let fast = force(-(2.0 * PI * rim * work * 10.0 * modulus).sqrt(), start);
+                let slow = force(-(2.0 * PI * rim * work * modulus).sqrt(), height - unit);
+                for (name, duration, closed) in [("fast", 1e-7 * time, fast), ("slow", 1e5 * time, slow)] {
+                    // The closed form is that of a zone of no length.
+                    let ratio = (2.0 * let_go(duration, 1e-3) - let_go(duration, 2e-3)) / closed;
+                    println!("{face:?}, preload {preload}: {name} {ratio:.6} of the closed form");
+                    assert!((ratio - 1.0).abs() < 1e-3);
+                }
+            }
+        }
+    }
+}
+
+/// A sphere whose rim lies beyond its contact is a sphere; pressed out to the rim without adhesion, it is Hertz's up to there and a straight spring beyond.
+#[test]
+fn a_rim_out_of_reach_and_a_rim_reached() {
+    let material = Material::elastic(2.0).unwrap();
+    let sphere = Profile::Paraboloid { radius: 5.0 };
+    let rimmed = Profile::Rimmed { face: Arc::new(sphere.clone()), rim: 0.8 };
+    let of = |profile: &Profile, adhesion: Option<Adhesion>, history: History| {
+        let problem = IndentationProblem {
+            accuracy: 1e-6,
+            instants_per_segment: 8,
+            ..IndentationProblem::new(profile.clone(), adhesion, history).relaxed()
+        };
+        solved(&material, &problem)
+    };
+    let sticky = Some(Adhesion { work_of_adhesion: 1e-3, process_zone: 0.01 });
+    let history = History::penetration(0.05).ramp(-0.1, 1.0);
+    let (one, other) = (of(&sphere, sticky, history.clone()), of(&rimmed, sticky, history));
+    assert!((pull_off(&one) / pull_off(&other) - 1.0).abs() < 1e-6);
+    for history in [History::penetration(0.01).ramp(0.4, 1.0).ramp(0.02, 2.0), History::force(0.001).ramp(1.0, 1.0).ramp(0.002, 2.0)] {
+        for instant in &of(&rimmed, None, history).instants {
+            let depth = instant.penetration.value;
+            let a = (depth * 5.0).sqrt().min(0.8);
+            let force = 4.0 * (depth * a - a.powi(3) / 15.0);
+            assert!(
+                (instant.contact_radius.value - a).abs() < 1e-5 && (instant.force.value / force - 1.0).abs() < 1e-5,
+                "{instant:?}: {a} {force}"
+            );
+        }
+    }
 }
 
 /// Bounds of a loose run cover its distance from a tight one.

@@ -35,8 +35,11 @@ fn work(profile: &Profile, modulus: f64, zone: f64, a: f64, penetration: f64) ->
     let kernel = Zone::new(a, zone)?;
     let inside: Vec<Panel> =
         profile.breaks(a).windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| modulus * (penetration - profile.line(s)))).collect();
-    let outside = Panel::sampled(a, a + zone, |s| profile.line(s) - penetration);
-    let value = zone_work(&kernel, &inside, &[outside]);
+    let gap = |low: f64, high: f64| (low < high).then(|| Panel::sampled(low, high, |s| profile.line(s) - penetration));
+    // Beyond a rim the gap no longer grows.
+    let corner = profile.rim().clamp(a, a + zone);
+    let outside: Vec<Panel> = gap(a, corner).into_iter().chain(gap(corner, a + zone)).collect();
+    let value = zone_work(&kernel, &inside, &outside);
     // A pressed edge over an overlapping surface works positively as well; it is on the other side of equilibrium.
     Ok(if penetration > profile.line(a) { -value } else { value })
 }
@@ -59,22 +62,25 @@ fn state(profile: &Profile, modulus: f64, a: f64, penetration: f64, residual: f6
 ///
 /// Far out the value rises with the radius. Going inwards it falls to a fold, and rises again where contacts are unstable: the narrowest of them bear any pull's
 /// beginning, so that only a rising value is far out. Near a fold a stride may step over the stable contact and the unstable one: where the value has turned, its least one
-/// is looked for.
+/// is looked for. `rim`: no contact is wider, and the widest one bears more than the value; infinite without.
 pub(super) fn widest_stable(
     process_zone: f64,
+    rim: f64,
     value: f64,
     mut imposed: impl FnMut(f64) -> Result<f64, Refusal>,
 ) -> Result<Result<[f64; 2], f64>, Refusal> {
-    let mut high = 1.01 * process_zone;
-    let (mut beyond, mut last) = (0, f64::INFINITY);
+    let mut high = if rim.is_finite() { rim } else { 1.01 * process_zone };
+    let (mut beyond, mut last) = (if rim.is_finite() { STRIDES_BEYOND } else { 0 }, f64::INFINITY);
     for _ in 0..MOST_STRIDES {
-        let here = imposed(high)?;
-        beyond = if here > value && here > last { beyond + 1 } else { 0 };
         if beyond >= STRIDES_BEYOND {
             break;
         }
+        let here = imposed(high)?;
+        beyond = if here > value && here > last { beyond + 1 } else { 0 };
+        if beyond < STRIDES_BEYOND {
+            high *= SEARCH_RATIO;
+        }
         last = here;
-        high *= SEARCH_RATIO;
     }
     let mut here = (high, imposed(high)?);
     let mut before = here;
@@ -133,12 +139,17 @@ pub fn elastic_contact(
     require_positive("work_of_adhesion", work_of_adhesion)?;
     require_positive("process_zone", process_zone)?;
     require_finite("penetration", penetration)?;
-    if profile.rim().is_finite() {
+    if profile.is_flat() {
         return Err(Refusal::Undefined { quantity: "the contact radius of a flat punch", reason: "its rim gives it".into() });
+    }
+    let rim = profile.rim();
+    if rim.is_finite() && penetration >= elastic_contact_of_radius(profile, modulus, work_of_adhesion, process_zone, rim)?.penetration {
+        // Its rim holds it: C is below the work of adhesion, or the edge is pressed.
+        return Ok(state(profile, modulus, rim, penetration, 0.0));
     }
     let balance = |a: f64| Ok::<f64, Refusal>(work(profile, modulus, process_zone, a, penetration)? / work_of_adhesion - 1.0);
     let equilibrium = |a: f64| Ok(trial_of_radius(profile, modulus, work_of_adhesion, process_zone, a)?.penetration);
-    let [mut low, mut high] = match widest_stable(process_zone, penetration, equilibrium)? {
+    let [mut low, mut high] = match widest_stable(process_zone, rim, penetration, equilibrium)? {
         Ok(bracket) => bracket,
         Err(least) => {
             return Err(Refusal::NoSuchState {

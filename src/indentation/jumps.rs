@@ -81,8 +81,8 @@ impl Marcher<'_> {
     /// An adhesive indenter touches a surface that it left before: the edge jumps out to the first stable place.
     pub(super) fn touch_again(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
-        let rim = self.contact.profile().rim();
-        let found = if rim.is_finite() { Some(rim) } else { self.elsewhere(self.smallest(), false, imposed)? };
+        let profile = self.contact.profile();
+        let found = if profile.is_flat() { Some(profile.rim()) } else { self.elsewhere(self.smallest(), false, imposed)? };
         match found {
             Some(place) => {
                 self.record.sudden();

@@ -35,6 +35,13 @@ pub enum Profile {
     },
     /// A shape through points, such as a measured one; it ends at its last point, which a contact and its process zone must not reach.
     Table(Arc<TabulatedShape>),
+    /// Another shape that ends at a sharp rim, as the round face of a cylinder does: f is its own up to the rim, and the contact grows no further.
+    Rimmed {
+        /// Of the face within the rim.
+        face: Arc<Self>,
+        /// The radius of the rim (m).
+        rim: f64,
+    },
 }
 
 impl Profile {
@@ -60,6 +67,16 @@ impl Profile {
             }
             // Its points were checked when it was made, and cannot be changed.
             Self::Table(shape) => require_positive("radius", shape.reach())?,
+            Self::Rimmed { face, rim } => {
+                let face = face.as_ref().clone().checked()?;
+                if face.rim().is_finite() {
+                    return Err(Refusal::out_of_range("rim", *rim, "none of its own: the face within it has a rim already"));
+                }
+                if matches!(&face, Self::Table(shape) if *rim > shape.reach()) {
+                    return Err(Refusal::out_of_range("rim", *rim, "at most the radius of the last point of the shape"));
+                }
+                require_positive("rim", *rim)?
+            }
         };
         Ok(self)
     }
@@ -82,7 +99,17 @@ impl Profile {
         }
     }
 
-    /// f(s) (m) at s ≥ 0.
+    /// The face without its rim; a flat punch is nothing without.
+    pub(super) fn face(&self) -> &Self {
+        if let Self::Rimmed { face, .. } = self { face } else { self }
+    }
+
+    /// Whether the face is flat: it touches all at once, and f is no coordinate.
+    pub(super) const fn is_flat(&self) -> bool {
+        matches!(self, Self::FlatPunch { .. })
+    }
+
+    /// f(s) (m) at s ≥ 0; beyond a rim, f(rim).
     #[must_use]
     pub fn line(&self, s: f64) -> f64 {
         match self {
@@ -91,6 +118,7 @@ impl Profile {
             Self::FlatPunch { .. } => 0.0,
             Self::PowerLaw { coefficient, exponent } => coefficient * s.powf(*exponent),
             Self::Table(shape) => shape.line(s),
+            Self::Rimmed { face, rim } => face.line(s.min(*rim)),
         }
     }
 
@@ -111,17 +139,18 @@ impl Profile {
             Self::FlatPunch { .. } => 0.0,
             Self::PowerLaw { coefficient, exponent } => coefficient * exponent * s.powf(exponent - 1.0),
             Self::Table(shape) => shape.line_slope(s),
+            Self::Rimmed { face, .. } => face.line_slope(s),
         }
     }
 
     /// A smooth coordinate of the line that rises with s: f(s), or s where f is constant.
     pub(super) fn coordinate(&self, s: f64) -> f64 {
-        if let Self::FlatPunch { .. } = self { s } else { self.line(s) }
+        if self.is_flat() { s } else { self.line(s) }
     }
 
     /// Slope of the coordinate.
     pub(super) fn coordinate_slope(&self, s: f64) -> f64 {
-        if let Self::FlatPunch { .. } = self { 1.0 } else { self.line_slope(s) }
+        if self.is_flat() { 1.0 } else { self.line_slope(s) }
     }
 
     /// s (m) of a coordinate between those of two places.
@@ -132,6 +161,7 @@ impl Profile {
             Self::FlatPunch { .. } => coordinate,
             Self::PowerLaw { coefficient, exponent } => (coordinate / coefficient).max(0.0).powf(1.0 / exponent),
             Self::Table(shape) => shape.inverse(coordinate, one, other),
+            Self::Rimmed { face, .. } => face.inverse_coordinate(coordinate, one, other),
         }
         .clamp(one.min(other), one.max(other))
     }
@@ -139,7 +169,11 @@ impl Profile {
     /// The radius beyond which there is no face to touch (m); infinite for a table, beyond whose last point nothing is known.
     #[must_use]
     pub const fn rim(&self) -> f64 {
-        if let Self::FlatPunch { radius } = self { *radius } else { f64::INFINITY }
+        match self {
+            Self::FlatPunch { radius } => *radius,
+            Self::Rimmed { rim, .. } => *rim,
+            _ => f64::INFINITY,
+        }
     }
 
     /// Panel boundaries that make f smooth on 0…end: two numbers, graded towards the axis for a power that is no polynomial, or the points of
@@ -148,6 +182,7 @@ impl Profile {
     pub fn breaks(&self, end: f64) -> Vec<f64> {
         match self {
             Self::Table(shape) => shape.breaks(end),
+            Self::Rimmed { face, .. } => face.breaks(end),
             // Halving 26 times leaves a first panel of 1.5e-8 of the length, with a load of the same order of the whole or less.
             Self::PowerLaw { .. } => std::iter::once(0.0).chain((0..=26).rev().map(|k| end * 0.5f64.powi(k))).collect(),
             _ => vec![0.0, end],

@@ -11,8 +11,11 @@ use crate::refusal::Refusal;
 
 /// The radius at which a rising function reaches a value.
 pub(super) fn size_of(profile: &Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
-    if value <= 0.0 || profile.rim().is_finite() {
+    if value <= 0.0 || profile.is_flat() {
         return 0.0;
+    }
+    if profile.rim().is_finite() && function(profile.rim()) <= value {
+        return profile.rim();
     }
     let mut high = 1.0;
     while function(high) < value && high < 1e300 {
@@ -38,8 +41,6 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
     let relaxed = problem.start == Start::Relaxed;
     let modulus = if relaxed { springs.relaxed } else { springs.glassy };
     let profile = &problem.profile;
-    let history = &problem.history;
-    let value = history.start;
     // An edge that has crept outwards to rest, or jumps out at once.
     let closing = if relaxed { 0.0 } else { f64::INFINITY };
     let adhesion = match problem.adhesion {
@@ -52,29 +53,56 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
         }
         adhesion => adhesion,
     };
-    let (a, depth) = match (adhesion, history.controlled) {
+    let (a, depth) = match at_rim(problem, adhesion, modulus)? {
+        Some(held) => held,
+        None => at_edge(problem, adhesion, modulus)?,
+    };
+    let profile = profile.clone();
+    if relaxed { Contact::relaxed(springs, profile, a, depth) } else { Contact::untouched(springs, profile, a, depth) }
+}
+
+/// The radius and the penetration of a contact that a rim holds, if one does; a flat face touches by no less.
+fn at_rim(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f64) -> Result<Option<(f64, f64)>, Refusal> {
+    let (profile, history) = (&problem.profile, &problem.history);
+    let (rim, value) = (profile.rim(), history.start);
+    if rim.is_infinite() || history.controlled == Controlled::ContactRadius {
+        return Ok(None);
+    }
+    // F = slope Δ − shape.
+    let (slope, shape) = (2.0 * modulus * rim, 2.0 * modulus * height_integral(profile, rim));
+    let depth = match (history.controlled, problem.frame_stiffness) {
+        (Controlled::Force, _) => (value + shape) / slope,
+        (Controlled::Frame, Some(stiffness)) => (value * stiffness + shape) / (stiffness + slope),
+        _ => value,
+    };
+    let Some(adhesion) = adhesion else {
+        let touches = depth > profile.line(rim);
+        return Ok(if touches { Some((rim, depth)) } else { profile.is_flat().then_some((0.0, depth)) });
+    };
+    let least = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, rim)?.penetration;
+    if depth < least && profile.is_flat() {
+        return Err(Refusal::NoSuchState {
+            reason: format!("the punch is pulled by {depth:e} and loses contact"),
+            limit_name: "the penetration at which its rim gives way",
+            limit: least,
+        });
+    }
+    Ok((depth >= least).then_some((rim, depth)))
+}
+
+/// ∫₀^a f ds (m²).
+fn height_integral(profile: &Profile, a: f64) -> f64 {
+    profile.breaks(a).windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| profile.line(s)).integral()).sum()
+}
+
+/// The radius and the penetration of a contact whose edge is free to move.
+fn at_edge(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f64) -> Result<(f64, f64), Refusal> {
+    let (profile, history) = (&problem.profile, &problem.history);
+    let value = history.start;
+    Ok(match (adhesion, history.controlled) {
         (Some(adhesion), Controlled::ContactRadius) => {
             let state = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
             (state.contact_radius, state.penetration)
-        }
-        (Some(adhesion), controlled) if profile.rim().is_finite() => {
-            // A flat punch that its rim holds; more tension than the rim bears is no start.
-            let rim = profile.rim();
-            let slope = 2.0 * modulus * rim;
-            let depth = match controlled {
-                Controlled::Force => value / slope,
-                Controlled::Frame => problem.frame_stiffness.map_or(value, |stiffness| value * stiffness / (stiffness + slope)),
-                Controlled::Penetration | Controlled::ContactRadius => value,
-            };
-            let most = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, rim)?.penetration;
-            if depth < most {
-                return Err(Refusal::NoSuchState {
-                    reason: format!("the punch is pulled by {depth:e} and loses contact"),
-                    limit_name: "the penetration at which its rim gives way",
-                    limit: most,
-                });
-            }
-            (rim, depth)
         }
         (Some(adhesion), Controlled::Penetration) => {
             let state = elastic_contact(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
@@ -86,7 +114,7 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
                 _ => state.force,
             };
             let by_radius = |a: f64| trial_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, a);
-            let [mut low, mut high] = match widest_stable(adhesion.process_zone, value, |a| Ok(imposed(&by_radius(a)?)))? {
+            let [mut low, mut high] = match widest_stable(adhesion.process_zone, profile.rim(), value, |a| Ok(imposed(&by_radius(a)?)))? {
                 Ok(bracket) => bracket,
                 Err(least) => {
                     return Err(Refusal::NoSuchState {
@@ -104,36 +132,15 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
             (state.contact_radius, state.penetration)
         }
         (None, Controlled::ContactRadius) => (value, profile.line(value)),
-        (None, Controlled::Penetration) => (touching(profile, |a| profile.line(a), value), value),
+        (None, Controlled::Penetration) => (size_of(profile, |a| profile.line(a), value), value),
         (None, Controlled::Force | Controlled::Frame) => {
-            let load = |a: f64| {
-                let panels = profile.breaks(a);
-                let panels = panels.windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| profile.line(s)).integral());
-                2.0 * modulus * (a * profile.line(a) - panels.sum::<f64>())
+            let load = |a: f64| 2.0 * modulus * (a * profile.line(a) - height_integral(profile, a));
+            let imposed = |a: f64| match (history.controlled, problem.frame_stiffness) {
+                (Controlled::Frame, Some(stiffness)) => profile.line(a) + load(a) / stiffness,
+                _ => load(a),
             };
-            let rim = profile.rim();
-            if rim.is_finite() {
-                let slope = 2.0 * modulus * rim;
-                let depth = match (history.controlled, problem.frame_stiffness) {
-                    (Controlled::Frame, Some(stiffness)) => value * stiffness / (stiffness + slope),
-                    _ => value / slope,
-                };
-                (if depth > 0.0 { rim } else { 0.0 }, depth)
-            } else {
-                let imposed = |a: f64| match (history.controlled, problem.frame_stiffness) {
-                    (Controlled::Frame, Some(stiffness)) => profile.line(a) + load(a) / stiffness,
-                    _ => load(a),
-                };
-                let a = size_of(profile, imposed, value);
-                (a, profile.line(a))
-            }
+            let a = size_of(profile, imposed, value);
+            (a, profile.line(a))
         }
-    };
-    let profile = profile.clone();
-    if relaxed { Contact::relaxed(springs, profile, a, depth) } else { Contact::untouched(springs, profile, a, depth) }
-}
-
-/// The radius at which an indenter without adhesion touches under a penetration.
-fn touching(profile: &Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
-    if profile.rim().is_finite() && value > 0.0 { profile.rim() } else { size_of(profile, function, value) }
+    })
 }

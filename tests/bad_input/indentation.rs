@@ -54,6 +54,7 @@ pub const INDENTATION_CASES: &[Case] = &[
     Case { kind: "no process zone of an indenter", edits: &[(ZONE, "")], place: "[adhesion]", says: &["`adhesion.process_zone` is missing"], ..NONE },
     Case { kind: "an adhesive contact that grows from no radius", edits: &[(PRESSED, "contact_radius = \"50 µm\"\nduration = 1")], place: "start", says: &["jumps in to a radius of its own", "indentation.contact_radius"], ..NONE },
     // What contradicts.
+    Case { kind: "a second rim", edits: &[(SPHERE, "flat_punch = { radius = 1 }\nrim_radius = 0.5")], place: "rim_radius", says: &["`indentation.rim_radius`", "ends at its own radius", "leave it out"], ..NONE },
     Case { kind: "two shapes", edits: &[(SPHERE, "sphere = { radius = 1 }\ncone = { slope = 1 }")], place: "cone", says: &["`indentation.sphere` and `indentation.cone` exclude each other"], ..NONE },
     Case { kind: "two starts", edits: &[("\"untouched\"", "\"relaxed\"\npenetration = 1e-6\nforce = 0")], place: "force", says: &["exclude each other"], ..NONE },
     Case { kind: "a rate from where nobody knows", edits: &[("hold = \"2 s\"", "force = \"1 mN\"\nrate = \"1 mN/s\"")], place: "1 mN/s", says: &["`history.1.rate`", "`penetration` is controlled", "give `duration` instead"], ..NONE },

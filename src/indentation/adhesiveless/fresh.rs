@@ -14,13 +14,17 @@ const MOST_ITERATIONS: u32 = 200;
 /// Φ of a shape.
 #[derive(Debug, Clone)]
 pub(super) struct Fresh<'a> {
+    /// The face, as if it had no rim.
     profile: &'a Profile,
+    rim: f64,
     /// Of a table: its points and ∫f ds up to each.
     running: Vec<(f64, f64)>,
 }
 
 impl<'a> Fresh<'a> {
     pub(super) fn of(profile: &'a Profile) -> Self {
+        let rim = profile.rim();
+        let profile = profile.face();
         let mut running = Vec::new();
         if let Profile::Table(shape) = profile {
             let mut sum = 0.0;
@@ -31,7 +35,7 @@ impl<'a> Fresh<'a> {
                 running.push((pair[1], sum));
             }
         }
-        Self { profile, running }
+        Self { profile, rim, running }
     }
 
     /// Φ(a) (m²) at a place a, with Δ = f(a).
@@ -41,7 +45,7 @@ impl<'a> Fresh<'a> {
             Profile::Paraboloid { .. } => 2.0 / 3.0 * a * height,
             Profile::Cone { .. } => 0.5 * a * height,
             Profile::PowerLaw { exponent, .. } => exponent / (exponent + 1.0) * a * height,
-            Profile::FlatPunch { .. } => 0.0,
+            Profile::FlatPunch { .. } | Profile::Rimmed { .. } => 0.0,
             Profile::Table(_) => {
                 let next = self.running.partition_point(|(place, _)| *place <= a).max(1);
                 let (place, sum) = self.running.get(next - 1).copied().unwrap_or_default();
@@ -56,8 +60,11 @@ impl<'a> Fresh<'a> {
             return Ok(0.0);
         }
         let profile = self.profile;
+        // Within a rim Φ = Δ·rim − ∫f ds.
+        if self.rim.is_finite() && load >= self.at(self.rim) {
+            return Ok(profile.line(self.rim) + (load - self.at(self.rim)) / self.rim);
+        }
         match profile {
-            Profile::FlatPunch { radius } => return Ok(load / radius),
             Profile::Paraboloid { radius } => return Ok((1.5 * load * radius).cbrt().powi(2) / radius),
             Profile::Cone { .. } => {
                 let slope = profile.line(1.0);
@@ -67,7 +74,7 @@ impl<'a> Fresh<'a> {
                 let place = (load * (exponent + 1.0) / (exponent * coefficient)).powf(1.0 / (exponent + 1.0));
                 return Ok(profile.line(place));
             }
-            Profile::Table(_) => {}
+            Profile::Table(_) | Profile::FlatPunch { .. } | Profile::Rimmed { .. } => {}
         }
         let Some(&(reach, _)) = self.running.last() else { return Ok(0.0) };
         if self.at(reach) < load {

@@ -115,13 +115,17 @@ impl<'a> Line<'a> {
     /// The place at which the undeformed surface lies at a depth, no less than another one; none beyond the end of a table.
     pub(super) fn virgin_edge(&self, depth: f64, from: f64) -> Result<f64, Refusal> {
         let rim = self.profile.rim();
-        if rim.is_finite() {
-            return Ok(if depth > 0.0 { rim } else { from });
+        if rim.is_finite() && depth > self.profile.line(rim) {
+            return Ok(rim);
         }
         if depth <= self.profile.line(from) {
             return Ok(from);
         }
-        let mut high = if let Profile::Table(shape) = self.profile { shape.reach() } else { from.max(1e-300) };
+        let mut high = match self.profile {
+            Profile::Table(shape) => shape.reach(),
+            _ if rim.is_finite() => rim,
+            _ => from.max(1e-300),
+        };
         if matches!(self.profile, Profile::Table(_)) {
             if self.profile.line(high) < depth {
                 return Err(Refusal::NoSuchState {

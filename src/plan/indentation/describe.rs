@@ -109,8 +109,8 @@ impl IndentationPlan {
                 IndentationStart::Untouched => "first touch: the glassy contact jumps in".to_owned(),
                 IndentationStart::Relaxed => "start: the soft elastic contact at the same process zone".to_owned(),
             });
-            if matches!(self.indentation.shape, IndentationShape::FlatPunch { .. }) {
-                sentences.push("beyond the rim of the punch only opening since the rim last released counts as a gap".to_owned());
+            if self.profile.rim().is_finite() {
+                sentences.push("beyond the rim only opening since the rim last released counts as a gap".to_owned());
             }
             sentences.push("events are found: jumps of the edge to another equilibrium, and detachment where none is left".to_owned());
         } else {

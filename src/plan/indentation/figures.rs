@@ -134,6 +134,9 @@ impl IndentationPlan {
     /// JKR's curves of both moduli over the penetrations that the states have; nothing for shapes without a closed form.
     fn elastic_curves(&self, states: &[State<'_>], column: usize) -> Vec<Curve> {
         let (Some(adhesion), &IndentationShape::Sphere { radius }) = (self.adhesion(), &self.indentation.shape) else { return Vec::new() };
+        if self.profile.rim().is_finite() {
+            return Vec::new();
+        }
         let spans = |column: usize| {
             let values = states.iter().flat_map(|state| &state.rows).filter_map(move |row| row.value(column));
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))

@@ -5,13 +5,14 @@ use super::timeline::Leg;
 use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run_watched};
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
-use crate::scene::typed::{HistoryQuantity, IndentationShape, IndentationStart, IndentationZone};
+use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, IndentationStart, IndentationZone};
 use spec_math::Gamma;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// The indenter of a scene.
-pub(super) fn profile(shape: &IndentationShape) -> Result<Profile, Refusal> {
-    match *shape {
+pub(super) fn profile(indentation: &Indentation) -> Result<Profile, Refusal> {
+    let face = match indentation.shape {
         IndentationShape::Sphere { radius } => Profile::Paraboloid { radius },
         IndentationShape::Cone { slope } => Profile::Cone { slope },
         IndentationShape::FlatPunch { radius } => Profile::FlatPunch { radius },
@@ -23,6 +24,10 @@ pub(super) fn profile(shape: &IndentationShape) -> Result<Profile, Refusal> {
             exponent,
         },
         IndentationShape::Table { ref points } => Profile::table(points)?,
+    };
+    match indentation.rim_radius {
+        Some(rim) => Profile::Rimmed { face: Arc::new(face), rim },
+        None => face,
     }
     .checked()
 }

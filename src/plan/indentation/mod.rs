@@ -70,7 +70,7 @@ impl IndentationPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
             timeline,
-            profile: march::profile(&indentation.shape)?,
+            profile: march::profile(indentation)?,
             without_steps: false,
         };
         plan.without_steps = plan.problem()?.is_without_steps();

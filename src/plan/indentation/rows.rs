@@ -165,7 +165,7 @@ impl IndentationPlan {
     /// (3/2)πRΔγ, coherent: JKR's pull-off force does not feel the modulus.
     fn jkr_pull_off(&self) -> Option<f64> {
         match (self.adhesion(), &self.indentation.shape) {
-            (Some(adhesion), &IndentationShape::Sphere { radius }) => {
+            (Some(adhesion), &IndentationShape::Sphere { radius }) if self.profile.rim().is_infinite() => {
                 JkrSphere::new(radius, self.relaxed, adhesion.work_of_adhesion).ok().map(|sphere| sphere.pull_off_force().abs())
             }
             _ => None,

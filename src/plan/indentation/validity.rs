@@ -65,6 +65,10 @@ impl IndentationPlan {
             IndentationShape::PowerLaw { radius: size, exponent } => radius.map(|radius| (radius / size).powf(exponent - 1.0)),
             IndentationShape::Table { .. } => match &self.profile {
                 Profile::Table(shape) => radius.map(|radius| shape.slope(radius)),
+                Profile::Rimmed { face, .. } => match face.as_ref() {
+                    Profile::Table(shape) => radius.map(|radius| shape.slope(radius)),
+                    _ => None,
+                },
                 _ => None,
             },
         };

@@ -49,7 +49,12 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "indentation.profile",
         kind: Kind::Text,
-        meaning: "A CSV file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row.",
+        meaning: "A CSV file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row, unless rim_radius ends the body.",
+    },
+    Key {
+        path: "indentation.rim_radius",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },
+        meaning: "Where a sphere, cone, power law or profile ends with a sharp corner, as the round end of a cylinder does: the contact grows no further, and with adhesion the rim holds its edge until it lets go. Left out: the shape has no end.",
     },
     Key {
         path: "indentation.start",

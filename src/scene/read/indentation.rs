@@ -31,6 +31,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         return Err(top.wrong("fields", message, "write [indentation.fields] with its times"));
     }
     let shape = shape(&table, document)?;
+    let rim_radius = rim_radius(&table, &shape)?;
     let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
     let edge_law = edge_law.unwrap_or_default();
     let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
@@ -54,6 +55,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let fields = fields(&table, &history)?;
     Ok(Indentation {
         shape,
+        rim_radius,
         start,
         at_start,
         adhesion,
@@ -87,6 +89,24 @@ fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, S
         "cone" => IndentationShape::Cone { slope: body.required_number("slope")? },
         _ => IndentationShape::PowerLaw { radius: radius()?, exponent: body.required_number("exponent")? },
     })
+}
+
+/// Where a shape ends, if it does: within the last point of a table, and not twice.
+fn rim_radius(table: &Section<'_>, shape: &IndentationShape) -> Result<Option<f64>, SceneError> {
+    let Some(rim) = table.number("rim_radius")? else { return Ok(None) };
+    let last = match shape {
+        IndentationShape::Table { points } => points.last().map_or(f64::INFINITY, |(r, _)| *r),
+        IndentationShape::FlatPunch { .. } => {
+            let message = format!("`{}`: a flat punch ends at its own radius", table.full("rim_radius"));
+            return Err(table.wrong("rim_radius", message, "leave it out"));
+        }
+        _ => f64::INFINITY,
+    };
+    if rim > last {
+        let message = format!("`{}`: the shape is known to {last:e} only", table.full("rim_radius"));
+        return Err(table.wrong("rim_radius", message, "at most the radius of the last row"));
+    }
+    Ok(Some(rim))
 }
 
 /// What is given at time zero; of an untouched surface first touch, if nothing is.

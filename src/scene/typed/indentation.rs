@@ -12,6 +12,8 @@ use std::sync::Arc;
 pub struct Indentation {
     /// Its shape.
     pub shape: IndentationShape,
+    /// The radius at which the shape ends with a sharp corner (m; R in a reduced scene); a flat punch has its own.
+    pub rim_radius: Option<f64>,
     /// How the history begins.
     pub start: IndentationStart,
     /// The quantity that is given at time zero, and its value.
