@@ -215,7 +215,7 @@ fn thousands_of_cycles_and_a_very_long_hold_end_within_memory() {
 /// Scenes of the study's own stream that are quick.
 #[test]
 fn random_histories_have_the_same_events_at_all_accuracies() {
-    let wrong: Vec<String> = drawn(0x368, 8, true)
+    let wrong: Vec<String> = drawn(0x368, 8, 1_500_000)
         .into_par_iter()
         .filter_map(|(scene, text)| {
             let found = compared(&text, &[1e-3, 1e-7, 1e-8]);

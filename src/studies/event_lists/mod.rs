@@ -1,7 +1,8 @@
-//! What happens to a crack does not depend on the accuracy that is asked for: lists of events at 1e-3 … 1e-7 and at 1e-9, with every number within both bounds.
+//! What happens to a crack does not depend on the accuracy that is asked for: lists of events at 1e-3 … 1e-7, of cheap scenes also at 1e-9, with every number within
+//! both bounds.
 //!
-//! A scene is solved at each accuracy as a user solves it. The lists must be equal; each number must agree with that of the finest run, of five times as many lines and so
-//! with a hundredth of the error, within both bounds.
+//! A scene is solved at each accuracy as a user solves it. The lists must be equal; each number must agree with that of the finest run within both bounds. A run at 1e-9
+//! has five times as many lines as one at 1e-7, and so a hundredth of its error.
 
 pub mod scenes;
 
@@ -16,7 +17,7 @@ use crate::scene::{Document, read};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Accuracies of a scene; the last one is what the others are compared with.
+/// Accuracies of a scene; the last one is what the others are compared with. Only cheap scenes are solved at the last one.
 pub const ACCURACIES: [f64; 6] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9];
 
 /// The seed of the scenes that assess; the bounds were set with others.
@@ -25,8 +26,11 @@ pub const SEED: u64 = 0x3600_0007;
 /// Scenes of the full study, and of the reduced one.
 const SCENES: (usize, usize) = (2000, 12);
 
-/// The reduced study takes scenes of which no more integrals of a term are predicted.
+/// Scenes are cheap of which no more integrals of a term are predicted; the reduced study takes no others.
 const CHEAP: u64 = 1_500_000;
+
+/// The full study leaves out scenes of which more are predicted, minutes each: one in ten.
+const MOST: u64 = 100_000_000;
 
 /// A scene at all accuracies.
 #[derive(Debug, Clone, Default)]
@@ -128,12 +132,18 @@ pub fn predicted(scene: &str) -> Option<u64> {
     Some(Plan::new(&scene).ok()?.predicted_work().kernel_evaluations)
 }
 
-/// The first scenes of a seed, all or the cheap ones among them.
+/// The accuracies of a scene.
+fn accuracies(scene: &str) -> &'static [f64] {
+    let cheap = predicted(scene).is_none_or(|work| work < CHEAP);
+    if cheap { &ACCURACIES } else { ACCURACIES.split_last().map_or(&[], |(_, others)| others) }
+}
+
+/// The first scenes of a seed of which no more integrals of a term are predicted.
 #[must_use]
-pub fn drawn(seed: u64, many: usize, only_cheap: bool) -> Vec<(u64, String)> {
+pub fn drawn(seed: u64, many: usize, most: u64) -> Vec<(u64, String)> {
     (0..)
         .map(|scene| (scene, scenes::scene(&mut Draw::of(seed, scene))))
-        .filter(|(_, text)| !only_cheap || predicted(text).is_none_or(|work| work < CHEAP))
+        .filter(|(_, text)| predicted(text).is_none_or(|work| work < most))
         .take(many)
         .collect()
 }
@@ -141,20 +151,20 @@ pub fn drawn(seed: u64, many: usize, only_cheap: bool) -> Vec<(u64, String)> {
 /// The study.
 #[must_use]
 pub fn study(effort: Effort, progress: &Progress) -> Section {
-    let chosen = drawn(SEED, effort.choose(SCENES.1, SCENES.0), effort == Effort::Reduced);
+    let chosen = drawn(SEED, effort.choose(SCENES.1, SCENES.0), effort.choose(CHEAP, MOST));
     progress.expect(chosen.len() as u64);
     let found: Vec<(u64, Compared)> = chosen
         .into_par_iter()
         .map(|(scene, text)| {
-            let found = compared(&text, &ACCURACIES);
+            let found = compared(&text, accuracies(&text));
             progress.advance(1);
             (scene, found)
         })
         .collect();
     let mut section = Section::new("event_lists", "Events of cracks at all accuracies");
     section.say(
-        "Random cracks under steps, ramps, holds, cycles and tables are solved at accuracies from 1e-3 to 1e-7 and at 1e-9. Starts, arrests, restarts, jumps and kinks must \
-         be the same in the same order, and each number must agree with that at 1e-9 within both bounds.",
+        "Random cracks under steps, ramps, holds, cycles and tables are solved at accuracies from 1e-3 to 1e-7, those of little work also at 1e-9. Starts, arrests, restarts, jumps and kinks must \
+         be the same in the same order, and each number must agree with that of the finest run within both bounds.",
     );
     let numbers: usize = found.iter().map(|(_, one)| one.numbers).sum();
     let events: usize = found.iter().map(|(_, one)| one.events.len()).sum();
