@@ -115,7 +115,11 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Number { dimension: Dimension::ENERGY_PER_MOLE, range: Range::Positive, reduced: "not available" },
         meaning: "E_a.",
     },
-    Key { path: "material.shift.factors", kind: Kind::Tables, meaning: "Given shift factors, interpolated in 1/T." },
+    Key {
+        path: "material.shift.factors",
+        kind: Kind::Tables,
+        meaning: "Given shift factors, interpolated in 1/T; relative to any temperature: they are divided by that at the reference temperature.",
+    },
     Key {
         path: "material.shift.factors[].temperature",
         kind: Kind::Number { dimension: Dimension::TEMPERATURE, range: Range::Positive, reduced: "not available" },
@@ -129,7 +133,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.shift.table",
         kind: Kind::Text,
-        meaning: "A CSV file with columns `temperature` and `factor`, or `log10_factor`; relative to the scene.",
+        meaning: "A CSV file with columns `temperature` and `factor`, or `log10_factor`, as in factors; its path is relative to the scene.",
     },
     Key {
         path: "material.power_law",

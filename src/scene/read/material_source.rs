@@ -70,19 +70,25 @@ pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Option<S
                 points.push((item.required_number("temperature")?, item.required_number("factor")?));
             }
             points.sort_by(|left, right| left.0.total_cmp(&right.0));
-            table_of(&shift, "factors", points)?
+            table_of(&shift, "factors", points, reference()?)?
         }
-        _ => table_of(&shift, "table", shift_table(&shift, document)?)?,
+        _ => table_of(&shift, "table", shift_table(&shift, document)?, reference()?)?,
     }))
 }
 
-/// Factors of at least two different temperatures.
-fn table_of(shift: &Section<'_>, key: &str, points: Vec<(f64, f64)>) -> Result<ShiftFactors, SceneError> {
+/// Factors of at least two different temperatures, divided by that at the reference temperature: a table may be relative to any temperature of its own.
+fn table_of(shift: &Section<'_>, key: &str, mut points: Vec<(f64, f64)>, reference: f64) -> Result<ShiftFactors, SceneError> {
     if points.len() < 2 {
         return Err(shift.wrong(key, format!("`{}` has {} temperatures", shift.full(key), points.len()), "needs at least two"));
     }
     if points.windows(2).any(|pair| pair[1].0 - pair[0].0 <= 1e-9 * pair[0].0) {
         return Err(shift.wrong(key, format!("`{}` names a temperature twice", shift.full(key)), "leave one out"));
+    }
+    let of_reference = ShiftFactors::Table(points.clone()).decades(reference).map_err(|refusal| {
+        shift.wrong(key, format!("no shift factor at the reference temperature {reference:.2} K: {refusal}"), "these factors")
+    })?;
+    for (_, factor) in &mut points {
+        *factor *= 10f64.powf(-of_reference);
     }
     Ok(ShiftFactors::Table(points))
 }
@@ -112,9 +118,7 @@ pub(super) fn at_temperature(
     let reference = reference.ok_or_else(|| table.missing("reference_temperature"))?;
     let temperature = temperature.unwrap_or(reference);
     let refused = |refusal| table.wrong("temperature", format!("no shift factor: {refusal}"), "at this temperature");
-    // The terms hold at the reference temperature, whatever a table says of it.
-    let decades = shift.decades(temperature).map_err(refused)? - shift.decades(reference).map_err(refused)?;
-    let factor = 10f64.powf(decades);
+    let factor = shift.factor(temperature).map_err(refused)?;
     let slowed = series.slowed(factor).map_err(refused)?;
     Ok((slowed, Some(Climate { shift, reference, temperature, factor, at_reference: series })))
 }
