@@ -26,8 +26,8 @@ pub const SEED: u64 = 0x3600_0007;
 /// Scenes of the full study, and of the reduced one.
 const SCENES: (usize, usize) = (2000, 12);
 
-/// Scenes are cheap of which no more integrals of a term are predicted; the reduced study takes no others.
-const CHEAP: u64 = 1_500_000;
+/// Scenes are solved at the last accuracy, too, of which no more integrals of a term are predicted: in the reduced study, which takes no others, and in the full one.
+const CHEAP: (u64, u64) = (1_500_000, 300_000);
 
 /// The full study leaves out scenes of which more are predicted, minutes each: one in ten.
 const MOST: u64 = 100_000_000;
@@ -133,8 +133,8 @@ pub fn predicted(scene: &str) -> Option<u64> {
 }
 
 /// The accuracies of a scene.
-fn accuracies(scene: &str) -> &'static [f64] {
-    let cheap = predicted(scene).is_none_or(|work| work < CHEAP);
+fn accuracies(scene: &str, effort: Effort) -> &'static [f64] {
+    let cheap = predicted(scene).is_none_or(|work| work < effort.choose(CHEAP.0, CHEAP.1));
     if cheap { &ACCURACIES } else { ACCURACIES.split_last().map_or(&[], |(_, others)| others) }
 }
 
@@ -151,12 +151,12 @@ pub fn drawn(seed: u64, many: usize, most: u64) -> Vec<(u64, String)> {
 /// The study.
 #[must_use]
 pub fn study(effort: Effort, progress: &Progress) -> Section {
-    let chosen = drawn(SEED, effort.choose(SCENES.1, SCENES.0), effort.choose(CHEAP, MOST));
+    let chosen = drawn(SEED, effort.choose(SCENES.1, SCENES.0), effort.choose(CHEAP.0, MOST));
     progress.expect(chosen.len() as u64);
     let found: Vec<(u64, Compared)> = chosen
         .into_par_iter()
         .map(|(scene, text)| {
-            let found = compared(&text, accuracies(&text));
+            let found = compared(&text, accuracies(&text, effort));
             progress.advance(1);
             (scene, found)
         })
