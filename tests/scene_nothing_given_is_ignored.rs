@@ -29,6 +29,12 @@ const NO_EFFECT: &[(&str, &str, &str)] = &[
     ("indentation.instants", "that swings", "an oscillation has instants only if twelve and more are asked for"),
     ("indentation.instants", "that settles", "an oscillation has instants only if twelve and more are asked for"),
     ("history[].oscillation.cycles", "that settles", "with `until_stationary` their largest number, which is not reached"),
+    (
+        "material.temperature_tolerance",
+        "data",
+        "temperatures of an isotherm are equal there; tests/material_tables.rs has some that wander",
+    ),
+    ("material.columns.of", "data", "tension is the default; tests/material_tables.rs has shear"),
     ("sliding.reached_by", "", "one contact is stable there: which one of several is meant matters to few states"),
     ("sliding.branch.parameter", "branch of all loads", "every contact of a speed is one curve, whatever it is followed by"),
     ("sliding.branch.branches", "branch of", "no branch lies apart there; tests/sliding_sec_3_4_every_branch.rs has some that do"),

@@ -62,6 +62,18 @@ impl ShiftFactors {
         require_finite("the shift factor's logarithm", value)
     }
 
+    /// The temperature (K) itself, or the end of a table from which it is no further than a tolerance (K).
+    #[must_use]
+    pub fn held_within(&self, temperature: f64, tolerance: f64) -> f64 {
+        let ends = match self {
+            Self::Table(points) => points.first().zip(points.last()),
+            _ => None,
+        };
+        let Some((&(low, _), &(high, _))) = ends else { return temperature };
+        let held = temperature.max(low).min(high);
+        if (held - temperature).abs() <= tolerance { held } else { temperature }
+    }
+
     /// a_T at a temperature (K).
     ///
     /// # Errors

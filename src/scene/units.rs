@@ -190,7 +190,7 @@ impl fmt::Display for UnitError {
 }
 
 /// Symbol, factor to SI, exponents of metre, kilogram, second, kelvin and mole, and whether a prefix may stand before it.
-const SYMBOLS: [(&str, f64, [i8; 5], bool); 17] = [
+const SYMBOLS: [(&str, f64, [i8; 5], bool); 22] = [
     ("m", 1.0, [1, 0, 0, 0, 0], true),
     ("g", 1e-3, [0, 1, 0, 0, 0], true),
     ("s", 1.0, [0, 0, 1, 0, 0], true),
@@ -208,6 +208,12 @@ const SYMBOLS: [(&str, f64, [i8; 5], bool); 17] = [
     ("%", 1e-2, [0, 0, 0, 0, 0], false),
     ("rad", 1.0, [0, 0, 0, 0, 0], true),
     ("mol", 1.0, [0, 0, 0, 0, 1], true),
+    ("dyn", 1e-5, [1, 1, -2, 0, 0], false),
+    ("erg", 1e-7, [2, 1, -2, 0, 0], false),
+    // The inch and the pound are exact since 1959, standard gravity since 1901.
+    ("in", 0.0254, [1, 0, 0, 0, 0], false),
+    ("lbf", 4.448_221_615_260_5, [1, 1, -2, 0, 0], false),
+    ("psi", 4.448_221_615_260_5 / (0.0254 * 0.0254), [-1, 1, -2, 0, 0], false),
 ];
 
 /// Decimal exponents, so that `"0.7 MPa"` is the double nearest to 7e5 and not 0.7 times a rounded factor.
@@ -235,6 +241,10 @@ pub fn parse_quantity(text: &str) -> Result<Quantity, UnitError> {
     let value: f64 = cleaned.parse().map_err(|_| UnitError::NoNumber)?;
     if matches!(unit.trim(), "°C" | "degC" | "deg C") {
         return Ok(Quantity { value: value + 273.15, dimension: Dimension { sense: Sense::Celsius, ..Dimension::TEMPERATURE } });
+    }
+    if matches!(unit.trim(), "°F" | "degF" | "deg F") {
+        let value = (value - 32.0) / 1.8 + 273.15;
+        return Ok(Quantity { value, dimension: Dimension { sense: Sense::Celsius, ..Dimension::TEMPERATURE } });
     }
     let unit = parse_unit(unit)?;
     // Powers of ten are folded into the decimal text, so that no second rounding happens.
@@ -320,10 +330,11 @@ fn parse_unit(text: &str) -> Result<Unit, UnitError> {
     if expects_factor { Err(UnitError::Malformed(text.trim().to_owned())) } else { Ok(unit) }
 }
 
-/// `^-2`, `²`, `⁻¹` or nothing (power one).
+/// `^-2`, `-2`, `²`, `⁻¹` or nothing (power one).
 fn parse_power(text: &str) -> Result<(i8, &str), UnitError> {
     let malformed = || UnitError::Malformed(text.to_owned());
-    if let Some(after) = text.strip_prefix('^') {
+    let bare = text.strip_prefix('-').unwrap_or(text).starts_with(|c: char| c.is_ascii_digit());
+    if let Some(after) = text.strip_prefix('^').or(bare.then_some(text)) {
         let length = after.bytes().enumerate().take_while(|&(at, byte)| byte.is_ascii_digit() || (at == 0 && byte == b'-')).count();
         let (digits, rest) = after.split_at(length);
         let power = digits.parse::<i8>().ok().filter(|power| power.abs() <= 9).ok_or_else(malformed)?;
@@ -429,6 +440,11 @@ mod tests {
             ("0 °C", 273.15),
             ("-273.15 °C", 0.0),
             ("20 degC", 293.15),
+            ("212 °F", 373.15),
+            ("1 dyn", 1e-5),
+            ("1 erg", 1e-7),
+            ("1 in", 0.0254),
+            ("1 lbf", 4.448_221_615_260_5),
         ] {
             assert_eq!(parse_quantity(text).unwrap().value, value, "{text}");
         }
@@ -440,9 +456,16 @@ mod tests {
             ("1 W", "1 kg m^2/s^3"),
             ("1 N", "1 kg m/s^2"),
             ("1 Hz", "1 1/s"),
+            ("1 lbf/in2", "1 psi"),
+            ("1 erg/cm2", "1 mJ/m^2"),
+            ("1 cm²/dyn", "1 m2 N-1"),
         ] {
             assert_eq!(parse_quantity(text).unwrap().dimension, parse_quantity(same).unwrap().dimension, "{text}");
         }
+        // NIST SP 811, appendix B.
+        let psi = parse_quantity("1 psi").unwrap().value;
+        assert!((psi / 6_894.757_293_168_4 - 1.0).abs() < 1e-14, "{psi}");
+        assert_eq!(parse_quantity("3 N/mm2").unwrap().value, 3e6);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Keys of the material: one linear viscoelastic solid, by creep terms or by relaxation terms.
 
-use super::{Key, Kind, Range};
+use super::{Key, Kind, Range, Word};
 use crate::scene::units::Dimension;
 
 const MODULUS: Kind = Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "relaxed modulus E0" };
@@ -70,6 +70,14 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Table,
         meaning: "The columns of the CSV file, where their headers do not tell: each is a header, or \"HEADER in UNIT\".",
     },
+    Key {
+        path: "material.columns.of",
+        kind: Kind::Choice(&[
+            Word { word: "tension", meaning: "Young's modulus, or the compliance of tension; the default, unless a header names G" },
+            Word { word: "shear", meaning: "a shear modulus or compliance: converted by E = 2(1 + ν)G with material.poisson_ratio" },
+        ]),
+        meaning: "What the moduli or compliances of the file are of; must be said where a header that this table names begins with G.",
+    },
     Key { path: "material.columns.frequency", kind: Kind::Text, meaning: "Cycles per time." },
     Key { path: "material.columns.angular_frequency", kind: Kind::Text, meaning: "Radians per time." },
     Key { path: "material.columns.time", kind: Kind::Text, meaning: "Time since a step." },
@@ -88,6 +96,11 @@ pub(super) const KEYS: &[Key] = &[
         path: "material.reference_temperature",
         kind: Kind::Number { dimension: Dimension::TEMPERATURE, range: Range::Positive, reduced: "not available" },
         meaning: "Temperature at which the terms hold, and to which data are shifted.",
+    },
+    Key {
+        path: "material.temperature_tolerance",
+        kind: Kind::Number { dimension: Dimension::TEMPERATURE_DIFFERENCE, range: Range::NonNegative, reduced: "not available" },
+        meaning: "Rows of material.data whose temperatures differ by no more are one isotherm (default 1 K); a table of shift factors covers temperatures that lie outside it by no more.",
     },
     Key {
         path: "material.shift",

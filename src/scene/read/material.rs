@@ -60,7 +60,7 @@ fn belonging(table: &Section<'_>, way: Option<&str>) -> Result<(), SceneError> {
     if data && table.units() == Units::Reduced {
         return Err(table.wrong("data", "`material.data` is measured in SI units, and the scene is in reduced ones", "this file"));
     }
-    let of_data: &[&str] = &["fit_error", "columns"];
+    let of_data: &[&str] = &["fit_error", "columns", "temperature_tolerance"];
     let of_terms: &[&str] = &["relaxed_modulus", "glassy_modulus", "viscosity"];
     let law = matches!(way, Some("power_law" | "fractional_zener"));
     for (keys, stray, owner) in [

@@ -44,8 +44,10 @@ const ROLES: [(Role, &str, Dimension, &[&str]); 11] = [
 pub(super) struct Column {
     pub(super) role: Role,
     pub(super) unit: String,
-    /// Shear moduli: their header begins with G.
-    pub(super) shear: bool,
+    /// Named like a shear modulus: the header begins with G.
+    pub(super) named_shear: bool,
+    /// The scene says what the column holds.
+    pub(super) by_scene: bool,
     pub(super) place: Place,
 }
 
@@ -83,20 +85,35 @@ pub(super) fn stated_columns(table: &Section<'_>) -> Result<Vec<(Role, String, O
     Ok(stated)
 }
 
-/// A header's name and its unit.
-fn split(header: &str) -> (String, Option<String>) {
+/// A name as [`ROLES`] has it.
+fn plain(name: &str) -> String {
+    name.to_lowercase().chars().filter(|c| !matches!(c, ' ' | '_' | '-')).collect()
+}
+
+fn role_of(name: &str) -> Option<Role> {
+    let plain = plain(name);
+    ROLES.iter().find(|entry| entry.3.contains(&plain.as_str())).map(|entry| entry.0)
+}
+
+/// A header's name and its unit: what stands behind a known name is its unit, whether or not it can be read; `E(t)` is a name.
+fn split(header: &str, is_known: impl Fn(&str) -> bool) -> (String, Option<String>) {
+    let parts = |name: &str, unit: &str| (name.trim().to_owned(), Some(unit.trim().to_owned()));
+    if is_known(header) {
+        return (header.trim().to_owned(), None);
+    }
     for (open, close) in [('(', ')'), ('[', ']')] {
         if let Some((name, rest)) = header.rsplit_once(open)
             && let Some(unit) = rest.trim_end().strip_suffix(close)
             && !name.trim().is_empty()
-            && parse_quantity(&format!("1 {unit}")).is_ok()
+            && (is_known(name.trim()) || parse_quantity(&format!("1 {unit}")).is_ok())
         {
-            return (name.trim().to_owned(), Some(unit.trim().to_owned()));
+            return parts(name, unit);
         }
     }
-    match header.rsplit_once(" / ") {
-        Some((name, unit)) => (name.trim().to_owned(), Some(unit.trim().to_owned())),
-        None => (header.trim().to_owned(), None),
+    match (header.rsplit_once(" / "), header.split_once('/')) {
+        (Some((name, unit)), _) => parts(name, unit),
+        (None, Some((name, unit))) if is_known(name.trim()) => parts(name, unit),
+        _ => (header.trim().to_owned(), None),
     }
 }
 
@@ -107,18 +124,22 @@ pub(super) fn column(
     stated: &[(Role, String, Option<String>)],
 ) -> Result<Option<Column>, SceneError> {
     let text = written(place);
-    let (name, own_unit) = split(text);
-    let plain: String = name.to_lowercase().chars().filter(|c| !matches!(c, ' ' | '_' | '-')).collect();
+    let (name, own_unit) = split(text, |name| role_of(name).is_some() || stated.iter().any(|(_, header, _)| header == name));
     let by_scene = stated.iter().find(|(_, header, _)| header == text || *header == name);
-    let by_name = || ROLES.iter().find(|entry| entry.3.contains(&plain.as_str())).map(|entry| entry.0);
-    let Some(mut role) = by_scene.map(|entry| entry.0).or_else(by_name) else { return Ok(None) };
+    let Some(mut role) = by_scene.map(|entry| entry.0).or_else(|| role_of(&name)) else { return Ok(None) };
     // A role that the scene gives to another header is taken.
     if by_scene.is_none() && stated.iter().any(|entry| entry.0 == role) {
         return Ok(None);
     }
     let unit = by_scene.and_then(|entry| entry.2.clone()).or(own_unit).or(unit_below).unwrap_or_default();
-    let quantity = parse_quantity(&format!("1 {unit}"))
-        .map_err(|error| SceneError::at(place, format!("the unit of the column `{text}` cannot be read: {error}"), "here").help(EXAMPLE))?;
+    let quantity = parse_quantity(&format!("1 {unit}")).map_err(|error| {
+        let message = format!("the unit of the column `{text}` cannot be read: {error}");
+        SceneError::at(place, message, format!("must be that of {}", dimension(role).example())).help(format!(
+            "write another unit into the header, or into [material.columns]: {} = \"{text} in {}\"",
+            word(role),
+            dimension(role).si_unit()
+        ))
+    })?;
     // `T` with a unit of temperature is no time.
     if role == Role::Time && by_scene.is_none() && quantity.dimension.measures(Dimension::TEMPERATURE) {
         role = Role::Temperature;
@@ -162,6 +183,6 @@ pub(super) fn column(
         }
         _ => {}
     }
-    let shear = by_scene.is_none() && plain.starts_with('g');
-    Ok(Some(Column { role, unit, shear, place: place.clone() }))
+    let named_shear = matches!(role, Role::Storage | Role::Loss | Role::Relaxation) && plain(&name).starts_with('g');
+    Ok(Some(Column { role, unit, named_shear, by_scene: by_scene.is_some(), place: place.clone() }))
 }

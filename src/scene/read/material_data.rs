@@ -25,7 +25,8 @@ pub(super) fn from_data(
     let wanted = table.number("fit_error")?.map_or(Wanted::Scatter, Wanted::Error);
     table.taken("columns");
     let columns = table.node().get("columns").map_or("", |node| node.written());
-    let words = format!("{:?} {columns} {wanted:?} {poisson_ratio:?} {shift:?} {reference:?}", table.text("data"));
+    let tolerance = table.number("temperature_tolerance")?;
+    let words = format!("{:?} {columns} {wanted:?} {poisson_ratio:?} {shift:?} {reference:?} {tolerance:?}", table.text("data"));
     document.materials().get(&words, || {
         let mut data = material_data(table, document, poisson_ratio)?;
         let overlap = shifted(table, &mut data, shift, reference)?;
@@ -38,6 +39,45 @@ pub(super) fn from_data(
     })
 }
 
+/// Temperatures no further apart (K) are one isotherm.
+const TEMPERATURE_TOLERANCE: f64 = 1.0;
+
+/// The temperatures (K) of a table, rising. An instrument that holds a temperature lets it wander: rows whose temperatures follow each other closely, and as a whole lie
+/// within twice the tolerance, get their mean.
+fn isotherms(data: &mut MaterialData, tolerance: f64) -> Vec<f64> {
+    let mut every: Vec<f64> = data.rows.iter().filter_map(|row| row.temperature).collect();
+    every.sort_by(f64::total_cmp);
+    let mut means = Vec::new();
+    let (mut wandering, mut widest) = (0, 0.0_f64);
+    for run in every.chunk_by(|low, high| high - low <= tolerance) {
+        let [low, .., high] = *run else {
+            means.extend_from_slice(run);
+            continue;
+        };
+        if high - low > 2.0 * tolerance {
+            // A temperature that was swept.
+            means.extend(run.iter().copied());
+            continue;
+        }
+        let mean = if low < high { run.iter().sum::<f64>() / run.len() as f64 } else { low };
+        for row in &mut data.rows {
+            row.temperature = row.temperature.map(|own| if (low..=high).contains(&own) { mean } else { own });
+        }
+        means.push(mean);
+        if low < high {
+            wandering += 1;
+            widest = widest.max(high - low);
+        }
+    }
+    if wandering > 0 {
+        data.warnings.push(format!(
+            "{wandering} temperatures wander by up to {widest:.2} K: rows within {tolerance} K of each other are one isotherm; each is shifted from its own temperature"
+        ));
+    }
+    means.dedup();
+    means
+}
+
 /// Brings all rows to the reference temperature; gives how well the curves of the temperatures meet.
 fn shifted(
     table: &Section<'_>,
@@ -45,9 +85,14 @@ fn shifted(
     shift: Option<&ShiftFactors>,
     reference: Option<f64>,
 ) -> Result<Option<Overlap>, SceneError> {
-    let mut temperatures: Vec<f64> = data.rows.iter().filter_map(|row| row.temperature).collect();
-    temperatures.sort_by(f64::total_cmp);
-    temperatures.dedup();
+    let stated = table.number("temperature_tolerance")?;
+    let tolerance = stated.unwrap_or(TEMPERATURE_TOLERANCE);
+    let own: Vec<Option<f64>> = data.rows.iter().map(|row| row.temperature).collect();
+    let temperatures = isotherms(data, tolerance);
+    if stated.is_some() && temperatures.is_empty() {
+        let message = "`material.temperature_tolerance` has no effect on a table without temperatures";
+        return Err(table.wrong("temperature_tolerance", message, "leave it out"));
+    }
     let Some(shift) = shift else {
         if let [only] = temperatures.as_slice()
             && let Some(reference) = reference
@@ -64,9 +109,9 @@ fn shifted(
         }
         return Ok(None);
     };
-    for row in &mut data.rows {
-        let Some(temperature) = row.temperature else { continue };
-        let factor = shift.factor(temperature).map_err(|refusal| {
+    for (row, own) in data.rows.iter_mut().zip(own) {
+        let Some(temperature) = own else { continue };
+        let factor = shift.factor(shift.held_within(temperature, tolerance)).map_err(|refusal| {
             table.wrong("shift", format!("no shift factor for {temperature:.2} K, a temperature of the data: {refusal}"), "this shift")
         })?;
         row.at *= if data.sort == MeasuredSort::Moduli { factor } else { 1.0 / factor };

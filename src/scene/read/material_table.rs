@@ -95,20 +95,7 @@ pub(super) fn material_data(table: &Section<'_>, document: &Document, poisson_ra
             return Err(columns.wrong(word(role), message, "leave it out"));
         }
     }
-    let stretch = match rows.columns.iter().find(|column| column.shear) {
-        None => 1.0,
-        Some(column) => {
-            let ratio = poisson_ratio.ok_or_else(|| {
-                SceneError::at(
-                    &column.place,
-                    format!("`{}` is a shear modulus, a material is given by Young's", written(&column.place)),
-                    "a shear modulus",
-                )
-                .help("give material.poisson_ratio: E = 2(1 + ν)G; or name the column storage_modulus if it is Young's modulus")
-            })?;
-            2.0 * (1.0 + ratio)
-        }
-    };
+    let stretch = stretch_to_young(table, &rows, sort, poisson_ratio, &header)?;
     let mut data = MaterialData { file: file.to_owned(), sort, rows: Vec::with_capacity(rows.rows.len()), warnings: Vec::new() };
     for row in &rows.rows {
         let positive = |role: Role| -> Result<f64, SceneError> {
@@ -282,6 +269,37 @@ fn number(cell: &Place, column: &Column) -> Result<f64, SceneError> {
         let place = if text.is_empty() { &column.place } else { cell };
         SceneError::at(place, format!("`{}` {what}, in line {}", word(column.role), line(cell)), "must be a finite number without a unit")
     })
+}
+
+/// What the moduli of a table, or the inverse of its compliances, are multiplied by to be Young's: 2(1 + ν) of shear.
+fn stretch_to_young(
+    table: &Section<'_>,
+    rows: &Rows,
+    sort: MeasuredSort,
+    poisson_ratio: Option<f64>,
+    header: &Place,
+) -> Result<f64, SceneError> {
+    let named = rows.columns.iter().find(|column| column.named_shear);
+    let said = table.table("columns").and_then(|columns| columns.text("of").map(str::to_owned));
+    let place = match (said.as_deref(), named) {
+        (Some("shear"), _) => named.map_or(header, |column| &column.place),
+        (Some(_), _) | (None, None) => return Ok(1.0),
+        (None, Some(column)) if column.by_scene => {
+            return Err(SceneError::at(
+                &column.place,
+                format!("`{}` is named like a shear modulus, and [material.columns] does not say of what it is", written(&column.place)),
+                "of shear or of tension?",
+            )
+            .help("write of = \"shear\" or of = \"tension\" into [material.columns]"));
+        }
+        (None, Some(column)) => &column.place,
+    };
+    let ratio = poisson_ratio.ok_or_else(|| {
+        SceneError::at(place, format!("`{}` is of shear, a material is given by Young's modulus", written(place)), "of shear")
+            .help("give material.poisson_ratio: E = 2(1 + ν)G; or of = \"tension\" in [material.columns] if it is Young's modulus")
+    })?;
+    let stretch = 2.0 * (1.0 + ratio);
+    Ok(if sort == MeasuredSort::Creep { 1.0 / stretch } else { stretch })
 }
 
 /// More rows than these are a recording, not a table.

@@ -17,7 +17,7 @@ use crate::scene::units::Dimension;
 
 /// Rows: fewer have no smooth shape, more are better thinned.
 const ROWS: std::ops::RangeInclusive<usize> = 4..=2000;
-const HELP: &str = "the header is such as: r (µm), z (nm)";
+const HELP: &str = "the header is such as: r (µm), z (nm), from the axis outwards; of a line scan x, z give r = |x − x of its lowest point| and the mean of both sides";
 
 /// The points (r, z) of the file that `key` names.
 pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) -> Result<Vec<(f64, f64)>, SceneError> {

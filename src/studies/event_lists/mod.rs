@@ -29,8 +29,8 @@ const SCENES: (usize, usize) = (2000, 12);
 /// Scenes are solved at the last accuracy, too, of which no more integrals of a term are predicted: in the reduced study, which takes no others, and in the full one.
 const CHEAP: (u64, u64) = (1_500_000, 300_000);
 
-/// The full study leaves out scenes of which more are predicted, minutes each: one in ten.
-const MOST: u64 = 100_000_000;
+/// The full study leaves out scenes of which more are predicted, minutes each: one in six.
+const MOST: u64 = 10_000_000;
 
 /// A scene at all accuracies.
 #[derive(Debug, Clone, Default)]
