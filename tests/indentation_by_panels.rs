@@ -15,7 +15,7 @@ use serde_json::Value;
 use std::f64::consts::TAU;
 use viscotack::Material;
 use viscotack::indentation::by_panels::{End, Outcome, PanelOptions, march_by_panels, solve_by_panels};
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Oscillation, Profile, march};
+use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, march};
 use viscotack::material::CreepTerm;
 
 fn states() -> Value {
@@ -170,7 +170,10 @@ fn bounds_cover_the_errors() {
             let least = solved.least_force;
             assert!((-least.row.force - force).abs() <= least.bound.force + force_error, "{name} {tolerance:e}: F_off");
             assert!((solved.last.row.time - end).abs() <= solved.last.bound.time + end_error, "{name} {tolerance:e}: t_end");
-            assert!(least.bound.force <= tolerance * force && solved.last.bound.time <= tolerance * end, "{name} {tolerance:e}: {solved:?}");
+            assert!(
+                least.bound.force <= tolerance * force && solved.last.bound.time <= tolerance * end,
+                "{name} {tolerance:e}: {solved:?}"
+            );
         }
     }
 }
@@ -194,17 +197,65 @@ fn the_march_agrees() {
     }
 }
 
+/// A sudden pull, held: the edge jumps with the penetration, then creeps until it lets go.
+#[test]
+fn a_constant_force_meets_the_oracle() {
+    let states = states();
+    let state = &states["constant_force"];
+    let pull = -3.0 * std::f64::consts::PI * number(state, "Dgamma");
+    let history = History::penetration(number(state, "Delta_B")).then(Controlled::Force, pull, 0.0).then(Controlled::Force, pull, 1e4);
+    for options in [USUAL, FINE] {
+        let outcome = march_by_panels(&material(state), &problem(state, history.clone()).relaxed(), options, &[]).unwrap();
+        let (first, last) = (outcome.jumps.first().unwrap(), outcome.ends.last().unwrap());
+        assert_near("Delta0", first.penetration, value(state, "Delta0"), 2e-13);
+        assert_near("a0", first.contact_radius, value(state, "a0"), 2e-13);
+        assert_eq!(outcome.end, End::Lost);
+        assert_near("t_detach", last.time, value(state, "t_detach"), 0.0);
+        assert_near("Delta_detach", last.penetration, value(state, "Delta_detach"), 0.0);
+        assert_near("a_detach", last.contact_radius, value(state, "a_detach"), 0.0);
+        assert!((last.force / pull - 1.0).abs() < 1e-7, "{last:?}");
+    }
+}
+
+/// Against the march of this crate: a frame, soft and stiff, and a start under a force.
+#[test]
+fn frames_and_forces_agree_with_the_march() {
+    let states = states();
+    let state = &states["readvance"];
+    let material = material(state);
+    for (history, stiffness) in [
+        (History::frame(0.03).ramp(0.0, 5.0), Some(1.0)),
+        (History::frame(0.0).ramp(0.04, 5.0).hold(1.0), Some(0.05)),
+        (History::force(0.002).ramp(-0.001, 4.0), None),
+    ] {
+        let mut problem = problem(state, history).relaxed();
+        problem.frame_stiffness = stiffness;
+        problem.instants_per_segment = 3;
+        let trace = march(&material, &problem, 1e-5).unwrap();
+        let instants: Vec<f64> = trace.kept.iter().map(|&kept| trace.path[kept].time).collect();
+        let panels = march_by_panels(&material, &problem, USUAL, &instants).unwrap();
+        assert!(panels.wanted.len() + 1 >= instants.len(), "{panels:?}");
+        for (row, &kept) in panels.wanted.iter().zip(&trace.kept) {
+            let point = &trace.path[kept];
+            assert!((row.contact_radius / point.contact_radius - 1.0).abs() < 2e-6, "{row:?} {point:?}");
+            assert!((row.penetration - point.penetration).abs() < 2e-6 * 0.03, "{row:?} {point:?}");
+            assert!((row.force - point.force).abs() < 2e-6 * 0.01, "{row:?} {point:?}");
+        }
+    }
+}
+
 #[test]
 fn what_it_does_not_solve_is_refused_with_the_reason() {
     let states = states();
     let state = &states["retract_1"];
     let material = material(state);
-    let mut forced = problem(state, History::force(0.0).hold(1.0)).relaxed();
-    let refusal = march_by_panels(&material, &forced, USUAL, &[]).unwrap_err().to_string();
-    assert!(refusal.contains("controls other than the penetration"), "{refusal}");
-    forced.history = History::penetration(0.02).step(0.01);
-    let refusal = march_by_panels(&material, &forced, USUAL, &[]).unwrap_err().to_string();
-    assert!(refusal.contains("sudden steps"), "{refusal}");
+    let mut asked = problem(state, History::force(0.0).hold(1.0)).relaxed();
+    asked.adhesion = None;
+    let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
+    assert!(refusal.contains("a force without adhesion"), "{refusal}");
+    asked.history = History::penetration(0.02).step(0.01).hold(1.0);
+    let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
+    assert!(refusal.contains("sudden steps of the penetration"), "{refusal}");
     let lifted = problem(state, History::penetration(-0.5).hold(1.0)).relaxed();
     assert!(march_by_panels(&material, &lifted, USUAL, &[]).is_err());
 }

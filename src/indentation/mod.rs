@@ -33,8 +33,8 @@
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
 mod adhesiveless;
-pub mod by_panels;
 mod advance;
+pub mod by_panels;
 mod checkpoint;
 mod coarsening;
 mod convergence;

@@ -6,7 +6,7 @@
 
 use super::closure::{Way, Window};
 use super::drive::Instant;
-use super::line::Segment;
+use super::line::{Segment, series};
 use super::newton::Panel;
 use super::path::{Chart, Points, Setting, passed};
 
@@ -25,10 +25,16 @@ const MORE_PARTS: usize = 24;
 /// Residual over that at λ = 0 above which a sign counts: below it is the tolerance of the panel.
 const SIGN_NOISE: f64 = 1e-3;
 
-pub(super) fn checked(points: &Points, window: &mut Window, setting: &Setting<'_>, panel: &Panel, (start_residual, fades): (f64, f64)) -> Checked {
+pub(super) fn checked(
+    points: &Points,
+    window: &mut Window,
+    setting: &Setting<'_>,
+    panel: &Panel,
+    (start_residual, fades): (f64, f64),
+) -> Checked {
     let mut now = Instant::default();
     let mut at = |window: &mut Window, segment: &Segment, theta: f64| {
-        setting.now(segment.time_at(theta), &mut now);
+        setting.along(&segment.times, &segment.depths, theta, &mut now);
         let way = Way { panel: segment, advances: setting.advances, theta };
         setting.excess(window, Some(way), &now, false).value
     };
@@ -62,17 +68,27 @@ pub(super) fn first_root(
     let of_time = panel.chart == Chart::TimeOfPlace;
     // The way up to the first point as a panel of its own, in the same chart.
     let values = |part: f64| -> Vec<f64> {
-        points.nodes.iter().map(|&x| {
-            let theta = -1.0 + 0.5 * (x + 1.0) * (theta + 1.0);
-            part * if of_time { panel.segment.time_at(theta) } else { panel.segment.place_at(theta).0 }
-        }).collect()
+        points
+            .nodes
+            .iter()
+            .map(|&x| {
+                let theta = -1.0 + 0.5 * (x + 1.0) * (theta + 1.0);
+                part * if of_time { panel.segment.time_at(theta) } else { panel.segment.place_at(theta).0 }
+            })
+            .collect()
+    };
+    // Δ with it, if it follows.
+    let depths = |part: f64| -> Vec<f64> {
+        let start = series(&panel.segment.depths, -1.0).0;
+        let at = |x: f64| start + part * (series(&panel.segment.depths, -1.0 + 0.5 * (x + 1.0) * (theta + 1.0)).0 - start);
+        if panel.segment.depths.is_empty() { Vec::new() } else { points.nodes.iter().map(|&x| at(x)).collect() }
     };
     let span = if of_time { way } else { time };
     // Too little work ahead of the edge in place, too much in time: of the sign below until the root.
     let expected = if of_time { sign } else { -sign };
     let mut residual = |window: &mut Window, part: f64| {
         let part = if of_time { part } else { part.max(1e-9) };
-        let segment = passed(points, setting, panel.chart, span, &values(part));
+        let segment = passed(points, setting, panel.chart, span, &values(part), &depths(part));
         expected * at(window, &segment, 1.0)
     };
     let found: Vec<f64> = PARTS.iter().map(|&part| residual(window, part)).collect();
@@ -80,6 +96,5 @@ pub(super) fn first_root(
     if found.windows(2).all(|pair| pair[1] <= pair[0]) {
         return found.iter().all(|&value| value > 0.0);
     }
-    found.iter().all(|&value| value > -noise)
-        && (1..MORE_PARTS).all(|k| residual(window, 0.97 * k as f64 / MORE_PARTS as f64) > 0.0)
+    found.iter().all(|&value| value > -noise) && (1..MORE_PARTS).all(|k| residual(window, 0.97 * k as f64 / MORE_PARTS as f64) > 0.0)
 }

@@ -11,8 +11,8 @@ use super::drive::Instant;
 use super::gauss::{Gauss, NODES};
 use super::kernel::{Kernel, MOST};
 use super::line::{Field, Line, SERIES, Segment, chebyshev, field};
-use crate::indentation::Profile;
 use super::window::Scene;
+use crate::indentation::Profile;
 use std::f64::consts::PI;
 
 /// A node of the window.
@@ -109,7 +109,14 @@ impl Window {
 
     /// The condition of an edge without adhesion, as a displacement that has the sign of C − Δγ: D(a) if it advances, −Q(a)/E∞* if it recedes, of
     /// the side that the edge moves into.
-    pub(super) fn smooth(&mut self, (chain, profile): (&Chain, &Profile), line: &Line, edge: f64, advances: bool, now: &Instant) -> Closure {
+    pub(super) fn smooth(
+        &mut self,
+        (chain, profile): (&Chain, &Profile),
+        line: &Line,
+        edge: f64,
+        advances: bool,
+        now: &Instant,
+    ) -> Closure {
         let segment = line.at(!advances, edge);
         let found = field(chain, !advances, segment, segment.theta_at(edge), profile.line(line.edge + edge), now);
         self.closures += 1;

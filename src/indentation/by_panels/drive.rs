@@ -8,6 +8,7 @@
 //! Both are analytic on a branch, and are continued analytically beyond its ends: a panel of the path may reach over a corner of the history and is cut there.
 
 use super::chain::Chain;
+use super::followed::Control;
 
 /// One branch.
 #[derive(Debug, Clone)]
@@ -49,6 +50,12 @@ impl Branch {
         self.rate == 0.0 && self.amplitude == 0.0
     }
 
+    /// The value and its rate, `u` after its start.
+    pub(super) fn value(&self, u: f64) -> (f64, f64) {
+        let (deviation, speed) = self.oscillation(u);
+        (self.level + self.rate * u + deviation, self.rate + speed)
+    }
+
     /// The instant `u` after its start; the time is left to the caller.
     pub(super) fn at(&self, chain: &Chain, u: f64, instant: &mut Instant) {
         let (deviation, speed) = self.oscillation(u);
@@ -57,11 +64,8 @@ impl Branch {
         instant.memory.clear();
         (instant.base, instant.base_rate) = (chain.relaxed * instant.depth, chain.relaxed * instant.rate);
         let angle = self.omega * u + self.phase;
-        let (sin, cos, sin0, cos0) = if self.amplitude == 0.0 {
-            (0.0, 0.0, 0.0, 0.0)
-        } else {
-            (angle.sin(), angle.cos(), self.phase.sin(), self.phase.cos())
-        };
+        let (sin, cos, sin0, cos0) =
+            if self.amplitude == 0.0 { (0.0, 0.0, 0.0, 0.0) } else { (angle.sin(), angle.cos(), self.phase.sin(), self.phase.cos()) };
         for (&(modulus, rate), &before) in chain.relaxation.iter().zip(&self.memory) {
             let fallen = (-u * rate).exp_m1();
             let mut value = before * (1.0 + fallen) - modulus * self.rate / rate * fallen;
@@ -80,13 +84,21 @@ impl Branch {
 /// The whole history.
 #[derive(Debug, Clone)]
 pub(super) struct Drive {
+    /// What the branches give, if not Δ.
+    pub(super) control: Option<Control>,
     pub(super) branches: Vec<Branch>,
+    /// The value after a step that no branch follows yet.
+    stepped: Option<f64>,
 }
 
 impl Drive {
     /// From a penetration; relaxed (P = 0 for ever before) or untouched alike.
     pub(super) fn from(level: f64) -> Self {
-        Self { branches: vec![Branch { start: 0.0, end: 0.0, level, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory: Vec::new() }] }
+        Self {
+            control: None,
+            stepped: None,
+            branches: vec![Branch { start: 0.0, end: 0.0, level, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory: Vec::new() }],
+        }
     }
 
     pub(super) fn push(mut self, chain: &Chain, duration: f64, rate: f64, (amplitude, omega, phase): (f64, f64, f64)) -> Self {
@@ -99,10 +111,17 @@ impl Drive {
             Some(last) => (last.end, last.level, vec![0.0; chain.terms()]),
             None => (0.0, 0.0, vec![0.0; chain.terms()]),
         };
+        let level = self.stepped.take().unwrap_or(level);
         if self.branches.len() == 1 && self.branches[0].end <= self.branches[0].start {
             self.branches.clear();
         }
         self.branches.push(Branch { start, end: start + duration, level, rate, amplitude, omega, phase, memory });
+        self
+    }
+
+    /// Followed by a sudden step of a value that is no penetration.
+    pub(super) fn step(mut self, value: f64) -> Self {
+        self.stepped = Some(value);
         self
     }
 

@@ -9,6 +9,8 @@
 //!
 //! The chart of the next panel: a(t) while the distance to a turn, v²/(2|v̇|), is less than a panel or two, else t(a).
 
+use super::drive::Instant;
+use super::followed::State;
 use super::line::series;
 use super::march::March;
 use super::newton::Panel;
@@ -20,6 +22,8 @@ const KINK_NOISE: f64 = 1e-9;
 /// Part of the tolerance that merging may spend on the fields, and how far from the edge, in zones, segments are merged.
 const MERGE: f64 = 1e-2;
 const CLEAR: f64 = 0.02;
+/// Panels between two merges.
+const MERGED_EVERY: u64 = 8;
 /// Marks of turns and corners that are kept: those of the last four turns suffice (same results as with all).
 const WEAK_MARKS: usize = 8;
 
@@ -64,6 +68,11 @@ impl March<'_> {
         let duration = segment.time_at(cut);
         let full = if timed { segment.time_at(1.0) } else { segment.place_at(1.0).0.abs() };
         let beyond = segment.place_at(1.0).0 - way;
+        if let Some(state) = &self.state {
+            let mut now = Instant::default();
+            state.along(&self.problem.chain, &segment.times, &segment.depths, cut, &mut now);
+            self.state = Some(State { depth: now.depth, rate: now.rate, memory: now.memory });
+        }
         self.line.swept(segment, cut);
         for mark in &mut self.marks {
             mark.place -= way;
@@ -87,6 +96,9 @@ impl March<'_> {
             Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
         };
         self.past = Some((advances, past, cut));
+        if self.outcome.panels.is_multiple_of(MERGED_EVERY) {
+            self.merge();
+        }
         if cut < 1.0 {
             self.start_residual = self.sudden(0.0);
         }

@@ -2,18 +2,34 @@
 
 use super::chain::Chain;
 use super::closure::Way;
-use super::window::GROWTH;
 use super::drive::Instant;
 use super::gauss::Gauss;
-use super::line::{FADED, Line, Segment, field};
+use super::line::{FADED, Field, Line, Segment, field};
+use super::window::GROWTH;
 use crate::indentation::Profile;
 
+/// dF/dt of an edge at rest.
+pub(super) fn force_rate(gauss: &Gauss, solid: (&Chain, &Profile), line: &Line, now: &Instant) -> f64 {
+    integral(gauss, solid, line, None, now, |field| field.rate)
+}
+
 /// F at an instant, with the edge at the origin or on the way.
-pub(super) fn force(gauss: &Gauss, (chain, profile): (&Chain, &Profile), line: &Line, way: Option<Way<'_>>, now: &Instant) -> f64 {
+pub(super) fn force(gauss: &Gauss, solid: (&Chain, &Profile), line: &Line, way: Option<Way<'_>>, now: &Instant) -> f64 {
+    integral(gauss, solid, line, way, now, |field| field.value)
+}
+
+fn integral(
+    gauss: &Gauss,
+    (chain, profile): (&Chain, &Profile),
+    line: &Line,
+    way: Option<Way<'_>>,
+    now: &Instant,
+    of: impl Fn(Field) -> f64 + Copy,
+) -> f64 {
     let edge = way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
     let mut sum = 0.0;
     let mut add = |segment: &Segment, from: f64, to: f64| {
-        sum += part(gauss, chain, profile, line.edge, segment, now, (from, to), 60);
+        sum += part(gauss, chain, profile, line.edge, segment, now, (from, to), of, 60);
     };
     for segment in &line.inside {
         let advances = way.is_some_and(|way| way.advances);
@@ -23,7 +39,11 @@ pub(super) fn force(gauss: &Gauss, (chain, profile): (&Chain, &Profile), line: &
             continue;
         }
         let to = if high < segment.high { segment.theta_at(high) } else { segment.theta_high };
-        if segment.blank { add(segment, segment.theta_at(segment.low), segment.theta_at(high)) } else { add(segment, segment.theta_low, to) }
+        if segment.blank {
+            add(segment, segment.theta_at(segment.low), segment.theta_at(high))
+        } else {
+            add(segment, segment.theta_low, to)
+        }
     }
     if let Some(way) = way.filter(|way| way.advances) {
         add(way.panel, -1.0, way.theta);
@@ -39,6 +59,7 @@ pub(super) fn part(
     segment: &Segment,
     now: &Instant,
     (from, to): (f64, f64),
+    of: impl Fn(Field) -> f64 + Copy,
     cuts: u32,
 ) -> f64 {
     let [shortest, longest] = chain.times(true);
@@ -48,15 +69,20 @@ pub(super) fn part(
         if first.max(second) > GROWTH * first.min(second) {
             let middle = from + if first < second { 0.25 } else { 0.75 } * (to - from);
             return [(from, middle), (middle, to)]
-                .map(|ends| part(gauss, chain, profile, origin, segment, now, ends, cuts - 1))
+                .map(|ends| part(gauss, chain, profile, origin, segment, now, ends, of, cuts - 1))
                 .iter()
                 .sum();
         }
     }
     let span = to - from;
-    gauss.nodes.iter().zip(gauss.weights).map(|(x, weight)| {
-        let theta = from + span * x;
-        let (place, slope) = segment.place_at(theta);
-        weight * span * slope * field(chain, true, segment, theta, profile.line(origin + place), now).value
-    }).sum()
+    gauss
+        .nodes
+        .iter()
+        .zip(gauss.weights)
+        .map(|(x, weight)| {
+            let theta = from + span * x;
+            let (place, slope) = segment.place_at(theta);
+            weight * span * slope * of(field(chain, true, segment, theta, profile.line(origin + place), now))
+        })
+        .sum()
 }

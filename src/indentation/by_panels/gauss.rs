@@ -51,6 +51,12 @@ pub(super) fn radau(p: usize) -> Vec<f64> {
 }
 
 impl Gauss {
+    /// The one rule.
+    pub(super) fn get() -> &'static Self {
+        static RULE: std::sync::LazyLock<Gauss> = std::sync::LazyLock::new(Gauss::new);
+        &RULE
+    }
+
     pub(super) fn new() -> Self {
         let roots = zeros(NODES, |x| legendre(NODES, x).0);
         let mut rule = Self { nodes: [0.0; NODES], weights: [0.0; NODES], running: [[0.0; NODES]; NODES] };
@@ -63,9 +69,8 @@ impl Gauss {
         // ∫₀^{x_g} ℓ_h by the rule itself on (0, x_g): degree 7 is exact.
         for g in 0..NODES {
             for h in 0..NODES {
-                let at = |x: f64| {
-                    (0..NODES).filter(|&k| k != h).map(|k| (x - rule.nodes[k]) / (rule.nodes[h] - rule.nodes[k])).product::<f64>()
-                };
+                let at =
+                    |x: f64| (0..NODES).filter(|&k| k != h).map(|k| (x - rule.nodes[k]) / (rule.nodes[h] - rule.nodes[k])).product::<f64>();
                 rule.running[g][h] = (0..NODES).map(|k| rule.nodes[g] * rule.weights[k] * at(rule.nodes[g] * rule.nodes[k])).sum();
             }
         }

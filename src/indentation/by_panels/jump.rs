@@ -16,10 +16,15 @@ impl March<'_> {
     /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds it where it
     /// started shows that it was stable there after all.
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
+        // What the last panel left is within its tolerance, and would be taken for a landing.
+        let left = self.sudden(0.0);
+        self.moves_at_once(advances, first, left)
+    }
+
+    /// The same until C − Δγ is what is left.
+    pub(super) fn moves_at_once(&mut self, advances: bool, first: f64, left: f64) -> Option<End> {
         let zone = self.problem.zone;
         let sign = if advances { 1.0 } else { -1.0 };
-        // With what the last panel left: it is within its tolerance, and would be taken for a landing.
-        let left = self.sudden(0.0);
         self.start_residual = left;
         let start = self.line.edge;
         let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
@@ -50,8 +55,9 @@ impl March<'_> {
                 self.mark(true);
             }
             let values = vec![0.0; self.points.p + 1];
-            let segment = passed(&self.points, &self.setting(advances), Chart::TimeOfPlace, sign * way, &values);
+            let segment = passed(&self.points, &self.setting(advances), Chart::TimeOfPlace, sign * way, &values, &[]);
             self.line.swept(segment, 1.0);
+            self.balance();
             self.marks.iter_mut().for_each(|mark| mark.place -= sign * way);
             gone += way;
             if landed {

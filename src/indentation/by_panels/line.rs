@@ -59,6 +59,8 @@ pub(super) struct Segment {
     pub(super) straight: bool,
     pub(super) places: Vec<f64>,
     pub(super) times: Vec<f64>,
+    /// Δ(θ), where it is not given but follows.
+    pub(super) depths: Vec<f64>,
     /// n + 1 numbers for each polynomial: X, and what the passage changed (Q before letting go, D before bonding).
     pub(super) states: Vec<f64>,
 }
@@ -76,6 +78,7 @@ impl Segment {
             straight: true,
             places: vec![0.0, 1.0],
             times: vec![],
+            depths: vec![],
             states: vec![],
         }
     }
@@ -108,7 +111,11 @@ impl Segment {
         for _ in 0..60 {
             let (place, slope) = self.place_at(theta);
             let excess = place - s;
-            if excess < 0.0 { below = theta } else { above = theta }
+            if excess < 0.0 {
+                below = theta
+            } else {
+                above = theta
+            }
             let next = theta - excess / slope;
             let inside = (next - below) * (next - above) <= 0.0;
             let next = if inside { next } else { 0.5 * (below + above) };

@@ -6,15 +6,18 @@
 use super::check::checked;
 use super::closure::Window;
 use super::events::{Mark, first_crossing};
+use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
-use super::path::{Chart, Points, Setting, continued};
-use super::problem::{End, Outcome, Problem, Row};
 use super::newton::solved;
+use super::path::{Chart, Motion, Points, Setting, continued};
+use super::problem::{End, Outcome, Problem, Row};
 use super::start::glassy;
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
+/// Excess over Δγ that a sudden change of a control makes at least.
+const SUDDEN: f64 = 1e-3;
 /// Refusals in a row after which the edge sets out anew from its present state.
 const PATIENCE: u32 = 5;
 
@@ -36,17 +39,30 @@ pub(super) struct March<'a> {
     pub(super) start_residual: f64,
     pub(super) stiffness: f64,
     pub(super) refusals: u32,
+    /// Δ and its memory, where it is not given.
+    pub(super) state: Option<State>,
     pub(super) outcome: Outcome,
 }
 
 impl<'a> March<'a> {
-    pub(super) fn new(problem: &'a Problem, edge: f64) -> Self {
+    pub(super) fn new(problem: &'a Problem, edge: f64, depth: f64) -> Self {
         let mut line = Line::new(edge);
         if !problem.relaxed {
-            line.inside[0] = glassy(problem, edge);
+            line.inside[0] = glassy(problem, edge, depth);
         }
         let row = Row::default();
-        let outcome = Outcome { start: row, ends: vec![], wanted: vec![], least_force: row, jumps: vec![], end: End::Failed, panels: 0, refused: 0, closures: 0, kernel_nodes: 0 };
+        let outcome = Outcome {
+            start: row,
+            ends: vec![],
+            wanted: vec![],
+            least_force: row,
+            jumps: vec![],
+            end: End::Failed,
+            panels: 0,
+            refused: 0,
+            closures: 0,
+            kernel_nodes: 0,
+        };
         let mut march = Self {
             problem,
             points: Points::new(problem.degree),
@@ -60,6 +76,7 @@ impl<'a> March<'a> {
             start_residual: 0.0,
             stiffness: 0.0,
             refusals: 0,
+            state: problem.drive.control.map(|_| State { depth, rate: 0.0, memory: vec![0.0; problem.chain.terms()] }),
             outcome,
         };
         let row = march.row(None, 0.0);
@@ -70,8 +87,16 @@ impl<'a> March<'a> {
 
     pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
         let problem = self.problem;
-        let branch = &problem.drive.branches[self.branch];
-        Setting { chain: &problem.chain, profile: &problem.profile, line: &self.line, branch, adhesion: problem.adhesion, scale: self.scale(), advances }
+        let motion = self.state.as_ref().map_or(Motion::Given(&problem.drive.branches[self.branch]), Motion::Followed);
+        Setting {
+            chain: &problem.chain,
+            profile: &problem.profile,
+            line: &self.line,
+            motion,
+            adhesion: problem.adhesion,
+            scale: self.scale(),
+            advances,
+        }
     }
 
     /// What residuals are compared with.
@@ -114,8 +139,16 @@ impl<'a> March<'a> {
         let tolerance = self.problem.tolerance * self.length();
         if self.past.is_none() {
             let left = self.problem.drive.branches[self.branch].end - self.line.time;
+            if self.state.is_some() {
+                self.balance();
+                let excess = self.sudden(0.0);
+                if (excess - self.start_residual).abs() > SUDDEN * self.scale() {
+                    // A control that changed at once has left equilibrium.
+                    return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0);
+                }
+            }
             let outset = self.sets_out();
-            let held = self.problem.drive.branches[self.branch].is_held();
+            let held = self.state.is_none() && self.problem.drive.branches[self.branch].is_held();
             if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance {
                 // Held, everything relaxes: an edge that would not leave its tolerance rests.
                 return self.rests(left);
@@ -143,7 +176,7 @@ impl<'a> March<'a> {
                 }
             }
         }
-        let mut guess = continued(&self.points, &past, theta, chart, span);
+        let (mut guess, mut depths) = continued(&self.points, &past, theta, chart, span);
         if chart == Chart::PlaceOfTime {
             // States jump at a strong kink: it is landed on, in place; before that the edge goes on in time as long as it stays clear of it.
             let (kink, strong, _) = self.next_kink(advances);
@@ -156,7 +189,7 @@ impl<'a> March<'a> {
                 }
                 while crosses(&guess) && span > 0.0 {
                     span *= 0.7;
-                    guess = continued(&self.points, &past, theta, chart, span);
+                    (guess, depths) = continued(&self.points, &past, theta, chart, span);
                 }
             }
         }
@@ -168,7 +201,14 @@ impl<'a> March<'a> {
         let fades = if self.start_residual == 0.0 { 1.0 } else { (0.02 * expected * self.stiffness / self.start_residual.abs()).min(1.0) };
         let target = (self.start_residual, fades);
         let wanted = (5e-3 * tolerance).min(1e-3 * expected.max(1e-300));
-        let panel = solved(&self.points, &mut window, &setting, (chart, span), guess, (target, wanted));
+        let points = &self.points;
+        let panel = match self.problem.drive.control {
+            None => solved(points, &mut window, &setting, (chart, span), guess, (target, wanted)),
+            Some(control) => {
+                let value = |time: f64| self.target(time).0;
+                solved_with_depth(points, &mut window, &setting, (control, &value), (chart, span), (guess, depths), (target, wanted))
+            }
+        };
         let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, target));
         self.window = window;
         let (Some(panel), Some(checked)) = (panel, checked) else { return self.refuses(span, 0.3, sign * expected) };
@@ -214,8 +254,7 @@ impl<'a> March<'a> {
             self.past = None;
             return None;
         }
-        (span.abs() < 1e-12 * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { self.line.time.max(1e-3) }).then_some(End::Failed)
+        (span.abs() < 1e-12 * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { self.line.time.max(1e-3) })
+            .then_some(End::Failed)
     }
-
 }
-

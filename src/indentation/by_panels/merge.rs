@@ -55,7 +55,20 @@ pub(super) fn joined(chain: &Chain, inside: bool, far: &Segment, near: &Segment,
         }
     }
     let (places, times) = (vec![0.5 * (low + high), 0.5 * (high - low)], vec![0.0]);
-    let merged = Segment { low, high, theta_low: -1.0, theta_high: 1.0, place: 0.0, time: 0.0, blank: false, straight: true, places, times, states };
+    let merged = Segment {
+        low,
+        high,
+        theta_low: -1.0,
+        theta_high: 1.0,
+        place: 0.0,
+        time: 0.0,
+        blank: false,
+        straight: true,
+        places,
+        times,
+        depths: vec![],
+        states,
+    };
     // In each of the two, however narrow it is, and at its ends, where a root may stand.
     const PARTS: [f64; 9] = [0.0, 1e-3, 0.03, 0.2, 0.4, 0.6, 0.8, 0.97, 1.0];
     let holds = |old: &Segment| {

@@ -12,7 +12,8 @@
 //! | `path`, `newton`, `check` | a panel, its solution, its defect and the test for the first root |
 //! | `outset`, `jump`, `events` | directions and speeds from rest, instabilities, cuts of a panel |
 //! | `march`, `record`, `force`, `start` | the history |
-//! | `problem`, `solve` | what is asked and given; bounds from degrees p and p + 2 |
+//! | `followed` | force and frame: the penetration as a second unknown |
+//! | `problem`, `setup`, `solve` | what is asked and given; bounds from degrees p and p + 2 |
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -23,13 +24,15 @@
 //! | λ | part of a panel's times, in the test for the first root |
 //!
 //! Measured on states of an independent program (`tests/indentation_by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
-//! Not yet: forces and frames as controls, energies, rims and tables, edge laws, sudden steps, checkpoints; thousands of cycles.
+//! Not yet: energies, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that change, sudden
+//! penetrations, checkpoints, periodic states; hundreds of cycles at loose tolerances.
 
 mod chain;
 mod check;
 mod closure;
 mod drive;
 mod events;
+mod followed;
 mod force;
 mod gauss;
 mod jump;
@@ -42,6 +45,7 @@ mod outset;
 mod path;
 mod problem;
 mod record;
+mod setup;
 mod solve;
 mod start;
 mod window;

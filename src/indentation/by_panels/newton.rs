@@ -45,12 +45,12 @@ pub(super) fn solved(
     let mut now = Instant::default();
     let mut last = f64::INFINITY;
     for _ in 0..MOST_ITERATIONS {
-        let segment = passed(points, setting, chart, span, &values);
+        let segment = passed(points, setting, chart, span, &values, &[]);
         let mut residuals = vec![0.0; p + 1];
         let mut closures = vec![Closure::default(); p + 1];
         for i in 1..=p {
             let theta = points.nodes[i];
-            setting.now(segment.time_at(theta), &mut now);
+            setting.along(&segment.times, &segment.depths, theta, &mut now);
             let way = Way { panel: &segment, advances: setting.advances, theta };
             closures[i] = setting.excess(window, Some(way), &now, true);
             residuals[i] = closures[i].value - start_residual * (1.0 - 0.5 * fades * (1.0 + theta));
@@ -74,7 +74,7 @@ pub(super) fn solved(
         let worst = residuals.iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
         let residual = worst / stiffness;
         if residual <= enough || worst <= ROUNDING * setting.scale {
-            let tail = setting.scale / stiffness * tail(&segment, setting);
+            let tail = setting.scale / stiffness * tail(&segment, setting, window.zone);
             let end_residual = closures[p].value;
             return Some(Panel { chart, segment, stiffness, end_residual, tail });
         }
@@ -105,10 +105,14 @@ pub(super) fn solved(
     None
 }
 
-/// What the last two coefficients of ΣX hold of it, over the jump that the passage makes: a part of the field that the series may miss.
-pub(super) fn tail(segment: &Segment, setting: &Setting<'_>) -> f64 {
+/// What the last two coefficients of X hold of it, over the jump that the passage makes: a part of the field that the series may miss. A term that fades
+/// within a short way of the edge counts by that way over the zone.
+pub(super) fn tail(segment: &Segment, setting: &Setting<'_>, zone: f64) -> f64 {
     let n = setting.chain.terms();
-    let sum = |row: &[f64]| row[..n].iter().sum::<f64>().abs();
+    let terms = if setting.advances { &setting.chain.relaxation } else { &setting.chain.creep };
+    let speed = ((segment.place_at(1.0).0 - segment.place_at(-1.0).0) / (segment.time_at(1.0) - segment.time_at(-1.0))).abs();
+    let seen = |rate: f64| (speed / (rate * zone)).min(1.0);
+    let sum = |row: &[f64]| row[..n].iter().zip(terms).map(|(x, &(_, rate))| x.abs() * seen(rate)).sum::<f64>();
     let last = segment.states.chunks_exact(n + 1).rev().take(2).map(sum).fold(0.0, f64::max);
     let passed = segment.states.get(n).map_or(0.0, |value| value.abs());
     let jump = if setting.advances { passed * setting.chain.glassy } else { passed / setting.chain.glassy };

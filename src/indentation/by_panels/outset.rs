@@ -7,6 +7,9 @@
 
 use super::closure::Way;
 use super::drive::Instant;
+use super::followed::State;
+use super::force::{force, force_rate};
+use super::gauss::Gauss;
 use super::line::Segment;
 use super::march::March;
 use super::path::{Chart, passed};
@@ -23,29 +26,75 @@ pub(super) struct Outset {
 const SAME_SPEED: f64 = 0.3;
 
 impl March<'_> {
-    /// C − Δγ at the edge now, moved at once by a way (a panel without duration).
+    /// C − Δγ at the edge now, moved at once by a way (a panel without duration); Δ follows if it is not given.
     pub(super) fn sudden(&mut self, way: f64) -> f64 {
         let mut window = std::mem::take(&mut self.window);
         let advances = way > 0.0 || way == 0.0 && self.past.as_ref().is_some_and(|past| past.0);
         let setting = self.setting(advances);
         let mut now = Instant::default();
-        setting.now(0.0, &mut now);
-        let value = if way == 0.0 {
-            setting.excess(&mut window, None, &now, false).value
-        } else {
-            let panel = passed(&self.points, &setting, Chart::TimeOfPlace, way, &vec![0.0; self.points.p + 1]);
-            setting.excess(&mut window, Some(Way { panel: &panel, advances, theta: 1.0 }), &now, false).value
-        };
+        setting.still(&mut now);
+        let panel = (way != 0.0).then(|| passed(&self.points, &setting, Chart::TimeOfPlace, way, &vec![0.0; self.points.p + 1], &[]));
+        let way = panel.as_ref().map(|panel| Way { panel, advances, theta: 1.0 });
+        let shift = self.imbalance(way, &now);
+        let chain = &self.problem.chain;
+        now.depth += shift;
+        now.base += chain.glassy * shift;
+        now.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * shift);
+        let value = setting.excess(&mut window, way, &now, false).value;
         self.window = window;
         value
     }
 
-    /// ∂C/∂t now, nothing moving; without adhesion of an edge that advances or recedes.
-    pub(super) fn rate(&mut self, advances: bool) -> f64 {
+    /// The sudden change of Δ that brings a control to its value; 0 where Δ is given.
+    pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
+        let Some(control) = self.problem.drive.control else { return 0.0 };
+        let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
+        let force = force(Gauss::get(), (&self.problem.chain, &self.problem.profile), &self.line, way, now);
+        let (target, _) = self.target(0.0);
+        (target - control.force * force - control.depth * now.depth)
+            / (control.force * 2.0 * self.problem.chain.glassy * edge + control.depth)
+    }
+
+    /// The value that a control is to have at a time since the origin, and its rate.
+    pub(super) fn target(&self, time: f64) -> (f64, f64) {
+        let branch = &self.problem.drive.branches[self.branch];
+        branch.value(self.line.time - branch.start + time)
+    }
+
+    /// Δ as the control has it, the edge where it is.
+    pub(super) fn balance(&mut self) {
+        let mut now = Instant::default();
+        self.setting(false).still(&mut now);
+        let shift = self.imbalance(None, &now);
+        let chain = &self.problem.chain;
+        if let Some(state) = &mut self.state {
+            state.shift(chain, shift);
+        }
+    }
+
+    /// The rate of a Δ that follows, of an edge at rest.
+    fn follow(&mut self) {
+        let (Some(control), Some(state)) = (self.problem.drive.control, &mut self.state) else { return };
+        state.rate = 0.0;
+        let chain = &self.problem.chain;
+        let mut now = Instant::default();
+        self.setting(false).still(&mut now);
+        // dF/dt while Δ rests: of a field as its own rate.
+        let relaxing = force_rate(Gauss::get(), (chain, &self.problem.profile), &self.line, &now);
+        let firmness = control.force * 2.0 * chain.glassy * self.line.edge + control.depth;
+        let rate = (self.target(0.0).1 - control.force * relaxing) / firmness;
+        if let Some(state) = &mut self.state {
+            state.rate = rate;
+        }
+    }
+
+    /// ∂C/∂t now, the edge at rest; without adhesion of an edge that advances or recedes.
+    fn rate(&mut self, advances: bool) -> f64 {
+        self.follow();
         let mut window = std::mem::take(&mut self.window);
         let setting = self.setting(advances);
         let mut now = Instant::default();
-        setting.now(0.0, &mut now);
+        setting.still(&mut now);
         let rate = setting.excess(&mut window, None, &now, true).rate;
         self.window = window;
         rate
@@ -72,7 +121,9 @@ impl March<'_> {
         let duration = way / speed;
         // An edge that hardly goes in the time left is followed in time.
         self.span = if duration > 0.5 * left { (Chart::PlaceOfTime, 0.1 * left) } else { (Chart::TimeOfPlace, way) };
-        let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], ..Segment::blank(0.0, 0.0) };
+        let follows = |state: &State| vec![state.depth - state.rate * duration, state.rate * duration];
+        let depths = self.state.as_ref().map_or_else(Vec::new, follows);
+        let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], depths, ..Segment::blank(0.0, 0.0) };
         self.past = Some((advances, straight, 1.0));
     }
 

@@ -10,6 +10,7 @@
 use super::chain::Chain;
 use super::closure::{Closure, Way, Window};
 use super::drive::{Branch, Instant};
+use super::followed::State;
 use super::gauss::{inverse, radau};
 use super::line::{Line, SERIES, Segment, chebyshev, field, series};
 use crate::indentation::Profile;
@@ -58,13 +59,20 @@ impl Points {
     }
 }
 
+/// How the penetration goes: given in time, or as the path has it, from a state at the origin of the line.
+#[derive(Clone, Copy)]
+pub(super) enum Motion<'a> {
+    Given(&'a Branch),
+    Followed(&'a State),
+}
+
 /// What does not change within a panel.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
     pub(super) chain: &'a Chain,
     pub(super) profile: &'a Profile,
     pub(super) line: &'a Line,
-    pub(super) branch: &'a Branch,
+    pub(super) motion: Motion<'a>,
     /// Δγ; None for an edge without singularity.
     pub(super) adhesion: Option<f64>,
     /// What residuals are compared with: Δγ, or a displacement.
@@ -73,9 +81,22 @@ pub(super) struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// The drive at a time since the origin of the line.
-    pub(super) fn now(&self, time: f64, instant: &mut Instant) {
-        self.branch.at(self.chain, (self.line.time - self.branch.start) + time, instant);
+    /// The drive at the origin of the line.
+    pub(super) fn still(&self, instant: &mut Instant) {
+        match self.motion {
+            Motion::Given(branch) => branch.at(self.chain, self.line.time - branch.start, instant),
+            Motion::Followed(state) => state.at(self.chain, instant),
+        }
+        instant.time = 0.0;
+    }
+
+    /// The drive at a point of a path T(θ), Δ(θ).
+    pub(super) fn along(&self, times: &[f64], depths: &[f64], theta: f64, instant: &mut Instant) {
+        let time = series(times, theta).0;
+        match self.motion {
+            Motion::Given(branch) => branch.at(self.chain, (self.line.time - branch.start) + time, instant),
+            Motion::Followed(state) => state.along(self.chain, times, depths, theta, instant),
+        }
         instant.time = time;
     }
 
@@ -97,7 +118,8 @@ impl Setting<'_> {
 }
 
 /// The segment that a path makes: the state of every point as the edge passes it.
-pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span: f64, values: &[f64]) -> Segment {
+pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span: f64, values: &[f64], depths: &[f64]) -> Segment {
+    let depths = if depths.is_empty() { Vec::new() } else { points.coefficients(depths) };
     let straight = vec![0.5 * span, 0.5 * span];
     let curved = points.coefficients(values);
     let (places, times) = if chart == Chart::TimeOfPlace { (straight, curved) } else { (curved, straight) };
@@ -109,7 +131,7 @@ pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span:
     let (mut before, mut after) = (vec![0.0; n], vec![0.0; n]);
     for (&theta, state) in points.samples.iter().zip(sampled.chunks_exact_mut(n + 1)) {
         let (s, t) = (series(&places, theta).0, series(&times, theta).0);
-        setting.now(t, &mut now);
+        setting.along(&times, &depths, theta, &mut now);
         let height = setting.profile.line(setting.line.edge + s);
         let old = setting.line.at(!setting.advances, s);
         let old_theta = old.theta_at(s);
@@ -139,23 +161,28 @@ pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span:
     let end = series(&places, 1.0).0;
     let (low, high, theta_low, theta_high) = if setting.advances { (0.0, end, -1.0, 1.0) } else { (end, 0.0, 1.0, -1.0) };
     let is_straight = chart == Chart::TimeOfPlace;
-    Segment { low, high, theta_low, theta_high, place: 0.0, time: 0.0, blank: false, straight: is_straight, places, times, states }
+    Segment { low, high, theta_low, theta_high, place: 0.0, time: 0.0, blank: false, straight: is_straight, places, times, depths, states }
 }
 
-/// The path beyond the end of a segment of it, as values at the points of a next panel: along the cubic through its last part.
-pub(super) fn continued(points: &Points, past: &Segment, theta: f64, chart: Chart, span: f64) -> Vec<f64> {
+/// The path beyond the end of a segment of it, as values at the points of a next panel: along the cubic through its last part; and Δ there, if it follows.
+pub(super) fn continued(points: &Points, past: &Segment, theta: f64, chart: Chart, span: f64) -> (Vec<f64>, Vec<f64>) {
     let wide = 0.5 * (theta + 1.0);
     let knots: [f64; 4] = std::array::from_fn(|k| theta - wide * k as f64 / 1.5);
-    let at = |knot: f64| (past.place_at(knot).0, past.time_at(knot));
-    let known: Vec<(f64, f64)> = knots.iter().map(|&knot| if chart == Chart::TimeOfPlace { at(knot) } else { let (s, t) = at(knot); (t, s) }).collect();
-    let origin = known[0];
-    let value = |x: f64| {
-        (0..4).map(|k| {
-            let others = (0..4).filter(|&l| l != k).map(|l| (x - (known[l].0 - origin.0)) / (known[k].0 - known[l].0)).product::<f64>();
-            others * (known[k].1 - origin.1)
-        }).sum::<f64>()
+    let known = knots.map(|knot| {
+        let (s, t) = (past.place_at(knot).0, past.time_at(knot));
+        let (given, sought) = if chart == Chart::TimeOfPlace { (s, t) } else { (t, s) };
+        [given, sought, series(&past.depths, knot).0]
+    });
+    let value = |x: f64, which: usize| {
+        let weight = |k: usize| {
+            let others = (0..4).filter(|&l| l != k);
+            others.map(|l| (x - (known[l][0] - known[0][0])) / (known[k][0] - known[l][0])).product::<f64>()
+        };
+        (0..4).map(|k| weight(k) * (known[k][which] - known[0][which])).sum::<f64>()
     };
-    points.nodes.iter().map(|&x| value(0.5 * span * (x + 1.0))).collect()
+    let at = |which: usize| points.nodes.iter().map(|&x| value(0.5 * span * (x + 1.0), which)).collect::<Vec<f64>>();
+    let depths = if past.depths.is_empty() { Vec::new() } else { at(2).iter().map(|way| known[0][2] + way).collect() };
+    (at(1), depths)
 }
 
 const _: () = assert!(SERIES >= 11 + MORE);

@@ -14,17 +14,29 @@ const LATE: f64 = 1e-13;
 impl March<'_> {
     pub(super) fn row(&self, way: Option<Way<'_>>, time: f64) -> Row {
         let mut now = Instant::default();
-        self.setting(false).now(time, &mut now);
+        let setting = self.setting(false);
+        match way {
+            Some(way) => setting.along(&way.panel.times, &way.panel.depths, way.theta, &mut now),
+            // A straight way at rest, of a Δ that is given.
+            None if time == 0.0 => setting.still(&mut now),
+            None => setting.along(&[time], &[], 0.0, &mut now),
+        }
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let solid = (&self.problem.chain, &self.problem.profile);
-        Row { time: self.line.time + time, penetration: now.depth, contact_radius: edge, force: force(&self.window.gauss, solid, &self.line, way, &now) }
+        Row {
+            time: self.line.time + time,
+            penetration: now.depth,
+            contact_radius: edge,
+            force: force(&self.window.gauss, solid, &self.line, way, &now),
+        }
     }
 
     /// Rows of the panel: wanted instants, its end, the least force.
     pub(super) fn record(&mut self, advances: bool, segment: &Segment, cut: f64) {
         let at = |march: &Self, theta: f64| march.row(Some(Way { panel: segment, advances, theta }), segment.time_at(theta));
         let (start, end) = (self.line.time, self.line.time + segment.time_at(cut));
-        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end) {
+        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end)
+        {
             let theta = first_crossing(|x| segment.time_at(x) - (wanted - start)).map_or(cut, |theta| theta.min(cut));
             let row = at(self, theta);
             self.outcome.wanted.push(row);
@@ -42,7 +54,11 @@ impl March<'_> {
                 for _ in 0..40 {
                     let (one, two) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
                     let (r1, r2) = (at(self, one), at(self, two));
-                    if r1.force < r2.force { high = two } else { low = one }
+                    if r1.force < r2.force {
+                        high = two
+                    } else {
+                        low = one
+                    }
                     for row in [r1, r2] {
                         if row.force < best.force {
                             best = row;
@@ -62,7 +78,8 @@ impl March<'_> {
     pub(super) fn record_rest(&mut self, time: f64) {
         let start = self.line.time;
         let end = start + time;
-        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end) {
+        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end)
+        {
             let row = self.row(None, wanted - start);
             self.outcome.wanted.push(row);
         }

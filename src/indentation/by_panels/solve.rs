@@ -2,12 +2,11 @@
 //!
 //! Bounds: a march of degree p and one of p + 2 at the same tolerance; the second is given, each value with [`SAFETY`] times its distance to the first.
 
-use super::chain::Chain;
-use super::drive::Drive;
 use super::march::March;
 use super::problem::{End, Outcome, Problem, Row};
+use super::setup::{chain_of, control_of, drive_of, imposed, radius_of, started, supported};
 use super::start::elastic_start;
-use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Profile, Start};
+use crate::indentation::{IndentationProblem, Start};
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 
@@ -54,35 +53,48 @@ pub struct Bounded {
 ///
 /// # Errors
 /// [`Refusal::Undefined`] for what this room does not solve yet, [`Refusal::NoSuchState`] without a first contact, [`Refusal::NotConverged`].
-pub fn march_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions, instants: &[f64]) -> Result<Outcome, Refusal> {
+pub fn march_by_panels(
+    material: &Material,
+    problem: &IndentationProblem,
+    options: PanelOptions,
+    instants: &[f64],
+) -> Result<Outcome, Refusal> {
     problem.checked()?;
     require_positive("tolerance", options.tolerance)?;
     if !(2..=9).contains(&options.degree) {
         return Err(Refusal::out_of_range("degree", options.degree as f64, "from 2 to 9"));
     }
     let chain = chain_of(material)?;
-    let drive = drive_of(&chain, problem)?;
+    supported(problem)?;
     let relaxed = problem.start == Start::Relaxed;
     let modulus = if relaxed { chain.relaxed } else { chain.glassy };
-    let depth = problem.history.start;
-    let (adhesion, zone, edge) = match problem.adhesion {
+    let history = &problem.history;
+    let frame = problem.frame_stiffness.unwrap_or(f64::INFINITY);
+    let none = |limit_name: &'static str, limit: f64| Refusal::NoSuchState {
+        reason: "no contact larger than its process zone is in equilibrium at the start".into(),
+        limit_name,
+        limit,
+    };
+    let (adhesion, zone, edge, depth) = match problem.adhesion {
         Some(adhesion) => {
             let (work, zone) = (adhesion.work_of_adhesion, adhesion.process_zone);
-            let edge = elastic_start(&problem.profile, modulus, work, zone, depth);
-            let none = || Refusal::NoSuchState {
-                reason: "no contact larger than its process zone is in equilibrium at the start".into(),
-                limit_name: "the process zone",
-                limit: zone,
+            let radius = |depth: f64| elastic_start(&problem.profile, modulus, work, zone, depth);
+            let depth = match control_of(history.controlled, frame) {
+                None => history.start,
+                Some(control) => started(&problem.profile, modulus, control, history.start, radius)
+                    .ok_or_else(|| none("the value of the control there", history.start))?,
             };
-            (Some(work), zone, edge.ok_or_else(none)?)
+            (Some(work), zone, radius(depth).ok_or_else(|| none("the process zone", zone))?, depth)
         }
         None => {
-            let deepest = drive.deepest(&chain).max(depth);
-            let touching = |depth: f64| Ok::<f64, Refusal>(if depth > 0.0 { radius_of(&problem.profile, depth) } else { 0.0 });
-            (None, FIRST_LENGTH * touching(deepest)?, touching(depth)?)
+            let deepest = history.segments.iter().map(|segment| segment.end + segment.oscillation.map_or(0.0, |o| o.amplitude));
+            let deepest = deepest.fold(history.start, f64::max);
+            require_positive("penetration", deepest)?;
+            (None, FIRST_LENGTH * radius_of(&problem.profile, deepest), radius_of(&problem.profile, history.start), history.start)
         }
     };
-    require_positive("penetration", if zone > 0.0 { zone } else { drive.deepest(&chain) })?;
+    let control = history.segments.first().and_then(|segment| control_of(segment.controlled, frame));
+    let drive = drive_of(&chain, problem, control, &|control| imposed(&problem.profile, modulus, control, edge, depth))?;
     let own = Problem {
         profile: problem.profile.clone(),
         chain,
@@ -94,12 +106,15 @@ pub fn march_by_panels(material: &Material, problem: &IndentationProblem, option
         degree: options.degree,
         instants: instants.to_vec(),
     };
-    let outcome = March::new(&own, edge).run();
+    let outcome = March::new(&own, edge, depth).run();
     if outcome.end == End::Failed {
         let last = outcome.ends.last().copied().unwrap_or(outcome.start);
         return Err(Refusal::NotConverged {
             what: "the path of the edge by panels",
-            detail: format!("panels of no length at t = {:e} s, a = {:e} m after {} of them", last.time, last.contact_radius, outcome.panels),
+            detail: format!(
+                "panels of no length at t = {:e} s, a = {:e} m after {} of them",
+                last.time, last.contact_radius, outcome.panels
+            ),
         });
     }
     Ok(outcome)
@@ -109,7 +124,12 @@ pub fn march_by_panels(material: &Material, problem: &IndentationProblem, option
 ///
 /// # Errors
 /// As [`march_by_panels`]; [`Refusal::NotConverged`] too if the two marches end differently.
-pub fn solve_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions, instants: &[f64]) -> Result<Bounded, Refusal> {
+pub fn solve_by_panels(
+    material: &Material,
+    problem: &IndentationProblem,
+    options: PanelOptions,
+    instants: &[f64],
+) -> Result<Bounded, Refusal> {
     let coarse = march_by_panels(material, problem, options, instants)?;
     let fine = march_by_panels(material, problem, PanelOptions { degree: options.degree + 2, ..options }, instants)?;
     if coarse.end != fine.end || coarse.wanted.len() != fine.wanted.len() || coarse.jumps.len() != fine.jumps.len() {
@@ -138,52 +158,4 @@ fn bounded(fine: &Row, coarse: &Row) -> BoundedRow {
         force: bound(fine.force, coarse.force),
     };
     BoundedRow { row: *fine, bound }
-}
-
-fn chain_of(material: &Material) -> Result<Chain, Refusal> {
-    let relaxed = material.solid_modulus("the relaxed contact")?;
-    let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
-    let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
-    Ok(Chain::new(material.glassy_modulus(), relaxed, &creep, &relaxation))
-}
-
-fn drive_of(chain: &Chain, problem: &IndentationProblem) -> Result<Drive, Refusal> {
-    let refused = |what: &str| Err(Refusal::Undefined { quantity: "the march by panels", reason: format!("it does not solve {what} yet") });
-    if !matches!(problem.profile, Profile::Paraboloid { .. } | Profile::Cone { .. }) {
-        return refused("other shapes than spheres and cones");
-    }
-    if problem.edge_law != EdgeLaw::CONSTANT {
-        return refused("edge laws");
-    }
-    if problem.energies {
-        return refused("energies");
-    }
-    let mut drive = Drive::from(problem.history.start);
-    let mut value = problem.history.start;
-    for segment in &problem.history.segments {
-        if segment.controlled != Controlled::Penetration || problem.history.controlled != Controlled::Penetration {
-            return refused("controls other than the penetration");
-        }
-        if segment.duration <= 0.0 {
-            return refused("sudden steps");
-        }
-        let rate = (segment.end - value) / segment.duration;
-        drive = match segment.oscillation {
-            None => drive.ramp(chain, rate, segment.duration),
-            Some(o) if o.frequency.to_bits() == o.end_frequency.to_bits() && !o.until_stationary => {
-                drive.oscillate(chain, rate, o.amplitude, std::f64::consts::TAU * o.frequency, segment.duration)
-            }
-            Some(_) => return refused("sweeps of the frequency, nor oscillations until they are stationary"),
-        };
-        value = segment.value(value, segment.duration);
-    }
-    Ok(drive)
-}
-
-/// The radius at which f is a depth.
-fn radius_of(profile: &Profile, depth: f64) -> f64 {
-    match profile {
-        Profile::Paraboloid { radius } => (radius * depth).sqrt(),
-        _ => depth / profile.line(1.0),
-    }
 }

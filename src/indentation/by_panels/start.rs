@@ -8,9 +8,8 @@ use super::problem::Problem;
 use crate::indentation::Profile;
 
 /// The whole contact bonded at once, at time zero.
-pub(super) fn glassy(problem: &Problem, edge: f64) -> Segment {
+pub(super) fn glassy(problem: &Problem, edge: f64, depth: f64) -> Segment {
     let mut segment = Segment::blank(-edge, 0.0);
-    let branch = &problem.drive.branches[0];
     (segment.blank, segment.places, segment.times) = (false, vec![-0.5 * edge, 0.5 * edge], vec![0.0]);
     let samples = 9;
     let n = problem.chain.terms();
@@ -19,7 +18,7 @@ pub(super) fn glassy(problem: &Problem, edge: f64) -> Segment {
         for k in 0..samples {
             let angle = std::f64::consts::PI * (k as f64 + 0.5) / samples as f64;
             let weight = if q == 0 { 1.0 } else { 2.0 } / samples as f64 * (q as f64 * angle).cos();
-            let depth = branch.level - problem.profile.line(0.5 * edge * (1.0 + angle.cos()));
+            let depth = depth - problem.profile.line(0.5 * edge * (1.0 + angle.cos()));
             for (i, term) in problem.chain.relaxation.iter().enumerate() {
                 segment.states[q * (n + 1) + i] += weight * term.0 * depth;
             }

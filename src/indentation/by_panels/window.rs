@@ -172,7 +172,6 @@ pub(super) fn lags(scene: &Scene<'_>, piece: &Piece<'_>, u: f64) -> [f64; 2] {
     })
 }
 
-
 /// The parameters of both segments at a parameter of the piece.
 pub(super) fn thetas(scene: &Scene<'_>, piece: &Piece<'_>, u: f64) -> [f64; 2] {
     let y = match piece.lead {
@@ -184,4 +183,3 @@ pub(super) fn thetas(scene: &Scene<'_>, piece: &Piece<'_>, u: f64) -> [f64; 2] {
     let outer = if piece.lead == Some(false) { u } else { piece.outer.theta_at(scene.edge + scene.zone - y) };
     [inner, outer]
 }
-
