@@ -51,7 +51,6 @@ pub(super) struct Closure {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Window {
     pub(super) zone: f64,
-    pub(super) gauss: Gauss,
     pub(super) kernel: Kernel,
     pub(super) nodes: Vec<Node>,
     /// c_p and T_p′ at the nodes, rank after rank.
@@ -63,7 +62,7 @@ pub(super) struct Window {
 
 impl Window {
     pub(super) fn new(zone: f64) -> Self {
-        Self { zone, gauss: Gauss::new(), ..Self::default() }
+        Self { zone, ..Self::default() }
     }
 
     /// C at the edge (relative to the line's origin) at an instant; derivatives only if asked.
@@ -129,14 +128,14 @@ impl Window {
         self.rows.clear();
         self.slopes.clear();
         let mut prefix = [0.0; R];
+        let rule = Gauss::get();
         let mut closure = Closure::default();
         let scale = 1.0 / (PI * PI * self.zone);
         let (mut rows, mut slopes) = ([[0.0; R]; NODES], [[0.0; R]; NODES]);
         for start in (0..self.nodes.len()).step_by(NODES) {
-            for g in 0..NODES {
-                let y = self.nodes[start + g].y;
-                rows[g] = self.kernel.row::<R>(self.zone - y);
-                slopes[g] = self.kernel.slopes::<R>(y);
+            for ((row, slope), node) in rows.iter_mut().zip(&mut slopes).zip(&self.nodes[start..]) {
+                *row = self.kernel.row::<R>(self.zone - node.y);
+                *slope = self.kernel.slopes::<R>(node.y);
             }
             if derivatives {
                 self.rows.extend(rows.as_flattened());
@@ -147,10 +146,10 @@ impl Window {
                 let node = &self.nodes[start + g];
                 let mut running = prefix;
                 for h in 0..NODES {
-                    add(&mut running, loads[h] * self.gauss.running[g][h], &slopes[h]);
+                    add(&mut running, loads[h] * rule.running[g][h], &slopes[h]);
                 }
                 let seen = dot(&running, &rows[g]) - node.inner.value * self.kernel.local(node.y);
-                let weight = scale * node.stretch * self.gauss.weights[g];
+                let weight = scale * node.stretch * rule.weights[g];
                 closure.value += weight * node.outer.value * seen;
                 if derivatives {
                     closure.rate += weight * seen * node.outer.rate;
@@ -158,7 +157,7 @@ impl Window {
                 }
             }
             for h in 0..NODES {
-                add(&mut prefix, loads[h] * self.gauss.weights[h], &slopes[h]);
+                add(&mut prefix, loads[h] * rule.weights[h], &slopes[h]);
             }
         }
         if derivatives {
@@ -170,18 +169,19 @@ impl Window {
     /// Derivatives by Q.
     pub(super) fn backwards<const R: usize>(&self, closure: &mut Closure, scale: f64) {
         let mut later = [0.0; R];
+        let rule = Gauss::get();
         let (rows, _) = self.rows.as_chunks::<R>();
         let (slopes, _) = self.slopes.as_chunks::<R>();
         for start in (0..self.nodes.len()).step_by(NODES).rev() {
             let gaps: [f64; NODES] = std::array::from_fn(|g| {
                 let node = &self.nodes[start + g];
-                scale * node.stretch * self.gauss.weights[g] * node.outer.value
+                scale * node.stretch * rule.weights[g] * node.outer.value
             });
             for h in 0..NODES {
                 let node = &self.nodes[start + h];
-                let mut seen = later.map(|sum| sum * self.gauss.weights[h]);
+                let mut seen = later.map(|sum| sum * rule.weights[h]);
                 for g in 0..NODES {
-                    add(&mut seen, gaps[g] * self.gauss.running[g][h], &rows[start + g]);
+                    add(&mut seen, gaps[g] * rule.running[g][h], &rows[start + g]);
                 }
                 let by_load = dot(&seen, &slopes[start + h]) * node.stretch - gaps[h] * self.kernel.local(node.y);
                 closure.rate += by_load * node.inner.rate;

@@ -134,14 +134,4 @@ impl Drive {
     pub(super) fn oscillate(self, chain: &Chain, rate: f64, amplitude: f64, omega: f64, duration: f64) -> Self {
         self.push(chain, duration, rate, (amplitude, omega, 0.0))
     }
-
-    /// A depth that is not passed.
-    pub(super) fn deepest(&self, chain: &Chain) -> f64 {
-        let mut instant = Instant::default();
-        let mut end = |branch: &Branch| {
-            branch.at(chain, branch.end - branch.start, &mut instant);
-            instant.depth
-        };
-        self.branches.iter().map(|branch| branch.level.max(end(branch)) + 2.0 * branch.amplitude).fold(0.0, f64::max)
-    }
 }

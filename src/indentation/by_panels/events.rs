@@ -62,7 +62,8 @@ impl March<'_> {
         let fold = (!timed).then(|| first_crossing(|x| -series(&segment.times, x).1)).flatten();
         let turn = timed.then(|| turning(|x| -sign * segment.place_at(x).1)).flatten();
         let cut = [corner, fold, turn].into_iter().flatten().fold(1.0, f64::min);
-        let met = !timed && cut == 1.0 && (strong || steep) && (segment.place_at(1.0).0 - kink).abs() <= KINK_NOISE * self.problem.zone;
+        let whole = cut >= 1.0;
+        let met = !timed && whole && (strong || steep) && (segment.place_at(1.0).0 - kink).abs() <= KINK_NOISE * self.problem.zone;
         self.record(advances, &segment, cut);
         let (way, _) = segment.place_at(cut);
         let duration = segment.time_at(cut);
@@ -102,7 +103,7 @@ impl March<'_> {
         if cut < 1.0 {
             self.start_residual = self.sudden(0.0);
         }
-        if floor && cut == 1.0 {
+        if floor && whole {
             return Some(End::Floor);
         }
         if fold == Some(cut) && cut < 1.0 {
@@ -153,10 +154,9 @@ impl March<'_> {
     /// Marks the place of the edge; of the weak ones the last few.
     pub(super) fn mark(&mut self, jump: bool) {
         self.marks.push(Mark { place: 0.0, jump });
-        if self.marks.iter().filter(|mark| !mark.jump).count() > WEAK_MARKS {
-            if let Some(oldest) = self.marks.iter().position(|mark| !mark.jump) {
-                self.marks.remove(oldest);
-            }
+        let weak = self.marks.iter().filter(|mark| !mark.jump).count();
+        if let Some(oldest) = self.marks.iter().position(|mark| !mark.jump).filter(|_| weak > WEAK_MARKS) {
+            self.marks.remove(oldest);
         }
     }
 }

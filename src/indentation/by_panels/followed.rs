@@ -124,7 +124,7 @@ pub(super) fn solved_with_depth(
             setting.along(&segment.times, &segment.depths, theta, &mut now);
             let excess = setting.excess(window, way, &now, false).value;
             found[i - 1] = excess - start_residual * (1.0 - 0.5 * fades * (1.0 + theta));
-            let force = force(Gauss::get(), (setting.chain, setting.profile), setting.line, way, &now);
+            let force = force((setting.chain, setting.profile), setting.line, way, &now);
             let edge = setting.line.edge + segment.place_at(theta).0;
             found[p + i - 1] = (control.force * force + control.depth * now.depth - target(now.time)) / firmness(edge);
         }

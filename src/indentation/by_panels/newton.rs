@@ -78,7 +78,7 @@ pub(super) fn solved(
             let end_residual = closures[p].value;
             return Some(Panel { chart, segment, stiffness, end_residual, tail });
         }
-        if !(residual < 4.0 * last) {
+        if residual >= 4.0 * last {
             return None;
         }
         last = residual;

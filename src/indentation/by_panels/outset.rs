@@ -9,7 +9,6 @@ use super::closure::Way;
 use super::drive::Instant;
 use super::followed::State;
 use super::force::{force, force_rate};
-use super::gauss::Gauss;
 use super::line::Segment;
 use super::march::March;
 use super::path::{Chart, passed};
@@ -49,7 +48,7 @@ impl March<'_> {
     pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
         let Some(control) = self.problem.drive.control else { return 0.0 };
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
-        let force = force(Gauss::get(), (&self.problem.chain, &self.problem.profile), &self.line, way, now);
+        let force = force((&self.problem.chain, &self.problem.profile), &self.line, way, now);
         let (target, _) = self.target(0.0);
         (target - control.force * force - control.depth * now.depth)
             / (control.force * 2.0 * self.problem.chain.glassy * edge + control.depth)
@@ -80,7 +79,7 @@ impl March<'_> {
         let mut now = Instant::default();
         self.setting(false).still(&mut now);
         // dF/dt while Δ rests: of a field as its own rate.
-        let relaxing = force_rate(Gauss::get(), (chain, &self.problem.profile), &self.line, &now);
+        let relaxing = force_rate((chain, &self.problem.profile), &self.line, &now);
         let firmness = control.force * 2.0 * chain.glassy * self.line.edge + control.depth;
         let rate = (self.target(0.0).1 - control.force * relaxing) / firmness;
         if let Some(state) = &mut self.state {

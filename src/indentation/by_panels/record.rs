@@ -23,12 +23,7 @@ impl March<'_> {
         }
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let solid = (&self.problem.chain, &self.problem.profile);
-        Row {
-            time: self.line.time + time,
-            penetration: now.depth,
-            contact_radius: edge,
-            force: force(&self.window.gauss, solid, &self.line, way, &now),
-        }
+        Row { time: self.line.time + time, penetration: now.depth, contact_radius: edge, force: force(solid, &self.line, way, &now) }
     }
 
     /// Rows of the panel: wanted instants, its end, the least force.

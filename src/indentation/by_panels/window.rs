@@ -7,6 +7,7 @@
 use super::chain::Chain;
 use super::closure::{Node, Way, Window};
 use super::drive::Instant;
+use super::gauss::Gauss;
 use super::line::{FADED, Line, Segment, field};
 use crate::indentation::Profile;
 
@@ -15,7 +16,7 @@ pub(super) const GROWTH: f64 = 5.0;
 /// A piece narrower than this part of the zone is rounding.
 const SLIVER: f64 = 1e-14;
 /// Most cuts of one piece towards an edge.
-const MOST_CUTS: u32 = 60;
+pub(super) const MOST_CUTS: u32 = 60;
 
 /// One piece of the window before it is cut: its segments, the one that leads (None: y itself) and its parameter at both ends.
 #[derive(Clone, Copy)]
@@ -59,8 +60,7 @@ impl Window {
         let mut theta = from;
         let mut y = low;
         for end in borders.into_iter().chain([high]) {
-            let last = end == high;
-            let next = if last { to } else { way.panel.theta_at(if inside { edge - end } else { edge + zone - end }) };
+            let next = if (end - high).abs() <= 0.0 { to } else { way.panel.theta_at(if inside { edge - end } else { edge + zone - end }) };
             let middle = 0.5 * (y + end);
             let other = line.at(!inside, if inside { edge + zone - middle } else { edge - middle });
             let (inner, outer) = if inside { (way.panel, other) } else { (other, way.panel) };
@@ -128,7 +128,7 @@ impl Window {
 
     pub(super) fn fill(&mut self, scene: &Scene<'_>, piece: Piece<'_>) {
         let span = piece.to - piece.from;
-        for x in self.gauss.nodes {
+        for x in Gauss::get().nodes {
             let u = piece.from + span * x;
             let mut node = Node { theta: f64::NAN, slope: f64::NAN, ..Node::default() };
             let [inner, outer] = thetas(scene, &piece, u);
