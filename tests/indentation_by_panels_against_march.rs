@@ -56,7 +56,9 @@ fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
     let kind = (draw.unit() * 5.0) as usize;
     let (name, history, relaxed) = match kind {
         0 => ("retraction", History::penetration(depth).at_speed(-0.5 * depth, speed), true),
-        1 => ("approach", History::penetration(0.0).at_speed(depth, speed).hold(draw.unit() * slowest).at_speed(-0.5 * depth, speed), false),
+        1 => {
+            ("approach", History::penetration(0.0).at_speed(depth, speed).hold(draw.unit() * slowest).at_speed(-0.5 * depth, speed), false)
+        }
         2 => {
             let mut history = History::penetration(depth);
             for _ in 0..4 {
@@ -127,7 +129,11 @@ fn panels_and_march_agree_within_their_bounds() {
         }
     }
     ratios.sort_by(f64::total_cmp);
-    println!("{} scenes, {values} values, time of the march over that of the panels: {:.1} in the median", ratios.len(), ratios[ratios.len() / 2]);
+    println!(
+        "{} scenes, {values} values, time of the march over that of the panels: {:.1} in the median",
+        ratios.len(),
+        ratios[ratios.len() / 2]
+    );
     println!("furthest: {:.2} of both bounds, {}", furthest.0, furthest.1);
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
     assert!(ratios.len() * 10 >= scenes * 9, "nearly all scenes are compared");

@@ -1,8 +1,9 @@
 //! What a converged panel is tested for: its defect between the points, and that its first point is the FIRST root.
 //!
-//! The closure has other roots: at a given place later instants at which it holds again. The path is the branch that starts at the last point. So
-//! the panel is led there from a sudden move: its instants (its ways) are scaled by λ = 0…1 up to the first point, and C − Δγ there must keep its sign for
-//! all λ < 1. An edge that recedes has too little work when it moves at once, one that advances too much; in time the work comes up to Δγ, at λ = 1.
+//! The closure has other roots: at a given place later instants at which it holds again. The path is the branch that starts at the last
+//! point. So the panel is led there from a sudden move: its instants (its ways) are scaled by λ = 0…1 up to the first point, and C − Δγ
+//! there must keep its sign for all λ < 1. An edge that recedes has too little work when it moves at once, one that advances too much; in
+//! time the work comes up to Δγ, at λ = 1.
 
 use super::closure::{Way, Window};
 use super::drive::Instant;

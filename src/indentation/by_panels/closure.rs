@@ -1,10 +1,12 @@
 //! The closure C = Δγ and its derivatives: a product of the fields in the process zone.
 //!
 //! ```text
-//! C = (1/π²δ) ∫₀^δ dy D(a+δ−y) G(y),   G(y) = −Q(a−y) k(δ−y, y) + Σ_p c_p(δ−y) A_p(y),   A_p(y) = ∫₀^y Q(a−y′) T_p′(y′) dy′,   k = Σ_p c_p(η) T_p(ξ)
+//! C = (1/π²δ) ∫₀^δ dy D(a+δ−y) G(y),   G(y) = −Q(a−y) k(δ−y, y) + Σ_p c_p(δ−y) A_p(y),   A_p(y) = ∫₀^y Q(a−y′) T_p′(y′) dy′,   k = Σ_p
+//! c_p(η) T_p(ξ)
 //! ```
-//! (the form ∫K dμ/√(ss′) integrated by parts: jumps of Q need no care). C is linear in D and in Q, so one backward pass over the nodes gives its
-//! derivatives by every value of D and of Q, and with the exact memory of the fields those by the instants of the panel under way.
+//! (the form ∫K dμ/√(ss′) integrated by parts: jumps of Q need no care). C is linear in D and in Q, so one backward pass over the nodes
+//! gives its derivatives by every value of D and of Q, and with the exact memory of the fields those by the instants of the panel under
+//! way.
 
 use super::chain::Chain;
 use super::drive::Instant;
@@ -106,8 +108,8 @@ impl Window {
         }
     }
 
-    /// The condition of an edge without adhesion, as a displacement that has the sign of C − Δγ: D(a) if it advances, −Q(a)/E∞* if it recedes, of
-    /// the side that the edge moves into.
+    /// The condition of an edge without adhesion, as a displacement that has the sign of C − Δγ: D(a) if it advances, −Q(a)/E∞* if it
+    /// recedes, of the side that the edge moves into.
     pub(super) fn smooth(
         &mut self,
         (chain, profile): (&Chain, &Profile),
@@ -142,13 +144,13 @@ impl Window {
                 self.slopes.extend(slopes.as_flattened());
             }
             let loads: [f64; NODES] = std::array::from_fn(|h| self.nodes[start + h].inner.value * self.nodes[start + h].stretch);
-            for g in 0..NODES {
+            for (g, row) in rows.iter().enumerate() {
                 let node = &self.nodes[start + g];
                 let mut running = prefix;
                 for h in 0..NODES {
                     add(&mut running, loads[h] * rule.running[g][h], &slopes[h]);
                 }
-                let seen = dot(&running, &rows[g]) - node.inner.value * self.kernel.local(node.y);
+                let seen = dot(&running, row) - node.inner.value * self.kernel.local(node.y);
                 let weight = scale * node.stretch * rule.weights[g];
                 closure.value += weight * node.outer.value * seen;
                 if derivatives {

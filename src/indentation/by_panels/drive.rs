@@ -5,7 +5,8 @@
 //! | Δ(t) = level + rate·u + amplitude·[sin(ωu + φ) − sin φ] | u = t − start |
 //! | P_i(t) = E_i∫₀ᵗ e^{−(t−t′)/ρ_i} dΔ(t′) | memory of Maxwell branch i of a point that has always been bonded |
 //!
-//! Both are analytic on a branch, and are continued analytically beyond its ends: a panel of the path may reach over a corner of the history and is cut there.
+//! Both are analytic on a branch, and are continued analytically beyond its ends: a panel of the path may reach over a corner of the
+//! history and is cut there.
 
 use super::chain::Chain;
 use super::followed::Control;

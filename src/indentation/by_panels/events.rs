@@ -35,7 +35,8 @@ pub(super) struct Mark {
 }
 
 impl March<'_> {
-    /// The next place where the closure has a kink, in the direction of the edge, and whether it is from a jump of the state in sight of the window.
+    /// The next place where the closure has a kink, in the direction of the edge, and whether it is from a jump of the state in sight of
+    /// the window.
     pub(super) fn next_kink(&self, advances: bool) -> (f64, bool, bool) {
         let zone = self.problem.zone;
         let sign = if advances { 1.0 } else { -1.0 };
@@ -87,13 +88,18 @@ impl March<'_> {
         let to_turn = v * v / (2.0 * acceleration.abs());
         self.to_turn = to_turn;
         let slows = v * acceleration < 0.0;
+        self.slows = slows;
+        self.since_turn += way.abs();
+        let since_turn = self.since_turn;
         self.span = match chart {
-            // With the turn ahead, or just behind, a(t) is smooth and t(a) is not.
+            // With the turn ahead, or just behind, a(t) is smooth and t(a) is not; with a fold ahead it is the other way round.
             Chart::TimeOfPlace if slows && to_turn < 1.5 * next_way => {
                 (Chart::PlaceOfTime, (next_way / v.abs()).min(1.5 * (v / acceleration).abs()).min(factor * duration))
             }
-            Chart::PlaceOfTime if to_turn < if slows { 3.0 * next_way } else { 2.0 * way.abs() } => (Chart::PlaceOfTime, full * factor),
-            Chart::PlaceOfTime => (Chart::TimeOfPlace, sign * next_way.min(to_turn)),
+            Chart::PlaceOfTime if if slows { to_turn < 3.0 * next_way } else { since_turn < 2.0 * way.abs() } => {
+                (Chart::PlaceOfTime, full * factor)
+            }
+            Chart::PlaceOfTime => (Chart::TimeOfPlace, sign * next_way.min(if slows { to_turn } else { since_turn })),
             Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
         };
         self.past = Some((advances, past, cut));
@@ -111,6 +117,7 @@ impl March<'_> {
             return self.jumps(advances, beyond.abs().max(0.3 * way.abs()));
         }
         if turn == Some(cut) {
+            (self.to_turn, self.since_turn) = (0.0, 0.0);
             self.mark(false);
             self.merge();
             self.span = (Chart::PlaceOfTime, full * factor.min(1.0));

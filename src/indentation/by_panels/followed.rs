@@ -4,7 +4,8 @@
 //! c_F F + c_D Δ = target(t)          force: c_F = 1, c_D = 0;     frame of stiffness k_f: c_F = 1/k_f, c_D = 1
 //! ```
 //! Δ is a second polynomial of the panel, with one more unknown a point and this as one more residual. Its memory P_i along the panel is
-//! P_i(θ) = e^{−T/ρ_i}P_i(origin) + E_i∫ e^{−(T−T′)/ρ_i} Δ′ dθ′, by quadrature graded towards θ. A sudden Δ shifts P_i by E_i, Q by E∞, F by 2E∞a, and no X.
+//! P_i(θ) = e^{−T/ρ_i}P_i(origin) + E_i∫ e^{−(T−T′)/ρ_i} Δ′ dθ′, by quadrature graded towards θ. A sudden Δ shifts P_i by E_i, Q by E∞, F
+//! by 2E∞a, and no X.
 
 use super::chain::Chain;
 use super::closure::{Way, Window};

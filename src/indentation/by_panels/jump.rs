@@ -1,7 +1,8 @@
 //! A jump: the edge moves in no time to the next place where it is in equilibrium.
 //!
-//! From a fold, or from an outset that is unstable, C − Δγ drives the edge on as long as it keeps its sign. The way is looked through from the start, in
-//! strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one the contact is lost.
+//! From a fold, or from an outset that is unstable, C − Δγ drives the edge on as long as it keeps its sign. The way is looked through from
+//! the start, in strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one
+//! the contact is lost.
 
 use super::march::March;
 use super::path::{Chart, passed};
@@ -13,8 +14,8 @@ const FURTHEST: f64 = 1e3;
 pub(super) const FLOOR: f64 = 1.05;
 
 impl March<'_> {
-    /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds it where it
-    /// started shows that it was stable there after all.
+    /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds
+    /// it where it started shows that it was stable there after all.
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
         // What the last panel left is within its tolerance, and would be taken for a landing.
         let left = self.sudden(0.0);

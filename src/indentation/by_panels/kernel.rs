@@ -1,7 +1,8 @@
-//! The smooth kernel of the closure, k(η, ξ) = K(m)/√(s s′), s = a − ξ, s′ = a + η, m = (δ² − (η + ξ)²)/(4 s s′), as a Chebyshev series in ξ on (0, δ).
+//! The smooth kernel of the closure, k(η, ξ) = K(m)/√(s s′), s = a − ξ, s′ = a + η, m = (δ² − (η + ξ)²)/(4 s s′), as a Chebyshev series in
+//! ξ on (0, δ).
 //!
-//! Its nearest singularity in ξ is s = 0: the series falls as ρ^{−p}, ρ = z + √(z² − 1), z = 2a/δ − 1. The rank is chosen by that, from 6 where a ≥ 60 δ to
-//! [`MOST`] at a = δ, where the digits left are those of ρ^{−MOST}.
+//! Its nearest singularity in ξ is s = 0: the series falls as ρ^{−p}, ρ = z + √(z² − 1), z = 2a/δ − 1. The rank is chosen by that, from 6
+//! where a ≥ 60 δ to [`MOST`] at a = δ, where the digits left are those of ρ^{−MOST}.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -4,16 +4,16 @@
 //!   bonded (inside)                     edge a                       free (outside)
 //!   ──────[ segment ][ segment ]──────────┼──────────[ segment ][ segment ]────── untouched →
 //! ```
-//! A segment is a piece of the path of the edge: the place s(θ), the instant T(θ) at which the edge passed it, and the state X(θ) in which it left the point,
-//! all as Chebyshev series of the parameter θ of the panel of the path that made it.
+//! A segment is a piece of the path of the edge: the place s(θ), the instant T(θ) at which the edge passed it, and the state X(θ) in which
+//! it left the point, all as Chebyshev series of the parameter θ of the panel of the path that made it.
 //!
 //! | list | X | at any later time t |
 //! |---|---|---|
 //! | free | e_j(T), the Voigt strains | D = Σ e^{−(t−T)/τ_j}X_j − (Δ − f) |
 //! | bonded | q_i(T⁺) − P_i(T) | Q = E0(Δ − f) + Σ[e^{−(t−T)/ρ_i}X_i + P_i(t)] |
 //!
-//! Nothing is ever updated. Places and times are relative to an origin that moves with the edge, so that what is near it keeps its digits however short
-//! the process zone is against the contact. A blank segment has X = 0: relaxed where bonded, untouched where free.
+//! Nothing is ever updated. Places and times are relative to an origin that moves with the edge, so that what is near it keeps its digits
+//! however short the process zone is against the contact. A blank segment has X = 0: relaxed where bonded, untouched where free.
 
 use super::chain::Chain;
 use super::drive::Instant;

@@ -1,7 +1,7 @@
 //! The history of a contact, panel by panel.
 //!
-//! Each panel is solved, checked between its points (the defect, as a position error), and cut at the first event on its polynomial: a corner of the history,
-//! a fold (T′ = 0), a turn (s′ = 0), a kink of the line. The step follows the defect alone; there is no limit in δ.
+//! Each panel is solved, checked between its points (the defect, as a position error), and cut at the first event on its polynomial: a
+//! corner of the history, a fold (T′ = 0), a turn (s′ = 0), a kink of the line. The step follows the defect alone; there is no limit in δ.
 
 use super::check::checked;
 use super::closure::Window;
@@ -16,6 +16,8 @@ use super::start::glassy;
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
+/// Refusals after which nothing fades.
+const FADES: u32 = 2;
 /// Excess over Δγ that a sudden change of a control makes at least.
 const SUDDEN: f64 = 1e-3;
 /// Refusals in a row after which the edge sets out anew from its present state.
@@ -35,10 +37,14 @@ pub(super) struct March<'a> {
     pub(super) span: (Chart, f64),
     /// How far the edge would go until it turns, were its deceleration to last.
     pub(super) to_turn: f64,
+    /// How far it has come since it turned or set out, and whether it slows down.
+    pub(super) since_turn: f64,
+    pub(super) slows: bool,
     /// C − Δγ at the last point, and |∂C/∂a| of the last panel.
     pub(super) start_residual: f64,
     pub(super) stiffness: f64,
     pub(super) refusals: u32,
+    pub(super) flips: u32,
     /// Δ and its memory, where it is not given.
     pub(super) state: Option<State>,
     pub(super) outcome: Outcome,
@@ -73,9 +79,12 @@ impl<'a> March<'a> {
             past: None,
             span: (Chart::TimeOfPlace, 0.0),
             to_turn: f64::INFINITY,
+            since_turn: 0.0,
+            slows: false,
             start_residual: 0.0,
             stiffness: 0.0,
             refusals: 0,
+            flips: 0,
             state: problem.drive.control.map(|_| State { depth, rate: 0.0, memory: vec![0.0; problem.chain.terms()] }),
             outcome,
         };
@@ -193,17 +202,27 @@ impl<'a> March<'a> {
                 }
             }
         }
-        let mut window = std::mem::take(&mut self.window);
-        let setting = self.setting(advances);
         let expected = if chart == Chart::TimeOfPlace { span.abs() } else { guess.iter().fold(0.0_f64, |far, s| far.max(s.abs())) };
         let sign = if advances { 1.0 } else { -1.0 };
-        // What the last cut left of the closure fades, by a fiftieth of the way at most.
-        let fades = if self.start_residual == 0.0 { 1.0 } else { (0.02 * expected * self.stiffness / self.start_residual.abs()).min(1.0) };
+        let firmness = (chart == Chart::PlaceOfTime && self.state.is_none() && expected > 0.0)
+            .then(|| (self.sudden(sign * expected) - self.sudden(0.0)) / (sign * expected));
+        let mut window = std::mem::take(&mut self.window);
+        let setting = self.setting(advances);
+        // What the last cut left of the closure fades, by a fiftieth of the way at most; beside a turn there is no way to speak of, and
+        // where panels are refused C may have become so soft that this bends the path.
+        let turns = chart == Chart::PlaceOfTime && self.to_turn < expected || self.refusals > FADES;
+        let fades = if turns {
+            0.0
+        } else if self.start_residual == 0.0 {
+            1.0
+        } else {
+            (0.02 * expected * self.stiffness / self.start_residual.abs()).min(1.0)
+        };
         let target = (self.start_residual, fades);
         let wanted = (5e-3 * tolerance).min(1e-3 * expected.max(1e-300));
         let points = &self.points;
         let panel = match self.problem.drive.control {
-            None => solved(points, &mut window, &setting, (chart, span), guess, (target, wanted)),
+            None => solved(points, &mut window, &setting, (chart, span), guess, (target, wanted), firmness),
             Some(control) => {
                 let value = |time: f64| self.target(time).0;
                 solved_with_depth(points, &mut window, &setting, (control, &value), (chart, span), (guess, depths), (target, wanted))
@@ -228,15 +247,19 @@ impl<'a> March<'a> {
                 return self.refuses(span, (0.45 * (x + 1.0)).max(0.1), 0.0);
             }
         }
-        if chart == Chart::PlaceOfTime && sign * panel.segment.place_at(self.points.nodes[1]).0 < 0.0 && self.refusals < PATIENCE {
-            // It turned where the last panel ended.
-            self.refusals += 1;
+        if chart == Chart::PlaceOfTime && sign * panel.segment.place_at(self.points.nodes[1]).0 < 0.0 {
+            // It turned where the last panel ended, or did not turn there after all: the same span the other way, once; then less.
+            self.flips += 1;
+            if self.flips > 1 {
+                self.flips = 0;
+                return if self.lingers(span, tolerance) { None } else { self.refuses(span, 0.3, 0.0) };
+            }
             self.past = Some((!advances, past, theta));
             self.mark(false);
             return None;
         }
         self.outcome.panels += 1;
-        self.refusals = 0;
+        (self.refusals, self.flips) = (0, 0);
         self.stiffness = panel.stiffness;
         self.start_residual = panel.end_residual;
         self.accept(advances, panel, factor, floor)
@@ -246,7 +269,7 @@ impl<'a> March<'a> {
     pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
         self.outcome.refused += 1;
         self.span.1 = factor * span;
-        if self.span.0 == Chart::PlaceOfTime && way != 0.0 && self.to_turn > 1.5 * way.abs() {
+        if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {
             self.span = (Chart::TimeOfPlace, factor * way);
         }
         self.refusals += 1;

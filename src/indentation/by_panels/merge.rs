@@ -1,7 +1,7 @@
 //! Merging of old segments, so that a history without end needs a bounded memory.
 //!
-//! Two neighbours away from the edge become one whose X is the strain of the present instant (T = 0), as one series in s over both, if it misses none of
-//! the old strains, anywhere in either, by more than an error. Nothing is merged that the closure sees near the edge.
+//! Two neighbours away from the edge become one whose X is the strain of the present instant (T = 0), as one series in s over both, if it
+//! misses none of the old strains, anywhere in either, by more than an error. Nothing is merged that the closure sees near the edge.
 
 use super::chain::Chain;
 use super::line::{Line, Segment};

@@ -1,7 +1,8 @@
 //! The sphere's time integration by panels of the edge's path: beside the march of this room until the two agree on 3,000 scenes.
 //!
-//! Nothing is stepped. The line is a list of segments that hold, as polynomials, when the edge passed a point and in which state it left it; the fields of
-//! any later time follow exactly. The unknown is the path of the edge, one polynomial after the other, which obeys the closure at Radau points.
+//! Nothing is stepped. The line is a list of segments that hold, as polynomials, when the edge passed a point and in which state it left
+//! it; the fields of any later time follow exactly. The unknown is the path of the edge, one polynomial after the other, which obeys the
+//! closure at Radau points.
 //!
 //! | file | what |
 //! |---|---|
@@ -24,8 +25,8 @@
 //! | λ | part of a panel's times, in the test for the first root |
 //!
 //! Measured on states of an independent program (`tests/indentation_by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
-//! Not yet: energies, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that change, sudden
-//! penetrations, checkpoints, periodic states; hundreds of cycles at loose tolerances.
+//! Not yet: energies, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that
+//! change, sudden penetrations, checkpoints, periodic states; hundreds of cycles at loose tolerances.
 
 mod chain;
 mod check;

@@ -1,6 +1,7 @@
 //! Newton's method for a panel, with the exact memory of its fields.
 //!
-//! Residuals r_i = C(θ_i) − Δγ − r₀[1 − φ(1 + θ_i)/2]: r₀ is what a cut between points left at the start; a part φ of it fades over the panel. With δT(s) the change of the passage,
+//! Residuals r_i = C(θ_i) − Δγ − r₀[1 − φ(1 + θ_i)/2]: r₀ is what a cut between points left at the start; a part φ of it fades over the
+//! panel. With δT(s) the change of the passage,
 //! ```text
 //! δC = ∂C/∂t δT(θ_i) + ∫ (δC/δT) δT ds                         TimeOfPlace
 //! δC = ∂C/∂a δs(θ_i) − ∫ (δC/δT)(dT/ds) δs ds,                 PlaceOfTime, with ∂C/∂a = (r′ − ∂C/∂t T′)/s′ along the path
@@ -26,13 +27,16 @@ pub(super) struct Panel {
 }
 
 /// Iterations of a panel: a good one takes two or three.
-const MOST_ITERATIONS: u32 = 9;
+const MOST_ITERATIONS: u32 = 12;
+/// A step that leaves more of the residual than this is slow.
+const SLOW: f64 = 0.2;
 /// Residual over Δγ that rounding leaves.
 const ROUNDING: f64 = 2e-13;
 /// |s′| over its largest on a panel below which ∂C/∂a is taken from a neighbouring point.
 const NEAR_TURN: f64 = 0.3;
 
-/// Newton's method from values at the nodes; `enough`: the position error at which it stops. None if it does not get there.
+/// Newton's method, with ∂C/∂a of an edge moved at once where time is the chart, from values at the nodes; `enough`: the position error at
+/// which it stops. None if it does not get there.
 pub(super) fn solved(
     points: &Points,
     window: &mut Window,
@@ -40,10 +44,13 @@ pub(super) fn solved(
     (chart, span): (Chart, f64),
     mut values: Vec<f64>,
     ((start_residual, fades), enough): ((f64, f64), f64),
+    firmness: Option<f64>,
 ) -> Option<Panel> {
     let p = points.p;
     let mut now = Instant::default();
     let mut last = f64::INFINITY;
+    // The matrix of the last step, the step, and −r before it.
+    let mut previous: Option<(Vec<f64>, Vec<f64>, Vec<f64>)> = None;
     for _ in 0..MOST_ITERATIONS {
         let segment = passed(points, setting, chart, span, &values, &[]);
         let mut residuals = vec![0.0; p + 1];
@@ -67,7 +74,9 @@ pub(super) fn solved(
             .map(|i| {
                 let near = (1..=p).filter(|&k| firm(k)).min_by_key(|&k| k.abs_diff(i)).unwrap_or(i);
                 let [place, time, residual] = slopes[near];
-                (residual - closures[near].rate * time) / place
+                let found = (residual - closures[near].rate * time) / place;
+                // Beside a turn that is little over little.
+                firmness.filter(|firm| !(0.5..2.0).contains(&(found / firm))).unwrap_or(found)
             })
             .collect();
         let stiffness = by_edge.iter().map(|c| c.abs()).sum::<f64>() / p as f64;
@@ -81,32 +90,47 @@ pub(super) fn solved(
         if residual >= 4.0 * last {
             return None;
         }
+        let right: Vec<f64> = residuals[1..].iter().map(|r| -r).collect();
+        let slow = residual > SLOW * last;
         last = residual;
-        let mut matrix = vec![0.0; p * p];
-        let mut right: Vec<f64> = residuals[1..].iter().map(|r| -r).collect();
-        for i in 1..=p {
-            for j in 1..=p {
-                let basis = |k: usize| points.inverse[k * (p + 1) + j];
-                let entry = &mut matrix[(i - 1) * p + j - 1];
-                *entry = match chart {
-                    Chart::TimeOfPlace => (0..=p).map(|k| closures[i].by_times[k] * basis(k)).sum(),
-                    Chart::PlaceOfTime => -0.5 * span * (0..=p).map(|k| closures[i].by_places[k] * basis(k)).sum::<f64>(),
-                };
-                if i == j {
-                    *entry += if chart == Chart::TimeOfPlace { closures[i].rate } else { by_edge[i - 1] };
+        if let (true, Some((matrix, step, before))) = (slow, &mut previous) {
+            // What the last step made of the residuals, along it (Broyden): beside a turn the derivatives change within a step.
+            let length: f64 = step.iter().map(|x| x * x).sum();
+            for i in 0..p {
+                let expected: f64 = (0..p).map(|j| matrix[i * p + j] * step[j]).sum();
+                let miss = (before[i] - right[i] - expected) / length;
+                (0..p).for_each(|j| matrix[i * p + j] += miss * step[j]);
+            }
+        } else {
+            let mut matrix = vec![0.0; p * p];
+            for i in 1..=p {
+                for j in 1..=p {
+                    let basis = |k: usize| points.inverse[k * (p + 1) + j];
+                    let entry = &mut matrix[(i - 1) * p + j - 1];
+                    *entry = match chart {
+                        Chart::TimeOfPlace => (0..=p).map(|k| closures[i].by_times[k] * basis(k)).sum(),
+                        Chart::PlaceOfTime => -0.5 * span * (0..=p).map(|k| closures[i].by_places[k] * basis(k)).sum::<f64>(),
+                    };
+                    if i == j {
+                        *entry += if chart == Chart::TimeOfPlace { closures[i].rate } else { by_edge[i - 1] };
+                    }
                 }
             }
+            previous = Some((matrix, Vec::new(), Vec::new()));
         }
-        if !solve(&mut matrix, &mut right) {
+        let Some((matrix, step, before)) = &mut previous else { return None };
+        step.clone_from(&right);
+        *before = right;
+        if !solve(&mut matrix.clone(), step) {
             return None;
         }
-        values[1..].iter_mut().zip(&right).for_each(|(value, change)| *value += change);
+        values[1..].iter_mut().zip(step.iter()).for_each(|(value, change)| *value += change);
     }
     None
 }
 
-/// What the last two coefficients of X hold of it, over the jump that the passage makes: a part of the field that the series may miss. A term that fades
-/// within a short way of the edge counts by that way over the zone.
+/// What the last two coefficients of X hold of it, over the jump that the passage makes: a part of the field that the series may miss. A
+/// term that fades within a short way of the edge counts by that way over the zone.
 pub(super) fn tail(segment: &Segment, setting: &Setting<'_>, zone: f64) -> f64 {
     let n = setting.chain.terms();
     let terms = if setting.advances { &setting.chain.relaxation } else { &setting.chain.creep };

@@ -21,6 +21,8 @@ pub(super) struct Outset {
     pub(super) stable: bool,
 }
 
+/// Part of the tolerance that a rest beside a turn may leave.
+const LINGER: f64 = 0.3;
 /// Change of speed at a kink that a panel's prediction still bears.
 const SAME_SPEED: f64 = 0.3;
 
@@ -116,6 +118,7 @@ impl March<'_> {
     pub(super) fn sets(&mut self, outset: Outset, left: f64) {
         let zone = self.problem.zone;
         let Outset { advances, speed, .. } = outset;
+        self.since_turn = 0.0;
         let way = 0.05 * zone * speed.signum();
         let duration = way / speed;
         // An edge that hardly goes in the time left is followed in time.
@@ -124,6 +127,35 @@ impl March<'_> {
         let depths = self.state.as_ref().map_or_else(Vec::new, follows);
         let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], depths, ..Segment::blank(0.0, 0.0) };
         self.past = Some((advances, straight, 1.0));
+    }
+
+    /// An edge that neither way moves on beside a turn rests for a time, if what it leaves of the closure is well within the tolerance.
+    pub(super) fn lingers(&mut self, time: f64, tolerance: f64) -> bool {
+        let left = self.problem.drive.branches[self.branch].end - self.line.time;
+        if self.state.is_some() || self.stiffness <= 0.0 || time > 0.5 * left {
+            return false;
+        }
+        let mut window = std::mem::take(&mut self.window);
+        let setting = self.setting(false);
+        let mut now = Instant::default();
+        setting.along(&[time], &[], 0.0, &mut now);
+        let left = setting.excess(&mut window, None, &now, false).value;
+        self.window = window;
+        if left.abs() > LINGER * tolerance * self.stiffness {
+            return false;
+        }
+        self.record_rest(time);
+        self.line.waited(time);
+        self.start_residual = left;
+        let outset = self.sets_out();
+        if outset.stable && outset.speed != 0.0 {
+            self.sets(outset, f64::INFINITY);
+            self.span = (Chart::PlaceOfTime, 2.0 * time);
+            self.to_turn = 0.0;
+        } else {
+            self.past = None;
+        }
+        true
     }
 
     /// Whether an edge goes on beyond a kink of the closure about as fast as before; what it does else shows where it sets out.

@@ -1,7 +1,7 @@
 //! A panel of the edge's path: its points, the segment that it makes, and Newton's method for it.
 //!
-//! A panel goes from the last point on, θ = −1…1, and is a polynomial of degree p through that point and p Radau points. One of two charts is used, each
-//! with one unknown a point:
+//! A panel goes from the last point on, θ = −1…1, and is a polynomial of degree p through that point and p Radau points. One of two charts
+//! is used, each with one unknown a point:
 //! ```text
 //! TimeOfPlace   s = span·(θ + 1)/2,  T(θ) unknown     smooth where the edge runs away (a fold: T′ = 0)
 //! PlaceOfTime   T = span·(θ + 1)/2,  s(θ) unknown     smooth where the edge turns (s′ = 0)
@@ -164,7 +164,8 @@ pub(super) fn passed(points: &Points, setting: &Setting<'_>, chart: Chart, span:
     Segment { low, high, theta_low, theta_high, place: 0.0, time: 0.0, blank: false, straight: is_straight, places, times, depths, states }
 }
 
-/// The path beyond the end of a segment of it, as values at the points of a next panel: along the cubic through its last part; and Δ there, if it follows.
+/// The path beyond the end of a segment of it, as values at the points of a next panel: along the cubic through its last part; and Δ there,
+/// if it follows.
 pub(super) fn continued(points: &Points, past: &Segment, theta: f64, chart: Chart, span: f64) -> (Vec<f64>, Vec<f64>) {
     let wide = 0.5 * (theta + 1.0);
     let knots: [f64; 4] = std::array::from_fn(|k| theta - wide * k as f64 / 1.5);

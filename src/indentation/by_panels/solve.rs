@@ -1,6 +1,7 @@
 //! From a problem of this crate to its panels, and bounds of what comes back.
 //!
-//! Bounds: a march of degree p and one of p + 2 at the same tolerance; the second is given, each value with [`SAFETY`] times its distance to the first.
+//! Bounds: a march of degree p and one of p + 2 at the same tolerance; the second is given, each value with [`SAFETY`] times its distance
+//! to the first.
 
 use super::march::March;
 use super::problem::{End, Outcome, Problem, Row};
@@ -10,8 +11,8 @@ use crate::indentation::{IndentationProblem, Start};
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 
-/// A bound over the distance of the two marches. Of 64 values in 16 retractions 3 leave 2 to 5 errors outside, 10 none at tolerances up to 1e-4: the panels
-/// of the two differ, so that their errors are not in a fixed proportion.
+/// A bound over the distance of the two marches. Of 64 values in 16 retractions 3 leave 2 to 5 errors outside, 10 none at tolerances up to
+/// 1e-4: the panels of the two differ, so that their errors are not in a fixed proportion.
 const SAFETY: f64 = 10.0;
 /// Part of the widest contact that stands for δ where there is none: a length of first panels only.
 const FIRST_LENGTH: f64 = 0.05;

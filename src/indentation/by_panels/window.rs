@@ -1,8 +1,9 @@
 //! The nodes of the closure: the process zone on both sides of the edge, cut into pieces on which both fields are smooth.
 //!
-//! The window is cut at the borders of all segments, those outside mirrored; between two borders the integral runs in the parameter of the segment that
-//! bends most, which removes the root at a turn of the edge, and the panel under way is followed in its own parameter, from its start to the edge, forwards
-//! and backwards: so C is analytic through a turn, a fold or a corner of the history. Where a lag grows by more than [`GROWTH`], the piece is cut towards the edge.
+//! The window is cut at the borders of all segments, those outside mirrored; between two borders the integral runs in the parameter of the
+//! segment that bends most, which removes the root at a turn of the edge, and the panel under way is followed in its own parameter, from
+//! its start to the edge, forwards and backwards: so C is analytic through a turn, a fold or a corner of the history. Where a lag grows by
+//! more than [`GROWTH`], the piece is cut towards the edge.
 
 use super::chain::Chain;
 use super::closure::{Node, Way, Window};
