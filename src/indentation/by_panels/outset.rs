@@ -118,7 +118,8 @@ impl March<'_> {
     pub(super) fn sets(&mut self, outset: Outset, left: f64) {
         let zone = self.problem.zone;
         let Outset { advances, speed, .. } = outset;
-        self.since_turn = 0.0;
+        // It sets out with a speed: no turn is behind it.
+        self.since_turn = f64::INFINITY;
         let way = 0.05 * zone * speed.signum();
         let duration = way / speed;
         // An edge that hardly goes in the time left is followed in time.
@@ -151,7 +152,7 @@ impl March<'_> {
         if outset.stable && outset.speed != 0.0 {
             self.sets(outset, f64::INFINITY);
             self.span = (Chart::PlaceOfTime, 2.0 * time);
-            self.to_turn = 0.0;
+            (self.to_turn, self.since_turn) = (0.0, 0.0);
         } else {
             self.past = None;
         }
