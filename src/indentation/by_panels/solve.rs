@@ -132,31 +132,68 @@ pub fn solve_by_panels(
     instants: &[f64],
 ) -> Result<Bounded, Refusal> {
     let coarse = march_by_panels(material, problem, options, instants)?;
-    let fine = march_by_panels(material, problem, PanelOptions { degree: options.degree + 2, ..options }, instants)?;
+    // The better march is asked at the panel ends of the other one too.
+    let mut asked: Vec<(f64, Option<Row>)> = instants.iter().map(|&time| (time, None)).collect();
+    asked.extend(coarse.ends.iter().map(|row| (row.time, Some(*row))));
+    asked.sort_by(|one, two| one.0.total_cmp(&two.0));
+    let times: Vec<f64> = asked.iter().map(|(time, _)| *time).collect();
+    let mut fine = march_by_panels(material, problem, PanelOptions { degree: options.degree + 2, ..options }, &times)?;
+    let rows: Vec<(Row, Option<Row>)> = fine.wanted.iter().zip(&asked).map(|(row, (_, end))| (*row, *end)).collect();
+    fine.wanted = rows.iter().filter(|(_, end)| end.is_none()).map(|(row, _)| *row).collect();
     if coarse.end != fine.end || coarse.wanted.len() != fine.wanted.len() || coarse.jumps.len() != fine.jumps.len() {
         return Err(Refusal::NotConverged {
             what: "the path of the edge by panels",
             detail: format!("degrees {} and {} end or jump differently", options.degree, options.degree + 2),
         });
     }
-    let wanted = fine.wanted.iter().zip(&coarse.wanted).map(|(fine, coarse)| bounded(fine, coarse)).collect();
+    let mut apart = Row::default();
+    let mut wanted = Vec::new();
+    let mut coarse_wanted = coarse.wanted.iter();
+    for (row, end) in &rows {
+        match end {
+            Some(end) => apart = largest(&apart, &distance(row, end)),
+            None => {
+                if let Some(other) = coarse_wanted.next() {
+                    apart = largest(&apart, &distance(row, other));
+                }
+                wanted.push(bounded(row, &apart));
+            }
+        }
+    }
     let last = |outcome: &Outcome| outcome.ends.last().copied().unwrap_or(outcome.start);
+    let least = largest(&apart_until(&rows, fine.least_force.time), &distance(&fine.least_force, &coarse.least_force));
     Ok(Bounded {
         wanted,
-        least_force: bounded(&fine.least_force, &coarse.least_force),
-        last: bounded(&last(&fine), &last(&coarse)),
+        least_force: bounded(&fine.least_force, &least),
+        last: bounded(&last(&fine), &distance(&last(&fine), &last(&coarse))),
         closures: coarse.closures + fine.closures,
         fine,
     })
 }
 
-fn bounded(fine: &Row, coarse: &Row) -> BoundedRow {
-    let bound = |x: f64, y: f64| SAFETY * (x - y).abs() + 4.0 * f64::EPSILON * x.abs();
-    let bound = Row {
-        time: bound(fine.time, coarse.time),
-        penetration: bound(fine.penetration, coarse.penetration),
-        contact_radius: bound(fine.contact_radius, coarse.contact_radius),
-        force: bound(fine.force, coarse.force),
-    };
-    BoundedRow { row: *fine, bound }
+/// Largest distance of the two marches at panel ends up to a time.
+fn apart_until(rows: &[(Row, Option<Row>)], time: f64) -> Row {
+    let ends = rows.iter().filter(|(row, _)| row.time <= time).filter_map(|(row, end)| end.map(|end| distance(row, &end)));
+    ends.fold(Row::default(), |most, next| largest(&most, &next))
+}
+
+fn distance(one: &Row, two: &Row) -> Row {
+    combined(one, two, |x, y| (x - y).abs())
+}
+
+fn largest(one: &Row, two: &Row) -> Row {
+    combined(one, two, f64::max)
+}
+
+fn combined(one: &Row, two: &Row, of: impl Fn(f64, f64) -> f64) -> Row {
+    Row {
+        time: of(one.time, two.time),
+        penetration: of(one.penetration, two.penetration),
+        contact_radius: of(one.contact_radius, two.contact_radius),
+        force: of(one.force, two.force),
+    }
+}
+
+fn bounded(row: &Row, apart: &Row) -> BoundedRow {
+    BoundedRow { row: *row, bound: combined(row, apart, |value, apart| SAFETY * apart + 4.0 * f64::EPSILON * value.abs()) }
 }
