@@ -34,6 +34,7 @@
 
 mod adhesiveless;
 mod advance;
+pub mod by_panels;
 mod checkpoint;
 mod coarsening;
 mod convergence;

@@ -1,0 +1,187 @@
+//! Events: where a converged panel is cut, and how the next one begins.
+//!
+//! | event | root of | then |
+//! |---|---|---|
+//! | corner of the history | T(θ) − its instant | the edge sets out anew |
+//! | fold | T′(θ), in the chart t(a) | a jump, if it is one |
+//! | turn | s′(θ), in the chart a(t) | the other direction, same chart |
+//! | kink of the line | panels in t(a) end on it | beyond a jump of the state the edge sets out anew |
+//!
+//! The chart of the next panel: a(t) while the distance to a turn, v²/(2|v̇|), is less than a panel or two, else t(a).
+
+use super::drive::Instant;
+use super::followed::State;
+use super::line::series;
+use super::march::March;
+use super::newton::Panel;
+use super::path::Chart;
+use super::problem::End;
+
+/// Distances to kinks below this part of the zone are rounding of places.
+const KINK_NOISE: f64 = 1e-9;
+/// Part of the tolerance that merging may spend on the fields, and how far from the edge, in zones, segments are merged.
+const MERGE: f64 = 1e-2;
+const CLEAR: f64 = 0.02;
+/// Panels between two merges.
+const MERGED_EVERY: u64 = 8;
+/// Marks of turns and corners that are kept: those of the last four turns suffice (same results as with all).
+const WEAK_MARKS: usize = 8;
+
+/// A place where the state of the line has a kink, or jumps.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    pub(super) place: f64,
+    pub(super) jump: bool,
+}
+
+impl March<'_> {
+    /// The next place where the closure has a kink, in the direction of the edge, and whether it is from a jump of the state in sight of
+    /// the window.
+    pub(super) fn next_kink(&self, advances: bool) -> (f64, bool, bool) {
+        let zone = self.problem.zone;
+        let sign = if advances { 1.0 } else { -1.0 };
+        let mut nearest = (f64::INFINITY, false, false);
+        for mark in &self.marks {
+            for image in -2..=2_i32 {
+                let way = sign * (mark.place + f64::from(image) * zone);
+                let strong = mark.jump && image == 0;
+                if way > KINK_NOISE * zone && way < nearest.0 && (mark.jump || image == 0) {
+                    nearest = (way, strong, mark.jump && image.abs() == 1);
+                }
+            }
+        }
+        (sign * nearest.0, nearest.1, nearest.2)
+    }
+
+    pub(super) fn accept(&mut self, advances: bool, panel: Panel, factor: f64, floor: bool) -> Option<End> {
+        let Panel { chart, segment, .. } = panel;
+        let sign = if advances { 1.0 } else { -1.0 };
+        let left = self.problem.drive.branches[self.branch].end - self.line.time;
+        let corner = first_crossing(|x| segment.time_at(x) - left).filter(|&x| x < 1.0 || segment.time_at(1.0) >= left * (1.0 - 1e-14));
+        let (kink, strong, steep) = self.next_kink(advances);
+        let timed = chart == Chart::PlaceOfTime;
+        let fold = (!timed).then(|| first_crossing(|x| -series(&segment.times, x).1)).flatten();
+        let turn = timed.then(|| turning(|x| -sign * segment.place_at(x).1)).flatten();
+        let cut = [corner, fold, turn].into_iter().flatten().fold(1.0, f64::min);
+        let whole = cut >= 1.0;
+        let met = !timed && whole && (strong || steep) && (segment.place_at(1.0).0 - kink).abs() <= KINK_NOISE * self.problem.zone;
+        self.record(advances, &segment, cut);
+        let (way, _) = segment.place_at(cut);
+        let duration = segment.time_at(cut);
+        let full = if timed { segment.time_at(1.0) } else { segment.place_at(1.0).0.abs() };
+        let beyond = segment.place_at(1.0).0 - way;
+        if let Some(state) = &self.state {
+            let mut now = Instant::default();
+            state.along(&self.problem.chain, &segment.times, &segment.depths, cut, &mut now);
+            self.state = Some(State { depth: now.depth, rate: now.rate, memory: now.memory });
+        }
+        self.line.swept(segment, cut);
+        for mark in &mut self.marks {
+            mark.place -= way;
+        }
+        let past = self.line.list(advances).last().cloned()?;
+        let next_way = factor * way.abs();
+        let speed = |x: f64| past.place_at(x).1 / series(&past.times, x).1;
+        let step = 1e-3 * (cut + 1.0);
+        let v = speed(cut);
+        let acceleration = (v - speed(cut - step)) / (past.time_at(cut) - past.time_at(cut - step));
+        let to_turn = v * v / (2.0 * acceleration.abs());
+        self.to_turn = to_turn;
+        let slows = v * acceleration < 0.0;
+        self.slows = slows;
+        self.since_turn += way.abs();
+        let since_turn = self.since_turn;
+        self.span = match chart {
+            // With the turn ahead, or just behind, a(t) is smooth and t(a) is not; with a fold ahead it is the other way round.
+            Chart::TimeOfPlace if slows && to_turn < 1.5 * next_way => {
+                (Chart::PlaceOfTime, (next_way / v.abs()).min(1.5 * (v / acceleration).abs()).min(factor * duration))
+            }
+            Chart::PlaceOfTime if if slows { to_turn < 3.0 * next_way } else { since_turn < 2.0 * way.abs() } => {
+                (Chart::PlaceOfTime, full * factor)
+            }
+            Chart::PlaceOfTime => (Chart::TimeOfPlace, sign * next_way.min(if slows { to_turn } else { since_turn })),
+            Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
+        };
+        self.past = Some((advances, past, cut));
+        if self.outcome.panels.is_multiple_of(MERGED_EVERY) {
+            self.merge();
+        }
+        if cut < 1.0 {
+            self.start_residual = self.sudden(0.0);
+        }
+        if floor && whole {
+            return Some(End::Floor);
+        }
+        if fold == Some(cut) && cut < 1.0 {
+            // What the panel holds beyond the fold, or a part of it, stands clear of the tolerance.
+            return self.jumps(advances, beyond.abs().max(0.3 * way.abs()));
+        }
+        if turn == Some(cut) {
+            (self.to_turn, self.since_turn) = (0.0, 0.0);
+            self.mark(false);
+            self.merge();
+            self.span = (Chart::PlaceOfTime, full * factor.min(1.0));
+            self.past = self.past.take().map(|(_, past, theta)| (!advances, past, theta));
+        }
+        if corner == Some(cut) {
+            self.mark(false);
+            return self.next_branch();
+        }
+        if met && (strong || !self.goes_on(v)) {
+            self.past = None;
+        }
+        None
+    }
+
+    /// Nothing moves for a time.
+    pub(super) fn rests(&mut self, time: f64) -> Option<End> {
+        self.record_rest(time);
+        self.line.waited(time);
+        self.next_branch()
+    }
+
+    pub(super) fn next_branch(&mut self) -> Option<End> {
+        self.past = None;
+        self.branch += 1;
+        if self.branch == self.problem.drive.branches.len() {
+            self.branch -= 1;
+            return Some(End::History);
+        }
+        None
+    }
+
+    /// Joins old segments where nothing is lost by it.
+    pub(super) fn merge(&mut self) {
+        let problem = self.problem;
+        let (zone, error) = (problem.zone, MERGE * problem.tolerance * self.displacement());
+        self.line.merge(&problem.chain, true, CLEAR * zone, error * problem.chain.glassy);
+        self.line.merge(&problem.chain, false, CLEAR * zone, error);
+    }
+
+    /// Marks the place of the edge; of the weak ones the last few.
+    pub(super) fn mark(&mut self, jump: bool) {
+        self.marks.push(Mark { place: 0.0, jump });
+        let weak = self.marks.iter().filter(|mark| !mark.jump).count();
+        if let Some(oldest) = self.marks.iter().position(|mark| !mark.jump).filter(|_| weak > WEAK_MARKS) {
+            self.marks.remove(oldest);
+        }
+    }
+}
+
+/// Where a function that is negative just after −1 becomes positive.
+pub(super) fn turning(function: impl Fn(f64) -> f64) -> Option<f64> {
+    if function(-1.0 + 1e-3) >= 0.0 { None } else { first_crossing(|x| if x < -1.0 + 1e-3 { -1.0 } else { function(x) }) }
+}
+
+/// The first θ in (−1, 1] at which a function that is negative at −1 becomes positive.
+pub(super) fn first_crossing(function: impl Fn(f64) -> f64) -> Option<f64> {
+    let samples = 24;
+    let place = |i: i32| -1.0 + 2.0 * f64::from(i) / f64::from(samples);
+    let first = (1..=samples).find(|&i| function(place(i)) >= 0.0)?;
+    let (mut low, mut high) = (place(first - 1), place(first));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if function(middle) >= 0.0 { high = middle } else { low = middle }
+    }
+    Some(high)
+}

@@ -1,0 +1,72 @@
+//! A jump: the edge moves in no time to the next place where it is in equilibrium.
+//!
+//! From a fold, or from an outset that is unstable, C − Δγ drives the edge on as long as it keeps its sign. The way is looked through from
+//! the start, in strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one
+//! the contact is lost.
+
+use super::march::March;
+use super::path::{Chart, passed};
+use super::problem::End;
+
+/// A jump outwards beyond so many radii of the contact has no end.
+const FURTHEST: f64 = 1e3;
+/// Narrowest contact, in process zones.
+pub(super) const FLOOR: f64 = 1.05;
+
+impl March<'_> {
+    /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds
+    /// it where it started shows that it was stable there after all.
+    pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
+        // What the last panel left is within its tolerance, and would be taken for a landing.
+        let left = self.sudden(0.0);
+        self.moves_at_once(advances, first, left)
+    }
+
+    /// The same until C − Δγ is what is left.
+    pub(super) fn moves_at_once(&mut self, advances: bool, first: f64, left: f64) -> Option<End> {
+        let zone = self.problem.zone;
+        let sign = if advances { 1.0 } else { -1.0 };
+        self.start_residual = left;
+        let start = self.line.edge;
+        let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
+        let mut stride = first;
+        let mut gone = 0.0;
+        self.past = None;
+        loop {
+            // Within one segment of the past.
+            let border = self.line.list(!advances).last().map_or(f64::INFINITY, |last| if advances { last.high } else { -last.low });
+            let least = if advances { f64::INFINITY } else { self.line.edge - FLOOR * zone };
+            let next = stride.min(border).min(least);
+            if next <= 1e-9 * zone || self.line.edge > FURTHEST * start {
+                return Some(End::Lost);
+            }
+            let landed = excess(self, next) >= 0.0;
+            let mut way = next;
+            if landed {
+                let mut low = 0.0;
+                for _ in 0..50 {
+                    let middle = 0.5 * (low + way);
+                    if excess(self, middle) >= 0.0 { way = middle } else { low = middle }
+                }
+                if gone == 0.0 && way < 1e-3 * first {
+                    return None;
+                }
+            }
+            if gone == 0.0 {
+                self.mark(true);
+            }
+            let values = vec![0.0; self.points.p + 1];
+            let segment = passed(&self.points, &self.setting(advances), Chart::TimeOfPlace, sign * way, &values, &[]);
+            self.line.swept(segment, 1.0);
+            self.balance();
+            self.marks.iter_mut().for_each(|mark| mark.place -= sign * way);
+            gone += way;
+            if landed {
+                self.outcome.jumps.push(self.row(None, 0.0));
+                self.mark(true);
+                return None;
+            }
+            stride *= 1.2;
+        }
+    }
+}

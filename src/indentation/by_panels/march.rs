@@ -1,0 +1,283 @@
+//! The history of a contact, panel by panel.
+//!
+//! Each panel is solved, checked between its points (the defect, as a position error), and cut at the first event on its polynomial: a
+//! corner of the history, a fold (T′ = 0), a turn (s′ = 0), a kink of the line. The step follows the defect alone; there is no limit in δ.
+
+use super::check::checked;
+use super::closure::Window;
+use super::events::{Mark, first_crossing};
+use super::followed::{State, solved_with_depth};
+use super::jump::FLOOR;
+use super::line::{Line, Segment, series};
+use super::newton::solved;
+use super::path::{Chart, Motion, Points, Setting, continued};
+use super::problem::{End, Outcome, Problem, Row};
+use super::start::glassy;
+
+/// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
+const RESIDUAL: f64 = 3.0;
+/// Refusals after which nothing fades.
+const FADES: u32 = 2;
+/// Excess over Δγ that a sudden change of a control makes at least.
+const SUDDEN: f64 = 1e-3;
+/// Refusals in a row after which the edge sets out anew from its present state.
+const PATIENCE: u32 = 5;
+
+/// The state of the march.
+pub(super) struct March<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) points: Points,
+    pub(super) window: Window,
+    pub(super) line: Line,
+    pub(super) branch: usize,
+    /// Kinks of the line.
+    pub(super) marks: Vec<Mark>,
+    /// Whether the edge advances, and its path so far up to a parameter.
+    pub(super) past: Option<(bool, Segment, f64)>,
+    pub(super) span: (Chart, f64),
+    /// How far the edge would go until it turns, were its deceleration to last.
+    pub(super) to_turn: f64,
+    /// How far it has come since it turned or set out, and whether it slows down.
+    pub(super) since_turn: f64,
+    pub(super) slows: bool,
+    /// C − Δγ at the last point, and |∂C/∂a| of the last panel.
+    pub(super) start_residual: f64,
+    pub(super) stiffness: f64,
+    pub(super) refusals: u32,
+    pub(super) flips: u32,
+    /// Δ and its memory, where it is not given.
+    pub(super) state: Option<State>,
+    pub(super) outcome: Outcome,
+}
+
+impl<'a> March<'a> {
+    pub(super) fn new(problem: &'a Problem, edge: f64, depth: f64) -> Self {
+        let mut line = Line::new(edge);
+        if !problem.relaxed {
+            line.inside[0] = glassy(problem, edge, depth);
+        }
+        let row = Row::default();
+        let outcome = Outcome {
+            start: row,
+            ends: vec![],
+            wanted: vec![],
+            least_force: row,
+            jumps: vec![],
+            end: End::Failed,
+            panels: 0,
+            refused: 0,
+            closures: 0,
+            kernel_nodes: 0,
+        };
+        let mut march = Self {
+            problem,
+            points: Points::new(problem.degree),
+            window: Window::new(problem.zone),
+            line,
+            branch: 0,
+            marks: vec![Mark { place: 0.0, jump: true }],
+            past: None,
+            span: (Chart::TimeOfPlace, 0.0),
+            to_turn: f64::INFINITY,
+            since_turn: 0.0,
+            slows: false,
+            start_residual: 0.0,
+            stiffness: 0.0,
+            refusals: 0,
+            flips: 0,
+            state: problem.drive.control.map(|_| State { depth, rate: 0.0, memory: vec![0.0; problem.chain.terms()] }),
+            outcome,
+        };
+        let row = march.row(None, 0.0);
+        (march.outcome.start, march.outcome.least_force) = (row, row);
+        march.record_rest(0.0);
+        march
+    }
+
+    pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
+        let problem = self.problem;
+        let motion = self.state.as_ref().map_or(Motion::Given(&problem.drive.branches[self.branch]), Motion::Followed);
+        Setting {
+            chain: &problem.chain,
+            profile: &problem.profile,
+            line: &self.line,
+            motion,
+            adhesion: problem.adhesion,
+            scale: self.scale(),
+            advances,
+        }
+    }
+
+    /// What residuals are compared with.
+    pub(super) fn scale(&self) -> f64 {
+        let profile = &self.problem.profile;
+        self.problem.adhesion.unwrap_or_else(|| profile.line(self.line.edge.max(self.problem.zone)))
+    }
+
+    /// The displacement that the passage of the edge changes at once.
+    pub(super) fn displacement(&self) -> f64 {
+        match self.problem.adhesion {
+            Some(adhesion) => (adhesion * self.line.edge / self.problem.chain.glassy).sqrt(),
+            None => self.scale(),
+        }
+    }
+
+    /// The length of which the tolerance is a part.
+    pub(super) fn length(&self) -> f64 {
+        let zone = self.problem.zone;
+        if self.problem.adhesion.is_some() { (zone * self.line.edge).sqrt() } else { self.line.edge.max(zone) }
+    }
+
+    pub(super) fn run(mut self) -> Outcome {
+        self.outcome.end = loop {
+            if let Some(end) = self.panel() {
+                break end;
+            }
+            if self.outcome.panels + self.outcome.refused > 20_000 {
+                break End::Failed;
+            }
+        };
+        self.outcome.closures = self.window.closures;
+        self.outcome.kernel_nodes = self.window.kernel_nodes;
+        self.outcome
+    }
+
+    /// One panel, accepted or refused; or a jump; or a rest.
+    pub(super) fn panel(&mut self) -> Option<End> {
+        let zone = self.problem.zone;
+        let tolerance = self.problem.tolerance * self.length();
+        if self.past.is_none() {
+            let left = self.problem.drive.branches[self.branch].end - self.line.time;
+            if self.state.is_some() {
+                self.balance();
+                let excess = self.sudden(0.0);
+                if (excess - self.start_residual).abs() > SUDDEN * self.scale() {
+                    // A control that changed at once has left equilibrium.
+                    return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0);
+                }
+            }
+            let outset = self.sets_out();
+            let held = self.state.is_none() && self.problem.drive.branches[self.branch].is_held();
+            if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance {
+                // Held, everything relaxes: an edge that would not leave its tolerance rests.
+                return self.rests(left);
+            }
+            if !outset.stable {
+                return self.jumps(outset.advances, zone / 16.0);
+            }
+            self.sets(outset, left);
+        }
+        let (advances, past, theta) = self.past.clone()?;
+        let (chart, mut span) = self.span;
+        let mut floor = false;
+        if chart == Chart::TimeOfPlace {
+            let (kink, strong, _) = self.next_kink(advances);
+            if span.abs() > kink.abs() && (strong || span.abs() < 1e3 * kink.abs()) {
+                span = kink;
+            } else if span.abs() > 0.6 * kink.abs() && span.abs() < kink.abs() {
+                span = 0.5 * kink;
+            }
+            let least = if self.problem.adhesion.is_some() { FLOOR * zone - self.line.edge } else { -self.line.edge };
+            if span < least {
+                (span, floor) = (least, true);
+                if least > -1e-9 * zone {
+                    return Some(End::Floor);
+                }
+            }
+        }
+        let (mut guess, mut depths) = continued(&self.points, &past, theta, chart, span);
+        if chart == Chart::PlaceOfTime {
+            // States jump at a strong kink: it is landed on, in place; before that the edge goes on in time as long as it stays clear of it.
+            let (kink, strong, _) = self.next_kink(advances);
+            let crosses = |guess: &[f64]| strong && guess.iter().any(|s| s / kink >= 1.0);
+            if crosses(&guess) {
+                let v = past.place_at(theta).1 / series(&past.times, theta).1;
+                if v * kink > 0.0 && self.to_turn > 1.5 * kink.abs() {
+                    self.span = (Chart::TimeOfPlace, kink);
+                    return None;
+                }
+                while crosses(&guess) && span > 0.0 {
+                    span *= 0.7;
+                    (guess, depths) = continued(&self.points, &past, theta, chart, span);
+                }
+            }
+        }
+        let expected = if chart == Chart::TimeOfPlace { span.abs() } else { guess.iter().fold(0.0_f64, |far, s| far.max(s.abs())) };
+        let sign = if advances { 1.0 } else { -1.0 };
+        let firmness = (chart == Chart::PlaceOfTime && self.state.is_none() && expected > 0.0)
+            .then(|| (self.sudden(sign * expected) - self.sudden(0.0)) / (sign * expected));
+        let mut window = std::mem::take(&mut self.window);
+        let setting = self.setting(advances);
+        // What the last cut left of the closure fades, by a fiftieth of the way at most; beside a turn there is no way to speak of, and
+        // where panels are refused C may have become so soft that this bends the path.
+        let turns = chart == Chart::PlaceOfTime && self.to_turn < expected || self.refusals > FADES;
+        let fades = if turns {
+            0.0
+        } else if self.start_residual == 0.0 {
+            1.0
+        } else {
+            (0.02 * expected * self.stiffness / self.start_residual.abs()).min(1.0)
+        };
+        let target = (self.start_residual, fades);
+        let wanted = (5e-3 * tolerance).min(1e-3 * expected.max(1e-300));
+        let points = &self.points;
+        let panel = match self.problem.drive.control {
+            None => solved(points, &mut window, &setting, (chart, span), guess, (target, wanted), firmness),
+            Some(control) => {
+                let value = |time: f64| self.target(time).0;
+                solved_with_depth(points, &mut window, &setting, (control, &value), (chart, span), (guess, depths), (target, wanted))
+            }
+        };
+        let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, target));
+        self.window = window;
+        let (Some(panel), Some(checked)) = (panel, checked) else { return self.refuses(span, 0.3, sign * expected) };
+        let least = tolerance.min(RESIDUAL * self.problem.tolerance * self.scale() / panel.stiffness);
+        // A motion that its error could have made is none.
+        let error = (checked.defect / least.min(0.02 * checked.way.max(1e-300))).max(panel.tail / least);
+        let factor = (0.85 * (1.0 / error.max(1e-300)).powf(1.0 / (self.points.p as f64 + 1.0))).clamp(0.3, 3.0);
+        if error > 1.0 {
+            return self.refuses(span, factor.min(0.9), sign * expected);
+        }
+        if !checked.first {
+            return self.refuses(span, 0.3, sign * expected);
+        }
+        if chart == Chart::PlaceOfTime {
+            let (kink, strong, _) = self.next_kink(advances);
+            if let Some(x) = first_crossing(|x| panel.segment.place_at(x).0 / kink - 1.0).filter(|_| strong) {
+                return self.refuses(span, (0.45 * (x + 1.0)).max(0.1), 0.0);
+            }
+        }
+        if chart == Chart::PlaceOfTime && sign * panel.segment.place_at(self.points.nodes[1]).0 < 0.0 {
+            // It turned where the last panel ended, or did not turn there after all: the same span the other way, once; then less.
+            self.flips += 1;
+            if self.flips > 1 {
+                self.flips = 0;
+                return if self.lingers(span, tolerance) { None } else { self.refuses(span, 0.3, 0.0) };
+            }
+            self.past = Some((!advances, past, theta));
+            self.mark(false);
+            return None;
+        }
+        self.outcome.panels += 1;
+        (self.refusals, self.flips) = (0, 0);
+        self.stiffness = panel.stiffness;
+        self.start_residual = panel.end_residual;
+        self.accept(advances, panel, factor, floor)
+    }
+
+    /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.
+    pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
+        self.outcome.refused += 1;
+        self.span.1 = factor * span;
+        if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {
+            self.span = (Chart::TimeOfPlace, factor * way);
+        }
+        self.refusals += 1;
+        if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace {
+            self.past = None;
+            return None;
+        }
+        (span.abs() < 1e-12 * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { self.line.time.max(1e-3) })
+            .then_some(End::Failed)
+    }
+}

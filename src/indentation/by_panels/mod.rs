@@ -1,0 +1,56 @@
+//! The sphere's time integration by panels of the edge's path: beside the march of this room until the two agree on 3,000 scenes.
+//!
+//! Nothing is stepped. The line is a list of segments that hold, as polynomials, when the edge passed a point and in which state it left
+//! it; the fields of any later time follow exactly. The unknown is the path of the edge, one polynomial after the other, which obeys the
+//! closure at Radau points.
+//!
+//! | file | what |
+//! |---|---|
+//! | `chain` | one point of the line: Maxwell ↔ Voigt |
+//! | `drive` | the imposed penetration and the memory P_i that all bonded points share |
+//! | `line`, `merge` | segments, fields; old segments joined |
+//! | `kernel`, `window`, `closure` | C and its derivatives by the instants of passage |
+//! | `path`, `newton`, `check` | a panel, its solution, its defect and the test for the first root |
+//! | `outset`, `jump`, `events` | directions and speeds from rest, instabilities, cuts of a panel |
+//! | `march`, `record`, `force`, `start` | the history |
+//! | `followed` | force and frame: the penetration as a second unknown |
+//! | `problem`, `setup`, `solve` | what is asked and given; bounds from degrees p and p + 2 |
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | a, δ, Δ, f(s) | edge, process zone, penetration, line profile; as in [`super`] |
+//! | θ | −1…1, parameter of a panel |
+//! | T, X | instant and state of passage |
+//! | y | place in the window: inside a − y, outside a + δ − y |
+//! | λ | part of a panel's times, in the test for the first root |
+//!
+//! Measured on states of an independent program (`tests/indentation_by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
+//! Of 304 marches of random scenes (ramps, approaches, cycles; one to four terms) two end in a refusal, beside a turn; none of the others differs.
+//! Not yet: energies, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that
+//! change, sudden penetrations, checkpoints, periodic states; many hundreds of cycles.
+
+mod chain;
+mod check;
+mod closure;
+mod drive;
+mod events;
+mod followed;
+mod force;
+mod gauss;
+mod jump;
+mod kernel;
+mod line;
+mod march;
+mod merge;
+mod newton;
+mod outset;
+mod path;
+mod problem;
+mod record;
+mod setup;
+mod solve;
+mod start;
+mod window;
+
+pub use problem::{End, Outcome, Row};
+pub use solve::{Bounded, BoundedRow, PanelOptions, march_by_panels, solve_by_panels};

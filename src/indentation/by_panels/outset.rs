@@ -1,0 +1,167 @@
+//! How an edge sets out from rest, a corner of the history or a kink of the line: its direction, its speed and its stability, in frozen time.
+//!
+//! ```text
+//! da/dt = −(∂C/∂t)/(∂C/∂a),      ∂C/∂a by one-sided differences of C for an edge moved at once (its passages take no time)
+//! ```
+//! ∂C/∂t < 0: the edge advances, else it recedes. ∂C/∂a ≤ 0 in that direction: it is unstable, and jumps.
+
+use super::closure::Way;
+use super::drive::Instant;
+use super::followed::State;
+use super::force::{force, force_rate};
+use super::line::Segment;
+use super::march::March;
+use super::path::{Chart, passed};
+
+/// How an edge sets out.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outset {
+    pub(super) advances: bool,
+    pub(super) speed: f64,
+    pub(super) stable: bool,
+}
+
+/// Part of the tolerance that a rest beside a turn may leave.
+const LINGER: f64 = 0.3;
+/// Change of speed at a kink that a panel's prediction still bears.
+const SAME_SPEED: f64 = 0.3;
+
+impl March<'_> {
+    /// C − Δγ at the edge now, moved at once by a way (a panel without duration); Δ follows if it is not given.
+    pub(super) fn sudden(&mut self, way: f64) -> f64 {
+        let mut window = std::mem::take(&mut self.window);
+        let advances = way > 0.0 || way == 0.0 && self.past.as_ref().is_some_and(|past| past.0);
+        let setting = self.setting(advances);
+        let mut now = Instant::default();
+        setting.still(&mut now);
+        let panel = (way != 0.0).then(|| passed(&self.points, &setting, Chart::TimeOfPlace, way, &vec![0.0; self.points.p + 1], &[]));
+        let way = panel.as_ref().map(|panel| Way { panel, advances, theta: 1.0 });
+        let shift = self.imbalance(way, &now);
+        let chain = &self.problem.chain;
+        now.depth += shift;
+        now.base += chain.glassy * shift;
+        now.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * shift);
+        let value = setting.excess(&mut window, way, &now, false).value;
+        self.window = window;
+        value
+    }
+
+    /// The sudden change of Δ that brings a control to its value; 0 where Δ is given.
+    pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
+        let Some(control) = self.problem.drive.control else { return 0.0 };
+        let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
+        let force = force((&self.problem.chain, &self.problem.profile), &self.line, way, now);
+        let (target, _) = self.target(0.0);
+        (target - control.force * force - control.depth * now.depth)
+            / (control.force * 2.0 * self.problem.chain.glassy * edge + control.depth)
+    }
+
+    /// The value that a control is to have at a time since the origin, and its rate.
+    pub(super) fn target(&self, time: f64) -> (f64, f64) {
+        let branch = &self.problem.drive.branches[self.branch];
+        branch.value(self.line.time - branch.start + time)
+    }
+
+    /// Δ as the control has it, the edge where it is.
+    pub(super) fn balance(&mut self) {
+        let mut now = Instant::default();
+        self.setting(false).still(&mut now);
+        let shift = self.imbalance(None, &now);
+        let chain = &self.problem.chain;
+        if let Some(state) = &mut self.state {
+            state.shift(chain, shift);
+        }
+    }
+
+    /// The rate of a Δ that follows, of an edge at rest.
+    fn follow(&mut self) {
+        let (Some(control), Some(state)) = (self.problem.drive.control, &mut self.state) else { return };
+        state.rate = 0.0;
+        let chain = &self.problem.chain;
+        let mut now = Instant::default();
+        self.setting(false).still(&mut now);
+        // dF/dt while Δ rests: of a field as its own rate.
+        let relaxing = force_rate((chain, &self.problem.profile), &self.line, &now);
+        let firmness = control.force * 2.0 * chain.glassy * self.line.edge + control.depth;
+        let rate = (self.target(0.0).1 - control.force * relaxing) / firmness;
+        if let Some(state) = &mut self.state {
+            state.rate = rate;
+        }
+    }
+
+    /// ∂C/∂t now, the edge at rest; without adhesion of an edge that advances or recedes.
+    fn rate(&mut self, advances: bool) -> f64 {
+        self.follow();
+        let mut window = std::mem::take(&mut self.window);
+        let setting = self.setting(advances);
+        let mut now = Instant::default();
+        setting.still(&mut now);
+        let rate = setting.excess(&mut window, None, &now, true).rate;
+        self.window = window;
+        rate
+    }
+
+    /// Direction, da/dt, and whether an edge that sets out is stable.
+    pub(super) fn sets_out(&mut self) -> Outset {
+        let outwards = self.rate(true);
+        let advances = outwards < 0.0;
+        let rate = if advances || self.problem.adhesion.is_some() { outwards } else { self.rate(false).max(0.0) };
+        let small = 1e-3 * self.problem.zone * if advances { 1.0 } else { -1.0 };
+        let [near, far] = [small, 2.0 * small].map(|way| self.sudden(way));
+        // Without adhesion the two sides have a condition each, and both hold.
+        let here = if self.problem.adhesion.is_some() { self.sudden(0.0) } else { 0.0 };
+        let by_edge = if self.line.edge < small { near / small } else { (4.0 * near - 3.0 * here - far) / (2.0 * small) };
+        Outset { advances, speed: -rate / by_edge, stable: by_edge > 0.0 }
+    }
+
+    /// The first panel of an edge that sets out.
+    pub(super) fn sets(&mut self, outset: Outset, left: f64) {
+        let zone = self.problem.zone;
+        let Outset { advances, speed, .. } = outset;
+        // It sets out with a speed: no turn is behind it.
+        self.since_turn = f64::INFINITY;
+        let way = 0.05 * zone * speed.signum();
+        let duration = way / speed;
+        // An edge that hardly goes in the time left is followed in time.
+        self.span = if duration > 0.5 * left { (Chart::PlaceOfTime, 0.1 * left) } else { (Chart::TimeOfPlace, way) };
+        let follows = |state: &State| vec![state.depth - state.rate * duration, state.rate * duration];
+        let depths = self.state.as_ref().map_or_else(Vec::new, follows);
+        let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], depths, ..Segment::blank(0.0, 0.0) };
+        self.past = Some((advances, straight, 1.0));
+    }
+
+    /// An edge that neither way moves on beside a turn rests for a time, if what it leaves of the closure is well within the tolerance.
+    pub(super) fn lingers(&mut self, time: f64, tolerance: f64) -> bool {
+        let left = self.problem.drive.branches[self.branch].end - self.line.time;
+        if self.state.is_some() || self.stiffness <= 0.0 || time > 0.5 * left {
+            return false;
+        }
+        let mut window = std::mem::take(&mut self.window);
+        let setting = self.setting(false);
+        let mut now = Instant::default();
+        setting.along(&[time], &[], 0.0, &mut now);
+        let left = setting.excess(&mut window, None, &now, false).value;
+        self.window = window;
+        if left.abs() > LINGER * tolerance * self.stiffness {
+            return false;
+        }
+        self.record_rest(time);
+        self.line.waited(time);
+        self.start_residual = left;
+        let outset = self.sets_out();
+        if outset.stable && outset.speed != 0.0 {
+            self.sets(outset, f64::INFINITY);
+            self.span = (Chart::PlaceOfTime, 2.0 * time);
+            (self.to_turn, self.since_turn) = (0.0, 0.0);
+        } else {
+            self.past = None;
+        }
+        true
+    }
+
+    /// Whether an edge goes on beyond a kink of the closure about as fast as before; what it does else shows where it sets out.
+    pub(super) fn goes_on(&mut self, speed: f64) -> bool {
+        let outset = self.sets_out();
+        outset.stable && (outset.speed / speed - 1.0).abs() < SAME_SPEED
+    }
+}

@@ -1,0 +1,58 @@
+//! The first contact: relaxed, or bonded at once.
+
+use super::chain::Chain;
+use super::closure::Window;
+use super::drive::Instant;
+use super::line::{Line, Segment};
+use super::problem::Problem;
+use crate::indentation::Profile;
+
+/// The whole contact bonded at once, at time zero.
+pub(super) fn glassy(problem: &Problem, edge: f64, depth: f64) -> Segment {
+    let mut segment = Segment::blank(-edge, 0.0);
+    (segment.blank, segment.places, segment.times) = (false, vec![-0.5 * edge, 0.5 * edge], vec![0.0]);
+    let samples = 9;
+    let n = problem.chain.terms();
+    segment.states = vec![0.0; samples * (n + 1)];
+    for q in 0..samples {
+        for k in 0..samples {
+            let angle = std::f64::consts::PI * (k as f64 + 0.5) / samples as f64;
+            let weight = if q == 0 { 1.0 } else { 2.0 } / samples as f64 * (q as f64 * angle).cos();
+            let depth = depth - problem.profile.line(0.5 * edge * (1.0 + angle.cos()));
+            for (i, term) in problem.chain.relaxation.iter().enumerate() {
+                segment.states[q * (n + 1) + i] += weight * term.0 * depth;
+            }
+        }
+    }
+    segment
+}
+
+/// The larger radius in elastic equilibrium, modulus E*, under a penetration.
+pub(super) fn elastic_start(profile: &Profile, modulus: f64, adhesion: f64, zone: f64, depth: f64) -> Option<f64> {
+    let chain = Chain::new(modulus, modulus, &[], &[]);
+    let mut window = Window::new(zone);
+    let now = Instant { depth, base: modulus * depth, ..Instant::default() };
+    let mut excess = |edge: f64| {
+        let value = window.closure((&chain, profile), &Line::new(edge), None, &now, false).value;
+        (if depth > profile.line(edge) { -value } else { value }) - adhesion
+    };
+    let mut high = 1.05 * zone;
+    while excess(high) < 0.0 || profile.line(high) < depth || excess(0.9 * high) > excess(high) {
+        high *= 1.1;
+        if !high.is_finite() {
+            return None;
+        }
+    }
+    let mut low = high;
+    while excess(low) > 0.0 {
+        low *= 0.97;
+        if low < zone {
+            return None;
+        }
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    Some(0.5 * (low + high))
+}

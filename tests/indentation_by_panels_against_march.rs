@@ -1,0 +1,140 @@
+//! Source: thesis chapter 4 by two methods of this crate: panels of the edge's path, and the march with its error bounds.
+//!
+//! Goal: on scenes nobody chose, the two agree within the bounds of both. Prints how much faster the panels are, and the scene furthest apart.
+//!
+//! ```text
+//!   retraction | approach, dwell, retraction | ramps to and fro | three cycles | ramps of the force     1 to 4 terms, β 3 … 100, δ/R 2e-3 … 2e-2
+//! ```
+//! Parameters: drawn from a fixed seed; `VISCOTACK_SCENES` draws more of them than the 20 of a usual run.
+//!
+//! Oracle: [`viscotack::indentation::run`] at 1e-4, which shares no code of the time integration. Tolerance: its bound plus that of the panels.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
+
+use std::time::Instant;
+use viscotack::Material;
+use viscotack::indentation::by_panels::{PanelOptions, solve_by_panels};
+use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, run};
+use viscotack::material::CreepTerm;
+
+/// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
+struct Draw(u64);
+
+impl Draw {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn ratio(&mut self, low: f64, high: f64) -> f64 {
+        (self.between(low.ln(), high.ln())).exp()
+    }
+}
+
+fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+    let stiffening = draw.ratio(3.0, 100.0);
+    let count = 1 + (draw.unit() * 4.0) as usize;
+    let weights: Vec<f64> = (0..count).map(|_| draw.between(0.2, 1.0)).collect();
+    let total: f64 = weights.iter().sum();
+    let slowest = draw.ratio(1.0, 100.0);
+    let terms: Vec<CreepTerm> = weights
+        .iter()
+        .enumerate()
+        .map(|(k, weight)| CreepTerm {
+            compliance: weight / total * (1.0 - 1.0 / stiffening),
+            retardation_time: slowest * 10.0_f64.powf(-1.2 * k as f64),
+        })
+        .collect();
+    let material = Material::from_creep(stiffening, &terms, None).unwrap();
+    let work = draw.ratio(1e-4, 8e-4);
+    let adhesion = Adhesion { work_of_adhesion: work, process_zone: draw.ratio(2e-3, 2e-2) };
+    let depth = draw.between(0.015, 0.035);
+    let speed = draw.ratio(1e-3, 1.0) / slowest;
+    let kind = (draw.unit() * 5.0) as usize;
+    let (name, history, relaxed) = match kind {
+        0 => ("retraction", History::penetration(depth).at_speed(-0.5 * depth, speed), true),
+        1 => {
+            ("approach", History::penetration(0.0).at_speed(depth, speed).hold(draw.unit() * slowest).at_speed(-0.5 * depth, speed), false)
+        }
+        2 => {
+            let mut history = History::penetration(depth);
+            for _ in 0..4 {
+                history = history.ramp(depth + draw.between(-0.15, 0.25) * depth, draw.between(0.1, 1.0) * slowest);
+            }
+            ("ramps", history, true)
+        }
+        3 => {
+            let frequency = draw.ratio(0.1, 3.0) / slowest;
+            let oscillation = Oscillation::steady(draw.between(0.02, 0.1) * depth, frequency);
+            ("cycles", History::penetration(depth).oscillate(oscillation, 3.0 / frequency), true)
+        }
+        _ => {
+            let pull = std::f64::consts::PI * work;
+            ("force", History::force(draw.unit() * pull).then(Controlled::Force, -1.2 * pull, draw.ratio(0.1, 10.0) * slowest), true)
+        }
+    };
+    let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history);
+    (name, material, IndentationProblem { instants_per_segment: 4, ..if relaxed { problem.relaxed() } else { problem } })
+}
+
+#[test]
+fn panels_and_march_agree_within_their_bounds() {
+    let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(20);
+    let mut draw = Draw(20_261_125);
+    let (mut ratios, mut failures, mut values) = (Vec::new(), Vec::new(), 0_u32);
+    let mut furthest = (0.0_f64, String::new());
+    for number in 0..scenes {
+        let (name, material, problem) = scene(&mut draw);
+        let clock = Instant::now();
+        let marched = match run(&material, &problem) {
+            Ok(marched) => marched,
+            Err(refusal) => {
+                println!("scene {number} ({name}): the march refuses: {refusal}");
+                continue;
+            }
+        };
+        let march_time = clock.elapsed().as_secs_f64();
+        let instants: Vec<f64> = marched.instants.iter().map(|instant| instant.time).collect();
+        let clock = Instant::now();
+        let panels = match solve_by_panels(&material, &problem, PanelOptions { degree: 5, tolerance: 1e-5 }, &instants) {
+            Ok(panels) => panels,
+            Err(refusal) => {
+                failures.push(format!("scene {number} ({name}): {refusal}"));
+                continue;
+            }
+        };
+        ratios.push(march_time / clock.elapsed().as_secs_f64());
+        let scale = marched.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
+        for (row, instant) in panels.wanted.iter().zip(&marched.instants) {
+            if instant.contact_radius.value <= 0.0 {
+                break;
+            }
+            let radius = (row.row.contact_radius - instant.contact_radius.value).abs();
+            let force = (row.row.force - instant.force.value).abs();
+            values += 2;
+            let excess = [
+                radius / (row.bound.contact_radius + instant.contact_radius.error + 1e-9 * instant.contact_radius.value),
+                force / (row.bound.force + instant.force.error + 1e-9 * scale),
+            ];
+            let worst = excess[0].max(excess[1]);
+            if worst > furthest.0 {
+                furthest = (worst, format!("scene {number} ({name}) at {:e}", instant.time));
+            }
+            if worst > 1.0 {
+                failures.push(format!("scene {number} ({name}), t = {:e}: {row:?} {instant:?}", instant.time));
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    println!(
+        "{} scenes, {values} values, time of the march over that of the panels: {:.1} in the median",
+        ratios.len(),
+        ratios[ratios.len() / 2]
+    );
+    println!("furthest: {:.2} of both bounds, {}", furthest.0, furthest.1);
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(ratios.len() * 10 >= scenes * 9, "nearly all scenes are compared");
+}
