@@ -132,18 +132,6 @@ impl Drive {
         }
         gained
     }
-
-    /// ∫₀^x Δ dx′.
-    pub(super) fn integral(&self, x: f64) -> f64 {
-        let y = x / self.duration;
-        let powers = self.powers[..self.used].iter().enumerate().rev();
-        let polynomial = powers.fold(0.0, |sum, (k, power)| (sum + power / (k as f64 + 2.0)) * y);
-        let wave = self.wave.map_or(0.0, |w| {
-            let half = 0.5 * w.pace * x;
-            w.amplitude * (2.0 * half.sin() * (w.phase + half).sin() / w.pace - x * w.phase.sin())
-        });
-        x * (self.start + polynomial) + wave
-    }
 }
 
 /// Σ w_k (part + left·y)^k as powers of y, without the constant.
@@ -202,7 +190,7 @@ impl Moment {
 }
 
 /// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards for large z, downwards from a series for small z.
-fn means(z: f64, kept: f64) -> [f64; DEGREE] {
+pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
     let mut values = [0.0; DEGREE];
     let top = DEGREE as f64;
     if z > top {

@@ -1,14 +1,14 @@
-//! Seventeen places of a stretch of the line, and what they tell between them.
+//! Places of a stretch of the line, and what they tell between them.
 //!
 //! Where the edge turned, states go with the root of the distance, on one side or on both. Along a stretch s = low + width·sin²(θ/2), so that a root at
-//! either end is smooth in θ, and a Chebyshev series in θ keeps it to rounding.
+//! either end is smooth in θ, and a Chebyshev series in θ keeps it to rounding: cos 2θ, of a parabola, leaves 2J_n(π), 1e-11 for 17 places and 5e-16 for 21.
 
 use crate::special::gauss_legendre::UNIT_RULE_20;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
 /// Places of a stretch, both ends among them.
-pub(super) const NODES: usize = 17;
+pub(super) const NODES: usize = 21;
 /// Coefficients whose size tells whether a series has ended.
 const TAIL: usize = 3;
 
@@ -19,8 +19,9 @@ pub(super) struct Grid {
     /// sin²(θ/2), and ξ = 2θ/π − 1.
     pub(super) parts: Nodal,
     xi: Nodal,
-    /// ∫ds over the width.
+    /// ∫ds over the width, and from its low end to each place.
     pub(super) weights: Nodal,
+    running: [Nodal; NODES],
     /// From values to the last coefficients of the series.
     tail: [Nodal; TAIL],
 }
@@ -37,16 +38,19 @@ impl Grid {
             k if k == last => 1.0,
             k => (0.25 * PI * (1.0 + xi[k])).sin().powi(2),
         });
-        let mut weights = [0.0; NODES];
-        for half in [-1.0, 0.0] {
+        let mut running = [[0.0; NODES]; NODES];
+        for k in 1..NODES {
+            running[k] = running[k - 1];
+            let gap = xi[k] - xi[k - 1];
             for &(node, weight) in UNIT_RULE_20.iter() {
-                let place = half + node;
-                let rise = FRAC_PI_2 * 0.5 * (FRAC_PI_2 * (1.0 + place)).sin() * weight;
-                for (sum, value) in weights.iter_mut().zip(basis(&xi, place)) {
+                let place = xi[k - 1] + gap * node;
+                let rise = 0.25 * PI * (FRAC_PI_2 * (1.0 + place)).sin() * gap * weight;
+                for (sum, value) in running[k].iter_mut().zip(basis(&xi, place)) {
                     *sum += rise * value;
                 }
             }
         }
+        let weights = running[last];
         let tail = std::array::from_fn(|row| {
             let order = last - row;
             std::array::from_fn(|k| {
@@ -56,7 +60,7 @@ impl Grid {
                 sign * 2.0 / last as f64 * end(k) * end(order) * (order as f64 * angle(k)).cos()
             })
         });
-        Self { parts, xi, weights, tail }
+        Self { parts, xi, weights, running, tail }
     }
 
     /// What each place weighs in the value at a distance from the low end and one from the high end.
@@ -65,7 +69,7 @@ impl Grid {
         basis(&self.xi, (theta / FRAC_PI_2 - 1.0).clamp(-1.0, 1.0))
     }
 
-    /// The zero of falling values, as the distance from the low end over the width; the values are ≥ 0 at the first place and < 0 at the last.
+    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last.
     pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
         let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
@@ -92,7 +96,17 @@ impl Grid {
                 side = -1;
             }
         }
-        (0.25 * PI * (1.0 + low)).sin().powi(2)
+        low
+    }
+
+    /// The distance from the low end over the width.
+    pub(super) fn part(&self, xi: f64) -> f64 {
+        (0.25 * PI * (1.0 + xi)).sin().powi(2)
+    }
+
+    /// ∫ of values over the width from the low end on.
+    pub(super) fn integral_to(&self, xi: f64, values: &Nodal) -> f64 {
+        basis(&self.xi, xi).iter().zip(&self.running).map(|(weight, row)| weight * dot(row, values)).sum()
     }
 
     /// The size of the last coefficients of a series.
@@ -146,8 +160,10 @@ mod tests {
         let exact = PI / 4.0 + 0.5 + 4.0 / 15.0;
         assert!((grid.integral(&values) - exact).abs() < 1e-13, "{}", grid.integral(&values) - exact);
         // The last coefficients are larger than what they leave out: they bound it.
-        assert!(grid.tail(&values) < 1e-10, "{}", grid.tail(&values));
+        assert!(grid.tail(&values) < 1e-12, "{}", grid.tail(&values));
         let falling = grid.parts.map(|part| 0.3 - part);
-        assert!((grid.falling_zero(&falling) - 0.3).abs() < 1e-15);
+        assert!((grid.part(grid.falling_zero(&falling)) - 0.3).abs() < 1e-15);
+        // ∫(0.3 − x)₊.
+        assert!((grid.integral_to(grid.falling_zero(&falling), &falling) - 0.045).abs() < 1e-15);
     }
 }

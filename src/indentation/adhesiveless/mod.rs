@@ -21,13 +21,21 @@
 //! Sources: Lee & Radok, J. Appl. Mech. 27 (1960) 438; Ting, J. Appl. Mech. 33 (1966) 845 and 35 (1968) 248; Graham, Int. J. Eng. Sci. 5 (1967) 495.
 
 mod chain;
-mod controls;
 mod course;
+mod cycles;
 mod drive;
 mod edge;
 mod fresh;
 mod grid;
+mod imposed;
+mod law;
 mod line;
+mod passing;
+mod points;
+mod rising;
+mod series;
 mod solve;
+mod state;
+mod times;
 
 pub(super) use solve::{course, solve, surface_at};
