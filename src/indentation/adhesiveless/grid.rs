@@ -75,13 +75,17 @@ impl Grid {
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
         let (mut above, mut below) = (values[next - 1], values[next]);
         let mut side = 0;
+        let rounding = 0.25 * f64::EPSILON * values[0].abs().max(values[NODES - 1].abs());
         for _ in 0..60 {
-            if above == 0.0 || high - low <= 4e-16 {
+            if above <= rounding || high - low <= 4e-16 {
                 break;
             }
             let chord = low + (high - low) * (above / (above - below));
             let place = if chord > low && chord < high { chord } else { 0.5 * (low + high) };
             let value = dot(&basis(&self.xi, place), values);
+            if value.abs() <= rounding {
+                return place;
+            }
             if value >= 0.0 {
                 (low, above) = (place, value);
                 if side == 1 {

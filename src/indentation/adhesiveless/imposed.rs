@@ -68,7 +68,7 @@ impl Course<'_> {
                 continue;
             }
             let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
-            let gone = if pulls { self.until(&given, at, |_, time| given.value(time) <= 0.0) } else { f64::INFINITY };
+            let gone = if pulls { self.until(&given, at, |_, time| time > at && given.value(time) <= 0.0) } else { f64::INFINITY };
             if gone - at <= nothing && (gone < whole || given.end() <= 0.0) {
                 self.time = start + gone;
                 self.let_go()?;
@@ -116,6 +116,7 @@ impl Course<'_> {
             let reach = rises.iter().fold(self.line.depth, |most, rise| most.max((start + rise).abs()));
             let (left, allowed) = (tail(&rises), (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach);
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
+            let (own, allowed) = (allowed, allowed.max(met.noise));
             if left > allowed {
                 if std::env::var("DBG").is_ok() { eprintln!("fail at {:.6e} len {length:.3e} left {left:.1e} allowed {allowed:.1e} way {:?} a {:.9e} met {:?} passes {:?} rises {rises:?}", self.time, met.way, self.line.radius(), met.places, law.passes(&met)); }
                 let rounding = left < MOST_NOISE * allowed && left > NO_BETTER * before;
@@ -125,12 +126,15 @@ impl Course<'_> {
                     length *= passed.unwrap_or_else(|| factor.clamp(SLOWEST, 0.7));
                     continue;
                 }
-                self.line.joined += left;
+                self.line.joined += left.min(own * MOST_NOISE);
             }
             let points: Vec<(f64, f64)> = places().into_iter().zip(rises).collect();
             let drive = Drive::through(start, length, &points);
             let (passed, ended) = self.line.follow(&drive, met.way, allowed)?;
             if std::env::var("DBG").is_ok() { eprintln!("at {:.12e} len {length:.3e} most {most:.3e} left {left:.1e} allowed {allowed:.1e} factor {factor:.2} passed {passed:.3e} {ended:?} a {:.9e} (met {:.9e}) D {:.12e} F {:.6e} target {:.6e} n {}", self.time, self.line.radius(), met.places[DEGREE-1], self.line.penetration, self.line.force(), target[DEGREE-1]/unit, self.line.contact.len()+self.line.free.len()); }
+            if let (Asked::Radius, Ended::Whole) = (asked, ended) {
+                self.line.put_edge(met.places[DEGREE - 1]);
+            }
             self.panel_length = (length * factor.clamp(SLOWEST, FASTEST)).max(2.0 * least);
             self.time += passed;
             match ended {
@@ -210,8 +214,8 @@ impl Course<'_> {
             return if open { Ok(()) } else { self.let_go() };
         } else if open && self.line.profile.rim().is_finite() {
             // All of a punch is touched at once: from where it touches.
-            self.line.leap(self.line.surface_after(0.0))?;
-            self.line.touch_rim()?;
+            self.line.went_to(self.line.surface_after(0.0));
+            self.line.touch_rim();
             return self.settle(controlled, value);
         } else {
             let law = Law::new(&self.line, &self.fresh, 0.0);
@@ -220,6 +224,9 @@ impl Course<'_> {
             met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
         };
         self.line.leap(depth)?;
+        if controlled == Controlled::ContactRadius {
+            self.line.put_edge(value);
+        }
         Ok(())
     }
 

@@ -40,6 +40,8 @@ pub(super) struct Met {
     pub(super) way: Way,
     pub(super) depths: Row,
     pub(super) places: Row,
+    /// What rounding leaves of Δ: a small contact carries little of what the whole surface remembers.
+    pub(super) noise: f64,
 }
 
 /// Parts of a duration at which its nodes lie.
@@ -116,7 +118,7 @@ impl<'l, 'a> Law<'l, 'a> {
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
             let Some(excess) = clear.filter(|_| !punch) else {
                 if !punch {
-                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE] }));
+                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], noise: 0.0 }));
                 }
                 return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
             };
@@ -137,7 +139,7 @@ impl<'l, 'a> Law<'l, 'a> {
             if a >= rim { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
         };
         let (kappa, places) = self.newton((of_force, of_depth), &right, from, reached).ok()??;
-        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places })
+        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, noise: 0.0 })
     }
 
     fn outwards(&self, outside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
@@ -147,24 +149,27 @@ impl<'l, 'a> Law<'l, 'a> {
         let under = self.fresh.integral(a);
         let now = a * line.penetration - under + strains.iter().sum::<f64>();
         let springs = line.whole_springs(&strains);
+        let remembered = f64::EPSILON * strains.iter().chain(&springs).map(|value| value.abs()).sum::<f64>();
         let left = |k: usize| -> f64 { self.recovered[k].iter().zip(&strains).map(|(kept, strain)| kept * strain).sum() };
         let history: Row = std::array::from_fn(|k| {
             let held = chain.maxwell.iter().zip(&self.kept[k]).zip(&springs);
             self.soft * now + held.map(|(((modulus, _), kept), spring)| modulus / chain.glassy * kept * spring).sum::<f64>()
         });
         let right = self.undone(&std::array::from_fn(|k| target[k] - of_force * history[k])).map(|value| of_force * now + value);
+        let [_, top] = line.known();
         let reached = |k: usize, level: f64| -> Result<Reached, Refusal> {
-            let mut reached = outside[k].reached(level);
-            let rim = line.profile.rim();
-            if reached.beyond && reached.place < rim {
-                let (from, to) = (reached.place, line.virgin_edge(level, reached.place)?);
-                let beyond = level * (to - from) - (self.fresh.integral(to) - self.fresh.integral(from));
+            // Trials may be deeper than a table tells: as if it ended in a cylinder.
+            let known = level.min(top);
+            let mut reached = outside[k].reached(known);
+            if reached.beyond && reached.place < line.profile.rim() {
+                let (from, to) = (reached.place, line.virgin_edge(known, reached.place)?);
+                let beyond = known * (to - from) - (self.fresh.integral(to) - self.fresh.integral(from));
                 reached = Reached { area: reached.area + beyond, place: to, beyond: false };
             }
-            Ok(Reached { area: a * level - under + left(k) + reached.area, ..reached })
+            let deeper = (level - known) * (reached.place - a).max(0.0);
+            Ok(Reached { area: a * level - under + left(k) + reached.area + deeper, ..reached })
         };
         // No lower than Δ is: a fresh contact on a surface that lies as deep everywhere as at the edge.
-        let [_, top] = line.known();
         let mut from = [0.0; DEGREE];
         for (k, level) in from.iter_mut().enumerate() {
             *level = if of_depth > 0.0 {
@@ -174,7 +179,11 @@ impl<'l, 'a> Law<'l, 'a> {
                 (lift + self.fresh.depth((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
             };
         }
-        Ok(self.newton((of_force, of_depth), &right, from, reached)?.map(|(depths, places)| Met { way: Way::Outwards, depths, places }))
+        let met = self.newton((of_force, of_depth), &right, from, reached)?;
+        if let Some(depth) = met.as_ref().and_then(|(depths, _)| depths.iter().find(|depth| **depth > top)) {
+            line.virgin_edge(*depth, a)?;
+        }
+        Ok(met.map(|(depths, places)| Met { way: Way::Outwards, depths, places, noise: remembered / places[0].max(f64::MIN_POSITIVE) }))
     }
 
     /// Newton's steps from above.
@@ -240,7 +249,7 @@ impl<'l, 'a> Law<'l, 'a> {
                 inside[k].value(own[k].min(a)).unwrap_or(0.0)
             };
         }
-        Ok(Met { way: if rising { Way::Outwards } else { Way::Inwards }, depths: if rising { level } else { self.depths_of(&level) }, places: own })
+        Ok(Met { way: if rising { Way::Outwards } else { Way::Inwards }, depths: if rising { level } else { self.depths_of(&level) }, places: own, noise: 0.0 })
     }
 
     /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
