@@ -189,6 +189,17 @@ impl Moment {
     }
 }
 
+/// 1/(DEGREE + m), m = 1…: divisions would take most of the time of a drive.
+const RECIPROCALS: [f64; 60] = {
+    let mut values = [0.0; 60];
+    let mut m = 0;
+    while m < 60 {
+        values[m] = 1.0 / (DEGREE + 1 + m) as f64;
+        m += 1;
+    }
+    values
+};
+
 /// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards for large z, downwards from a series for small z.
 pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
     let mut values = [0.0; DEGREE];
@@ -202,13 +213,13 @@ pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
         return values;
     }
     let (mut term, mut sum): (f64, f64) = (1.0, 0.0);
-    for m in 1..60 {
+    for over in RECIPROCALS {
         let next = sum + term;
         if next.to_bits() == sum.to_bits() {
             break;
         }
         sum = next;
-        term *= -z / (top + f64::from(m));
+        term *= -z * over;
     }
     for k in (0..DEGREE).rev() {
         values[k] = sum;

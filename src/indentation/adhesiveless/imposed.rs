@@ -11,8 +11,10 @@ use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
-/// Time before a contact is lost, or after it is found, that is none: over the shortest relaxation time and over what is left of the stretch.
+/// Time before a contact is lost that is none, over the shortest relaxation time and over the stretch.
 const NOTHING: f64 = 1e-10;
+/// The same after it is found, over what is left: what the strains miss of it goes with its square.
+const SOON: f64 = 1e-8;
 /// A panel over less than this part of the time that counts is not shortened further: what it leaves counts as unknown.
 const SHORTEST: f64 = 1e-13;
 /// Part of the way to a force that vanishes, growth and shrinkage of panels.
@@ -59,7 +61,7 @@ impl Course<'_> {
                 self.stay_open(controlled, &given, at, touch);
                 at = touch;
                 if at < whole {
-                    let soon = nothing.min(whole - at);
+                    let soon = SOON * (whole - at);
                     self.stay_open(controlled, &given, at, at + soon);
                     at += soon;
                     self.settle(controlled, given.value(at))?;
@@ -178,7 +180,7 @@ impl Course<'_> {
         let value = given.value(time);
         match controlled {
             Controlled::Force | Controlled::ContactRadius => value > 0.0,
-            Controlled::Frame | Controlled::Penetration => value > self.line.surface_after(time - since) + 2e-15 * self.line.depth,
+            Controlled::Frame | Controlled::Penetration => value > self.line.surface_after(time - since) + self.fineness.series.max(ROUNDING) * self.line.depth,
         }
     }
 
@@ -224,8 +226,11 @@ impl Course<'_> {
             met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
         };
         self.line.leap(depth)?;
-        if controlled == Controlled::ContactRadius {
-            self.line.put_edge(value);
+        match controlled {
+            Controlled::ContactRadius => self.line.put_edge(value),
+            // Nothing carries any more: the frame takes the indenter along.
+            Controlled::Frame if self.line.radius() == 0.0 => self.line.went_to(value),
+            _ => {}
         }
         Ok(())
     }

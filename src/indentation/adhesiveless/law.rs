@@ -24,6 +24,9 @@ type Square = [Row; DEGREE];
 const MOST_ITERATIONS: u32 = 200;
 /// An excess over what is imposed that tells the way of the edge.
 const CLEAR: f64 = 1e-13;
+/// Steps that no longer halve are rounding, if they are so small over the level, or so many times what is remembered.
+const STALLED: f64 = 1e-12;
+const MANY: f64 = 16.0;
 /// What rounding leaves of a level.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -138,7 +141,7 @@ impl<'l, 'a> Law<'l, 'a> {
             // All of a punch lets go at once.
             if a >= rim { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
         };
-        let (kappa, places) = self.newton((of_force, of_depth), &right, from, reached).ok()??;
+        let (kappa, places) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
         Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, noise: 0.0 })
     }
 
@@ -179,7 +182,7 @@ impl<'l, 'a> Law<'l, 'a> {
                 (lift + self.fresh.depth((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
             };
         }
-        let met = self.newton((of_force, of_depth), &right, from, reached)?;
+        let met = self.newton((of_force, of_depth), &right, from, remembered, reached)?;
         if let Some(depth) = met.as_ref().and_then(|(depths, _)| depths.iter().find(|depth| **depth > top)) {
             line.virgin_edge(*depth, a)?;
         }
@@ -192,6 +195,7 @@ impl<'l, 'a> Law<'l, 'a> {
         (of_force, of_depth): (f64, f64),
         right: &Row,
         mut level: Row,
+        remembered: f64,
         reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
     ) -> Result<Option<(Row, Row)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
@@ -220,7 +224,8 @@ impl<'l, 'a> Law<'l, 'a> {
             for (level, step) in level.iter_mut().zip(step) {
                 *level -= step;
             }
-            if size <= ROUNDING * whole || (size <= 1e-12 * whole && size >= 0.5 * last) {
+            let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
+            if size <= ROUNDING * whole || (size <= (STALLED * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
                 return Ok(Some((level, places)));
             }
             last = size;
