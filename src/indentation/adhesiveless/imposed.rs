@@ -21,6 +21,7 @@ const SHORTEST: f64 = 1e-13;
 const TOWARDS: f64 = 0.7;
 const FASTEST: f64 = 4.0;
 const SLOWEST: f64 = 0.25;
+const GROWTH: f64 = 1.5;
 /// A panel that is no better for being shorter leaves rounding; it is not believed to be so much over what is allowed.
 const NO_BETTER: f64 = 0.9;
 const MOST_NOISE: f64 = 300.0;
@@ -70,8 +71,8 @@ impl Course<'_> {
                 continue;
             }
             let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
-            let gone = if pulls { self.until(&given, at, |_, time| time > at && given.value(time) <= 0.0) } else { f64::INFINITY };
-            if gone - at <= nothing && (gone < whole || given.end() <= 0.0) {
+            let gone = if pulls { self.until(&given, at, |_, time| given.value(time) < 0.0 || (time > at && given.value(time) <= 0.0)) } else { f64::INFINITY };
+            if gone - at <= nothing.max(4.0 * f64::EPSILON * gone) && (gone < whole || given.end() <= 0.0) {
                 self.time = start + gone;
                 self.let_go()?;
                 self.lost();
@@ -107,7 +108,6 @@ impl Course<'_> {
             let met = law.met(asked, &target)?;
             let start = self.line.penetration;
             let Some(met) = met else {
-                if std::env::var("DBG").is_ok() { eprintln!("not met at {at:e} length {length:e} D {start:e} a {:e} target {target:?}", self.line.radius()); }
                 if length <= least {
                     return Err(Refusal::NotConverged { what: "a force or a frame", detail: format!("at t = {:e}", self.now()) });
                 }
@@ -120,7 +120,6 @@ impl Course<'_> {
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
             let (own, allowed) = (allowed, allowed.max(met.noise));
             if left > allowed {
-                if std::env::var("DBG").is_ok() { eprintln!("fail at {:.6e} len {length:.3e} left {left:.1e} allowed {allowed:.1e} way {:?} a {:.9e} met {:?} passes {:?} rises {rises:?}", self.time, met.way, self.line.radius(), met.places, law.passes(&met)); }
                 let rounding = left < MOST_NOISE * allowed && left > NO_BETTER * before;
                 before = left;
                 if length > least && !rounding {
@@ -133,11 +132,10 @@ impl Course<'_> {
             let points: Vec<(f64, f64)> = places().into_iter().zip(rises).collect();
             let drive = Drive::through(start, length, &points);
             let (passed, ended) = self.line.follow(&drive, met.way, allowed)?;
-            if std::env::var("DBG").is_ok() { eprintln!("at {:.12e} len {length:.3e} most {most:.3e} left {left:.1e} allowed {allowed:.1e} factor {factor:.2} passed {passed:.3e} {ended:?} a {:.9e} (met {:.9e}) D {:.12e} F {:.6e} target {:.6e} n {}", self.time, self.line.radius(), met.places[DEGREE-1], self.line.penetration, self.line.force(), target[DEGREE-1]/unit, self.line.contact.len()+self.line.free.len()); }
             if let (Asked::Radius, Ended::Whole) = (asked, ended) {
                 self.line.put_edge(met.places[DEGREE - 1]);
             }
-            self.panel_length = (length * factor.clamp(SLOWEST, FASTEST)).max(2.0 * least);
+            self.panel_length = (length * factor.clamp(if before.is_finite() { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
             match ended {
                 Ended::Whole => {}
