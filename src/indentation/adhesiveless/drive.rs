@@ -85,6 +85,26 @@ impl Drive {
         slope / self.duration + self.wave.map_or(0.0, |w| w.amplitude * w.pace * (w.phase + w.pace * x).cos())
     }
 
+    /// What a slow term gains, as powers of the time: u′ = Δ′ − (T/ρ)u.
+    fn series(&self, rho: f64) -> Option<Series> {
+        let z = self.duration / rho;
+        if self.used == 1 || self.wave.is_some() || z > SLOW {
+            return None;
+        }
+        let (mut powers, mut last) = ([0.0; LONGEST_SERIES], 0.0);
+        let mut used = LONGEST_SERIES;
+        for (k, power) in powers.iter_mut().enumerate() {
+            let order = (k + 1) as f64;
+            last = self.powers.get(k).copied().unwrap_or(0.0) - z * last / order;
+            *power = last;
+            if k >= self.used && last.abs() <= f64::EPSILON * f64::EPSILON * self.start.abs().max(self.powers[0].abs()) {
+                used = k;
+                break;
+            }
+        }
+        Some((powers, used))
+    }
+
     pub(super) fn end(&self) -> f64 {
         self.value(self.duration)
     }
@@ -159,7 +179,16 @@ pub(super) struct Moment {
     pub(super) gained: Vec<f64>,
     /// e^{−x/τ_j}.
     pub(super) recovered: Vec<f64>,
+    /// The drive that it is of, and what slow terms gain along it as powers of the time; none of other terms.
+    of: Option<Drive>,
+    series: Vec<Option<Series>>,
 }
+
+/// What a term gains along a polynomial, as powers 1… of the time.
+type Series = ([f64; LONGEST_SERIES], usize);
+const LONGEST_SERIES: usize = 36;
+/// Longest drive, over the time of a term, of which a series is of use.
+const SLOW: f64 = 2.0;
 
 impl Moment {
     pub(super) fn new(chain: &Chain, drive: &Drive, x: f64) -> Self {
@@ -179,12 +208,21 @@ impl Moment {
     /// For points that are in contact until then.
     pub(super) fn set(&mut self, chain: &Chain, drive: &Drive, x: f64) {
         (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
+        if self.of.as_ref() != Some(drive) {
+            self.of = Some(*drive);
+            self.series.clear();
+            self.series.extend(chain.maxwell.iter().map(|&(_, rho)| drive.series(rho)));
+        }
         self.kept.clear();
         self.gained.clear();
-        for &(_, rho) in &chain.maxwell {
+        let y = x / drive.duration;
+        for (&(_, rho), series) in chain.maxwell.iter().zip(&self.series) {
             let kept = (-x / rho).exp();
             self.kept.push(kept);
-            self.gained.push(drive.gained(rho, x, kept));
+            self.gained.push(match series {
+                Some((powers, used)) => powers.iter().take(*used).rev().fold(0.0, |sum, power| (sum + power) * y),
+                None => drive.gained(rho, x, kept),
+            });
         }
     }
 }
