@@ -1396,13 +1396,18 @@ class History:
     def _float(self, length):
         """Nothing holds the indenter for a while."""
         contact = self.contact
-        away = -1.0 - 10.0 * abs(contact.largest)
         contact.pieces.append(Jump(self.solid, contact.time, contact.depth, contact.depth, contact.memory))
         if length > 0.0:
             piece = Straight(self.solid, contact.time, length, contact.depth, contact.depth, contact.memory)
             self.afloat.add(len(contact.pieces))
             contact.pieces.append(piece)
             contact.memory, contact.time = piece.end_memory, piece.start + LONG(length)
+        # The surface comes up to it and takes it along.
+        surface = self._surface()
+        if surface < contact.depth:
+            contact.pieces.append(Jump(self.solid, contact.time, contact.depth, surface, contact.memory))
+            contact.memory, contact.depth = contact.memory + (surface - contact.depth), surface
+            self.afloat.add(len(contact.pieces) - 1)
 
     def _surface(self):
         """Where the free surface is under the tip."""

@@ -180,12 +180,12 @@ pub(super) struct Moment {
     /// e^{−x/τ_j}.
     pub(super) recovered: Vec<f64>,
     /// The drive that it is of, and what slow terms gain along it as powers of the time; none of other terms.
-    of: Option<Drive>,
-    series: Vec<Option<Series>>,
+    pub(super) of: Option<Drive>,
+    pub(super) series: Vec<Option<Series>>,
 }
 
 /// What a term gains along a polynomial, as powers 1… of the time.
-type Series = ([f64; LONGEST_SERIES], usize);
+pub(super) type Series = ([f64; LONGEST_SERIES], usize);
 const LONGEST_SERIES: usize = 36;
 /// Longest drive, over the time of a term, of which a series is of use.
 const SLOW: f64 = 2.0;
