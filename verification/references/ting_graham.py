@@ -937,10 +937,18 @@ class Contact:
                     touching, count = True, number + (run.way > 0)
                     break
             edges[k], contact[k], runs[k] = edge, touching, count
-        for k in np.flatnonzero(active >= 0):
-            run = self.runs[active[k]]
-            if run.path is not None:
-                edges[k], active[k] = float(run.path(np.array([x[k]]))[0]), -1
+        led = np.array([k for k in np.flatnonzero(active >= 0) if self.runs[active[k]].path is not None], dtype=int)
+        if len(led):
+            # A path is a polynomial, good to its collocation: near it the place that just carries or is just met.
+            numbers, rows = active[led].copy(), index[led]
+            edges[led] = [float(self.runs[number].path(np.array([t]))[0]) for number, t in zip(numbers, x[led])]
+            low, high = edges[led] * (1.0 - 1e-4), edges[led] * (1.0 + 1e-4)
+            ends = [self._passed(h, numbers, rows, x[led]) for h in (low, high)]
+            fine = np.flatnonzero(ends[0] * ends[1] < 0.0)
+            if len(fine):
+                value = lambda h: self._passed(h, numbers[fine], rows[fine], x[led][fine])
+                edges[led[fine]] = bracketed(value, low[fine], high[fine], ends[0][fine], ends[1][fine], iterations=40)
+            active[led] = -1
         moving = np.flatnonzero(active >= 0)
         if len(moving):
             edges[moving] = self._moving_edges(active[moving], index[moving], x[moving])
@@ -956,22 +964,21 @@ class Contact:
             times = np.concatenate([[run.first], run.times, [run.last]])
             place = int(np.clip(np.searchsorted(times, x[k], side="right") - 1, 0, len(h) - 2))
             low[k], high[k] = h[max(place - 1, 0)], h[min(place + 2, len(h) - 1)]
+        return bracketed(lambda h: self._passed(h, numbers, index, x), low, high, iterations=40)
+
+    def _passed(self, h, numbers, index, x):
+        """Positive where the edge has not come by in runs under way: q inwards, the gap outwards."""
         ways = np.array([self.runs[number].way for number in numbers])
-
-        def value(h):
-            # Positive where the edge has not come by.
-            places = self.places(h, numbers)
-            found = np.zeros(len(h))
-            for piece in np.unique(index):
-                for way in (-1, 1):
-                    rows = np.flatnonzero((index == piece) & (ways == way))
-                    if len(rows):
-                        part = self._some(places, rows)
-                        of = self.load if way < 0 else self.gap
-                        found[rows] = of(part, self.pieces[piece], x[rows])
-            return found
-
-        return bracketed(value, low, high, iterations=40)
+        places = self.places(h, numbers)
+        found = np.zeros(len(h))
+        for piece in np.unique(index):
+            for way in (-1, 1):
+                rows = np.flatnonzero((index == piece) & (ways == way))
+                if len(rows):
+                    part = self._some(places, rows)
+                    of = self.load if way < 0 else self.gap
+                    found[rows] = of(part, self.pieces[piece], x[rows])
+        return found
 
     def forces(self, index, x, edges=None):
         """Forces at times of pieces, with errors of the quadrature."""
@@ -1724,6 +1731,8 @@ class History:
                 contact.jump(contact.depth - q / solid.glassy)
             else:
                 contact.jump(float(self._free(places, moment, np.zeros((1, 1)))[0, 0]))
+            if abs(contact.edge - h) > 1e-6 * max(h, contact.edge):
+                raise NotImplementedError("a step of the radius of a contact that carries nothing any more")
             return
         if quantity == "force" and value <= 0.0:
             if not contact.open:
