@@ -1,8 +1,6 @@
 //! One course through a history: the stretches of the history, the instants to keep, cycles, events and energies.
 
 use super::chain::Chain;
-use super::drive::{Drive, Wave};
-use super::edge::Ended;
 use super::fresh::Fresh;
 use super::line::Line;
 use crate::indentation::checkpoint::Watch;
@@ -13,15 +11,9 @@ use crate::indentation::record::Record;
 use crate::indentation::solution::{Event, EventKind, PathPoint, Trace};
 use crate::indentation::stretch::{Stretch, part, weight};
 use crate::refusal::Refusal;
-use std::f64::consts::TAU;
 
-/// Turns and losses of one drive, at most.
-const MOST_TURNS: u32 = 100_000;
 /// Relative change of a rate that is no corner.
 const SAME_PACE: f64 = 1e-9;
-/// Longest time of one drive of an oscillation (cycles), and of one whose frequency changes.
-const LONGEST_OF_CYCLE: f64 = 0.25;
-const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
@@ -267,57 +259,5 @@ impl<'a> Course<'a> {
         }
         self.point(false);
         Ok(())
-    }
-
-    /// The next part of a stretch, as a drive of its own quantity.
-    pub(super) fn drive(&self, stretch: &Stretch, target: f64) -> Drive {
-        let from = self.time;
-        let Some(oscillation) = stretch.segment.oscillation else {
-            return Drive::straight(stretch.value(from), stretch.value(target), target - from);
-        };
-        let duration = stretch.segment.duration;
-        let swept = oscillation.frequency.to_bits() != oscillation.end_frequency.to_bits();
-        let longest = if swept { LONGEST_OF_SWEEP } else { LONGEST_OF_CYCLE } / oscillation.frequency_at(from, duration);
-        let target = if from + longest < target { from + longest } else { target };
-        if swept {
-            return Drive::fitted(stretch.value(from), target - from, |time| stretch.value(from + time));
-        }
-        let cycles = oscillation.cycles_at(from, duration);
-        let phase = TAU * (cycles - cycles.round());
-        let mean = |time: f64| stretch.from + (stretch.segment.end - stretch.from) * (time / duration);
-        let wave = Wave { amplitude: oscillation.amplitude, pace: TAU * oscillation.frequency, phase };
-        let start = stretch.value(from);
-        Drive::straight(start, start + (mean(target) - mean(from)), target - from).with_wave(wave)
-    }
-
-    /// Goes along a drive of the penetration.
-    pub(super) fn along(&mut self, drive: &Drive) -> Result<(), Refusal> {
-        let end = self.time + drive.duration;
-        let mut drive = *drive;
-        if drive.start.to_bits() != self.line.penetration.to_bits() {
-            self.line.leap(drive.start)?;
-        }
-        for _ in 0..MOST_TURNS {
-            self.evaluations += 1;
-            let (time, ended) = self.line.go(&drive)?;
-            if ended == Ended::Whole {
-                self.time = end;
-                return Ok(());
-            }
-            let rest = drive.duration - time;
-            self.time = if rest > 0.0 { end - rest } else { end };
-            if ended == Ended::Lost {
-                self.lost()
-            } else {
-                self.turned()
-            }
-            if rest <= 4.0 * f64::EPSILON * drive.duration {
-                self.line.leap(drive.end())?;
-                self.time = end;
-                return Ok(());
-            }
-            drive = drive.rest(time);
-        }
-        Err(Refusal::NotConverged { what: "the edge", detail: format!("turns again and again at t = {:e}", self.now()) })
     }
 }

@@ -5,7 +5,7 @@
 use super::drive::{Drive, Moment};
 use super::grid::{GRID, NODES};
 use super::line::Line;
-use super::times::leaving;
+use super::times::{leaving, touching};
 use crate::refusal::Refusal;
 
 /// S that rounding leaves, over the depth.
@@ -18,6 +18,9 @@ const SHORTEST: f64 = 0.05;
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
 
+/// Part of a stretch of time after whose start a touch is at its start.
+const AT_ONCE: f64 = 1e-9;
+
 /// What ended a stretch of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ended {
@@ -27,6 +30,8 @@ pub(super) enum Ended {
     Turned,
     /// The contact was lost, at this instant.
     Lost,
+    /// It was found.
+    Touched,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -148,6 +153,13 @@ impl Line<'_> {
                     continue;
                 }
                 way = Some(if inwards > outwards { Way::Inwards } else { Way::Outwards });
+                if self.radius() == 0.0 {
+                    let touch = self.touched_at(drive, &mut moment);
+                    if touch > AT_ONCE * drive.duration {
+                        self.pass_nothing(&drive.until(touch));
+                        return Ok((touch, Ended::Touched));
+                    }
+                }
             }
             let Some(heading) = way else { continue };
             let place = self.edge_after(&moment, heading)?;
@@ -159,7 +171,7 @@ impl Line<'_> {
             };
             let turned = match place {
                 None => false,
-                Some(place) if heading == Way::Outwards && place >= self.profile.rim() => false,
+                Some(place) if place >= self.profile.rim() => false,
                 Some(place) => wrong(self.rate_at(place, &moment, heading)),
             };
             if turned {
@@ -208,6 +220,15 @@ impl Line<'_> {
         stretch.at(stretch.low, &mut state);
         let mut moment = Moment::default();
         leaving(self, drive, stretch.heights[0], &state, by, by, &mut moment)
+    }
+
+    /// When the chain on the axis is touched.
+    fn touched_at(&self, drive: &Drive, moment: &mut Moment) -> f64 {
+        let mut state = vec![0.0; self.chain.terms()];
+        if let Some(stretch) = self.free.first() {
+            stretch.at(0.0, &mut state);
+        }
+        touching(self, drive, self.profile.line(0.0), &state, 0.0, moment)
     }
 
     /// When, between two times, the edge turns: where dS/dt at the edge vanishes.

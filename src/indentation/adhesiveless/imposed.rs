@@ -71,8 +71,12 @@ impl Course<'_> {
                 continue;
             }
             let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
-            let gone = if pulls { self.until(&given, at, |_, time| given.value(time) < 0.0 || (time > at && given.value(time) <= 0.0)) } else { f64::INFINITY };
-            if gone - at <= nothing.max(4.0 * f64::EPSILON * gone) && (gone < whole || given.end() <= 0.0) {
+            let gone = if pulls {
+                self.until(&given, at, |_, time| given.value(time) < 0.0 || (time > at && given.value(time) <= 0.0))
+            } else {
+                f64::INFINITY
+            };
+            if pulls && gone - at <= nothing.max(4.0 * f64::EPSILON * gone) && (gone < whole || given.end() <= 0.0) {
                 self.time = start + gone;
                 self.let_go()?;
                 self.lost();
@@ -116,7 +120,10 @@ impl Course<'_> {
             };
             let rises = met.depths.map(|depth| depth - start);
             let reach = rises.iter().fold(self.line.depth, |most, rise| most.max((start + rise).abs()));
-            let (left, allowed) = (tail(&rises), (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach);
+            let (left, allowed) = (
+                tail(&rises),
+                (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach,
+            );
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
             let (own, allowed) = (allowed, allowed.max(met.noise));
             if left > allowed {
@@ -138,7 +145,7 @@ impl Course<'_> {
             self.panel_length = (length * factor.clamp(if before.is_finite() { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
             match ended {
-                Ended::Whole => {}
+                Ended::Whole | Ended::Touched => {}
                 Ended::Lost => self.lost(),
                 Ended::Turned => self.turned(),
             }
@@ -178,7 +185,9 @@ impl Course<'_> {
         let value = given.value(time);
         match controlled {
             Controlled::Force | Controlled::ContactRadius => value > 0.0,
-            Controlled::Frame | Controlled::Penetration => value > self.line.surface_after(time - since) + self.fineness.series.max(ROUNDING) * self.line.depth,
+            Controlled::Frame | Controlled::Penetration => {
+                value > self.line.surface_after(time - since) + self.fineness.series.max(ROUNDING) * self.line.depth
+            }
         }
     }
 
@@ -208,7 +217,9 @@ impl Course<'_> {
         let (asked, unit) = self.asked(controlled);
         let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
         let open = self.line.radius() == 0.0;
-        let depth = if controlled == Controlled::Penetration || (open && controlled == Controlled::Frame && value <= self.line.surface_after(0.0)) {
+        let depth = if controlled == Controlled::Penetration
+            || (open && controlled == Controlled::Frame && value <= self.line.surface_after(0.0))
+        {
             value
         } else if pulls && value <= 0.0 {
             return if open { Ok(()) } else { self.let_go() };

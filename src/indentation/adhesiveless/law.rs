@@ -34,7 +34,10 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 #[derive(Clone, Copy)]
 pub(super) enum Asked {
     /// c_F F/2E∞* + c_D Δ.
-    Load { of_force: f64, of_depth: f64 },
+    Load {
+        of_force: f64,
+        of_depth: f64,
+    },
     Radius,
 }
 
@@ -254,7 +257,12 @@ impl<'l, 'a> Law<'l, 'a> {
                 inside[k].value(own[k].min(a)).unwrap_or(0.0)
             };
         }
-        Ok(Met { way: if rising { Way::Outwards } else { Way::Inwards }, depths: if rising { level } else { self.depths_of(&level) }, places: own, noise: 0.0 })
+        Ok(Met {
+            way: if rising { Way::Outwards } else { Way::Inwards },
+            depths: if rising { level } else { self.depths_of(&level) },
+            places: own,
+            noise: 0.0,
+        })
     }
 
     /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
@@ -263,7 +271,11 @@ impl<'l, 'a> Law<'l, 'a> {
         let end = met.places[DEGREE - 1];
         let (inside, outside) = (self.line.holding(&self.kept[0]), self.line.surfaces(&self.recovered[0]));
         let knots = self.fresh.knots(a, end);
-        let first = inside.borders(a, end).chain(outside.borders(a, end)).chain(knots).min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
+        let first = inside
+            .borders(a, end)
+            .chain(outside.borders(a, end))
+            .chain(knots)
+            .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
         let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
         let way = Drive::through(a, 1.0, &points);
         let (mut low, mut high) = (0.0, 1.0);

@@ -87,7 +87,8 @@ impl Line<'_> {
     /// What κ = ΣE_i(all that Δ has done)/E∞* must exceed for a place in contact to press: E0/E∞*·f − ΣE_i/E∞* u_i e^{−t/ρ_i}.
     pub(super) fn holding(&self, kept: &[f64]) -> Rising {
         let soft = self.chain.relaxed / self.chain.glassy;
-        let weights: Vec<f64> = self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect();
+        let weights: Vec<f64> =
+            self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect();
         Rising::new(0.0, self.contact.iter().map(|stretch| (stretch.low, stretch.width(), stretch.weighted(soft, &weights))))
     }
 
