@@ -75,7 +75,7 @@ impl Course<'_> {
                 }
                 Ended::Turned => self.turned(),
                 Ended::Lost => {
-                    if let Some(before) = before.filter(|_| touches < MOST_TOUCHES) {
+                    if let Some(before) = before.filter(|_| time > 0.0 && touches < MOST_TOUCHES) {
                         self.line = before;
                         self.time = end - drive.duration;
                         self.towards_loss(&drive.until(time))?;
