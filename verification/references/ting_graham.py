@@ -1260,8 +1260,8 @@ class History:
     # ---- other quantities: at each instant an equation for the level of the penetration (Graham)
 
     NODES = 13
-    TAIL = 1e-10
-    SHORTEST = 1e-8
+    TAIL = 1e-12
+    SHORTEST = 1e-10
     TOWARDS_END = 0.36
 
     def _breaks(self, low, high):

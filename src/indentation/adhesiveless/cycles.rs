@@ -6,6 +6,8 @@ use crate::indentation::stretch::Stretch;
 
 /// Instants between which the power is added up: the first over the shortest relaxation time.
 const FIRST_OF_LEDGER: f64 = 0.02;
+/// Even ones between two instants that are kept, at least.
+const FEWEST: u32 = 4;
 /// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
 const REPEATED: f64 = 1e-5;
 /// Change of a cycle over the depth that is rounding.
@@ -64,8 +66,9 @@ impl<'a> Course<'a> {
             }
         } else if self.problem.energies && self.until.is_infinite() {
             let (ratio, even) = self.fineness.ledger;
+            let even = (even / self.problem.instants_per_segment.max(1)).max(FEWEST);
             let mut way = FIRST_OF_LEDGER * self.chain.shortest_time().min(target - self.time);
-            while self.time + way < target {
+            while self.recent.len() <= 1 && self.time + way < target {
                 times.push(self.time + way);
                 way *= ratio;
             }

@@ -125,26 +125,35 @@ impl Grid {
 }
 
 pub(super) fn dot(weights: &Nodal, values: &[f64]) -> f64 {
-    weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
+    // Three sums at a time: one waits for itself.
+    let mut sums = [0.0; 3];
+    for (weights, values) in weights.chunks_exact(3).zip(values.chunks_exact(3)) {
+        for ((sum, weight), value) in sums.iter_mut().zip(weights).zip(values) {
+            *sum += weight * value;
+        }
+    }
+    sums[0] + sums[1] + sums[2]
 }
 
-/// Lagrange's polynomials at a place, by the barycentric formula of Chebyshev's points with both ends.
-fn basis(xi: &Nodal, place: f64) -> Nodal {
-    let mut values = [0.0; NODES];
-    let mut sum = 0.0;
-    for (k, (value, node)) in values.iter_mut().zip(xi).enumerate() {
-        let distance = place - node;
-        if distance == 0.0 {
-            let mut unit = [0.0; NODES];
-            unit[k] = 1.0;
-            return unit;
-        }
-        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let end = if k == 0 || k == NODES - 1 { 0.5 } else { 1.0 };
-        *value = sign * end / distance;
-        sum += *value;
+/// Weights of the barycentric formula of Chebyshev's points with both ends.
+const BARYCENTRIC: Nodal = {
+    let mut weights = [1.0; NODES];
+    let mut k = 0;
+    while k < NODES {
+        weights[k] = if k % 2 == 0 { 1.0 } else { -1.0 } * if k == 0 || k + 1 == NODES { 0.5 } else { 1.0 };
+        k += 1;
     }
-    values.map(|value| value / sum)
+    weights
+};
+
+/// Lagrange's polynomials at a place.
+fn basis(xi: &Nodal, place: f64) -> Nodal {
+    let values: Nodal = std::array::from_fn(|k| BARYCENTRIC[k] / (place - xi[k]));
+    let over = values.iter().sum::<f64>().recip();
+    if over == 0.0 || !over.is_finite() {
+        return std::array::from_fn(|k| if place.total_cmp(&xi[k]).is_eq() { 1.0 } else { 0.0 });
+    }
+    values.map(|value| value * over)
 }
 
 #[cfg(test)]
