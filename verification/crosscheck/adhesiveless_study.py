@@ -234,7 +234,7 @@ def judge_events(right, rows):
         if kind is None:
             wrong.append(f"an event {word} at {t:.6g}")
             continue
-        near = min((abs(t - own) for of, own in events if of == kind), default=math.inf)
+        near = min((abs(t - own) for of, own in right["events"] if of == kind), default=math.inf)
         if near > bound + (ROUNDING + right["own"]) * end:
             wrong.append(f"{word} at {t:.9g} ± {bound:.1e}; the nearest that is right is {near:.2e} away")
     given = [t for word, t, _ in found if word in ENDS]
