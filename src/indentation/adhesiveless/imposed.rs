@@ -5,7 +5,8 @@
 use super::course::Course;
 use super::drive::{DEGREE, Drive};
 use super::edge::Ended;
-use super::law::{Asked, Law, Row, places};
+use super::law::{Asked, Law, places};
+use super::linear::Row;
 use crate::indentation::history::Controlled;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;

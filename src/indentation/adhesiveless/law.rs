@@ -13,13 +13,10 @@ use super::drive::{DEGREE, Drive, means};
 use super::edge::Way;
 use super::fresh::Fresh;
 use super::line::Line;
+use super::linear::{Row, Square, solved};
 use super::rising::{Reached, Rising};
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
-
-/// A number for each node but the first, which is the start.
-pub(super) type Row = [f64; DEGREE];
-type Square = [Row; DEGREE];
 
 const MOST_ITERATIONS: u32 = 200;
 /// An excess over what is imposed that tells the way of the edge.
@@ -285,28 +282,4 @@ impl<'l, 'a> Law<'l, 'a> {
         }
         Some(high)
     }
-}
-
-/// Gauss' elimination with the largest pivots of each column.
-fn solved(mut matrix: Square, mut right: Row) -> Row {
-    for k in 0..DEGREE {
-        let pivot = (k..DEGREE).max_by(|one, other| matrix[*one][k].abs().total_cmp(&matrix[*other][k].abs())).unwrap_or(k);
-        matrix.swap(k, pivot);
-        right.swap(k, pivot);
-        let own = matrix[k];
-        for row in k + 1..DEGREE {
-            let factor = matrix[row][k] / own[k];
-            for l in k..DEGREE {
-                matrix[row][l] -= factor * own[l];
-            }
-            right[row] -= factor * right[k];
-        }
-    }
-    for k in (0..DEGREE).rev() {
-        for l in k + 1..DEGREE {
-            right[k] -= matrix[k][l] * right[l];
-        }
-        right[k] /= matrix[k][k];
-    }
-    right
 }

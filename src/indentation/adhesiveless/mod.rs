@@ -29,6 +29,7 @@ mod grid;
 mod imposed;
 mod law;
 mod line;
+mod linear;
 mod motions;
 mod passing;
 mod points;
