@@ -84,9 +84,6 @@ fn cases() -> Vec<(&'static str, IndentationProblem)> {
         frame_stiffness: Some(0.7),
         ..problem(Controlled::Frame, 0.0, vec![ramp(Controlled::Frame, 0.05, 1.0), ramp(Controlled::Frame, -0.2, 3.0)])
     };
-    // A given penetration without adhesion is not marched.
-    let of_frame = [0.03, -0.01, 0.02].map(|end| ramp(Controlled::Frame, end, 1.0)).to_vec();
-    let bare = IndentationProblem { adhesion: None, frame_stiffness: Some(0.7), ..problem(Controlled::Frame, 0.0, of_frame) };
     let again = problem(depth, 0.0, vec![ramp(depth, 0.01, 0.5), ramp(depth, -0.15, 0.5), ramp(depth, 0.02, 1.0)]);
     let cycles = problem(depth, 0.0, vec![ramp(depth, 0.03, 1.0), swings(depth, 0.03, 0.004, 2.0, 3.0, false)]);
     let settled = IndentationProblem {
@@ -112,7 +109,6 @@ fn cases() -> Vec<(&'static str, IndentationProblem)> {
         ("with energies", energies),
         ("forces, one at once", pressed),
         ("a frame", frame),
-        ("without adhesion", bare),
         ("touched again", again),
         ("cycles", cycles),
         ("cycles until stationary", settled),

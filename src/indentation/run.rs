@@ -44,6 +44,12 @@ pub fn run_watched(
 ) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
     if problem.is_without_steps() {
+        if from.is_some() {
+            return Err(Refusal::Undefined {
+                quantity: "a checkpoint of a contact without adhesion",
+                reason: "it takes seconds and is solved from its start: run it without --resume".into(),
+            });
+        }
         return super::adhesiveless::solve(material, problem, watch);
     }
     let mut finished = 0;

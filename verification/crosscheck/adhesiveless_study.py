@@ -5,7 +5,7 @@
     verification/crosscheck/adhesiveless_study.py --full            10 000 scenes (seed 2)
     verification/crosscheck/adhesiveless_study.py --only SEED NUMBER  one of them, row by row
 
-    --scenes N, --seed S, --from N, --binary PATH, --save FOLDER (scenes that disagree), --jobs N
+    --scenes N, --seed S, --from N, --binary PATH, --save FOLDER (scenes that disagree), --jobs N, --truths FOLDER (what is right, kept), --no-runs
 """
 
 import argparse
@@ -20,6 +20,8 @@ import subprocess
 import sys
 import tempfile
 import time
+import traceback
+import zlib
 
 import numpy as np
 
@@ -27,6 +29,7 @@ import tools
 
 sys.path.insert(0, tools.REFERENCES)
 
+import adhesiveless_scenes
 import ting_graham
 from adhesiveless_scenes import Draw
 
@@ -141,95 +144,102 @@ def run(scene, binary, folder):
         return {}, done.returncode, seconds, done.stderr
 
 
-def judge(scene, summary, code, message, detail=None):
-    """What is wrong, a sentence each, and (name, bound, difference, scale) of every value compared."""
+def truth(scene):
+    """What is right at every instant that the scene asks for, and every event: numbers alone, of the independent program alone."""
     history, expected = judged_history(scene)
+    positions = [position for _, position in expected]
+    depth, force, radius, error, edges = history.values(positions)
+    events = [("end" if event[0] == "detachment" else "begin", history.time_of(event[1], event[2])) for event in history.contact.events]
+    # An open indenter under a force is nowhere.
+    afloat = [bool(not held and history.floating(position)) for held, position in zip(edges[1], positions)]
+    return dict(time=[time for time, _ in expected], penetration=depth.tolist(), force=force.tolist(), contact_radius=radius.tolist(), of_force=error.tolist(),
+                afloat=afloat, events=events, end=history.time_of(*history.now()), own=history.tolerance("force"))
+
+
+def judge(scene, right, summary, code, message, detail=None):
+    """What is wrong, a sentence each, and (name, bound, difference, scale) of every value compared."""
     if not summary:
-        return [f"refused, exit {code}: {first_line(message)}"], [], history
-    wrong, compared = [], []
+        return [f"refused, exit {code}: {first_line(message)}"], []
     if code not in (0, 4):
         reason = next((row.get("reason") for row in summary["results"] if row.get("reason")), "")
-        return [f"refused, exit {code}: {reason or first_line(message)}"], [], history
+        return [f"refused, exit {code}: {reason or first_line(message)}"], []
     rows = summary["results"]
     if not rows:
-        return [f"{summary['rows']['total']} rows: more than the summary holds"], [], history
+        return [f"{summary['rows']['total']} rows: more than the summary holds"], []
     bad = [row for row in rows if row["status"] not in ("solved", "inaccurate")]
     if bad:
-        return [f"{bad[0]['status']}: {bad[0].get('reason')}"], [], history
-    force_unit = 1.0 if scene["si"] else math.pi
-    end = history.time_of(*history.now())
-    positions, picked, next_expected = [], [], 0
-    for row in rows:
-        if row["row"] != "instant":
-            continue
-        t = row["values"]["time"]["value"]
-        position = None
-        if next_expected < len(expected) and abs(t - expected[next_expected][0]) <= 1e-11 * end + 1e-9 * t * (len(expected) > 0) * 0.0:
-            position = expected[next_expected][1]
-            next_expected += 1
-        else:
-            position = history.at_time(t)
-        positions.append(position)
-        picked.append(row)
-    if next_expected < len(expected):
-        wrong.append(f"{len(expected) - next_expected} instants of {len(expected)} are missing, the first at {expected[next_expected][0]:.6g}")
-    depth, force, radius, error, edges = history.values(positions)
-    open_force = [not edges[1][k] for k in range(len(positions))]
-    force = force / force_unit
-    error = error / force_unit
-    values = {"penetration": depth, "force": force, "contact_radius": radius}
-    own = {"penetration": np.zeros(len(depth)), "force": error, "contact_radius": np.zeros(len(depth))}
+        return [f"{bad[0]['status']}: {bad[0].get('reason')}"], []
+    wrong, compared = [], []
+    instants, end = [row for row in rows if row["row"] == "instant"], right["end"]
+    # Instants in order; the program may keep others between them.
+    picked, wanted = [], 0
+    for row in instants:
+        if wanted < len(right["time"]) and abs(row["values"]["time"]["value"] - right["time"][wanted]) <= 1e-11 * end:
+            picked.append(row)
+            wanted += 1
+    if wanted < len(right["time"]):
+        wrong.append(f"{len(right['time']) - wanted} instants of {len(right['time'])} are missing, the first at {right['time'][wanted]:.6g}")
+    instants, times = picked, right["time"]
+    unit = 1.0 if scene["si"] else math.pi
+    depth, force, radius, error = (np.array(right[name])[:wanted] for name in ("penetration", "force", "contact_radius", "of_force"))
+    none = np.zeros(len(depth))
+    values = {"penetration": (depth, none), "force": (force / unit, error / unit), "contact_radius": (radius, right["own"] * of_edge(scene, depth, radius))}
     if scene["stiffness"] is not None:
-        values["frame_displacement"] = depth + force * force_unit / scene["stiffness"]
-        own["frame_displacement"] = error * force_unit / scene["stiffness"]
-    for name, judged in values.items():
-        scale = float(np.max(np.abs(judged))) if len(judged) else 0.0
-        for k, row in enumerate(picked):
+        values["frame_displacement"] = (depth + force / scene["stiffness"], error / scene["stiffness"])
+    for name, (judged, own) in values.items():
+        scale = float(np.max(np.abs(judged)))
+        for k, row in enumerate(instants):
             cell = row["values"].get(name)
             if cell is None or cell["value"] is None:
-                wrong.append(f"{name} at {row['values']['time']['value']:.6g} is empty")
+                wrong.append(f"{name} at {times[k]:.6g} is empty")
                 continue
-            if name in ("penetration", "frame_displacement") and open_force[k] and history.floating(positions[k]):
-                # An open indenter under a force is nowhere.
+            if name in ("penetration", "frame_displacement") and right["afloat"][k]:
                 continue
-            value, bound = cell["value"], cell["error"]
-            if not (isinstance(value, float) or isinstance(value, int)) or not math.isfinite(value):
+            value, bound = cell["value"], cell["error"] or 0.0
+            if not isinstance(value, (float, int)) or not math.isfinite(value):
                 wrong.append(f"{name} is {value}")
                 continue
             difference = abs(value - judged[k])
-            allowed = (bound or 0.0) + own[name][k] + (ROUNDING + history.tolerance(name)) * scale
-            compared.append((name, bound or 0.0, difference, scale))
+            allowed = bound + own[k] + (ROUNDING + right["own"]) * scale
+            compared.append((name, bound, difference, scale))
             if detail is not None:
-                detail.append((name, row["values"]["time"]["value"], value, bound, float(judged[k]), difference, allowed))
+                detail.append((name, times[k], value, bound, float(judged[k]), difference, allowed))
             if difference > allowed:
-                wrong.append(f"{name} at {row['values']['time']['value']:.9g}: {value:.12g} ± {bound:.1e}, right {judged[k]:.12g} ({difference / scale if scale else 0:.1e} of its largest)")
-    wrong += judge_events(scene, rows, history, end)
+                wrong.append(f"{name} at {times[k]:.9g}: {value:.12g} ± {bound:.1e}, right {judged[k]:.12g} ({difference / scale if scale else 0:.1e} of its largest)")
+    wrong += judge_events(right, rows)
     if any(row.get("certificate") and row["certificate"].get("admissible") is False for row in rows):
         wrong.append("a row is not admissible and yet given out")
-    return wrong, compared, history
+    return wrong, compared
 
 
-def judge_events(scene, rows, history, end):
-    wrong = []
-    ours = {"end": [], "begin": []}
-    for event in history.contact.events:
-        t = history.time_of(event[1], event[2])
-        ours["end" if event[0] == "detachment" else "begin"].append(t)
+def of_edge(scene, depth, radius):
+    """What the largest penetration is to the slope of the shape at the edge: what is not known of the one is not known of the other."""
+    shape = ting_graham.shape_of(scene["shape"])
+    if math.isfinite(shape.rim) or not len(depth):
+        return np.zeros(len(depth))
+    step = 1e-4 * np.maximum(radius, 1e-300)
+    slope = (shape.line(radius + step) - shape.line(np.maximum(radius - step, 0.0))) / (radius + step - np.maximum(radius - step, 0.0))
+    return np.where(radius > 0.0, np.minimum(np.max(np.abs(depth)) / np.maximum(slope, 1e-300), np.max(radius) / max(ROUNDING, 1e-9)), 0.0)
+
+
+def judge_events(right, rows):
+    wrong, end = [], right["end"]
+    # Where a load is found again the judge knows whether it touches no better than its collocation: a loss at once made good is none.
+    events = [(of, t) for of, t in right["events"]]
+    chatter = {k for k, (one, other) in enumerate(zip(events, events[1:])) if one[0] == "end" and other[0] == "begin" and right["own"] >= 1e-9 and other[1] - one[1] <= 1e-8 * end}
+    events = [event for k, event in enumerate(events) if k not in chatter and (k - 1) not in chatter]
     found = [(row["event"], row["values"]["time"]["value"], row["values"]["time"]["error"] or 0.0) for row in rows if row["row"] == "event"]
     for word, t, bound in found:
-        if word == "largest_tension":
-            wrong.append(f"a largest tension at {t:.6g}: nothing pulls without adhesion")
-            continue
         kind = "end" if word in ENDS else ("begin" if word in BEGINS else None)
         if kind is None:
             wrong.append(f"an event {word} at {t:.6g}")
             continue
-        near = min((abs(t - own) for own in ours[kind]), default=math.inf)
-        if near > bound + (ROUNDING + history.tolerance("time")) * end:
+        near = min((abs(t - own) for of, own in right["events"] if of == kind), default=math.inf)
+        if near > bound + (ROUNDING + right["own"]) * end:
             wrong.append(f"{word} at {t:.9g} ± {bound:.1e}; the nearest that is right is {near:.2e} away")
     given = [t for word, t, _ in found if word in ENDS]
-    for own in ours["end"]:
-        if not any(abs(t - own) <= 1e-3 * end + 1e-9 for t in given):
+    for of, own in events:
+        if of == "end" and not any(abs(t - own) <= 1e-3 * end + 1e-9 for t in given):
             wrong.append(f"no detachment at {own:.9g}")
     return wrong
 
@@ -239,34 +249,50 @@ def first_line(message):
     return lines[0][:200] if lines else ""
 
 
+def stored(seed, number, truths):
+    """The scene and what is right of it; kept in a folder, if there is one (empty it when the judge changes)."""
+    scene = Draw(seed, number).scene()
+    if truths is None:
+        return scene, truth(scene)
+    path = os.path.join(truths, f"{seed}_{number}.json")
+    mark = zlib.crc32(repr(scene).encode())
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            kept = json.load(file)
+        if kept["mark"] == mark:
+            return scene, kept
+    right = dict(truth(scene), mark=mark)
+    with open(path + ".part", "w", encoding="utf-8") as file:
+        json.dump(right, file)
+    os.replace(path + ".part", path)
+    return scene, right
+
+
 def one(task):
-    seed, number, binary, save = task
-    started = time.process_time()
+    seed, number, binary, save, truths = task
     result = dict(number=number, seed=seed, kind={}, wrong=[], compared=[], skipped=None, seconds=[0.0, 0.0])
-    try:
-        scene = Draw(seed, number).scene()
-    except Exception as error:  # noqa: BLE001
-        result["skipped"] = f"no scene: {type(error).__name__} {error}"
-        return result
-    result["kind"] = scene["kind"]
-    with tempfile.TemporaryDirectory() as folder:
-        summary, code, seconds, message = run(scene, binary, folder)
-    result["seconds"][0] = seconds
     started = time.process_time()
     try:
-        if summary is None:
-            result["wrong"] = [f"no end within {LIMIT} s of the processor"]
-            result["class"] = "endless"
-        else:
-            result["wrong"], result["compared"], _ = judge(scene, summary, code, message)
-            result["class"] = "refused" if result["wrong"] and not result["compared"] else ("wrong" if result["wrong"] else "right")
+        scene, right = stored(seed, number, truths)
     except NotImplementedError as error:
         result["skipped"] = f"the judge does not treat {error}"
+        return result
     except Exception as error:  # noqa: BLE001
-        import traceback
         result["skipped"] = f"the judge failed: {type(error).__name__} {error} {traceback.format_exc().splitlines()[-3].strip()}"
+        return result
     result["seconds"][1] = time.process_time() - started
-    if save and (result["wrong"] or result["skipped"]):
+    result["kind"] = scene["kind"]
+    if binary is None:
+        result["class"] = "right"
+        return result
+    with tempfile.TemporaryDirectory() as folder:
+        summary, code, result["seconds"][0], message = run(scene, binary, folder)
+    if summary is None:
+        result["wrong"], result["class"] = [f"no end within {LIMIT} s of the processor"], "endless"
+    else:
+        result["wrong"], result["compared"] = judge(scene, right, summary, code, message)
+        result["class"] = "refused" if result["wrong"] and not result["compared"] else ("wrong" if result["wrong"] else "right")
+    if save and result["wrong"]:
         keep(scene, result, save)
     return result
 
@@ -308,9 +334,11 @@ def report(results, seconds):
     return "\n".join(lines), sum(classes[c] for c in ("wrong", "refused", "endless")) + sum(skipped.values())
 
 
-def study(scenes, seed, binary=BINARY, save=None, jobs=1, first=0):
+def study(scenes, seed, binary=BINARY, save=None, jobs=1, first=0, truths=None):
     start = time.perf_counter()
-    tasks = [(seed, number, binary, save) for number in range(first, first + scenes)]
+    if truths:
+        os.makedirs(truths, exist_ok=True)
+    tasks = [(seed, number, binary, save, truths) for number in range(first, first + scenes)]
     if jobs > 1:
         with concurrent.futures.ProcessPoolExecutor(jobs) as pool:
             results = list(pool.map(one, tasks, chunksize=4))
@@ -319,8 +347,8 @@ def study(scenes, seed, binary=BINARY, save=None, jobs=1, first=0):
     return results, time.perf_counter() - start
 
 
-def show(seed, number, binary):
-    scene = Draw(seed, number).scene()
+def show(seed, number, binary, truths):
+    scene, right = stored(seed, number, truths)
     print(scene["toml"], *(f"{name}:\n{content}" for name, content in scene["files"].items()))
     with tempfile.TemporaryDirectory() as folder:
         summary, code, seconds, message = run(scene, binary, folder)
@@ -328,11 +356,10 @@ def show(seed, number, binary):
     if summary is None:
         return
     detail = []
-    start = time.perf_counter()
-    wrong, _, history = judge(scene, summary, code, message, detail)
+    wrong, _ = judge(scene, right, summary, code, message, detail)
     for name, t, value, bound, judged, difference, allowed in detail:
         print(f"{'   ' if difference <= allowed else '!! '}{name:18} t={t:<14.8g} {value:<22.14g} ± {bound:<9.1e} judge {judged:<22.14g} off {difference:.1e}")
-    print(f"judge {time.perf_counter() - start:.3f} s; events", [(e[0], history.time_of(e[1], e[2])) for e in history.contact.events])
+    print("events", right["events"])
     print(*wrong, sep="\n")
 
 
@@ -346,14 +373,17 @@ def main():
     parser.add_argument("--save")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--limit", type=int, default=LIMIT, help="seconds of a run")
+    parser.add_argument("--truths", help="a folder that keeps what is right: scenes are judged anew only where it is not there")
+    parser.add_argument("--no-runs", action="store_true", help="fill that folder, run no scene")
     parser.add_argument("--only", type=int, nargs=2, metavar=("SEED", "NUMBER"))
     options = parser.parse_args()
     globals()["LIMIT"] = options.limit
     if options.only:
-        show(*options.only, options.binary)
+        show(*options.only, options.binary, options.truths)
         return
     count, seed = FULL if options.full else REDUCED
-    results, seconds = study(options.scenes or count, options.seed or seed, options.binary, options.save, options.jobs, options.first)
+    results, seconds = study(options.scenes or count, options.seed or seed, None if options.no_runs else options.binary, options.save,
+                             options.jobs, options.first, options.truths)
     text, failed = report(results, seconds)
     print(text)
     for r in results[:]:

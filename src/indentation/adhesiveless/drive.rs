@@ -85,6 +85,26 @@ impl Drive {
         slope / self.duration + self.wave.map_or(0.0, |w| w.amplitude * w.pace * (w.phase + w.pace * x).cos())
     }
 
+    /// What a slow term gains, as powers of the time: u′ = Δ′ − (T/ρ)u.
+    fn series(&self, rho: f64) -> Option<Series> {
+        let z = self.duration / rho;
+        if self.used == 1 || self.wave.is_some() || z > SLOW {
+            return None;
+        }
+        let (mut powers, mut last) = ([0.0; LONGEST_SERIES], 0.0);
+        let mut used = LONGEST_SERIES;
+        for (k, power) in powers.iter_mut().enumerate() {
+            let order = (k + 1) as f64;
+            last = self.powers.get(k).copied().unwrap_or(0.0) - z * last / order;
+            *power = last;
+            if k >= self.used && last.abs() <= f64::EPSILON * f64::EPSILON * self.start.abs().max(self.powers[0].abs()) {
+                used = k;
+                break;
+            }
+        }
+        Some((powers, used))
+    }
+
     pub(super) fn end(&self) -> f64 {
         self.value(self.duration)
     }
@@ -132,18 +152,6 @@ impl Drive {
         }
         gained
     }
-
-    /// ∫₀^x Δ dx′.
-    pub(super) fn integral(&self, x: f64) -> f64 {
-        let y = x / self.duration;
-        let powers = self.powers[..self.used].iter().enumerate().rev();
-        let polynomial = powers.fold(0.0, |sum, (k, power)| (sum + power / (k as f64 + 2.0)) * y);
-        let wave = self.wave.map_or(0.0, |w| {
-            let half = 0.5 * w.pace * x;
-            w.amplitude * (2.0 * half.sin() * (w.phase + half).sin() / w.pace - x * w.phase.sin())
-        });
-        x * (self.start + polynomial) + wave
-    }
 }
 
 /// Σ w_k (part + left·y)^k as powers of y, without the constant.
@@ -171,7 +179,16 @@ pub(super) struct Moment {
     pub(super) gained: Vec<f64>,
     /// e^{−x/τ_j}.
     pub(super) recovered: Vec<f64>,
+    /// The drive that it is of, and what slow terms gain along it as powers of the time; none of other terms.
+    pub(super) of: Option<Drive>,
+    pub(super) series: Vec<Option<Series>>,
 }
+
+/// What a term gains along a polynomial, as powers 1… of the time.
+pub(super) type Series = ([f64; LONGEST_SERIES], usize);
+const LONGEST_SERIES: usize = 36;
+/// Longest drive, over the time of a term, of which a series is of use.
+const SLOW: f64 = 2.0;
 
 impl Moment {
     pub(super) fn new(chain: &Chain, drive: &Drive, x: f64) -> Self {
@@ -191,18 +208,38 @@ impl Moment {
     /// For points that are in contact until then.
     pub(super) fn set(&mut self, chain: &Chain, drive: &Drive, x: f64) {
         (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
+        if self.of.as_ref() != Some(drive) {
+            self.of = Some(*drive);
+            self.series.clear();
+            self.series.extend(chain.maxwell.iter().map(|&(_, rho)| drive.series(rho)));
+        }
         self.kept.clear();
         self.gained.clear();
-        for &(_, rho) in &chain.maxwell {
+        let y = x / drive.duration;
+        for (&(_, rho), series) in chain.maxwell.iter().zip(&self.series) {
             let kept = (-x / rho).exp();
             self.kept.push(kept);
-            self.gained.push(drive.gained(rho, x, kept));
+            self.gained.push(match series {
+                Some((powers, used)) => powers.iter().take(*used).rev().fold(0.0, |sum, power| (sum + power) * y),
+                None => drive.gained(rho, x, kept),
+            });
         }
     }
 }
 
+/// 1/(DEGREE + m), m = 1…: divisions would take most of the time of a drive.
+const RECIPROCALS: [f64; 60] = {
+    let mut values = [0.0; 60];
+    let mut m = 0;
+    while m < 60 {
+        values[m] = 1.0 / (DEGREE + 1 + m) as f64;
+        m += 1;
+    }
+    values
+};
+
 /// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards for large z, downwards from a series for small z.
-fn means(z: f64, kept: f64) -> [f64; DEGREE] {
+pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
     let mut values = [0.0; DEGREE];
     let top = DEGREE as f64;
     if z > top {
@@ -214,13 +251,13 @@ fn means(z: f64, kept: f64) -> [f64; DEGREE] {
         return values;
     }
     let (mut term, mut sum): (f64, f64) = (1.0, 0.0);
-    for m in 1..60 {
+    for over in RECIPROCALS {
         let next = sum + term;
         if next.to_bits() == sum.to_bits() {
             break;
         }
         sum = next;
-        term *= -z / (top + f64::from(m));
+        term *= -z * over;
     }
     for k in (0..DEGREE).rev() {
         values[k] = sum;

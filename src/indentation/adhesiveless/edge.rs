@@ -3,8 +3,9 @@
 //! Each chain knows when the edge passes it: in contact when its own S falls through zero, free when it rises through zero. No chain waits for another one.
 
 use super::drive::{Drive, Moment};
-use super::grid::{GRID, NODES, Nodal};
-use super::line::{Line, NARROWEST, Stretch};
+use super::grid::{GRID, NODES};
+use super::line::Line;
+use super::times::{leaving, touching};
 use crate::refusal::Refusal;
 
 /// S that rounding leaves, over the depth.
@@ -17,6 +18,9 @@ const SHORTEST: f64 = 0.05;
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
 
+/// Part of a stretch of time after whose start a touch is at its start.
+const AT_ONCE: f64 = 1e-9;
+
 /// What ended a stretch of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ended {
@@ -26,10 +30,12 @@ pub(super) enum Ended {
     Turned,
     /// The contact was lost, at this instant.
     Lost,
+    /// It was found.
+    Touched,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
+pub(super) enum Way {
     Inwards,
     Outwards,
 }
@@ -61,7 +67,7 @@ impl Line<'_> {
                         if pressed[NODES - 1] >= 0.0 {
                             return Ok(Some(stretch.high));
                         }
-                        return Ok(Some(stretch.low + stretch.width() * GRID.falling_zero(&pressed)));
+                        return Ok(Some(stretch.low + stretch.width() * GRID.part(GRID.falling_zero(&pressed))));
                     }
                 }
                 Ok(None)
@@ -74,7 +80,7 @@ impl Line<'_> {
                         if opened[0] < 0.0 {
                             return Ok(Some(reached));
                         }
-                        return Ok(Some(stretch.low + stretch.width() * GRID.falling_zero(&opened)));
+                        return Ok(Some(stretch.low + stretch.width() * GRID.part(GRID.falling_zero(&opened))));
                     }
                     reached = stretch.high;
                 }
@@ -112,7 +118,7 @@ impl Line<'_> {
     /// Instants at which the edge is looked at.
     fn looked_at(&self, drive: &Drive) -> Vec<f64> {
         let whole = drive.duration;
-        let even = (1..=EVEN).map(|k| whole * f64::from(k) / f64::from(EVEN));
+        let even = evenly(whole);
         let shortest = SHORTEST * self.chain.shortest_time();
         let halved = (4..MOST_HALVINGS).map(|k| whole * 0.5_f64.powi(k)).take_while(|time| *time > shortest);
         let mut times: Vec<f64> = halved.chain(even).collect();
@@ -122,11 +128,21 @@ impl Line<'_> {
 
     /// Goes on along a drive, as far as the edge goes one way: how far, and why it ended there.
     pub(super) fn go(&mut self, drive: &Drive) -> Result<(f64, Ended), Refusal> {
+        self.led(drive, None, self.looked_at(drive))
+    }
+
+    /// The same along a panel that knows its way, and what its polynomial leaves of Δ.
+    pub(super) fn follow(&mut self, drive: &Drive, way: Way, left: f64) -> Result<(f64, Ended), Refusal> {
+        self.led(drive, Some((way, left)), evenly(drive.duration).collect())
+    }
+
+    fn led(&mut self, drive: &Drive, known: Option<(Way, f64)>, times: Vec<f64>) -> Result<(f64, Ended), Refusal> {
         self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
         let mut moment = Moment::default();
-        let mut way: Option<Way> = None;
+        let mut way: Option<Way> = known.map(|(way, _)| way);
+        let noise = known.map_or(0.0, |(_, left)| left).max(self.noise());
         let mut before = 0.0;
-        for time in self.looked_at(drive) {
+        for time in times {
             moment.set(self.chain, drive, time);
             moment.set_free(self.chain, drive, time);
             if way.is_none() {
@@ -137,18 +153,25 @@ impl Line<'_> {
                     continue;
                 }
                 way = Some(if inwards > outwards { Way::Inwards } else { Way::Outwards });
+                if self.radius() == 0.0 {
+                    let touch = self.touched_at(drive, &mut moment);
+                    if touch > AT_ONCE * drive.duration {
+                        self.pass_nothing(&drive.until(touch));
+                        return Ok((touch, Ended::Touched));
+                    }
+                }
             }
             let Some(heading) = way else { continue };
             let place = self.edge_after(&moment, heading)?;
             // Less than rounding in all the time since it was last looked at is no turn.
-            let least = 8.0 * self.noise() / (time - before);
+            let least = 8.0 * noise / (time - before);
             let wrong = |rate: f64| match heading {
                 Way::Inwards => rate > least,
                 Way::Outwards => rate < -least,
             };
             let turned = match place {
                 None => false,
-                Some(place) if heading == Way::Outwards && place >= self.profile.rim() => false,
+                Some(place) if place >= self.profile.rim() => false,
                 Some(place) => wrong(self.rate_at(place, &moment, heading)),
             };
             if turned {
@@ -157,6 +180,9 @@ impl Line<'_> {
                     let drive = drive.until(turn);
                     self.pass(&drive, heading)?;
                     return Ok((turn, Ended::Turned));
+                }
+                if known.is_some() {
+                    break;
                 }
                 // It turned at once: it goes the other way.
                 way = Some(if heading == Way::Inwards { Way::Outwards } else { Way::Inwards });
@@ -194,6 +220,15 @@ impl Line<'_> {
         stretch.at(stretch.low, &mut state);
         let mut moment = Moment::default();
         leaving(self, drive, stretch.heights[0], &state, by, by, &mut moment)
+    }
+
+    /// When the chain on the axis is touched.
+    fn touched_at(&self, drive: &Drive, moment: &mut Moment) -> f64 {
+        let mut state = vec![0.0; self.chain.terms()];
+        if let Some(stretch) = self.free.first() {
+            stretch.at(0.0, &mut state);
+        }
+        touching(self, drive, self.profile.line(0.0), &state, 0.0, moment)
     }
 
     /// When, between two times, the edge turns: where dS/dt at the edge vanishes.
@@ -244,290 +279,8 @@ impl Line<'_> {
         }
         Ok(low)
     }
-
-    /// A time in which the edge rests.
-    pub(super) fn pass_nothing(&mut self, drive: &Drive) {
-        let moment = Moment::new(self.chain, drive, drive.duration);
-        self.age(&moment);
-        self.went_to(moment.depth);
-    }
-
-    /// A whole drive along which the edge goes one way.
-    fn pass(&mut self, drive: &Drive, way: Way) -> Result<(), Refusal> {
-        let end = Moment::new(self.chain, drive, drive.duration);
-        let this = self.without_stretches();
-        let (mut moment, mut scratch, mut guess) = (Moment::default(), Vec::new(), 0.0);
-        match way {
-            Way::Inwards => self.recede(&end, &mut |height, state| {
-                let time = leaving(&this, drive, height, state, drive.duration, guess, &mut moment);
-                guess = time;
-                for ((u, kept), gained) in state.iter_mut().zip(&moment.kept).zip(&moment.gained) {
-                    *u = *u * kept + gained;
-                }
-                this.chain.released(moment.depth - height, state, &mut scratch);
-                for (e, &(rate, _)) in state.iter_mut().zip(&this.chain.voigt) {
-                    *e *= (-rate * (drive.duration - time)).exp();
-                }
-            }),
-            Way::Outwards => self.advance(&end, &mut |height, state| {
-                let time = touching(&this, drive, height, state, guess, &mut moment);
-                guess = time;
-                for (e, kept) in state.iter_mut().zip(&moment.recovered) {
-                    *e *= kept;
-                }
-                this.chain.touched(moment.depth - height, state, &mut scratch);
-                moment.set(this.chain, drive, time);
-                let passed = moment.gained.iter().zip(&this.chain.maxwell).zip(&end.gained);
-                for (u, ((gained, &(_, rho)), whole)) in state.iter_mut().zip(passed) {
-                    let kept = (-(drive.duration - time) / rho).exp();
-                    *u = *u * kept + (whole - gained * kept);
-                }
-            })?,
-        }
-        self.went_to(end.depth);
-        self.tidy(false);
-        Ok(())
-    }
-
-    /// A step of the penetration, at once: whether the contact was lost.
-    pub(super) fn leap(&mut self, to: f64) -> Result<bool, Refusal> {
-        let had = self.radius() > 0.0;
-        let before = self.penetration;
-        self.depth = self.depth.max(to.abs());
-        let terms = self.chain.terms();
-        // No dashpot moves: every spring takes the step.
-        let end = Moment {
-            depth: to,
-            kept: vec![1.0; terms],
-            gained: vec![to - before; terms],
-            recovered: vec![1.0; terms],
-            ..Moment::default()
-        };
-        let (chain, mut scratch) = (self.chain, Vec::new());
-        if to < before {
-            self.recede(&end, &mut |height, state| chain.released(before - height, state, &mut scratch));
-        } else {
-            self.advance(&end, &mut |height, state| chain.touched(to - height, state, &mut scratch))?;
-        }
-        self.went_to(to);
-        self.tidy(false);
-        Ok(had && self.radius() == 0.0)
-    }
-
-    /// The edge goes inwards: `released` takes a chain with its height from u_i at the start to e_j at the end.
-    fn recede(&mut self, end: &Moment, released: &mut dyn FnMut(f64, &mut [f64])) {
-        let mut freed: Vec<Stretch> = Vec::new();
-        let mut cut = None;
-        while let Some(stretch) = self.contact.pop() {
-            let place = snapped(&stretch, zero_in(&stretch, &self.pressed(&stretch, end)));
-            if place >= stretch.high {
-                self.contact.push(stretch);
-                break;
-            }
-            let mut parts = Vec::new();
-            self.build(
-                (place, stretch.high),
-                false,
-                &mut |s, height, state| {
-                    stretch.at(s, state);
-                    released(height, state);
-                },
-                &mut parts,
-            );
-            parts.append(&mut freed);
-            freed = parts;
-            if place > stretch.low {
-                cut = Some((stretch, place));
-                break;
-            }
-        }
-        if let Some((whole, place)) = cut {
-            let mut parts = Vec::new();
-            self.build((whole.low, place), true, &mut |s, _, state| whole.at(s, state), &mut parts);
-            self.contact.append(&mut parts);
-        }
-        self.age(end);
-        freed.append(&mut self.free);
-        self.free = freed;
-    }
-
-    /// The edge goes outwards: `touched` takes a chain with its height from e_j at the start to u_i at the end.
-    fn advance(&mut self, end: &Moment, touched: &mut dyn FnMut(f64, &mut [f64])) -> Result<(), Refusal> {
-        let (mut gained, mut rest): (Vec<Stretch>, Vec<Stretch>) = (Vec::new(), Vec::new());
-        let (mut reached, mut stopped) = (self.radius(), false);
-        for stretch in std::mem::take(&mut self.free) {
-            if stopped {
-                rest.push(stretch);
-                continue;
-            }
-            let place = snapped(&stretch, zero_in(&stretch, &self.opened(&stretch, end)));
-            if place > stretch.low {
-                self.build(
-                    (stretch.low, place),
-                    true,
-                    &mut |s, height, state| {
-                        stretch.at(s, state);
-                        touched(height, state);
-                    },
-                    &mut gained,
-                );
-                reached = place;
-            }
-            stopped = place < stretch.high;
-            if stopped && place > stretch.low {
-                self.build((place, stretch.high), false, &mut |s, _, state| stretch.at(s, state), &mut rest);
-            } else if stopped {
-                rest.push(stretch);
-            }
-        }
-        self.free = rest;
-        if !stopped {
-            let edge = self.virgin_edge(end.depth, reached)?;
-            if edge - reached > NARROWEST * edge {
-                self.build(
-                    (reached, edge),
-                    true,
-                    &mut |_, height, state| {
-                        state.fill(0.0);
-                        touched(height, state);
-                    },
-                    &mut gained,
-                );
-            }
-        }
-        self.age(end);
-        self.contact.append(&mut gained);
-        Ok(())
-    }
-
-    /// What rounding has left in contact when it was lost.
-    pub(super) fn release_all(&mut self) {
-        let depth = self.penetration;
-        let chain = self.chain;
-        let mut freed = Vec::new();
-        let mut scratch = Vec::new();
-        for stretch in std::mem::take(&mut self.contact) {
-            self.build(
-                (stretch.low, stretch.high),
-                false,
-                &mut |s, height, state| {
-                    stretch.at(s, state);
-                    chain.released(depth - height, state, &mut scratch);
-                },
-                &mut freed,
-            );
-        }
-        freed.append(&mut self.free);
-        self.free = freed;
-    }
-
-    fn without_stretches(&self) -> Self {
-        Self { contact: Vec::new(), free: Vec::new(), ..*self }
-    }
 }
 
-/// Where S passes zero in a stretch; an end where it does not.
-fn zero_in(stretch: &Stretch, values: &Nodal) -> f64 {
-    if values[NODES - 1] >= 0.0 {
-        stretch.high
-    } else if values[0] < 0.0 {
-        stretch.low
-    } else {
-        stretch.low + stretch.width() * GRID.falling_zero(values)
-    }
-}
-
-/// The same, at an end where it is next to one.
-fn snapped(stretch: &Stretch, place: f64) -> f64 {
-    let near = NARROWEST * stretch.high;
-    if place - stretch.low <= near {
-        stretch.low
-    } else if stretch.high - place <= near {
-        stretch.high
-    } else {
-        place
-    }
-}
-
-/// When a chain in contact with u_i (now) leaves: `moment` is then set to it.
-fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
-    let chain = line.chain;
-    let soft = chain.relaxed / chain.glassy;
-    let mut pressing = |time: f64, moment: &mut Moment| {
-        moment.set(chain, drive, time);
-        let (mut value, mut slope) = (soft * (moment.depth - height), moment.rate);
-        for ((&(modulus, rho), u), (kept, gained)) in chain.maxwell.iter().zip(state).zip(moment.kept.iter().zip(&moment.gained)) {
-            let share = modulus / chain.glassy * (u * kept + gained);
-            value += share;
-            slope -= share / rho;
-        }
-        (-value, -slope)
-    };
-    rising_zero(by, guess, moment, &mut pressing)
-}
-
-/// When a free chain with e_j (now) touches: `moment` is then set to it.
-fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], guess: f64, moment: &mut Moment) -> f64 {
-    let chain = line.chain;
-    let mut overlap = |time: f64, moment: &mut Moment| {
-        moment.set_free(chain, drive, time);
-        let (mut value, mut slope) = (moment.depth - height, moment.rate);
-        for ((&(rate, _), e), kept) in chain.voigt.iter().zip(state).zip(&moment.recovered) {
-            value -= e * kept;
-            slope += rate * e * kept;
-        }
-        (value, slope)
-    };
-    rising_zero(drive.duration, guess, moment, &mut overlap)
-}
-
-/// The time of 0…`by` at which a function rises through zero, by Newton's steps within a bracket.
-fn rising_zero(by: f64, guess: f64, moment: &mut Moment, function: &mut dyn FnMut(f64, &mut Moment) -> (f64, f64)) -> f64 {
-    let (mut low, mut high) = (0.0, by);
-    let mut time = if guess > 0.0 && guess < by { guess } else { by };
-    let (mut step, mut last_step) = (by, by);
-    for _ in 0..MOST_ITERATIONS {
-        let (value, slope) = function(time, moment);
-        if value == 0.0 {
-            return time;
-        }
-        if value > 0.0 {
-            high = time;
-        } else {
-            low = time;
-        }
-        if time >= by && value < 0.0 {
-            // Rounding alone keeps it from being passed.
-            return by;
-        }
-        if high - low <= f64::EPSILON * high {
-            break;
-        }
-        let newton = time - value / slope;
-        // Where Newton's steps do not halve, the bracket is.
-        let fine = newton > low && newton < high && (newton - time).abs() < 0.5 * last_step;
-        let next = if fine {
-            newton
-        } else if low == 0.0 && high > 0.0 {
-            // Times may be far shorter than the stretch.
-            0.1 * high
-        } else {
-            0.5 * (low + high)
-        };
-        last_step = step;
-        step = (next - time).abs();
-        if step <= 0.5 * f64::EPSILON * time {
-            break;
-        }
-        time = next;
-        if high <= 1e-25 * by {
-            time = 0.0;
-            function(time, moment);
-            break;
-        }
-    }
-    if (moment.time - time).abs() > 0.0 {
-        function(time, moment);
-    }
-    time
+fn evenly(whole: f64) -> impl Iterator<Item = f64> {
+    (1..=EVEN).map(move |k| whole * f64::from(k) / f64::from(EVEN))
 }

@@ -1,8 +1,5 @@
-//! A contact that only grows on a surface that nothing has touched yet: Lee and Radok's. Then a elastic function of the edge follows from the force alone,
-//! 2Φ(a) = F/E∞* + Σ C_j, Φ = a f(a) − ∫₀^a f ds, τ_jĊ_j = J_jF − C_j with C_j = 2∫e_j ds over the whole line.
+//! The elastic contact on a surface that nothing has touched: Φ(a) = a f(a) − ∫₀^a f ds, with F = 2E*Φ and Δ = f(a).
 
-use super::chain::Chain;
-use super::drive::Drive;
 use super::grid::{GRID, NODES};
 use super::line::place_of;
 use crate::indentation::profile::Profile;
@@ -11,7 +8,7 @@ use crate::refusal::Refusal;
 /// Halvings of a bracket.
 const MOST_ITERATIONS: u32 = 200;
 
-/// Φ of a shape.
+/// Φ of a shape, and what it needs.
 #[derive(Debug, Clone)]
 pub(super) struct Fresh<'a> {
     /// The face, as if it had no rim.
@@ -39,19 +36,31 @@ impl<'a> Fresh<'a> {
     }
 
     /// Φ(a) (m²) at a place a, with Δ = f(a).
-    pub(super) fn at(&self, a: f64) -> f64 {
-        let height = self.profile.line(a);
+    fn at(&self, a: f64) -> f64 {
+        a * self.profile.line(a) - self.integral(a)
+    }
+
+    /// ∫f ds up to a place (m²).
+    pub(super) fn integral(&self, a: f64) -> f64 {
+        let cylinder = a * self.profile.line(a);
         match self.profile {
-            Profile::Paraboloid { .. } => 2.0 / 3.0 * a * height,
-            Profile::Cone { .. } => 0.5 * a * height,
-            Profile::PowerLaw { exponent, .. } => exponent / (exponent + 1.0) * a * height,
+            Profile::Paraboloid { .. } => cylinder / 3.0,
+            Profile::Cone { .. } => 0.5 * cylinder,
+            Profile::PowerLaw { exponent, .. } => cylinder / (exponent + 1.0),
             Profile::FlatPunch { .. } | Profile::Rimmed { .. } => 0.0,
             Profile::Table(_) => {
                 let next = self.running.partition_point(|(place, _)| *place <= a).max(1);
                 let (place, sum) = self.running.get(next - 1).copied().unwrap_or_default();
-                a * height - sum - stretch(self.profile, place, a)
+                sum + stretch(self.profile, place, a)
             }
         }
+    }
+
+    /// Places between two at which the slope of the shape has a kink.
+    pub(super) fn knots(&self, one: f64, other: f64) -> impl Iterator<Item = f64> {
+        let (low, high) = (one.min(other), one.max(other));
+        let clear = 1e-9 * high;
+        self.running.iter().map(|(place, _)| *place).filter(move |place| *place > low + clear && *place < high - clear)
     }
 
     /// The penetration of a fresh contact with Φ (m), at least 0.
@@ -112,32 +121,4 @@ fn stretch(profile: &Profile, low: f64, high: f64) -> f64 {
     }
     let values = std::array::from_fn::<f64, NODES, _>(|k| profile.line(place_of(low, high, k)));
     (high - low) * GRID.integral(&values)
-}
-
-/// 2Φ as it follows from a force that is given in time.
-#[derive(Debug, Clone)]
-pub(super) struct Moved<'a> {
-    pub(super) chain: &'a Chain,
-    pub(super) force: Drive,
-    /// C_j at its start.
-    pub(super) strains: Vec<f64>,
-}
-
-impl Moved<'_> {
-    pub(super) fn at(&self, time: f64) -> f64 {
-        let force = self.force.value(time);
-        let mut value = force / self.chain.glassy;
-        for (&(slowness, flow), strain) in self.chain.voigt.iter().zip(&self.strains) {
-            let kept = (-slowness * time).exp();
-            let driven = if slowness > 0.0 {
-                // By parts: J_j[F − F₀e^{−t/τ} − ∫e^{−(t − t′)/τ}Ḟdt′].
-                let risen = -(-slowness * time).exp_m1() * self.force.start + (force - self.force.start);
-                flow / slowness * (risen - self.force.gained(slowness.recip(), time, kept))
-            } else {
-                flow * self.force.integral(time)
-            };
-            value += strain * kept + driven;
-        }
-        value
-    }
 }

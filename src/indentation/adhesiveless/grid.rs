@@ -1,14 +1,14 @@
-//! Seventeen places of a stretch of the line, and what they tell between them.
+//! Places of a stretch of the line, and what they tell between them.
 //!
 //! Where the edge turned, states go with the root of the distance, on one side or on both. Along a stretch s = low + width·sin²(θ/2), so that a root at
-//! either end is smooth in θ, and a Chebyshev series in θ keeps it to rounding.
+//! either end is smooth in θ, and a Chebyshev series in θ keeps it to rounding: cos 2θ, of a parabola, leaves 2J_n(π), 1e-11 for 17 places and 5e-16 for 21.
 
 use crate::special::gauss_legendre::UNIT_RULE_20;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
 /// Places of a stretch, both ends among them.
-pub(super) const NODES: usize = 17;
+pub(super) const NODES: usize = 21;
 /// Coefficients whose size tells whether a series has ended.
 const TAIL: usize = 3;
 
@@ -19,8 +19,9 @@ pub(super) struct Grid {
     /// sin²(θ/2), and ξ = 2θ/π − 1.
     pub(super) parts: Nodal,
     xi: Nodal,
-    /// ∫ds over the width.
+    /// ∫ds over the width, and from its low end to each place.
     pub(super) weights: Nodal,
+    running: [Nodal; NODES],
     /// From values to the last coefficients of the series.
     tail: [Nodal; TAIL],
 }
@@ -37,16 +38,19 @@ impl Grid {
             k if k == last => 1.0,
             k => (0.25 * PI * (1.0 + xi[k])).sin().powi(2),
         });
-        let mut weights = [0.0; NODES];
-        for half in [-1.0, 0.0] {
+        let mut running = [[0.0; NODES]; NODES];
+        for k in 1..NODES {
+            running[k] = running[k - 1];
+            let gap = xi[k] - xi[k - 1];
             for &(node, weight) in UNIT_RULE_20.iter() {
-                let place = half + node;
-                let rise = FRAC_PI_2 * 0.5 * (FRAC_PI_2 * (1.0 + place)).sin() * weight;
-                for (sum, value) in weights.iter_mut().zip(basis(&xi, place)) {
+                let place = xi[k - 1] + gap * node;
+                let rise = 0.25 * PI * (FRAC_PI_2 * (1.0 + place)).sin() * gap * weight;
+                for (sum, value) in running[k].iter_mut().zip(basis(&xi, place)) {
                     *sum += rise * value;
                 }
             }
         }
+        let weights = running[last];
         let tail = std::array::from_fn(|row| {
             let order = last - row;
             std::array::from_fn(|k| {
@@ -56,7 +60,7 @@ impl Grid {
                 sign * 2.0 / last as f64 * end(k) * end(order) * (order as f64 * angle(k)).cos()
             })
         });
-        Self { parts, xi, weights, tail }
+        Self { parts, xi, weights, running, tail }
     }
 
     /// What each place weighs in the value at a distance from the low end and one from the high end.
@@ -65,19 +69,23 @@ impl Grid {
         basis(&self.xi, (theta / FRAC_PI_2 - 1.0).clamp(-1.0, 1.0))
     }
 
-    /// The zero of falling values, as the distance from the low end over the width; the values are ≥ 0 at the first place and < 0 at the last.
+    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last.
     pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
         let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
         let (mut above, mut below) = (values[next - 1], values[next]);
         let mut side = 0;
+        let rounding = 0.25 * f64::EPSILON * values[0].abs().max(values[NODES - 1].abs());
         for _ in 0..60 {
-            if above == 0.0 || high - low <= 4e-16 {
+            if above <= rounding || high - low <= 4e-16 {
                 break;
             }
             let chord = low + (high - low) * (above / (above - below));
             let place = if chord > low && chord < high { chord } else { 0.5 * (low + high) };
             let value = dot(&basis(&self.xi, place), values);
+            if value.abs() <= rounding {
+                return place;
+            }
             if value >= 0.0 {
                 (low, above) = (place, value);
                 if side == 1 {
@@ -92,7 +100,17 @@ impl Grid {
                 side = -1;
             }
         }
-        (0.25 * PI * (1.0 + low)).sin().powi(2)
+        low
+    }
+
+    /// The distance from the low end over the width.
+    pub(super) fn part(&self, xi: f64) -> f64 {
+        (0.25 * PI * (1.0 + xi)).sin().powi(2)
+    }
+
+    /// ∫ of values over the width from the low end on.
+    pub(super) fn integral_to(&self, xi: f64, values: &Nodal) -> f64 {
+        basis(&self.xi, xi).iter().zip(&self.running).map(|(weight, row)| weight * dot(row, values)).sum()
     }
 
     /// The size of the last coefficients of a series.
@@ -107,26 +125,35 @@ impl Grid {
 }
 
 pub(super) fn dot(weights: &Nodal, values: &[f64]) -> f64 {
-    weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
+    // Three sums at a time: one waits for itself.
+    let mut sums = [0.0; 3];
+    for (weights, values) in weights.chunks_exact(3).zip(values.chunks_exact(3)) {
+        for ((sum, weight), value) in sums.iter_mut().zip(weights).zip(values) {
+            *sum += weight * value;
+        }
+    }
+    sums[0] + sums[1] + sums[2]
 }
 
-/// Lagrange's polynomials at a place, by the barycentric formula of Chebyshev's points with both ends.
-fn basis(xi: &Nodal, place: f64) -> Nodal {
-    let mut values = [0.0; NODES];
-    let mut sum = 0.0;
-    for (k, (value, node)) in values.iter_mut().zip(xi).enumerate() {
-        let distance = place - node;
-        if distance == 0.0 {
-            let mut unit = [0.0; NODES];
-            unit[k] = 1.0;
-            return unit;
-        }
-        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let end = if k == 0 || k == NODES - 1 { 0.5 } else { 1.0 };
-        *value = sign * end / distance;
-        sum += *value;
+/// Weights of the barycentric formula of Chebyshev's points with both ends.
+const BARYCENTRIC: Nodal = {
+    let mut weights = [1.0; NODES];
+    let mut k = 0;
+    while k < NODES {
+        weights[k] = if k % 2 == 0 { 1.0 } else { -1.0 } * if k == 0 || k + 1 == NODES { 0.5 } else { 1.0 };
+        k += 1;
     }
-    values.map(|value| value / sum)
+    weights
+};
+
+/// Lagrange's polynomials at a place.
+fn basis(xi: &Nodal, place: f64) -> Nodal {
+    let values: Nodal = std::array::from_fn(|k| BARYCENTRIC[k] / (place - xi[k]));
+    let over = values.iter().sum::<f64>().recip();
+    if over == 0.0 || !over.is_finite() {
+        return std::array::from_fn(|k| if place.total_cmp(&xi[k]).is_eq() { 1.0 } else { 0.0 });
+    }
+    values.map(|value| value * over)
 }
 
 #[cfg(test)]
@@ -146,8 +173,10 @@ mod tests {
         let exact = PI / 4.0 + 0.5 + 4.0 / 15.0;
         assert!((grid.integral(&values) - exact).abs() < 1e-13, "{}", grid.integral(&values) - exact);
         // The last coefficients are larger than what they leave out: they bound it.
-        assert!(grid.tail(&values) < 1e-10, "{}", grid.tail(&values));
+        assert!(grid.tail(&values) < 1e-12, "{}", grid.tail(&values));
         let falling = grid.parts.map(|part| 0.3 - part);
-        assert!((grid.falling_zero(&falling) - 0.3).abs() < 1e-15);
+        assert!((grid.part(grid.falling_zero(&falling)) - 0.3).abs() < 1e-15);
+        // ∫(0.3 − x)₊.
+        assert!((grid.integral_to(grid.falling_zero(&falling), &falling) - 0.045).abs() < 1e-15);
     }
 }

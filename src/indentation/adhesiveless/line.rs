@@ -1,4 +1,4 @@
-//! The line of a contact without adhesion: stretches of seventeen chains each, those in contact first.
+//! The line of a contact without adhesion: stretches of a few chains each, those in contact first.
 //!
 //! | symbol | name | unit |
 //! |---|---|---|
@@ -16,14 +16,8 @@ use super::grid::{GRID, NODES, Nodal, dot};
 use crate::indentation::profile::Profile;
 use crate::refusal::Refusal;
 
-/// Halvings of a stretch that is not resolved.
-const MOST_HALVINGS: u32 = 48;
 /// A stretch narrower than this, over the edge's place, is none.
 pub(super) const NARROWEST: f64 = 4e-15;
-/// Strains of this part of the depth are none.
-const DEAD: f64 = 1e-18;
-/// Stretches from which on they are joined more readily.
-const MANY: usize = 3000;
 
 /// A stretch of the line.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +28,7 @@ pub(super) struct Stretch {
     /// u_i or e_j, term after term.
     pub(super) state: Vec<f64>,
     /// Whether it may be joined with the next one: not tried since it changed.
-    fresh: bool,
+    pub(super) fresh: bool,
 }
 
 impl Stretch {
@@ -48,6 +42,17 @@ impl Stretch {
 
     pub(super) fn term(&self, index: usize) -> &[f64] {
         self.state.get(index * NODES..(index + 1) * NODES).unwrap_or(&[])
+    }
+
+    /// A share of the heights and one of each term.
+    pub(super) fn weighted(&self, of_heights: f64, of_terms: &[f64]) -> Nodal {
+        let mut sum = self.heights.map(|height| of_heights * height);
+        for (index, share) in of_terms.iter().enumerate() {
+            for (sum, value) in sum.iter_mut().zip(self.term(index)) {
+                *sum += share * value;
+            }
+        }
+        sum
     }
 
     /// The state at a place, term after term.
@@ -217,99 +222,34 @@ impl<'a> Line<'a> {
         [stored, power]
     }
 
-    /// 2∫e_j ds over the whole line, for the force as what drives them all.
-    pub(super) fn whole_strains(&self) -> Vec<f64> {
-        let terms = self.chain.terms();
-        let mut sums = vec![0.0; terms];
-        let (mut state, mut scratch) = (vec![0.0; terms], Vec::new());
+    /// ∫e_j ds over what is free.
+    pub(super) fn free_strains(&self) -> Vec<f64> {
+        let of = |index: usize| self.free.iter().map(|stretch| stretch.width() * dot(&GRID.weights, stretch.term(index))).sum();
+        (0..self.chain.terms()).map(of).collect()
+    }
+
+    /// ∫u_i ds over the whole line, of which the free part has these strains.
+    pub(super) fn whole_springs(&self, free: &[f64]) -> Vec<f64> {
+        let mut springs = free.to_vec();
+        self.chain.touched(free.iter().sum(), &mut springs, &mut Vec::new());
         for stretch in &self.contact {
-            for index in 0..terms {
-                if let Some(value) = state.get_mut(index) {
-                    *value = stretch.width() * dot(&GRID.weights, stretch.term(index));
-                }
-            }
-            let under = stretch.heights.map(|height| self.penetration - height);
-            self.chain.released(stretch.width() * GRID.integral(&under), &mut state, &mut scratch);
-            for (sum, value) in sums.iter_mut().zip(&state) {
-                *sum += 2.0 * value;
+            for (index, spring) in springs.iter_mut().enumerate() {
+                *spring += stretch.width() * dot(&GRID.weights, stretch.term(index));
             }
         }
-        for stretch in &self.free {
-            for (index, sum) in sums.iter_mut().enumerate() {
-                *sum += 2.0 * stretch.width() * dot(&GRID.weights, stretch.term(index));
-            }
-        }
-        sums
+        springs
     }
 
-    /// What each term of a state weighs in S.
-    fn shares(&self, in_contact: bool) -> Vec<f64> {
-        if in_contact {
-            self.chain.maxwell.iter().map(|(modulus, _)| modulus / self.chain.glassy).collect()
-        } else {
-            vec![1.0; self.chain.terms()]
-        }
+    /// Where the free surface next to the contact is after a time, as a penetration that touches it.
+    pub(super) fn surface_after(&self, time: f64) -> f64 {
+        let Some(stretch) = self.free.first() else { return self.profile.line(self.radius()) };
+        let strains = (0..self.chain.terms()).filter_map(|index| stretch.term(index).first());
+        stretch.heights[0] + self.chain.voigt.iter().zip(strains).map(|((rate, _), e)| e * (-rate * time).exp()).sum::<f64>()
     }
 
-    /// Stretches between two places with the states of a function of place and height, halved until series keep them.
-    pub(super) fn build(
-        &mut self,
-        (low, high): (f64, f64),
-        in_contact: bool,
-        at: &mut dyn FnMut(f64, f64, &mut [f64]),
-        into: &mut Vec<Stretch>,
-    ) {
-        if high - low <= 0.0 {
-            return;
-        }
-        let shares = self.shares(in_contact);
-        let noise = &self.chain.noise[usize::from(!in_contact)];
-        let breaks = if let Profile::Table(_) = self.profile { self.profile.breaks(high) } else { Vec::new() };
-        let mut start = low;
-        for end in breaks.into_iter().filter(|place| *place > low * (1.0 + 1e-9) && *place < high * (1.0 - 1e-9)).chain([high]) {
-            self.build_smooth((start, end), (&shares, noise), at, into, MOST_HALVINGS);
-            start = end;
-        }
-    }
-
-    fn build_smooth(
-        &mut self,
-        (low, high): (f64, f64),
-        (shares, noise): (&[f64], &[f64]),
-        at: &mut dyn FnMut(f64, f64, &mut [f64]),
-        into: &mut Vec<Stretch>,
-        halvings: u32,
-    ) {
-        let terms = self.chain.terms();
-        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
-        let mut state = vec![0.0; terms];
-        for k in 0..NODES {
-            let place = stretch.place(k);
-            let height = self.profile.line(place);
-            stretch.heights[k] = height;
-            at(place, height, &mut state);
-            for (index, value) in state.iter().enumerate() {
-                if let Some(cell) = stretch.state.get_mut(index * NODES + k) {
-                    *cell = *value;
-                }
-            }
-        }
-        self.updates += NODES as u64;
-        let allowed = self.tolerance * self.depth;
-        let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
-        let resolved = left(&stretch.heights) <= allowed
-            && shares
-                .iter()
-                .zip(noise)
-                .enumerate()
-                .all(|(index, (share, noise))| share * left(stretch.term(index)) <= allowed.max(noise * self.depth));
-        let middle = 0.5 * (low + high);
-        if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
-            into.push(stretch);
-        } else {
-            self.build_smooth((low, middle), (shares, noise), at, into, halvings - 1);
-            self.build_smooth((middle, high), (shares, noise), at, into, halvings - 1);
-        }
+    /// The largest place and penetration that the shape is known for.
+    pub(super) fn known(&self) -> [f64; 2] {
+        if let Profile::Table(shape) = self.profile { [shape.reach(), self.profile.line(shape.reach())] } else { [f64::INFINITY; 2] }
     }
 
     /// Lets a time pass over all that the edge does not touch.
@@ -329,75 +269,5 @@ impl<'a> Line<'a> {
             }
         }
         self.updates += (self.contact.len() + self.free.len()) as u64 * NODES as u64;
-    }
-
-    /// Joins neighbours that one series keeps, and forgets what has recovered.
-    pub(super) fn tidy(&mut self, all: bool) {
-        let dead = DEAD * self.depth;
-        while self.free.last().is_some_and(|stretch| stretch.state.iter().all(|e| e.abs() <= dead)) {
-            self.free.pop();
-        }
-        self.most_stretches = self.most_stretches.max((self.contact.len() + self.free.len()) as u64);
-        let many = self.contact.len() + self.free.len() > MANY;
-        for in_contact in [true, false] {
-            let shares = self.shares(in_contact);
-            let noise: f64 = self.chain.noise[usize::from(!in_contact)].iter().sum();
-            let allowed = (self.tolerance.max(noise)) * self.depth * if many { 100.0 } else { 1.0 };
-            let list = std::mem::take(if in_contact { &mut self.contact } else { &mut self.free });
-            let mut kept: Vec<Stretch> = Vec::with_capacity(list.len());
-            for stretch in list {
-                let mut next = stretch;
-                while let Some(before) = kept.last() {
-                    if !(all || before.fresh || next.fresh) {
-                        break;
-                    }
-                    let Some((joined, change)) = self.joined(before, &next, &shares, allowed) else { break };
-                    self.joined += change;
-                    kept.pop();
-                    next = joined;
-                }
-                kept.push(next);
-            }
-            for stretch in &mut kept {
-                stretch.fresh = false;
-            }
-            *(if in_contact { &mut self.contact } else { &mut self.free }) = kept;
-        }
-    }
-
-    /// Two neighbours as one, and what that changes in S at most; none where it would be more than is allowed.
-    fn joined(&self, first: &Stretch, second: &Stretch, shares: &[f64], allowed: f64) -> Option<(Stretch, f64)> {
-        let (low, high) = (first.low, second.high);
-        let terms = self.chain.terms();
-        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
-        for k in 0..NODES {
-            let place = whole.place(k);
-            whole.heights[k] = self.profile.line(place);
-            let of = if place <= first.high { first } else { second };
-            let weights = GRID.at(place - of.low, of.high - place);
-            for index in 0..terms {
-                if let Some(cell) = whole.state.get_mut(index * NODES + k) {
-                    *cell = dot(&weights, of.term(index));
-                }
-            }
-        }
-        let mut most = 0.0_f64;
-        // The middle of both first: where it fails, it mostly fails at their border.
-        for of in [first, second] {
-            for k in (0..NODES).rev() {
-                let place = of.place(k);
-                let weights = GRID.at(place - low, high - place);
-                let mut change = (dot(&weights, &whole.heights) - of.heights[k]).abs();
-                for (index, share) in shares.iter().enumerate() {
-                    let there = of.term(index).get(k).copied().unwrap_or(0.0);
-                    change += share * (dot(&weights, whole.term(index)) - there).abs();
-                }
-                most = most.max(change);
-                if most > allowed {
-                    return None;
-                }
-            }
-        }
-        Some((whole, most))
     }
 }

@@ -12,22 +12,31 @@
 //!
 //! Without adhesion nothing but S ≥ 0 decides what is in contact, chain by chain, and S falls along s ([`line`]): given Δ(t), no chain waits for another.
 //! Each knows the instants at which the edge passes it, as roots of its own S(t), and what it is between them in closed form; the strains are kept as
-//! Chebyshev series between the places where the edge turned. There are no steps in time: one stretch of the history is one move ([`edge`]). Instead of Δ
-//! a force may be given that only grows on a fresh surface: it gives Δ in closed form ([`fresh`]). Other forces, frames and radii are marched
-//! ([`crate::indentation::march`]).
+//! Chebyshev series between the places where the edge turned. There are no steps in time: one stretch of the history is one move ([`edge`]). Where a force,
+//! a frame or a radius is given, Δ is a polynomial on each panel of time that meets it at Chebyshev's nodes ([`imposed`], [`law`]).
 //!
 //! Errors come from the series: two courses of different fineness tell.
 //!
 //! Sources: Lee & Radok, J. Appl. Mech. 27 (1960) 438; Ting, J. Appl. Mech. 33 (1966) 845 and 35 (1968) 248; Graham, Int. J. Eng. Sci. 5 (1967) 495.
 
 mod chain;
-mod controls;
 mod course;
+mod cycles;
 mod drive;
 mod edge;
 mod fresh;
 mod grid;
+mod imposed;
+mod law;
 mod line;
+mod linear;
+mod motions;
+mod passing;
+mod points;
+mod rising;
+mod series;
 mod solve;
+mod state;
+mod times;
 
 pub(super) use solve::{course, solve, surface_at};

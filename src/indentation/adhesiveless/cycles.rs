@@ -1,0 +1,83 @@
+//! Cycles of an oscillation: those that repeat, and the times at which points are wanted.
+
+use super::course::Course;
+use super::line::Line;
+use crate::indentation::stretch::Stretch;
+
+/// Instants between which the power is added up: the first over the shortest relaxation time.
+const FIRST_OF_LEDGER: f64 = 0.02;
+/// Even ones between two instants that are kept, at least.
+const FEWEST: u32 = 4;
+/// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
+const REPEATED: f64 = 1e-5;
+/// Change of a cycle over the depth that is rounding.
+const NO_CHANGE: f64 = 4e-15;
+
+impl<'a> Course<'a> {
+    /// Cycles that are left out because each is the last one again: none where that is not sure to what was asked for.
+    pub(super) fn repeated(&mut self, stretch: &Stretch, at_start: &mut Option<Line<'a>>, next: u64, by: f64) -> u64 {
+        let Some(oscillation) = stretch.segment.oscillation else { return 0 };
+        let steady = oscillation.frequency.to_bits() == oscillation.end_frequency.to_bits()
+            && stretch.segment.end.to_bits() == stretch.from.to_bits()
+            && !oscillation.until_stationary;
+        if !steady || self.until.is_finite() || next < 3 {
+            return 0;
+        }
+        let last = (by * oscillation.frequency * (1.0 + 1e-12)).floor() as u64;
+        let left = (last + 1).saturating_sub(next);
+        let before = at_start.replace(self.line.clone());
+        let Some(before) = before.filter(|_| left > 1) else { return 0 };
+        // Nothing that follows makes a difference larger: so many cycles change by at most so many times as much as this one did, and no more of them
+        // than memory lasts.
+        let last_change = self.line.distance(&before);
+        let remembered = 2.0 * (1.0 + oscillation.frequency * self.chain.memory());
+        let change = last_change * remembered.min(left as f64);
+        let allowed = REPEATED * self.problem.accuracy * self.line.depth;
+        if change > allowed && last_change > NO_CHANGE * self.line.depth {
+            return 0;
+        }
+        self.line.joined += change;
+        let Some(meter) = &mut self.meter else { return 0 };
+        for _ in 0..left {
+            self.record.cycle_again(meter);
+        }
+        self.time = stretch.end_of_cycle(next + left - 1).unwrap_or(by).min(by);
+        self.point(false);
+        left
+    }
+
+    /// Times up to a target at which points of the path are wanted, the target last.
+    pub(super) fn between(&self, stretch: &Stretch, target: f64) -> Vec<f64> {
+        let mut times = Vec::new();
+        if let Some(oscillation) = stretch.segment.oscillation {
+            let duration = stretch.segment.duration;
+            let of_cycle = f64::from(self.fineness.of_cycle);
+            let mut k = (oscillation.cycles_at(self.time, duration) * of_cycle * (1.0 + 1e-12)).floor();
+            loop {
+                k += 1.0;
+                match oscillation.time_of(k / of_cycle, duration) {
+                    Some(time) if time < target * (1.0 - 1e-12) => {
+                        if time > self.time {
+                            times.push(time);
+                        }
+                    }
+                    _ => break,
+                }
+            }
+        } else if self.problem.energies && self.until.is_infinite() {
+            let (ratio, even) = self.fineness.ledger;
+            let even = (even / self.problem.instants_per_segment.max(1)).max(FEWEST);
+            let mut way = FIRST_OF_LEDGER * self.chain.shortest_time().min(target - self.time);
+            while self.recent.len() <= 1 && self.time + way < target {
+                times.push(self.time + way);
+                way *= ratio;
+            }
+            times.extend((1..even).map(|k| self.time + (target - self.time) * f64::from(k) / f64::from(even)));
+            times.sort_by(f64::total_cmp);
+            times.dedup_by(|second, first| *second - *first <= 1e-9 * *second);
+        }
+        times.retain(|time| *time < target * (1.0 - 1e-13));
+        times.push(target);
+        times
+    }
+}

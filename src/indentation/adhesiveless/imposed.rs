@@ -1,0 +1,288 @@
+//! Along a force, a frame or a radius: panels of time, in each of which Δ is a polynomial that meets what is imposed ([`Law`](super::law::Law)), then a
+//! drive like one that is given. A panel ends where the edge turns; it is shorter where the polynomial does not end, or passes a place where the line has a
+//! kink.
+
+use super::course::Course;
+use super::drive::{DEGREE, Drive};
+use super::edge::Ended;
+use super::law::{Asked, Law, places};
+use super::linear::Row;
+use crate::indentation::history::Controlled;
+use crate::indentation::stretch::Stretch;
+use crate::refusal::Refusal;
+use std::f64::consts::PI;
+
+/// Time before a contact is lost that is none, over the shortest relaxation time and over the stretch.
+const NOTHING: f64 = 1e-10;
+/// The same after it is found, over what is left: what the strains miss of it goes with its square.
+const SOON: f64 = 1e-8;
+/// A panel over less than this part of the time that counts is not shortened further: what it leaves counts as unknown.
+const SHORTEST: f64 = 1e-13;
+/// Part of the way to a force that vanishes, growth and shrinkage of panels.
+const TOWARDS: f64 = 0.7;
+const FASTEST: f64 = 4.0;
+const SLOWEST: f64 = 0.25;
+const GROWTH: f64 = 1.5;
+/// A panel that is no better for being shorter leaves rounding; it is not believed to be so much over what is allowed.
+const NO_BETTER: f64 = 0.9;
+const MOST_NOISE: f64 = 300.0;
+const MOST_PANELS: u32 = 200_000;
+/// What a panel may leave over what series may, and what rounding leaves of it, over the depth.
+const OF_SERIES: f64 = 1.0;
+const ROUNDING: f64 = 1e-13;
+/// Instants at which it is looked whether something imposed passes zero.
+const LOOKS: u32 = 64;
+
+impl Course<'_> {
+    /// What is imposed, and in which unit.
+    fn asked(&self, controlled: Controlled) -> (Asked, f64) {
+        let twice = 2.0 * self.chain.glassy;
+        match controlled {
+            Controlled::Force => (Asked::Load { of_force: 1.0, of_depth: 0.0 }, twice.recip()),
+            Controlled::Frame => (Asked::Load { of_force: self.problem.frame_stiffness.map_or(0.0, |k| twice / k), of_depth: 1.0 }, 1.0),
+            Controlled::Penetration => (Asked::Load { of_force: 0.0, of_depth: 1.0 }, 1.0),
+            Controlled::ContactRadius => (Asked::Radius, 1.0),
+        }
+    }
+
+    /// Goes towards a time of a stretch that controls something else than the penetration.
+    pub(super) fn toward(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+        let controlled = stretch.segment.controlled;
+        let given = self.drive(stretch, target);
+        let (whole, start) = (given.duration, self.time);
+        let (mut at, mut panels) = (0.0, 0);
+        while at < whole {
+            panels += 1;
+            if panels > MOST_PANELS {
+                return Err(Refusal::NotConverged { what: "a force or a frame", detail: format!("at t = {:e}", self.now()) });
+            }
+            self.time = start + at;
+            let nothing = NOTHING * self.chain.shortest_time().min(whole);
+            if self.line.radius() == 0.0 {
+                let touch = self.until(&given, at, |course, time| course.presses(controlled, &given, at, time));
+                self.stay_open(controlled, &given, at, touch);
+                at = touch;
+                if at < whole {
+                    let soon = SOON * (whole - at);
+                    self.stay_open(controlled, &given, at, at + soon);
+                    at += soon;
+                    self.settle(controlled, given.value(at))?;
+                    self.corner();
+                }
+                continue;
+            }
+            let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
+            let gone = if pulls {
+                self.until(&given, at, |_, time| given.value(time) < 0.0 || (time > at && given.value(time) <= 0.0))
+            } else {
+                f64::INFINITY
+            };
+            if pulls && gone - at <= nothing.max(4.0 * f64::EPSILON * gone) && (gone < whole || given.end() <= 0.0) {
+                self.time = start + gone;
+                self.let_go()?;
+                self.lost();
+                self.line.pass_nothing(&Drive::straight(self.line.penetration, self.line.penetration, gone - at));
+                at = gone;
+                continue;
+            }
+            let vanishes = gone < whole || given.end() <= 0.0;
+            let most = if pulls && vanishes { TOWARDS * (gone - at) } else { whole - at };
+            at += self.panel(controlled, &given, at, most)?;
+        }
+        self.time = start + whole;
+        if (self.time - target).abs() <= 4.0 * f64::EPSILON * target {
+            self.time = target;
+        }
+        Ok(())
+    }
+
+    /// One panel, at most so long: how long it was.
+    fn panel(&mut self, controlled: Controlled, given: &Drive, at: f64, most: f64) -> Result<f64, Refusal> {
+        let (asked, unit) = self.asked(controlled);
+        let least = SHORTEST * self.chain.shortest_time().min(given.duration);
+        let mut length = if self.panel_length > 0.0 { self.panel_length } else { 0.1 * self.chain.shortest_time().min(most) };
+        length = length.min(most);
+        if most - length < 0.2 * length {
+            length = most;
+        }
+        let mut before = f64::INFINITY;
+        loop {
+            let target: Row = places().map(|part| unit * given.value(at + part * length));
+            let law = Law::new(&self.line, &self.fresh, length);
+            self.evaluations += 1;
+            let met = law.met(asked, &target)?;
+            let start = self.line.penetration;
+            let Some(met) = met else {
+                if length <= least {
+                    return Err(Refusal::NotConverged { what: "a force or a frame", detail: format!("at t = {:e}", self.now()) });
+                }
+                length *= SLOWEST;
+                continue;
+            };
+            let rises = met.depths.map(|depth| depth - start);
+            let reach = rises.iter().fold(self.line.depth, |most, rise| most.max((start + rise).abs()));
+            let (left, allowed) = (
+                tail(&rises),
+                (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach,
+            );
+            let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
+            let (own, allowed) = (allowed, allowed.max(met.noise));
+            if left > allowed {
+                let rounding = left < MOST_NOISE * allowed && left > NO_BETTER * before;
+                before = left;
+                if length > least && !rounding {
+                    let passed = law.passes(&met).filter(|part| *part > SLOWEST && *part < 0.95);
+                    length *= passed.unwrap_or_else(|| factor.clamp(SLOWEST, 0.7));
+                    continue;
+                }
+                self.line.joined += left.min(own * MOST_NOISE);
+            }
+            let points: Vec<(f64, f64)> = places().into_iter().zip(rises).collect();
+            let drive = Drive::through(start, length, &points);
+            let (passed, ended) = self.line.follow(&drive, met.way, allowed)?;
+            if let (Asked::Radius, Ended::Whole) = (asked, ended) {
+                self.line.put_edge(met.places[DEGREE - 1]);
+            }
+            self.panel_length = (length * factor.clamp(if before.is_finite() { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
+            self.time += passed;
+            match ended {
+                Ended::Whole | Ended::Touched => {}
+                Ended::Lost => self.lost(),
+                Ended::Turned => self.turned(),
+            }
+            // Turned at once: rounding, for a panel knows its way.
+            if passed <= 0.0 && ended == Ended::Turned {
+                self.line.pass_nothing(&drive);
+                return Ok(length);
+            }
+            return Ok(passed.max(f64::MIN_POSITIVE));
+        }
+    }
+
+    /// The first time from another one on at which something is so.
+    fn until(&self, given: &Drive, from: f64, is_so: impl Fn(&Self, f64) -> bool) -> f64 {
+        let whole = given.duration;
+        let mut before = from;
+        for k in 0..=LOOKS {
+            let time = if k == LOOKS { whole } else { from + (whole - from) * f64::from(k) / f64::from(LOOKS) };
+            if is_so(self, time) {
+                let (mut low, mut high) = (before, time);
+                while high - low > f64::EPSILON * high {
+                    let middle = 0.5 * (low + high);
+                    if middle <= low || middle >= high {
+                        break;
+                    }
+                    if is_so(self, middle) { high = middle } else { low = middle }
+                }
+                return high;
+            }
+            before = time;
+        }
+        whole
+    }
+
+    /// Whether what is imposed at a time presses an indenter that has been open since another one.
+    fn presses(&self, controlled: Controlled, given: &Drive, since: f64, time: f64) -> bool {
+        let value = given.value(time);
+        match controlled {
+            Controlled::Force | Controlled::ContactRadius => value > 0.0,
+            Controlled::Frame | Controlled::Penetration => {
+                value > self.line.surface_after(time - since) + self.fineness.series.max(ROUNDING) * self.line.depth
+            }
+        }
+    }
+
+    /// Lets a time pass in which nothing presses: a frame takes the indenter along; without one it stays, unless the surface comes up to it.
+    fn stay_open(&mut self, controlled: Controlled, given: &Drive, from: f64, to: f64) {
+        if to <= from {
+            return;
+        }
+        let depth = self.line.penetration;
+        self.line.pass_nothing(&Drive::straight(depth, depth, to - from));
+        let surface = self.line.surface_after(0.0);
+        self.line.went_to(if controlled == Controlled::Frame { given.value(to) } else { depth }.min(surface));
+        self.time += to - from;
+        self.panel_length = 0.0;
+    }
+
+    /// The contact is lost with its force.
+    fn let_go(&mut self) -> Result<(), Refusal> {
+        let depth = self.line.penetration - self.line.pressing_at(0.0);
+        self.line.leap(depth)?;
+        self.line.release_all();
+        Ok(())
+    }
+
+    /// Meets an imposed value at once.
+    pub(super) fn settle(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
+        let (asked, unit) = self.asked(controlled);
+        let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
+        let open = self.line.radius() == 0.0;
+        let depth = if controlled == Controlled::Penetration
+            || (open && controlled == Controlled::Frame && value <= self.line.surface_after(0.0))
+        {
+            value
+        } else if pulls && value <= 0.0 {
+            return if open { Ok(()) } else { self.let_go() };
+        } else if open && self.line.profile.is_flat() {
+            // All of a punch is touched at once: from where it touches.
+            self.line.went_to(self.line.surface_after(0.0));
+            self.line.touch_rim();
+            return self.settle(controlled, value);
+        } else {
+            let law = Law::new(&self.line, &self.fresh, 0.0);
+            self.evaluations += 1;
+            let met = law.met(asked, &[unit * value; DEGREE])?;
+            met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
+        };
+        self.line.leap(depth)?;
+        match controlled {
+            Controlled::ContactRadius => self.line.put_edge(value),
+            // Nothing carries any more: the frame takes the indenter along.
+            Controlled::Frame if self.line.radius() == 0.0 => self.line.went_to(value),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// A contact that has been held at a value until it has relaxed.
+    pub(super) fn relaxed(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
+        let modulus = self.chain.relaxed;
+        if modulus == 0.0 && value > 0.0 {
+            return Err(Refusal::Undefined {
+                quantity: "the relaxed contact",
+                reason: "the material has no relaxed modulus: it flows for ever; start untouched and hold".into(),
+            });
+        }
+        let depth = match controlled {
+            Controlled::Penetration => value,
+            Controlled::ContactRadius => self.line.profile.line(value),
+            Controlled::Force => self.fresh.depth(0.5 * value / modulus)?,
+            Controlled::Frame => {
+                // Δ + 2E0*Φ/k_f = value: the load rises with Δ.
+                let stiffness = self.problem.frame_stiffness.unwrap_or(f64::INFINITY);
+                let (mut low, mut high) = (value.min(0.0), value);
+                for _ in 0..200 {
+                    let middle = 0.5 * (low + high);
+                    let deeper = self.fresh.depth(0.5 * stiffness * (value - middle) / modulus).map_or(true, |depth| depth > middle);
+                    if deeper { low = middle } else { high = middle }
+                }
+                if value > 0.0 { 0.5 * (low + high) } else { value }
+            }
+        };
+        self.line.rested(depth)
+    }
+}
+
+/// The last coefficients of the Chebyshev series through nodes.
+fn tail(rises: &Row) -> f64 {
+    let coefficient = |order: usize| {
+        let whole = DEGREE as f64;
+        let terms = rises.iter().enumerate().map(|(k, rise)| {
+            let half = if k + 1 == DEGREE { 0.5 } else { 1.0 };
+            half * rise * (PI * (order * (k + 1)) as f64 / whole).cos()
+        });
+        (if order == DEGREE { 1.0 } else { 2.0 } / whole * terms.sum::<f64>()).abs()
+    };
+    coefficient(DEGREE).max(0.1 * coefficient(DEGREE - 1))
+}

@@ -1,0 +1,286 @@
+//! What is imposed on a stretch of time in which the edge goes one way, as equations for Δ at its Chebyshev nodes (Graham).
+//!
+//! With ℛ the relaxation over E∞*, F/2E∞* is ∫(κ − p)₊ ds of κ = ℛΔ over the chains in contact while the edge recedes ([`Line::holding`]): no passage of
+//! the edge is needed. While it advances F/2E∞* = ℛΦ, with Φ = ∫W ds over the whole line, an elastic function of Δ and of the free surface. In both ways
+//!
+//! ```text
+//! c_F A_k(y_k) + c_D Σ_l(ℛ⁻¹)_kl y_l = b_k      y = κ or Δ,   A = ∫(κ − p)₊ ds or Φ,   dA/dy = a
+//! ```
+//!
+//! where c_F F/2E∞* + c_Δ Δ is imposed: convex in y, so that Newton's steps from above go straight down. A duration of zero makes ℛ one: a step.
+
+use super::drive::{DEGREE, Drive, means};
+use super::edge::Way;
+use super::fresh::Fresh;
+use super::line::Line;
+use super::linear::{Row, Square, solved};
+use super::rising::{Reached, Rising};
+use crate::refusal::Refusal;
+use std::f64::consts::PI;
+
+const MOST_ITERATIONS: u32 = 200;
+/// An excess over what is imposed that tells the way of the edge.
+const CLEAR: f64 = 1e-13;
+/// Steps that no longer halve are rounding, if they are so small over the level, or so many times what is remembered.
+const STALLED: f64 = 1e-12;
+const MANY: f64 = 16.0;
+/// What rounding leaves of a level.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// What is imposed.
+#[derive(Clone, Copy)]
+pub(super) enum Asked {
+    /// c_F F/2E∞* + c_D Δ.
+    Load {
+        of_force: f64,
+        of_depth: f64,
+    },
+    Radius,
+}
+
+/// Δ, where the edge is and which way it goes.
+pub(super) struct Met {
+    pub(super) way: Way,
+    pub(super) depths: Row,
+    pub(super) places: Row,
+    /// What rounding leaves of Δ: a small contact carries little of what the whole surface remembers.
+    pub(super) noise: f64,
+}
+
+/// Parts of a duration at which its nodes lie.
+pub(super) fn places() -> Row {
+    std::array::from_fn(|k| if k + 1 == DEGREE { 1.0 } else { 0.5 - 0.5 * (PI * (k as f64 + 1.0) / DEGREE as f64).cos() })
+}
+
+pub(super) struct Law<'l, 'a> {
+    line: &'l Line<'a>,
+    fresh: &'l Fresh<'a>,
+    soft: f64,
+    inverse: Square,
+    kept: [Vec<f64>; DEGREE],
+    recovered: [Vec<f64>; DEGREE],
+}
+
+impl<'l, 'a> Law<'l, 'a> {
+    pub(super) fn new(line: &'l Line<'a>, fresh: &'l Fresh<'a>, duration: f64) -> Self {
+        let chain = line.chain;
+        let nodes = places();
+        let kept = nodes.map(|node| chain.maxwell.iter().map(|(_, rho)| (-node * duration / rho).exp()).collect::<Vec<f64>>());
+        let recovered = nodes.map(|node| chain.voigt.iter().map(|(rate, _)| (-node * duration * rate).exp()).collect());
+        let soft = chain.relaxed / chain.glassy;
+        // ℛ of the powers of the time, then of values at the nodes.
+        let mut of_powers: Square = [[0.0; DEGREE]; DEGREE];
+        for ((row, node), kept) in of_powers.iter_mut().zip(nodes).zip(&kept) {
+            let mut factors = [soft; DEGREE];
+            for ((modulus, rho), kept) in chain.maxwell.iter().zip(kept) {
+                for (factor, mean) in factors.iter_mut().zip(means(node * duration / rho, *kept)) {
+                    *factor += modulus / chain.glassy * mean;
+                }
+            }
+            let mut power = 1.0;
+            for (value, factor) in row.iter_mut().zip(factors) {
+                power *= node;
+                *value = factor * power;
+            }
+        }
+        let powers: Square = nodes.map(|node| std::array::from_fn(|l| node.powi(l as i32 + 1)));
+        // ℛ = (of powers)(powers)⁻¹: ℛ⁻¹ = (powers)(of powers)⁻¹, row by row from the transposed system.
+        let transposed: Square = std::array::from_fn(|k| std::array::from_fn(|l| of_powers[l][k]));
+        let inverse = powers.map(|row| solved(transposed, row));
+        Self { line, fresh, soft, inverse, kept, recovered }
+    }
+
+    /// ℛ⁻¹ of values over those at the start.
+    fn undone(&self, values: &Row) -> Row {
+        self.inverse.map(|row| row.iter().zip(values).map(|(entry, value)| entry * value).sum())
+    }
+
+    fn depths_of(&self, kappa: &Row) -> Row {
+        let start = self.line.penetration;
+        self.undone(&kappa.map(|kappa| kappa - self.soft * start)).map(|rise| start + rise)
+    }
+
+    /// Δ at the nodes for what is imposed there; none where Newton's steps do not end.
+    pub(super) fn met(&self, asked: Asked, target: &Row) -> Result<Option<Met>, Refusal> {
+        let line = self.line;
+        let a = line.radius();
+        let inside: Vec<Rising> = self.kept.iter().map(|kept| line.holding(kept)).collect();
+        let outside = || self.recovered.iter().map(|recovered| line.surfaces(recovered)).collect::<Vec<Rising>>();
+        let (of_force, of_depth) = match asked {
+            Asked::Radius => return self.met_radius(&inside, &outside(), target).map(Some),
+            Asked::Load { of_force, of_depth } => (of_force, of_depth),
+        };
+        let punch = a > 0.0 && a >= line.profile.rim();
+        if a > 0.0 {
+            // The edge as it would have to be imposed to stay.
+            let stays: Row = std::array::from_fn(|k| inside[k].last().unwrap_or(0.0));
+            let depths = self.depths_of(&stays);
+            let areas: Row = std::array::from_fn(|k| inside[k].under(stays[k]));
+            let excess: Row = std::array::from_fn(|k| target[k] - of_force * areas[k] - of_depth * depths[k]);
+            let size = target.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
+            let Some(excess) = clear.filter(|_| !punch) else {
+                if !punch {
+                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], noise: 0.0 }));
+                }
+                return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
+            };
+            if *excess < 0.0 {
+                return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
+            }
+        }
+        self.outwards(&outside(), (of_force, of_depth), target)
+    }
+
+    fn inwards(&self, inside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
+        let (line, start) = (self.line, self.line.penetration);
+        let (a, rim) = (line.radius(), line.profile.rim());
+        let base = self.undone(&[self.soft * start; DEGREE]);
+        let right: Row = std::array::from_fn(|k| target[k] - of_depth * (start - base[k]));
+        let reached = |k: usize, level: f64| {
+            // All of a flat punch lets go at once.
+            let all = a >= rim && (line.profile.is_flat() || level >= inside[k].last().unwrap_or(0.0));
+            if all { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
+        };
+        let (kappa, places) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
+        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, noise: 0.0 })
+    }
+
+    fn outwards(&self, outside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
+        let (line, chain) = (self.line, self.line.chain);
+        let a = line.radius();
+        let strains = line.free_strains();
+        let under = self.fresh.integral(a);
+        let now = a * line.penetration - under + strains.iter().sum::<f64>();
+        let springs = line.whole_springs(&strains);
+        let remembered = f64::EPSILON * strains.iter().chain(&springs).map(|value| value.abs()).sum::<f64>();
+        let left = |k: usize| -> f64 { self.recovered[k].iter().zip(&strains).map(|(kept, strain)| kept * strain).sum() };
+        let history: Row = std::array::from_fn(|k| {
+            let held = chain.maxwell.iter().zip(&self.kept[k]).zip(&springs);
+            self.soft * now + held.map(|(((modulus, _), kept), spring)| modulus / chain.glassy * kept * spring).sum::<f64>()
+        });
+        let right = self.undone(&std::array::from_fn(|k| target[k] - of_force * history[k])).map(|value| of_force * now + value);
+        let [_, top] = line.known();
+        let reached = |k: usize, level: f64| -> Result<Reached, Refusal> {
+            // Trials may be deeper than a table tells: as if it ended in a cylinder.
+            let known = level.min(top);
+            let mut reached = outside[k].reached(known);
+            if reached.beyond && reached.place < line.profile.rim() {
+                let (from, to) = (reached.place, line.virgin_edge(known, reached.place)?);
+                let beyond = known * (to - from) - (self.fresh.integral(to) - self.fresh.integral(from));
+                reached = Reached { area: reached.area + beyond, place: to, beyond: false };
+            }
+            let deeper = (level - known) * (reached.place - a).max(0.0);
+            Ok(Reached { area: a * level - under + left(k) + reached.area + deeper, ..reached })
+        };
+        // No lower than Δ is: a fresh contact on a surface that lies as deep everywhere as at the edge.
+        let mut from = [0.0; DEGREE];
+        for (k, level) in from.iter_mut().enumerate() {
+            *level = if of_depth > 0.0 {
+                target[k] / of_depth
+            } else {
+                let lift = (outside[k].first().unwrap_or_else(|| line.profile.line(a)) - line.profile.line(a)).max(0.0);
+                (lift + self.fresh.depth((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
+            };
+        }
+        let met = self.newton((of_force, of_depth), &right, from, remembered, reached)?;
+        if let Some(depth) = met.as_ref().and_then(|(depths, _)| depths.iter().find(|depth| **depth > top)) {
+            line.virgin_edge(*depth, a)?;
+        }
+        Ok(met.map(|(depths, places)| Met { way: Way::Outwards, depths, places, noise: remembered / places[0].max(f64::MIN_POSITIVE) }))
+    }
+
+    /// Newton's steps from above.
+    fn newton(
+        &self,
+        (of_force, of_depth): (f64, f64),
+        right: &Row,
+        mut level: Row,
+        remembered: f64,
+        reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
+    ) -> Result<Option<(Row, Row)>, Refusal> {
+        let scale = self.line.depth.max(f64::MIN_POSITIVE);
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST_ITERATIONS {
+            let along = self.undone(&level);
+            let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
+            for k in 0..DEGREE {
+                let there = reached(k, level[k])?;
+                excess[k] = of_force * there.area + of_depth * along[k] - right[k];
+                places[k] = there.place;
+            }
+            let step = if of_depth == 0.0 {
+                std::array::from_fn(|k| if excess[k] == 0.0 { 0.0 } else { excess[k] / (of_force * places[k]) })
+            } else {
+                let jacobian: Square = std::array::from_fn(|k| {
+                    std::array::from_fn(|l| of_depth * self.inverse[k][l] + if k == l { of_force * places[k] } else { 0.0 })
+                });
+                solved(jacobian, excess)
+            };
+            let size = step.iter().fold(0.0, |most: f64, step| most.max(step.abs()));
+            if !size.is_finite() {
+                return Ok(None);
+            }
+            let whole = level.iter().fold(scale, |most, level| most.max(level.abs()));
+            for (level, step) in level.iter_mut().zip(step) {
+                *level -= step;
+            }
+            let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
+            if size <= ROUNDING * whole || (size <= (STALLED * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
+                return Ok(Some((level, places)));
+            }
+            last = size;
+        }
+        Ok(None)
+    }
+
+    fn met_radius(&self, inside: &[Rising], outside: &[Rising], radii: &Row) -> Result<Met, Refusal> {
+        let line = self.line;
+        let a = line.radius();
+        let rising = radii[DEGREE - 1] > a || a == 0.0;
+        let own = radii.map(|radius| radius.max(0.0));
+        let mut level = [0.0; DEGREE];
+        for (k, level) in level.iter_mut().enumerate() {
+            *level = if rising {
+                let [limit, _] = line.known();
+                if own[k] > limit {
+                    return Err(Refusal::NoSuchState {
+                        reason: "the contact radius lies beyond the last point of the table".into(),
+                        limit_name: "the radius of its last point",
+                        limit,
+                    });
+                }
+                outside[k].value(own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
+            } else {
+                inside[k].value(own[k].min(a)).unwrap_or(0.0)
+            };
+        }
+        Ok(Met {
+            way: if rising { Way::Outwards } else { Way::Inwards },
+            depths: if rising { level } else { self.depths_of(&level) },
+            places: own,
+            noise: 0.0,
+        })
+    }
+
+    /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
+    pub(super) fn passes(&self, met: &Met) -> Option<f64> {
+        let a = self.line.radius();
+        let end = met.places[DEGREE - 1];
+        let (inside, outside) = (self.line.holding(&self.kept[0]), self.line.surfaces(&self.recovered[0]));
+        let knots = self.fresh.knots(a, end);
+        let first = inside
+            .borders(a, end)
+            .chain(outside.borders(a, end))
+            .chain(knots)
+            .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
+        let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
+        let way = Drive::through(a, 1.0, &points);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (way.value(middle) - first) * (end - a) < 0.0 { low = middle } else { high = middle }
+        }
+        Some(high)
+    }
+}

@@ -1,0 +1,213 @@
+//! What the edge does to the chains that it passes: each at its own time.
+
+use super::drive::{Drive, Moment};
+use super::edge::Way;
+use super::grid::{GRID, NODES, Nodal};
+use super::line::{Line, NARROWEST, Stretch};
+use super::times::{leaving, touching};
+use crate::refusal::Refusal;
+
+impl Line<'_> {
+    /// A time in which the edge rests.
+    pub(super) fn pass_nothing(&mut self, drive: &Drive) {
+        let moment = Moment::new(self.chain, drive, drive.duration);
+        self.age(&moment);
+        self.went_to(moment.depth);
+    }
+
+    /// A whole drive along which the edge goes one way.
+    pub(super) fn pass(&mut self, drive: &Drive, way: Way) -> Result<(), Refusal> {
+        let end = Moment::new(self.chain, drive, drive.duration);
+        let this = self.without_stretches();
+        let (mut moment, mut scratch, mut guess) = (Moment::default(), Vec::new(), 0.0);
+        match way {
+            Way::Inwards => self.recede(&end, &mut |height, state| {
+                let time = leaving(&this, drive, height, state, drive.duration, guess, &mut moment);
+                guess = time;
+                for ((u, kept), gained) in state.iter_mut().zip(&moment.kept).zip(&moment.gained) {
+                    *u = *u * kept + gained;
+                }
+                this.chain.released(moment.depth - height, state, &mut scratch);
+                for (e, &(rate, _)) in state.iter_mut().zip(&this.chain.voigt) {
+                    *e *= (-rate * (drive.duration - time)).exp();
+                }
+            }),
+            Way::Outwards => self.advance(&end, &mut |height, state| {
+                let time = touching(&this, drive, height, state, guess, &mut moment);
+                guess = time;
+                for (e, kept) in state.iter_mut().zip(&moment.recovered) {
+                    *e *= kept;
+                }
+                this.chain.touched(moment.depth - height, state, &mut scratch);
+                moment.set(this.chain, drive, time);
+                let passed = moment.gained.iter().zip(&this.chain.maxwell).zip(&end.gained);
+                for (u, ((gained, &(_, rho)), whole)) in state.iter_mut().zip(passed) {
+                    let kept = (-(drive.duration - time) / rho).exp();
+                    *u = *u * kept + (whole - gained * kept);
+                }
+            })?,
+        }
+        self.went_to(end.depth);
+        self.tidy(false);
+        Ok(())
+    }
+
+    /// A step of the penetration, at once: whether the contact was lost.
+    pub(super) fn leap(&mut self, to: f64) -> Result<bool, Refusal> {
+        let had = self.radius() > 0.0;
+        let before = self.penetration;
+        self.depth = self.depth.max(to.abs());
+        let terms = self.chain.terms();
+        // No dashpot moves: every spring takes the step.
+        let end = Moment {
+            depth: to,
+            kept: vec![1.0; terms],
+            gained: vec![to - before; terms],
+            recovered: vec![1.0; terms],
+            ..Moment::default()
+        };
+        let (chain, mut scratch) = (self.chain, Vec::new());
+        if to < before {
+            self.recede(&end, &mut |height, state| chain.released(before - height, state, &mut scratch));
+        } else {
+            self.advance(&end, &mut |height, state| chain.touched(to - height, state, &mut scratch))?;
+        }
+        self.went_to(to);
+        self.tidy(false);
+        Ok(had && self.radius() == 0.0)
+    }
+
+    /// The edge goes inwards: `released` takes a chain with its height from u_i at the start to e_j at the end.
+    fn recede(&mut self, end: &Moment, released: &mut dyn FnMut(f64, &mut [f64])) {
+        let mut freed: Vec<Stretch> = Vec::new();
+        let mut cut = None;
+        while let Some(stretch) = self.contact.pop() {
+            let place = snapped(&stretch, zero_in(&stretch, &self.pressed(&stretch, end)));
+            if place >= stretch.high {
+                self.contact.push(stretch);
+                break;
+            }
+            let mut parts = Vec::new();
+            self.build(
+                (place, stretch.high),
+                false,
+                &mut |s, height, state| {
+                    stretch.at(s, state);
+                    released(height, state);
+                },
+                &mut parts,
+            );
+            parts.append(&mut freed);
+            freed = parts;
+            if place > stretch.low {
+                cut = Some((stretch, place));
+                break;
+            }
+        }
+        if let Some((whole, place)) = cut {
+            let mut parts = Vec::new();
+            self.build((whole.low, place), true, &mut |s, _, state| whole.at(s, state), &mut parts);
+            self.contact.append(&mut parts);
+        }
+        self.age(end);
+        freed.append(&mut self.free);
+        self.free = freed;
+    }
+
+    /// The edge goes outwards: `touched` takes a chain with its height from e_j at the start to u_i at the end.
+    fn advance(&mut self, end: &Moment, touched: &mut dyn FnMut(f64, &mut [f64])) -> Result<(), Refusal> {
+        let (mut gained, mut rest): (Vec<Stretch>, Vec<Stretch>) = (Vec::new(), Vec::new());
+        let (mut reached, mut stopped) = (self.radius(), false);
+        for stretch in std::mem::take(&mut self.free) {
+            if stopped {
+                rest.push(stretch);
+                continue;
+            }
+            let place = snapped(&stretch, zero_in(&stretch, &self.opened(&stretch, end)));
+            if place > stretch.low {
+                self.build(
+                    (stretch.low, place),
+                    true,
+                    &mut |s, height, state| {
+                        stretch.at(s, state);
+                        touched(height, state);
+                    },
+                    &mut gained,
+                );
+                reached = place;
+            }
+            stopped = place < stretch.high;
+            if stopped && place > stretch.low {
+                self.build((place, stretch.high), false, &mut |s, _, state| stretch.at(s, state), &mut rest);
+            } else if stopped {
+                rest.push(stretch);
+            }
+        }
+        self.free = rest;
+        if !stopped {
+            let edge = self.virgin_edge(end.depth, reached)?;
+            if edge - reached > NARROWEST * edge {
+                self.build(
+                    (reached, edge),
+                    true,
+                    &mut |_, height, state| {
+                        state.fill(0.0);
+                        touched(height, state);
+                    },
+                    &mut gained,
+                );
+            }
+        }
+        self.age(end);
+        self.contact.append(&mut gained);
+        Ok(())
+    }
+
+    /// What rounding has left in contact when it was lost.
+    pub(super) fn release_all(&mut self) {
+        let depth = self.penetration;
+        let chain = self.chain;
+        let mut freed = Vec::new();
+        let mut scratch = Vec::new();
+        for stretch in std::mem::take(&mut self.contact) {
+            self.build(
+                (stretch.low, stretch.high),
+                false,
+                &mut |s, height, state| {
+                    stretch.at(s, state);
+                    chain.released(depth - height, state, &mut scratch);
+                },
+                &mut freed,
+            );
+        }
+        freed.append(&mut self.free);
+        self.free = freed;
+    }
+
+    fn without_stretches(&self) -> Self {
+        Self { contact: Vec::new(), free: Vec::new(), ..*self }
+    }
+}
+
+/// Where S passes zero in a stretch; an end where it does not.
+fn zero_in(stretch: &Stretch, values: &Nodal) -> f64 {
+    if values[NODES - 1] >= 0.0 {
+        stretch.high
+    } else if values[0] < 0.0 {
+        stretch.low
+    } else {
+        stretch.low + stretch.width() * GRID.part(GRID.falling_zero(values))
+    }
+}
+
+/// The same, at an end where it is next to one.
+fn snapped(stretch: &Stretch, place: f64) -> f64 {
+    let near = NARROWEST * stretch.high;
+    if place - stretch.low <= near {
+        stretch.low
+    } else if stretch.high - place <= near {
+        stretch.high
+    } else {
+        place
+    }
+}

@@ -1,0 +1,154 @@
+//! How finely the line is cut into stretches: halved until series keep it, joined where one does for two.
+
+use super::grid::{GRID, NODES, Nodal, dot};
+use super::line::{Line, NARROWEST, Stretch};
+use crate::indentation::profile::Profile;
+
+/// Halvings of a stretch that is not resolved.
+const MOST_HALVINGS: u32 = 48;
+/// Strains of this part of the depth are none.
+const DEAD: f64 = 1e-18;
+/// Stretches from which on they are joined more readily.
+const MANY: usize = 3000;
+
+impl Line<'_> {
+    /// What each term of a state weighs in S.
+    fn shares(&self, in_contact: bool) -> Vec<f64> {
+        if in_contact {
+            self.chain.maxwell.iter().map(|(modulus, _)| modulus / self.chain.glassy).collect()
+        } else {
+            vec![1.0; self.chain.terms()]
+        }
+    }
+
+    /// Stretches between two places with the states of a function of place and height, halved until series keep them.
+    pub(super) fn build(
+        &mut self,
+        (low, high): (f64, f64),
+        in_contact: bool,
+        at: &mut dyn FnMut(f64, f64, &mut [f64]),
+        into: &mut Vec<Stretch>,
+    ) {
+        if high - low <= 0.0 {
+            return;
+        }
+        let shares = self.shares(in_contact);
+        let noise = &self.chain.noise[usize::from(!in_contact)];
+        let breaks = if let Profile::Table(_) = self.profile { self.profile.breaks(high) } else { Vec::new() };
+        let mut start = low;
+        for end in breaks.into_iter().filter(|place| *place > low * (1.0 + 1e-9) && *place < high * (1.0 - 1e-9)).chain([high]) {
+            self.build_smooth((start, end), (&shares, noise), at, into, MOST_HALVINGS);
+            start = end;
+        }
+    }
+
+    fn build_smooth(
+        &mut self,
+        (low, high): (f64, f64),
+        (shares, noise): (&[f64], &[f64]),
+        at: &mut dyn FnMut(f64, f64, &mut [f64]),
+        into: &mut Vec<Stretch>,
+        halvings: u32,
+    ) {
+        let terms = self.chain.terms();
+        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
+        let mut state = vec![0.0; terms];
+        for k in 0..NODES {
+            let place = stretch.place(k);
+            let height = self.profile.line(place);
+            stretch.heights[k] = height;
+            at(place, height, &mut state);
+            for (index, value) in state.iter().enumerate() {
+                if let Some(cell) = stretch.state.get_mut(index * NODES + k) {
+                    *cell = *value;
+                }
+            }
+        }
+        self.updates += NODES as u64;
+        let allowed = self.tolerance * self.depth;
+        let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
+        let resolved = left(&stretch.heights) <= allowed
+            && shares
+                .iter()
+                .zip(noise)
+                .enumerate()
+                .all(|(index, (share, noise))| share * left(stretch.term(index)) <= allowed.max(noise * self.depth));
+        let middle = 0.5 * (low + high);
+        if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
+            into.push(stretch);
+        } else {
+            self.build_smooth((low, middle), (shares, noise), at, into, halvings - 1);
+            self.build_smooth((middle, high), (shares, noise), at, into, halvings - 1);
+        }
+    }
+
+    /// Joins neighbours that one series keeps, and forgets what has recovered.
+    pub(super) fn tidy(&mut self, all: bool) {
+        let dead = DEAD * self.depth;
+        while self.free.last().is_some_and(|stretch| stretch.state.iter().all(|e| e.abs() <= dead)) {
+            self.free.pop();
+        }
+        self.most_stretches = self.most_stretches.max((self.contact.len() + self.free.len()) as u64);
+        let many = self.contact.len() + self.free.len() > MANY;
+        for in_contact in [true, false] {
+            let shares = self.shares(in_contact);
+            let noise: f64 = self.chain.noise[usize::from(!in_contact)].iter().sum();
+            let allowed = (self.tolerance.max(noise)) * self.depth * if many { 100.0 } else { 1.0 };
+            let list = std::mem::take(if in_contact { &mut self.contact } else { &mut self.free });
+            let mut kept: Vec<Stretch> = Vec::with_capacity(list.len());
+            for stretch in list {
+                let mut next = stretch;
+                while let Some(before) = kept.last() {
+                    if !(all || before.fresh || next.fresh) {
+                        break;
+                    }
+                    let Some((joined, change)) = self.joined(before, &next, &shares, allowed) else { break };
+                    self.joined += change;
+                    kept.pop();
+                    next = joined;
+                }
+                kept.push(next);
+            }
+            for stretch in &mut kept {
+                stretch.fresh = false;
+            }
+            *(if in_contact { &mut self.contact } else { &mut self.free }) = kept;
+        }
+    }
+
+    /// Two neighbours as one, and what that changes in S at most; none where it would be more than is allowed.
+    fn joined(&self, first: &Stretch, second: &Stretch, shares: &[f64], allowed: f64) -> Option<(Stretch, f64)> {
+        let (low, high) = (first.low, second.high);
+        let terms = self.chain.terms();
+        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
+        for k in 0..NODES {
+            let place = whole.place(k);
+            whole.heights[k] = self.profile.line(place);
+            let of = if place <= first.high { first } else { second };
+            let weights = GRID.at(place - of.low, of.high - place);
+            for index in 0..terms {
+                if let Some(cell) = whole.state.get_mut(index * NODES + k) {
+                    *cell = dot(&weights, of.term(index));
+                }
+            }
+        }
+        let mut most = 0.0_f64;
+        // The middle of both first: where it fails, it mostly fails at their border.
+        for of in [first, second] {
+            for k in (0..NODES).rev() {
+                let place = of.place(k);
+                let weights = GRID.at(place - low, high - place);
+                let mut change = (dot(&weights, &whole.heights) - of.heights[k]).abs();
+                for (index, share) in shares.iter().enumerate() {
+                    let there = of.term(index).get(k).copied().unwrap_or(0.0);
+                    change += share * (dot(&weights, whole.term(index)) - there).abs();
+                }
+                most = most.max(change);
+                if most > allowed {
+                    return None;
+                }
+            }
+        }
+        Some((whole, most))
+    }
+}

@@ -1,0 +1,152 @@
+//! A line looked at: what presses where, what must not be negative, and how two lines differ.
+
+use super::grid::NODES;
+use super::line::{Line, NARROWEST, Stretch};
+use crate::refusal::Refusal;
+
+impl Line<'_> {
+    /// S at a place now.
+    pub(super) fn pressing_at(&self, place: f64) -> f64 {
+        let mut state = vec![0.0; self.chain.terms()];
+        if let Some(stretch) = self.contact.iter().find(|stretch| place <= stretch.high) {
+            stretch.at(place, &mut state);
+            let soft = self.chain.relaxed / self.chain.glassy * (self.penetration - self.profile.line(place));
+            return soft + self.chain.maxwell.iter().zip(&state).map(|((modulus, _), u)| modulus / self.chain.glassy * u).sum::<f64>();
+        }
+        if let Some(stretch) = self.free.iter().find(|stretch| place <= stretch.high) {
+            stretch.at(place, &mut state);
+        }
+        self.penetration - self.profile.line(place) - state.iter().sum::<f64>()
+    }
+
+    /// A relaxed contact at a penetration: no spring of a branch holds anything.
+    pub(super) fn rested(&mut self, penetration: f64) -> Result<(), Refusal> {
+        self.went_to(penetration);
+        let edge = self.virgin_edge(penetration, 0.0)?;
+        let mut stretches = Vec::new();
+        if edge > 0.0 && penetration > 0.0 {
+            self.build((0.0, edge), true, &mut |_, _, state| state.fill(0.0), &mut stretches);
+        }
+        self.contact = stretches;
+        Ok(())
+    }
+
+    /// All of a punch is touched, at the penetration of now.
+    pub(super) fn touch_rim(&mut self) {
+        let (rim, depth, chain) = (self.profile.rim(), self.penetration, self.chain);
+        let (free, mut scratch, mut stretches) = (std::mem::take(&mut self.free), Vec::new(), Vec::new());
+        self.build(
+            (0.0, rim),
+            true,
+            &mut |place, height, state| {
+                match free.iter().find(|stretch| place <= stretch.high) {
+                    Some(stretch) => stretch.at(place, state),
+                    None => state.fill(0.0),
+                }
+                chain.touched(depth - height, state, &mut scratch);
+            },
+            &mut stretches,
+        );
+        self.contact = stretches;
+    }
+
+    /// Puts the edge where it is imposed, which it is to rounding: all between carries nothing. In a liquid that has flowed nothing else tells where.
+    pub(super) fn put_edge(&mut self, place: f64) {
+        let (chain, depth, a) = (self.chain, self.penetration, self.radius());
+        if (place - a).abs() <= NARROWEST * a {
+            return;
+        }
+        let (contact, free, mut scratch) = (std::mem::take(&mut self.contact), std::mem::take(&mut self.free), Vec::new());
+        let (mut pressed, mut opened) = (Vec::new(), Vec::new());
+        let mut part = |line: &mut Self, stretch: Option<&Stretch>, (low, high): (f64, f64), was: bool| {
+            for (low, high, is) in [(low, high.min(place), true), (low.max(place), high, false)] {
+                let mut at = |s: f64, height: f64, state: &mut [f64]| {
+                    match stretch {
+                        Some(stretch) => stretch.at(s, state),
+                        None => state.fill(0.0),
+                    }
+                    match (was, is) {
+                        (true, false) => chain.released(depth - height, state, &mut scratch),
+                        (false, true) => chain.touched(depth - height, state, &mut scratch),
+                        _ => {}
+                    }
+                };
+                line.build((low, high), is, &mut at, if is { &mut pressed } else { &mut opened });
+            }
+        };
+        let mut end = a;
+        for stretch in &contact {
+            part(self, Some(stretch), (stretch.low, stretch.high), true);
+        }
+        for stretch in &free {
+            part(self, Some(stretch), (stretch.low, stretch.high), false);
+            end = stretch.high;
+        }
+        if place > end {
+            part(self, None, (end, place), false);
+        }
+        (self.contact, self.free) = (pressed, opened);
+    }
+
+    /// The least of what must not be negative, Q/E∞* inside and D outside (m), and what Q leaves at the edge, over the depth.
+    pub(super) fn least(&self) -> (f64, f64) {
+        let mut least = f64::INFINITY;
+        let mut at_edge = 0.0;
+        for stretch in &self.contact {
+            let load = self.load(stretch);
+            least = load.iter().fold(least, |least: f64, q| least.min(q / self.chain.glassy));
+            at_edge = load[NODES - 1] / self.chain.glassy;
+        }
+        if self.radius() >= self.profile.rim() {
+            // A rim may be pressed.
+            at_edge = 0.0;
+        }
+        for stretch in &self.free {
+            for (k, height) in stretch.heights.iter().enumerate() {
+                let surface: f64 = (0..self.chain.terms()).map(|index| stretch.term(index).get(k).copied().unwrap_or(0.0)).sum();
+                least = least.min(surface - (self.penetration - height));
+            }
+        }
+        if self.free.is_empty() && self.radius() < self.profile.rim() {
+            least = least.min(self.profile.line(self.radius()) - self.penetration);
+        }
+        let depth = if self.depth > 0.0 { self.depth } else { 1.0 };
+        (least, at_edge / depth)
+    }
+
+    /// The largest difference of two lines in any strain of a dashpot (m).
+    pub(super) fn distance(&self, other: &Self) -> f64 {
+        let terms = self.chain.terms();
+        let (mut own, mut theirs, mut scratch) = (vec![0.0; terms], vec![0.0; terms], Vec::new());
+        let mut most = 0.0_f64;
+        let dashpots = |line: &Self, place: f64, state: &mut [f64], scratch: &mut Vec<f64>| {
+            if let Some(stretch) = line.contact.iter().find(|stretch| place <= stretch.high) {
+                stretch.at(place, state);
+                let under = line.penetration - line.profile.line(place);
+                for u in state.iter_mut() {
+                    *u = under - *u;
+                }
+            } else {
+                match line.free.iter().find(|stretch| place <= stretch.high) {
+                    Some(stretch) => stretch.at(place, state),
+                    None => state.fill(0.0),
+                }
+                line.chain.touched(0.0, state, scratch);
+                for u in state.iter_mut() {
+                    *u = -*u;
+                }
+            }
+        };
+        for (one, another) in [(self, other), (other, self)] {
+            for stretch in one.contact.iter().chain(&one.free) {
+                for k in 0..NODES {
+                    let place = stretch.place(k);
+                    dashpots(one, place, &mut own, &mut scratch);
+                    dashpots(another, place, &mut theirs, &mut scratch);
+                    most = own.iter().zip(&theirs).fold(most, |most, (own, theirs)| most.max((own - theirs).abs()));
+                }
+            }
+        }
+        most
+    }
+}
