@@ -56,7 +56,7 @@ pub(super) fn slopes([cc, ss, pp, cs, cp, sp]: &Form, indenter: Indenter, eccent
 }
 
 /// The value of a form.
-fn of_form([cc, ss, pp, cs, cp, sp]: &Form, (c, s): Direction, p: f64) -> f64 {
+pub(super) fn of_form([cc, ss, pp, cs, cp, sp]: &Form, (c, s): Direction, p: f64) -> f64 {
     cc * c * c + ss * s * s + pp * p * p + cs * c * s + cp * c * p + sp * s * p
 }
 

@@ -55,18 +55,15 @@ impl Prepared {
     }
 
     /// The equilibrium curve; of a cylinder around a half-width.
-    ///
-    /// # Errors
-    /// Those of the contacts.
-    pub(super) fn curve(&self, size: f64) -> Result<Rc<EquilibriumCurve>, Refusal> {
+    pub(super) fn curve(&self, size: f64) -> Rc<EquilibriumCurve> {
         if let Some((known, curve)) = &*self.curve.borrow()
             && (known.to_bits() == size.to_bits() || self.indenter == Indenter::Wave)
         {
-            return Ok(Rc::clone(curve));
+            return Rc::clone(curve);
         }
-        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE)?);
+        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE));
         *self.curve.borrow_mut() = Some((size, Rc::clone(&curve)));
-        Ok(curve)
+        curve
     }
 
     /// The conditions under a control at a level.

@@ -138,9 +138,9 @@ fn searched(
             _ => {}
         }
     }
-    let curve = prepared.curve(size_of(problem))?;
+    let curve = prepared.curve(size_of(problem));
     let found = curve.held(held.0, held.1);
-    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable != Some(false)).collect();
+    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable).collect();
     if reached_by == ReachedBy::Unloading {
         candidates.reverse();
     }
@@ -150,14 +150,12 @@ fn searched(
     for (index, crossing) in candidates.iter().enumerate() {
         match accepted(prepared, problem, crossing, held.0, work) {
             Ok(mut contact) => {
-                let others = candidates.iter().enumerate().filter(|&(other, crossing)| other != index && crossing.stable == Some(true));
+                let others = candidates.iter().enumerate().filter(|&(other, _)| other != index);
                 let found = WaveContact { half_width: contact.values.half_width.value, eccentricity: contact.values.eccentricity.value };
                 contact.others = curve.others(held, found, others.map(|(_, crossing)| crossing));
                 outcome = Some(contact);
                 break;
             }
-            // At a turn of the half-width it is told by the contact alone.
-            Err(_) if crossing.stable.is_none() => {}
             Err(refusal) if curve.exists(crossing) => not_converged = Some(refusal),
             Err(_) => refused.push(*crossing),
         }
@@ -183,7 +181,7 @@ impl Nothing {
         work: &mut SlidingWork,
     ) -> Result<SlidingOutcome, Refusal> {
         let size = size_of(problem);
-        let curve = prepared.curve(size)?;
+        let curve = prepared.curve(size);
         let unstable = match &self {
             Self::Held { held, found, refused, reached_by } => {
                 if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {

@@ -1,0 +1,272 @@
+//! Both edge conditions at every half-width of a range, from those at a few.
+//!
+//! ```text
+//! x = ln tan(a/2)      û = (S²c, SC s, p)      S, C = sin, cos(a/2)      σ̂, Δ̂ = (trailing ± leading amplitude)/C,  lines in û      n̂ = σ̂ × Δ̂
+//! uᵀAu = v·(Ã/eˣ)v     v = (σ̂, Δ̂, n̂)û
+//! ```
+//! Divided by what they are of an elastic contact, lines and forms are smooth along x: their Chebyshev series on panels of x end after a few terms. A work is nearly the
+//! square of the amplitude of its edge, small between large parts; seen from the amplitudes nothing cancels, and what the series leave out stays small beside a work.
+
+use super::forms::{Conditions, Form, Line};
+use crate::sliding::contact::{ContactEdges, Indenter};
+use std::f64::consts::PI;
+
+/// Degrees of the series that are tried on a panel before it is divided.
+const DEGREES: [usize; 2] = [8, 16];
+/// The longest panel.
+const LONGEST: f64 = 4.0;
+/// A panel that is not divided, whatever is left out.
+const SHORTEST: f64 = 0.2;
+/// A panel that is left out if any of its half-widths is refused.
+const NARROWEST: f64 = 1e-3;
+/// Largest coefficient of the last terms, over the first ones.
+const TOLERANCE: f64 = 1e-7;
+/// The same of lines whose signs alone are looked at.
+const SIGN_TOLERANCE: f64 = 1e-4;
+
+type Square = [[f64; 3]; 3];
+
+/// Series of all numbers of both conditions over a part of the range.
+#[derive(Debug)]
+struct Panel {
+    middle: f64,
+    half: f64,
+    /// By degree.
+    series: Vec<Vec<f64>>,
+}
+
+/// Both conditions of a range of half-widths.
+#[derive(Debug)]
+pub(super) struct Table {
+    indenter: Indenter,
+    panels: Vec<Panel>,
+    /// Lines of amplitudes.
+    lines: usize,
+    with_works: bool,
+}
+
+impl Table {
+    /// From the conditions of single half-widths.
+    pub(super) fn new(indenter: Indenter, [low, high]: [f64; 2], conditions: impl Fn(ContactEdges) -> Option<Conditions>) -> Self {
+        let mut table = Self { indenter, panels: Vec::new(), lines: 0, with_works: false };
+        let count = ((high - low) / LONGEST).ceil().max(1.0);
+        let border = |index: f64| low + (high - low) * index / count;
+        let mut open: Vec<[f64; 2]> = (0..count as u32).rev().map(|index| [border(f64::from(index)), border(f64::from(index + 1))]).collect();
+        let at = |place: f64, table: &mut Self| -> Option<Vec<f64>> {
+            let found = conditions(ContactEdges::at_place(indenter, place, 0.0))?;
+            (table.lines, table.with_works) = (found.amplitudes.len(), found.works.is_some());
+            Some(flattened(indenter, &found, place))
+        };
+        while let Some([low, high]) = open.pop() {
+            let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+            let mut values: Vec<Vec<f64>> = Vec::new();
+            let mut settled = None;
+            let mut refused = false;
+            for degree in DEGREES {
+                let known = std::mem::take(&mut values);
+                for index in 0..=degree {
+                    // The nodes of half the degree are every second one.
+                    match known.get(index / 2).filter(|_| index % 2 == 0) {
+                        Some(value) => values.push(value.clone()),
+                        None => match at(middle + half * (PI * index as f64 / degree as f64).cos(), &mut table) {
+                            Some(value) => values.push(value),
+                            None => break,
+                        },
+                    }
+                }
+                refused = values.len() <= degree;
+                if refused {
+                    break;
+                }
+                let series = series(&values);
+                if table.is_resolved(&series) || (half < SHORTEST && degree == DEGREES[1]) {
+                    settled = Some(series);
+                    break;
+                }
+            }
+            match settled {
+                Some(series) => table.panels.push(Panel { middle, half, series }),
+                // Nothing is known of a half-width that is refused: the zone may be wider than the room there.
+                None if refused && half < NARROWEST => {}
+                None => open.extend([[middle, high], [low, middle]]),
+            }
+        }
+        table
+    }
+
+    /// Whether the last terms of a series are small: every line beside itself, every entry of a form beside the works that its squares do.
+    fn is_resolved(&self, series: &[Vec<f64>]) -> bool {
+        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else { return false };
+        let tail = |index: usize| last[index].abs().max(before[index].abs());
+        let size = |index: usize| series.iter().map(|terms| terms[index].abs()).sum::<f64>();
+        let line = |begin: usize, tolerance: f64| {
+            let largest = (begin..begin + 3).map(size).fold(0.0, f64::max);
+            (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
+        };
+        let forms = 3 * (self.lines + 1);
+        let form = |begin: usize| {
+            const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+            SQUARES.iter().enumerate().all(|(index, [row, column])| {
+                let product = (size(begin + row) * size(begin + column)).sqrt();
+                tail(begin + index) <= TOLERANCE * product.max(size(begin + index))
+            })
+        };
+        line(0, TOLERANCE)
+            && line(3, TOLERANCE)
+            && (2..self.lines).all(|index| line(3 * index, SIGN_TOLERANCE))
+            && line(3 * self.lines, TOLERANCE)
+            && (!self.with_works || (form(forms) && form(forms + 6)))
+    }
+
+    /// The conditions at a place; none outside of the range.
+    pub(super) fn at(&self, place: f64) -> Option<Conditions> {
+        let panel = self.panels.iter().find(|panel| (place - panel.middle).abs() <= panel.half * (1.0 + 1e-12))?;
+        let twice = 2.0 * (place - panel.middle) / panel.half;
+        let count = panel.series.first().map_or(0, Vec::len);
+        // Clenshaw's recurrence, all numbers at once.
+        let (mut one, mut two) = (vec![0.0; count], vec![0.0; count]);
+        for terms in panel.series.iter().skip(1).rev() {
+            for ((one, two), term) in one.iter_mut().zip(&mut two).zip(terms) {
+                let next = term + twice * *one - *two;
+                (*two, *one) = (*one, next);
+            }
+        }
+        let first = panel.series.first()?;
+        let values: Vec<f64> = first.iter().zip(&one).zip(&two).map(|((term, one), two)| term + 0.5 * twice * one - two).collect();
+        Some(self.restored(&values, place))
+    }
+
+    fn restored(&self, values: &[f64], place: f64) -> Conditions {
+        let (scales, cosine) = scales(self.indenter, place);
+        let plain = |index: usize| -> Line { std::array::from_fn(|column| values[3 * index + column]) };
+        let full = |line: Line, size: f64| -> Line { std::array::from_fn(|column| line[column] * scales[column] * size) };
+        let (sum, difference) = (plain(0), plain(1));
+        let mut amplitudes: Vec<Line> = [1.0, -1.0]
+            .map(|sign| full(std::array::from_fn(|column| 0.5 * (sum[column] + sign * difference[column])), cosine))
+            .to_vec();
+        amplitudes.extend((2..self.lines).map(|index| full(plain(index), cosine)));
+        let depth = (self.indenter == Indenter::Wave).then(|| full(plain(self.lines), cosine));
+        let rows = [sum, difference, crossed(&sum, &difference)];
+        let works = self.with_works.then(|| {
+            [0, 1].map(|edge| {
+                let begin = 3 * (self.lines + 1) + 6 * edge;
+                let seen = square(&std::array::from_fn(|index| values[begin + index]));
+                let matrix = turned(&seen, &rows);
+                let weight = (-place).exp();
+                let entry = |row: usize, column: usize| weight * scales[row] * matrix[row][column] * scales[column];
+                [entry(0, 0), entry(1, 1), entry(2, 2), 2.0 * entry(0, 1), 2.0 * entry(0, 2), 2.0 * entry(1, 2)]
+            })
+        });
+        Conditions { indenter: self.indenter, works, amplitudes, depth }
+    }
+}
+
+/// The numbers of both conditions, divided by what they are of an elastic contact: lines (sum and difference of the two amplitudes first), depth, forms.
+fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64> {
+    let (scales, cosine) = scales(indenter, place);
+    let flat = |line: &Line| -> Line { std::array::from_fn(|column| line[column] / (scales[column] * cosine)) };
+    let mut values = Vec::with_capacity(33);
+    let mut lines: Vec<Line> = conditions.amplitudes.iter().map(flat).collect();
+    if let [trailing, leading, ..] = &mut lines[..] {
+        let (one, other) = (*trailing, *leading);
+        for column in 0..3 {
+            trailing[column] = one[column] + other[column];
+            leading[column] = one[column] - other[column];
+        }
+    }
+    values.extend(lines.iter().flatten());
+    values.extend(conditions.depth.as_ref().map_or([0.0; 3], flat));
+    if let (Some(works), [sum, difference, ..]) = (&conditions.works, &lines[..]) {
+        let third = crossed(sum, difference);
+        let size = third.iter().map(|part| part * part).sum::<f64>();
+        // Rows of the inverse's transpose: the reciprocal directions.
+        let reciprocal = [crossed(difference, &third), crossed(&third, sum), third].map(|row| row.map(|part| part / size));
+        for form in works {
+            let mut matrix = square(form);
+            for (row, parts) in matrix.iter_mut().enumerate() {
+                for (column, part) in parts.iter_mut().enumerate() {
+                    *part *= place.exp() / (scales[row] * scales[column]);
+                }
+            }
+            let seen = turned(&matrix, &[0, 1, 2].map(|column| reciprocal.map(|row| row[column])));
+            values.extend([seen[0][0], seen[1][1], seen[2][2], 2.0 * seen[0][1], 2.0 * seen[0][2], 2.0 * seen[1][2]]);
+        }
+    }
+    values
+}
+
+/// (S², SC, 1) and C of a wave; of a parabola (a²/4, a/2, 1) and 1.
+fn scales(indenter: Indenter, place: f64) -> ([f64; 3], f64) {
+    match indenter {
+        Indenter::Wave => {
+            let cosine = 1.0 / place.exp().hypot(1.0);
+            let sine = 1.0 / (-place).exp().hypot(1.0);
+            ([sine * sine, sine * cosine, 1.0], cosine)
+        }
+        Indenter::Parabola => ([(2.0 * place).exp(), place.exp(), 1.0], 1.0),
+    }
+}
+
+fn crossed(first: &Line, second: &Line) -> Line {
+    std::array::from_fn(|index| {
+        let (next, last) = ((index + 1) % 3, (index + 2) % 3);
+        first[next] * second[last] - first[last] * second[next]
+    })
+}
+
+fn square([cc, ss, pp, cs, cp, sp]: &Form) -> Square {
+    [[*cc, 0.5 * cs, 0.5 * cp], [0.5 * cs, *ss, 0.5 * sp], [0.5 * cp, 0.5 * sp, *pp]]
+}
+
+/// rowsᵀ · matrix · rows.
+fn turned(matrix: &Square, rows: &Square) -> Square {
+    let half: Square = std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| matrix[row][index] * rows[index][column]).sum()));
+    std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| rows[index][row] * half[index][column]).sum()))
+}
+
+/// The Chebyshev coefficients of values at cos(πj/n).
+fn series(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let degree = values.len() - 1;
+    let cosine = |turns: usize| (PI * (turns % (2 * degree)) as f64 / degree as f64).cos();
+    let ends = |index: usize| if index == 0 || index == degree { 0.5 } else { 1.0 };
+    (0..=degree)
+        .map(|order| {
+            let mut terms = vec![0.0; values.first().map_or(0, Vec::len)];
+            for (node, here) in values.iter().enumerate() {
+                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosine(order * node);
+                for (term, value) in terms.iter_mut().zip(here) {
+                    *term += weight * value;
+                }
+            }
+            terms
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::expect_used)]
+    use super::*;
+
+    #[test]
+    fn a_flattened_condition_is_restored() {
+        let form = |first: f64| -> Form { [3.0 * first, 1.5, 7.0, 0.3, -2.0, 0.4 * first] };
+        let conditions = Conditions {
+            indenter: Indenter::Wave,
+            works: Some([form(1.0), form(-2.0)]),
+            amplitudes: vec![[1.0, 0.2, -3.0], [1.1, -0.3, -2.9], [0.5, 0.5, 1.0], [0.1, 0.2, 0.3], [0.7, -0.1, 0.2], [1.0, 1.0, 1.0]],
+            depth: Some([0.1, 0.2, 0.3]),
+        };
+        for place in [-3.0, 0.1, 2.0] {
+            let table = Table::new(Indenter::Wave, [place - 0.1, place + 0.1], |_| Some(conditions.clone()));
+            let found = table.at(place).expect("inside");
+            let (works, right) = (found.works.expect("works"), conditions.works.expect("works"));
+            for (one, other) in works.iter().flatten().zip(right.iter().flatten()) {
+                assert!((one - other).abs() < 1e-6 * (1.0 + other.abs()), "{place}: {works:?}");
+            }
+            for (one, other) in found.amplitudes.iter().flatten().zip(conditions.amplitudes.iter().flatten()) {
+                assert!((one - other).abs() < 1e-6, "{place}: {:?}", found.amplitudes);
+            }
+        }
+    }
+}
