@@ -188,6 +188,11 @@ impl EdgeBalance {
         self.adhesion.as_ref().map(|(adhesion, ..)| *adhesion)
     }
 
+    /// The adhesion with the zones that are prepared for it.
+    pub(in crate::sliding) fn with_zones(&self) -> Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)> {
+        self.adhesion.clone()
+    }
+
     /// The resolution.
     #[must_use]
     pub const fn resolution(&self) -> Resolution {

@@ -25,6 +25,8 @@ const APART: f64 = 0.25;
 const MOST_ROWS: usize = 1500;
 /// The narrowest contact, over the longer process zone.
 const WIDTH_IN_ZONES: f64 = 0.02;
+/// The same over an unloaded one.
+const WIDTH_IN_UNLOADED: f64 = 0.01;
 /// The narrowest contact and gap without adhesion, in 1/k.
 const NARROWEST: f64 = 1e-5;
 /// Half-widths of a cylinder, under and over its size.
@@ -43,6 +45,10 @@ pub(in crate::sliding) struct EquilibriumCurve {
     pub(super) every: ContactsOfWidth,
     /// Each a curve of contacts in the order along it.
     pub(super) chains: Vec<Vec<Point>>,
+    /// Half-widths that were looked at.
+    rows: u64,
+    /// Half-widths whose conditions were formed for it.
+    formed: u64,
 }
 
 impl EquilibriumCurve {
@@ -58,11 +64,15 @@ impl EquilibriumCurve {
         resolution: Resolution,
     ) -> Self {
         let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
+        // Without a load a glassy contact has a³ = 32Γ/β, and no contact is pulled off before it is some tenths of that.
+        let work = adhesion.map_or(0.0, |adhesion| adhesion.trailing_work.min(adhesion.leading_work));
+        let unloaded = (32.0 * work / memory.stiffening_ratio()).cbrt();
+        let narrow = (WIDTH_IN_ZONES * zone).max(WIDTH_IN_UNLOADED * unloaded);
         // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
         let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
         let (narrowest, widest) = match indenter {
-            Indenter::Wave => ((WIDTH_IN_ZONES * zone).clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
-            Indenter::Parabola => ((WIDTH_IN_ZONES * zone).max(RANGE[0] * size), RANGE[1] * (size + zone)),
+            Indenter::Wave => (narrow.clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
+            Indenter::Parabola => (if adhesion.is_some() { narrow } else { RANGE[0] * size }, RANGE[1] * (size + zone)),
         };
         Self::within(ContactsOfWidth::new(memory, indenter, adhesion, resolution), [narrowest, widest])
     }
@@ -85,8 +95,8 @@ impl EquilibriumCurve {
                 _ => rows.push(next),
             }
         }
-        let chains = chains(indenter, rows);
-        Self { every, chains }
+        let (count, formed) = (rows.len() as u64, every.take_widths());
+        Self { chains: chains(indenter, rows), every, rows: count, formed }
     }
 
     /// The contact of another half-width near one that is known.
@@ -97,13 +107,13 @@ impl EquilibriumCurve {
     }
 
     /// Half-widths that were looked at.
-    pub(in crate::sliding) fn widths(&self) -> u64 {
-        self.every.widths()
+    pub(in crate::sliding) const fn rows(&self) -> u64 {
+        self.rows
     }
 
-    /// What that counts in evaluations of both conditions, with those of checks.
+    /// Evaluations of both conditions that the curve and the checks since the last call count as: the same for each of the contacts that share it.
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
-        self.every.evaluations()
+        2 * self.formed + self.every.evaluations()
     }
 }
 

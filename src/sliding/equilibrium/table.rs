@@ -20,7 +20,7 @@ const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
 const NARROWEST: f64 = 1e-3;
 /// Largest coefficient of the last terms, over the first ones.
-const TOLERANCE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-6;
 /// The same of lines whose signs alone are looked at.
 const SIGN_TOLERANCE: f64 = 1e-4;
 
@@ -79,7 +79,7 @@ impl Table {
                     break;
                 }
                 let series = series(&values);
-                if table.is_resolved(&series) || (half < SHORTEST && degree == DEGREES[1]) {
+                if table.is_resolved(&series, middle) || (half < SHORTEST && degree == DEGREES[1]) {
                     settled = Some(series);
                     break;
                 }
@@ -95,7 +95,7 @@ impl Table {
     }
 
     /// Whether the last terms of a series are small: every line beside itself, every entry of a form beside the works that its squares do.
-    fn is_resolved(&self, series: &[Vec<f64>]) -> bool {
+    fn is_resolved(&self, series: &[Vec<f64>], place: f64) -> bool {
         let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else { return false };
         let tail = |index: usize| last[index].abs().max(before[index].abs());
         let size = |index: usize| series.iter().map(|terms| terms[index].abs()).sum::<f64>();
@@ -104,10 +104,15 @@ impl Table {
             (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
         };
         let forms = 3 * (self.lines + 1);
+        let first = |line: usize| -> Line { series.first().map_or([f64::NAN; 3], |terms| std::array::from_fn(|column| terms[3 * line + column])) };
+        let third: f64 = crossed(&first(0), &first(1)).iter().map(|part| part * part).sum();
+        let of_works = place.exp() / (third * scales(self.indenter, place).0[0]);
         let form = |begin: usize| {
             const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+            // What a form must be for the contact without amplitudes to do the works of the adhesion: less is lost beside them.
+            let squares = [size(begin), size(begin + 1), size(begin + 2).max(of_works)];
             SQUARES.iter().enumerate().all(|(index, [row, column])| {
-                let product = (size(begin + row) * size(begin + column)).sqrt();
+                let product = (squares[*row] * squares[*column]).sqrt();
                 tail(begin + index) <= TOLERANCE * product.max(size(begin + index))
             })
         };

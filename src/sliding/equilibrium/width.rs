@@ -44,7 +44,7 @@ pub(in crate::sliding) struct ContactsOfWidth {
     balance: EdgeBalance,
     memory: Arc<ContactMemory>,
     indenter: Indenter,
-    adhesion: Option<(WaveAdhesion, (ProcessZone, ProcessZone))>,
+    adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
     resolution: Resolution,
     /// The conditions of a range of half-widths, if there are many to be looked at.
     table: Option<Table>,
@@ -60,10 +60,7 @@ impl ContactsOfWidth {
         resolution: Resolution,
     ) -> Self {
         let balance = EdgeBalance::new(Arc::clone(&memory), indenter, adhesion, SlidingControl::MeanPressure(0.0), resolution);
-        let adhesion = adhesion.map(|adhesion| {
-            let lengths = (adhesion.trailing_zone, adhesion.leading_zone);
-            (adhesion, ProcessZone::both(&memory, indenter, lengths, resolution))
-        });
+        let adhesion = balance.with_zones();
         Self { balance, memory, indenter, adhesion, resolution, table: None, widths: Cell::new(0) }
     }
 
@@ -71,14 +68,14 @@ impl ContactsOfWidth {
         self.indenter
     }
 
-    /// Half-widths whose conditions were formed.
-    pub(in crate::sliding) fn widths(&self) -> u64 {
-        self.widths.get()
+    /// Half-widths whose conditions were formed since the last call.
+    pub(super) fn take_widths(&self) -> u64 {
+        self.widths.take()
     }
 
-    /// As how many evaluations of both conditions they count.
+    /// As how many evaluations of both conditions they count, with those of checks.
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
-        2 * self.widths.get() + self.balance.take_evaluations()
+        2 * self.widths.take() + self.balance.take_evaluations()
     }
 
     /// Tabulates the conditions between two places.

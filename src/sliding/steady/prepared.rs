@@ -12,6 +12,11 @@ use std::sync::Arc;
 /// The resolution of the curve: about seven digits.
 const CURVE: Resolution = Resolution::Medium;
 
+thread_local! {
+    /// The material of the last contact, and what was prepared for it.
+    static LAST: RefCell<Option<(Material, Rc<Prepared>)>> = const { RefCell::new(None) };
+}
+
 /// Prepared conditions.
 #[derive(Debug)]
 pub(in crate::sliding) struct Prepared {
@@ -37,6 +42,29 @@ impl Prepared {
     ) -> Result<Self, Refusal> {
         let memory = Arc::new(ContactMemory::new(material, rate)?);
         Ok(Self { memory, indenter, adhesion, rate, levels: RefCell::new(Vec::new()), curve: RefCell::new(None) })
+    }
+
+    /// The same, shared with the last contact of this thread where nothing but what is held differs: the loads of one speed share its curve.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    pub(super) fn shared(
+        material: &Material,
+        rate: f64,
+        indenter: Indenter,
+        adhesion: Option<WaveAdhesion>,
+    ) -> Result<Rc<Self>, Refusal> {
+        LAST.with_borrow_mut(|last| {
+            if let Some((of, prepared)) = last
+                && of == material
+                && (prepared.rate.to_bits(), prepared.indenter, prepared.adhesion) == (rate.to_bits(), indenter, adhesion)
+            {
+                return Ok(Rc::clone(prepared));
+            }
+            let prepared = Rc::new(Self::new(material, rate, indenter, adhesion)?);
+            *last = Some((material.clone(), Rc::clone(&prepared)));
+            Ok(prepared)
+        })
     }
 
     /// kv (1/s).

@@ -56,7 +56,7 @@ pub fn steady_sliding_reached_by(
     reached_by: ReachedBy,
 ) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
-    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    let prepared = Prepared::shared(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
     let found = searched(material, problem, &prepared, reached_by, &mut work).and_then(|searched| match searched {
         Searched::Outcome(outcome) => Ok(outcome),
@@ -99,7 +99,7 @@ pub(in crate::sliding) fn contact_on_the_curve(
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
     problem.checked()?;
-    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    let prepared = Prepared::shared(material, problem.rate, problem.indenter, problem.adhesion)?;
     match searched(material, problem, &prepared, ReachedBy::Loading, work)? {
         Searched::Outcome(SlidingOutcome::Partial(contact)) => Ok(*contact),
         Searched::Outcome(SlidingOutcome::Full(full)) => {
@@ -160,7 +160,7 @@ fn searched(
             Err(_) => refused.push(*crossing),
         }
     }
-    work.half_widths += curve.widths();
+    work.half_widths += curve.rows();
     let evaluations = curve.evaluations();
     work.closure_evaluations += evaluations;
     work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
@@ -205,14 +205,14 @@ impl Nothing {
                 material,
                 problem,
                 "half-widths looked at without a partial contact at this speed",
-                curve.widths() as f64,
+                curve.rows() as f64,
                 *work,
             );
         }
         let (reason, limit_name, limit) = if unstable > 0 {
             ("every contact of what is held is unstable".into(), "unstable contacts", unstable as f64)
         } else {
-            let widths = curve.widths();
+            let widths = curve.rows();
             let reason = format!("no steady partial contact exists at this speed: none at any of {widths} half-widths, whatever the load");
             (reason, "half-widths looked at", widths as f64)
         };
@@ -268,7 +268,7 @@ fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, 
     let every = prepared.contacts_of_width();
     let mut contacts = every.at(half_width)?;
     contacts.sort_by(|first, second| first.eccentricity.abs().total_cmp(&second.eccentricity.abs()));
-    work.half_widths += every.widths();
+    work.half_widths += 1;
     let evaluations = every.evaluations();
     work.closure_evaluations += evaluations;
     work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
