@@ -145,7 +145,7 @@ impl SecondVariations {
             };
             let found = balance.evaluate_edges(moved, Prescribed::MeanPressure(pressure + more))?;
             // Without adhesion the amplitude falls where a work would grow.
-            let [trailing, leading] = found.residual().map(|residual| if balance.adhesion().is_some() { residual } else { -residual });
+            let [trailing, leading] = found.smooth_residual().map(|residual| if balance.adhesion().is_some() { residual } else { -residual });
             // The separation has its own digits near full contact.
             let depth = if indenter == Indenter::Wave { -found.state.mean_separation() } else { found.state.penetration() };
             // The residual is the root of the work: half its change.
