@@ -26,7 +26,7 @@ const MOST_ROWS: usize = 1500;
 /// The narrowest contact, over the longer process zone.
 const WIDTH_IN_ZONES: f64 = 0.02;
 /// The same over an unloaded one.
-const WIDTH_IN_UNLOADED: f64 = 0.01;
+const WIDTH_IN_UNLOADED: f64 = 0.05;
 /// The narrowest contact and gap without adhesion, in 1/k.
 const NARROWEST: f64 = 1e-5;
 /// Half-widths of a cylinder, under and over its size.

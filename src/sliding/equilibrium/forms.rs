@@ -162,15 +162,21 @@ impl Conditions {
     /// Eccentricity and mean pressure of every root of both conditions, whatever the signs of the edges.
     pub(super) fn roots(&self) -> Vec<(f64, f64)> {
         match &self.works {
-            Some(works) if !self.is_weak() => self.adhesive(works),
-            Some(works) => self.of_amplitudes([0, 1].map(|edge| self.weak_amplitude(works, edge))),
+            Some(works) => {
+                let weak = self.of_amplitudes([0, 1].map(|edge| self.weak_amplitude(works, edge)));
+                if self.is_weak(works, &weak) { weak } else { self.adhesive(works) }
+            }
             None => self.of_amplitudes([0.0; 2]).into_iter().filter(|&(_, pressure)| pressure > 0.0).collect(),
         }
     }
 
-    /// Whether the pull of the edges is so weak beside the load that the squares of both, which the works are, leave no digits of it.
-    pub(super) fn is_weak(&self) -> bool {
-        self.works.as_ref().is_some_and(|works| works.iter().any(|form| form[0] > WEAK))
+    /// Whether the pull of the edges is so weak beside the load that the squares of both, which the works are, leave no digits of it: the parts of a work, which add up
+    /// to one, where both amplitudes are right.
+    fn is_weak(&self, works: &[Form; 2], roots: &[(f64, f64)]) -> bool {
+        roots.iter().any(|&(eccentricity, p)| {
+            let (c, s) = direction(self.indenter, eccentricity);
+            works.iter().any(|[cc, ss, pp, ..]| cc.abs() * c * c + ss.abs() * s * s + pp.abs() * p * p > WEAK)
+        })
     }
 
     /// The amplitude at which an edge does the work of adhesion, as far as the work is the square of the amplitude.

@@ -110,9 +110,12 @@ impl EquilibriumCurve {
     /// A chain with the contacts at which what is held turns.
     fn with_turns(&self, quantity: HeldQuantity, chain: &[Point]) -> Vec<Point> {
         let turns = |one: &Point, other: &Point| quantity.rise(one) * quantity.rise(other) < 0.0;
-        self.with_more(chain, |from, to| {
-            if turns(from, to) { self.divided(from, to, TURN_PLACE, |point| quantity.slope(point)) } else { None }
-        })
+        self.with_more(
+            chain,
+            |from, to| {
+                if turns(from, to) { self.divided(from, to, TURN_PLACE, |point| quantity.slope(point)) } else { None }
+            },
+        )
     }
 
     /// A chain with the contacts at which stability begins or ends without a turn.

@@ -21,7 +21,7 @@ const SHORTEST: f64 = 0.2;
 const NARROWEST: f64 = 1e-3;
 /// Largest coefficient of the last terms, over the first ones.
 const TOLERANCE: f64 = 1e-6;
-/// The same of lines whose signs alone are looked at.
+/// The same of what a moved edge changes: it is looked at for signs alone.
 const SIGN_TOLERANCE: f64 = 1e-4;
 
 type Square = [[f64; 3]; 3];
@@ -51,7 +51,8 @@ impl Table {
         let mut table = Self { indenter, panels: Vec::new(), lines: 0, with_works: false };
         let count = ((high - low) / LONGEST).ceil().max(1.0);
         let border = |index: f64| low + (high - low) * index / count;
-        let mut open: Vec<[f64; 2]> = (0..count as u32).rev().map(|index| [border(f64::from(index)), border(f64::from(index + 1))]).collect();
+        let mut open: Vec<[f64; 2]> =
+            (0..count as u32).rev().map(|index| [border(f64::from(index)), border(f64::from(index + 1))]).collect();
         let at = |place: f64, table: &mut Self| -> Option<Vec<f64>> {
             let found = conditions(ContactEdges::at_place(indenter, place, 0.0))?;
             (table.lines, table.with_works) = (found.amplitudes.len(), found.works.is_some());
@@ -104,7 +105,8 @@ impl Table {
             (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
         };
         let forms = 3 * (self.lines + 1);
-        let first = |line: usize| -> Line { series.first().map_or([f64::NAN; 3], |terms| std::array::from_fn(|column| terms[3 * line + column])) };
+        let first =
+            |line: usize| -> Line { series.first().map_or([f64::NAN; 3], |terms| std::array::from_fn(|column| terms[3 * line + column])) };
         let third: f64 = crossed(&first(0), &first(1)).iter().map(|part| part * part).sum();
         let of_works = place.exp() / (third * scales(self.indenter, place).0[0]);
         let form = |begin: usize| {
@@ -146,10 +148,12 @@ impl Table {
         let plain = |index: usize| -> Line { std::array::from_fn(|column| values[3 * index + column]) };
         let full = |line: Line, size: f64| -> Line { std::array::from_fn(|column| line[column] * scales[column] * size) };
         let (sum, difference) = (plain(0), plain(1));
-        let mut amplitudes: Vec<Line> = [1.0, -1.0]
-            .map(|sign| full(std::array::from_fn(|column| 0.5 * (sum[column] + sign * difference[column])), cosine))
-            .to_vec();
-        amplitudes.extend((2..self.lines).map(|index| full(plain(index), cosine)));
+        let mut amplitudes: Vec<Line> =
+            [1.0, -1.0].map(|sign| full(std::array::from_fn(|column| 0.5 * (sum[column] + sign * difference[column])), cosine)).to_vec();
+        for index in 2..self.lines {
+            let (own, moved) = (amplitudes[index % 2], full(plain(index), cosine));
+            amplitudes.push(std::array::from_fn(|column| own[column] + moved[column]));
+        }
         let depth = (self.indenter == Indenter::Wave).then(|| full(plain(self.lines), cosine));
         let rows = [sum, difference, crossed(&sum, &difference)];
         let works = self.with_works.then(|| {
@@ -178,6 +182,11 @@ fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64
             trailing[column] = one[column] + other[column];
             leading[column] = one[column] - other[column];
         }
+    }
+    // Those of a moved edge by what moving it changes: that is small, and so is an amplitude.
+    for (index, line) in conditions.amplitudes.iter().enumerate().skip(2) {
+        let own = conditions.amplitudes.get(index % 2).map_or([f64::NAN; 3], flat);
+        lines[index] = std::array::from_fn(|column| flat(line)[column] - own[column]);
     }
     values.extend(lines.iter().flatten());
     values.extend(conditions.depth.as_ref().map_or([0.0; 3], flat));
@@ -225,7 +234,8 @@ fn square([cc, ss, pp, cs, cp, sp]: &Form) -> Square {
 
 /// rowsᵀ · matrix · rows.
 fn turned(matrix: &Square, rows: &Square) -> Square {
-    let half: Square = std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| matrix[row][index] * rows[index][column]).sum()));
+    let half: Square =
+        std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| matrix[row][index] * rows[index][column]).sum()));
     std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| rows[index][row] * half[index][column]).sum()))
 }
 

@@ -165,7 +165,8 @@ impl ContactsOfWidth {
         if roots.is_empty() {
             return Vec::new();
         }
-        let beside = self.table.as_ref().map(|table| [-BESIDE, BESIDE].map(|step| table.at(place + step).map(|conditions| (step, conditions))));
+        let beside =
+            self.table.as_ref().map(|table| [-BESIDE, BESIDE].map(|step| table.at(place + step).map(|conditions| (step, conditions))));
         roots.into_iter().map(|root| self.point(place, conditions, beside.as_ref(), root)).collect()
     }
 

@@ -48,12 +48,7 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`Prepared::new`].
-    pub(super) fn shared(
-        material: &Material,
-        rate: f64,
-        indenter: Indenter,
-        adhesion: Option<WaveAdhesion>,
-    ) -> Result<Rc<Self>, Refusal> {
+    pub(super) fn shared(material: &Material, rate: f64, indenter: Indenter, adhesion: Option<WaveAdhesion>) -> Result<Rc<Self>, Refusal> {
         LAST.with_borrow_mut(|last| {
             if let Some((of, prepared)) = last
                 && of == material
