@@ -19,6 +19,7 @@ mod held;
 mod point;
 mod table;
 mod width;
+mod works;
 
 pub(in crate::sliding) use curve::EquilibriumCurve;
 pub(in crate::sliding) use existence::WhyNot;

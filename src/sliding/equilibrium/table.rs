@@ -1,13 +1,10 @@
 //! Both edge conditions at every half-width of a range, from those at a few.
 //!
-//! ```text
-//! x = ln tan(a/2)      û = (S²c, SC s, p)      S, C = sin, cos(a/2)      σ̂, Δ̂ = (trailing ± leading amplitude)/C,  lines in û      n̂ = σ̂ × Δ̂
-//! uᵀAu = v·(Ã/eˣ)v     v = (σ̂, Δ̂, n̂)û
-//! ```
-//! Divided by what they are of an elastic contact, lines and forms are smooth along x: their Chebyshev series on panels of x end after a few terms. A work is nearly the
-//! square of the amplitude of its edge, small between large parts; seen from the amplitudes nothing cancels, and what the series leave out stays small beside a work.
+//! Along x = ln tan(a/2) lines and forms, divided by what they are of an elastic contact ([`super::works`]), are smooth: their Chebyshev series on panels of x end after a few
+//! terms, and what the series leave out stays small beside a work.
 
 use super::forms::{Conditions, Form, Line};
+use super::works::{Works, crossed, even_and_odd, scales};
 use crate::sliding::contact::{ContactEdges, Indenter};
 use std::f64::consts::PI;
 
@@ -23,8 +20,6 @@ const NARROWEST: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-6;
 /// The same of what a moved edge changes: it is looked at for signs alone.
 const SIGN_TOLERANCE: f64 = 1e-4;
-
-type Square = [[f64; 3]; 3];
 
 /// Series of all numbers of both conditions over a part of the range.
 #[derive(Debug)]
@@ -155,16 +150,10 @@ impl Table {
             amplitudes.push(std::array::from_fn(|column| own[column] + moved[column]));
         }
         let depth = (self.indenter == Indenter::Wave).then(|| full(plain(self.lines), cosine));
-        let rows = [sum, difference, crossed(&sum, &difference)];
         let works = self.with_works.then(|| {
-            [0, 1].map(|edge| {
-                let begin = 3 * (self.lines + 1) + 6 * edge;
-                let seen = square(&std::array::from_fn(|index| values[begin + index]));
-                let matrix = turned(&seen, &rows);
-                let weight = (-place).exp();
-                let entry = |row: usize, column: usize| weight * scales[row] * matrix[row][column] * scales[column];
-                [entry(0, 0), entry(1, 1), entry(2, 2), 2.0 * entry(0, 1), 2.0 * entry(0, 2), 2.0 * entry(1, 2)]
-            })
+            let weight = (-place).exp();
+            let form = |edge: usize| -> Form { std::array::from_fn(|index| weight * values[3 * (self.lines + 1) + 6 * edge + index]) };
+            Works::new(self.indenter, place, [sum, difference], [form(0), form(1)])
         });
         Conditions { indenter: self.indenter, works, amplitudes, depth }
     }
@@ -176,12 +165,9 @@ fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64
     let flat = |line: &Line| -> Line { std::array::from_fn(|column| line[column] / (scales[column] * cosine)) };
     let mut values = Vec::with_capacity(33);
     let mut lines: Vec<Line> = conditions.amplitudes.iter().map(flat).collect();
-    if let [trailing, leading, ..] = &mut lines[..] {
-        let (one, other) = (*trailing, *leading);
-        for column in 0..3 {
-            trailing[column] = one[column] + other[column];
-            leading[column] = one[column] - other[column];
-        }
+    if let [trailing, leading, ..] = &conditions.amplitudes[..] {
+        let [sum, difference] = even_and_odd(indenter, place, trailing, leading);
+        (lines[0], lines[1]) = (sum, difference);
     }
     // Those of a moved edge by what moving it changes: that is small, and so is an amplitude.
     for (index, line) in conditions.amplitudes.iter().enumerate().skip(2) {
@@ -190,53 +176,10 @@ fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64
     }
     values.extend(lines.iter().flatten());
     values.extend(conditions.depth.as_ref().map_or([0.0; 3], flat));
-    if let (Some(works), [sum, difference, ..]) = (&conditions.works, &lines[..]) {
-        let third = crossed(sum, difference);
-        let size = third.iter().map(|part| part * part).sum::<f64>();
-        // Rows of the inverse's transpose: the reciprocal directions.
-        let reciprocal = [crossed(difference, &third), crossed(&third, sum), third].map(|row| row.map(|part| part / size));
-        for form in works {
-            let mut matrix = square(form);
-            for (row, parts) in matrix.iter_mut().enumerate() {
-                for (column, part) in parts.iter_mut().enumerate() {
-                    *part *= place.exp() / (scales[row] * scales[column]);
-                }
-            }
-            let seen = turned(&matrix, &[0, 1, 2].map(|column| reciprocal.map(|row| row[column])));
-            values.extend([seen[0][0], seen[1][1], seen[2][2], 2.0 * seen[0][1], 2.0 * seen[0][2], 2.0 * seen[1][2]]);
-        }
+    if let Some(works) = &conditions.works {
+        values.extend(works.forms.iter().flatten().map(|entry| entry * place.exp()));
     }
     values
-}
-
-/// (S², SC, 1) and C of a wave; of a parabola (a²/4, a/2, 1) and 1.
-fn scales(indenter: Indenter, place: f64) -> ([f64; 3], f64) {
-    match indenter {
-        Indenter::Wave => {
-            let cosine = 1.0 / place.exp().hypot(1.0);
-            let sine = 1.0 / (-place).exp().hypot(1.0);
-            ([sine * sine, sine * cosine, 1.0], cosine)
-        }
-        Indenter::Parabola => ([(2.0 * place).exp(), place.exp(), 1.0], 1.0),
-    }
-}
-
-fn crossed(first: &Line, second: &Line) -> Line {
-    std::array::from_fn(|index| {
-        let (next, last) = ((index + 1) % 3, (index + 2) % 3);
-        first[next] * second[last] - first[last] * second[next]
-    })
-}
-
-fn square([cc, ss, pp, cs, cp, sp]: &Form) -> Square {
-    [[*cc, 0.5 * cs, 0.5 * cp], [0.5 * cs, *ss, 0.5 * sp], [0.5 * cp, 0.5 * sp, *pp]]
-}
-
-/// rowsᵀ · matrix · rows.
-fn turned(matrix: &Square, rows: &Square) -> Square {
-    let half: Square =
-        std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| matrix[row][index] * rows[index][column]).sum()));
-    std::array::from_fn(|row| std::array::from_fn(|column| (0..3).map(|index| rows[index][row] * half[index][column]).sum()))
 }
 
 /// The Chebyshev coefficients of values at cos(πj/n).
@@ -265,19 +208,22 @@ mod tests {
 
     #[test]
     fn a_flattened_condition_is_restored() {
-        let form = |first: f64| -> Form { [3.0 * first, 1.5, 7.0, 0.3, -2.0, 0.4 * first] };
-        let conditions = Conditions {
-            indenter: Indenter::Wave,
-            works: Some([form(1.0), form(-2.0)]),
-            amplitudes: vec![[1.0, 0.2, -3.0], [1.1, -0.3, -2.9], [0.5, 0.5, 1.0], [0.1, 0.2, 0.3], [0.7, -0.1, 0.2], [1.0, 1.0, 1.0]],
-            depth: Some([0.1, 0.2, 0.3]),
-        };
+        let forms = [[3.0, 1.5, 7.0, 0.3, -2.0, 0.4], [-1.0, 0.5, 2.0, 0.1, 1.0, 4.0]];
+        let amplitudes = vec![[1.0, 0.2, -3.0], [1.1, -0.3, -2.9], [0.5, 0.5, 1.0], [0.1, 0.2, 0.3], [0.7, -0.1, 0.2], [1.0, 1.0, 1.0]];
         for place in [-3.0, 0.1, 2.0] {
-            let table = Table::new(Indenter::Wave, [place - 0.1, place + 0.1], |_| Some(conditions.clone()));
+            let at = |place: f64| Conditions {
+                indenter: Indenter::Wave,
+                works: Some(Works::new(Indenter::Wave, place, even_and_odd(Indenter::Wave, place, &amplitudes[0], &amplitudes[1]), forms)),
+                amplitudes: amplitudes.clone(),
+                depth: Some([0.1, 0.2, 0.3]),
+            };
+            let table = Table::new(Indenter::Wave, [place - 0.1, place + 0.1], |edges| Some(at(edges.place())));
+            let conditions = at(place);
             let found = table.at(place).expect("inside");
             let (works, right) = (found.works.expect("works"), conditions.works.expect("works"));
-            for (one, other) in works.iter().flatten().zip(right.iter().flatten()) {
-                assert!((one - other).abs() < 1e-6 * (1.0 + other.abs()), "{place}: {works:?}");
+            for edge in [0, 1] {
+                let [one, other] = [works, right].map(|works| works.work(edge, (0.8, 0.6), 0.3));
+                assert!((one - other).abs() < 1e-5 * (1.0 + other.abs()), "{place}: {one} {other}");
             }
             for (one, other) in found.amplitudes.iter().flatten().zip(conditions.amplitudes.iter().flatten()) {
                 assert!((one - other).abs() < 1e-6, "{place}: {:?}", found.amplitudes);

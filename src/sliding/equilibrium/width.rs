@@ -3,13 +3,15 @@
 //! So no branch can hide: what is not on a curve that was followed belongs to another one.
 
 use super::existence::WhyNot;
-use super::forms::{Conditions, Form, Line, direction, of_form, of_line, slopes};
+use super::forms::{Conditions, Line, direction, of_line};
 use super::point::Point;
 use super::table::Table;
+use super::works::{Square, Works, directions, even_and_odd};
 use crate::continuation::two_unknowns::{TwoResiduals, largest};
 use crate::refusal::Refusal;
 use crate::sliding::contact::{
-    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact,
+    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZoneGap,
+    ZonePressure,
 };
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::cell::Cell;
@@ -199,13 +201,13 @@ impl ContactsOfWidth {
         // Works, or amplitudes with the sign of works, and Δ.
         let values = |conditions: &Conditions| -> [f64; 3] {
             let works = match &conditions.works {
-                Some(works) => works.each_ref().map(|form| of_form(form, at, mean_pressure)),
+                Some(works) => [0, 1].map(|edge| works.work(edge, at, mean_pressure)),
                 None => [0, 1].map(|edge| conditions.amplitudes.get(edge).map_or(f64::NAN, |line| -of_line(line, at, mean_pressure))),
             };
             [works[0], works[1], conditions.depth.as_ref().map_or(0.0, |line| of_line(line, at, mean_pressure))]
         };
         let by = |edge: usize| match &conditions.works {
-            Some(works) => slopes(&works[edge], self.indenter, eccentricity, mean_pressure),
+            Some(works) => works.slopes(edge, self.indenter, eccentricity, mean_pressure),
             None => conditions.amplitudes.get(edge).map_or([f64::NAN; 2], |line| by_line(line).map(|slope| -slope)),
         };
         let [trailing, leading] = [by(0), by(1)];
@@ -266,48 +268,41 @@ impl ContactsOfWidth {
             return Ok(Conditions { indenter: self.indenter, works: None, amplitudes, depth });
         };
         let targets = adhesion.targets();
-        let mut works = [[0.0; 6]; 2];
+        let place = edges.place();
+        let lines = even_and_odd(self.indenter, place, &amplitudes[0], &amplitudes[1]);
+        let parts = self.parts(&directions(self.indenter, place, lines), load, reach);
+        let mut forms = [[0.0; 6]; 2];
         // Equal zones widen the contact alike.
         let trailing_system = system(edges.moved_out(-zones.0.length()))?;
         let even = zones.0.length().to_bits() == zones.1.length().to_bits();
         let leading_system = if even { None } else { Some(system(edges.moved_out(zones.1.length()))?) };
         let systems = [&trailing_system, leading_system.as_ref().unwrap_or(&trailing_system)];
         for (((form, target), (zone, outward)), moved_system) in
-            works.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
+            forms.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
         {
             // The eccentricity of a moved contact is that of its own middle.
             let shift = 0.5 * outward * zone.length();
             let moved = all(states.each_ref().map(|state| moved_system.state(state.contact().eccentricity + shift, state.held())))?;
             amplitudes.extend(amplitudes_of(&moved));
             let (tensions, gaps) = (zone.tensions(&moved), zone.gaps_outside(&states));
-            // work(m, n) of the tension of one contact on the gap of another.
-            let cross = tensions.each_ref().map(|tension| gaps.each_ref().map(|gap| zone.work_on(tension, gap).value / target));
-            *form = self.form(&cross, load, reach);
+            let (tensions, gaps) = (parts.map(|part| ZonePressure::sum(&tensions, part)), parts.map(|part| ZoneGap::sum(&gaps, part)));
+            let entry = |one: usize, other: usize| zone.work_on(&tensions[one], &gaps[other]).value / target;
+            let both = |one: usize, other: usize| entry(one, other) + entry(other, one);
+            *form = [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)];
             if form.iter().any(|value| value.is_nan()) {
                 return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "a work is not a number".into() });
             }
         }
-        Ok(Conditions { indenter: self.indenter, works: Some(works), amplitudes, depth })
+        let works = Some(Works::new(self.indenter, place, lines, forms));
+        Ok(Conditions { indenter: self.indenter, works, amplitudes, depth })
     }
 
-    /// The quadratic form of the works of the tensions of three contacts on their gaps.
-    fn form(&self, cross: &[[f64; 3]; 3], load: f64, reach: f64) -> Form {
-        // Rows of the change from the three contacts to (c, s, p).
-        let change = match self.indenter {
-            Indenter::Wave => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [-1.0 / load, 1.0 / load, 0.0]],
-            Indenter::Parabola => [[1.0, 0.0, 0.0], [-1.0 / reach, 0.0, 1.0 / reach], [-1.0 / load, 1.0 / load, 0.0]],
-        };
-        let entry = |first: usize, second: usize| -> f64 {
-            let mut sum = 0.0;
-            for (m, row) in cross.iter().enumerate() {
-                for (n, value) in row.iter().enumerate() {
-                    sum += change[first][m] * value * change[second][n];
-                }
-            }
-            sum
-        };
-        let both = |first: usize, second: usize| entry(first, second) + entry(second, first);
-        [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)]
+    /// How much of the three contacts is in the contacts along given directions of (c, s, p).
+    fn parts(&self, directions: &Square, load: f64, reach: f64) -> Square {
+        directions.map(|[c, s, p]| match self.indenter {
+            Indenter::Wave => [c - p / load, p / load, s],
+            Indenter::Parabola => [c - p / load - s / reach, p / load, s / reach],
+        })
     }
 
     /// The contact of a half-width that continues one of another.

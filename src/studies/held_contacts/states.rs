@@ -142,7 +142,8 @@ impl Speed {
             let limit = if up { upper(stable) } else { lower(stable) };
             match stable.border(quantity, up) {
                 Border::Strand(End::Row) => Expected::Unknown,
-                Border::Turn if up => Expected::Full(limit),
+                // Beyond a turn, and beyond an edge that runs away by itself, nothing but full contact is left of a wave.
+                Border::Turn | Border::Stability if up && self.bodies.indenter == Indenter::Wave => Expected::Full(limit),
                 _ => Expected::Nothing(limit),
             }
         };
