@@ -183,7 +183,22 @@ impl ContactsOfWidth {
         match pressed.filter(|_| conditions.works.is_some()) {
             Some(index) if index % 2 == 0 => Some(WhyNot::TrailingPressed),
             Some(_) => Some(WhyNot::LeadingPressed),
-            None => (!self.can_exist(&self.point(place, &conditions, None, root))).then_some(WhyNot::FacesMeet),
+            None => self.why_not_at(&self.point(place, &conditions, None, root)),
+        }
+    }
+
+    /// The same of a point, by the conditions themselves: where an amplitude passes zero the table may not tell its sign.
+    fn why_not_at(&self, point: &Point) -> Option<WhyNot> {
+        let edges = ContactEdges::at_place(self.indenter, point.place, point.eccentricity);
+        let states = self.balance.evaluate_edges(edges, Prescribed::MeanPressure(point.mean_pressure)).ok()?;
+        let moved = states.moved.iter().flat_map(|(trailing, leading)| [trailing, leading]);
+        let amplitudes: Vec<(f64, f64)> = std::iter::once(&states.state).chain(moved).map(ContactState::edge_amplitudes).collect();
+        if amplitudes.iter().any(|(trailing, _)| *trailing >= 0.0) {
+            Some(WhyNot::TrailingPressed)
+        } else if amplitudes.iter().any(|(_, leading)| *leading >= 0.0) {
+            Some(WhyNot::LeadingPressed)
+        } else {
+            (!self.can_exist(point)).then_some(WhyNot::FacesMeet)
         }
     }
 
