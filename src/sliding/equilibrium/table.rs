@@ -4,7 +4,7 @@
 //! terms, and what the series leave out stays small beside a work.
 
 use super::forms::{Conditions, Form, Line};
-use super::works::{Works, crossed, even_and_odd, scales};
+use super::works::{Works, even_and_odd, scales, third};
 use crate::sliding::contact::{ContactEdges, Indenter};
 use std::f64::consts::PI;
 
@@ -102,7 +102,7 @@ impl Table {
         let forms = 3 * (self.lines + 1);
         let first =
             |line: usize| -> Line { series.first().map_or([f64::NAN; 3], |terms| std::array::from_fn(|column| terms[3 * line + column])) };
-        let third: f64 = crossed(&first(0), &first(1)).iter().map(|part| part * part).sum();
+        let third: f64 = third(&first(0), &first(1)).iter().map(|part| part * part).sum();
         let of_works = place.exp() / (third * scales(self.indenter, place).0[0]);
         let form = |begin: usize| {
             const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];

@@ -1,7 +1,7 @@
 //! The works of both edges of a half-width as quadratic forms of their amplitudes.
 //!
 //! ```text
-//! û = (S²c, SC s, p)      S, C = sin, cos(a/2)      σ̂, Δ̂ = (trailing ± leading amplitude)/C,  lines in û      n̂ = σ̂ × Δ̂
+//! û = (S²c, SC s, p)      S, C = sin, cos(a/2)      σ̂, Δ̂ = (trailing ± leading amplitude)/C,  lines in û      n̂ = σ̂ × Δ̂ without its part along p
 //! work_i/2πΓ_i = vᵀÃ_i v     v = (σ̂, Δ̂, n̂)û
 //! ```
 //! A work is nearly the square of the amplitude of its edge, which is small between large parts; seen from the amplitudes nothing cancels.
@@ -25,7 +25,7 @@ impl Works {
     /// From the lines of both amplitudes in û, and the forms seen from them.
     pub(super) fn new(indenter: Indenter, place: f64, [sum, difference]: [Line; 2], forms: [Form; 2]) -> Self {
         let (scales, _) = scales(indenter, place);
-        let rows = [sum, difference, crossed(&sum, &difference)].map(|row| std::array::from_fn(|column| row[column] * scales[column]));
+        let rows = [sum, difference, third(&sum, &difference)].map(|row| std::array::from_fn(|column| row[column] * scales[column]));
         Self { rows, forms }
     }
 
@@ -93,7 +93,13 @@ pub(super) fn even_and_odd(indenter: Indenter, place: f64, trailing: &Line, lead
     [1.0, -1.0].map(|sign| std::array::from_fn(|column| (trailing[column] + sign * leading[column]) / (scales[column] * cosine)))
 }
 
-pub(super) fn crossed(first: &Line, second: &Line) -> Line {
+/// The line that is seen beside both amplitudes: the profile alone, so that it is told from a pull that is far larger.
+pub(super) fn third(sum: &Line, difference: &Line) -> Line {
+    let [first, second, _] = crossed(sum, difference);
+    [first, second, 0.0]
+}
+
+fn crossed(first: &Line, second: &Line) -> Line {
     std::array::from_fn(|index| {
         let (next, last) = ((index + 1) % 3, (index + 2) % 3);
         first[next] * second[last] - first[last] * second[next]
