@@ -134,8 +134,17 @@ pub struct EdgeStates {
     tensions: Option<(ZonePressure, ZonePressure)>,
     /// The two residuals.
     residual: [f64; 2],
+    /// The same as smooth functions, whatever the signs of the amplitudes.
+    smooth: [f64; 2],
     /// What rounding leaves uncertain of each.
     pub rounding: [f64; 2],
+}
+
+impl EdgeStates {
+    /// The residuals as smooth functions of the edges and the load, also across a place where an edge is pressed.
+    pub(in crate::sliding) const fn smooth_residual(&self) -> [f64; 2] {
+        self.smooth
+    }
 }
 
 impl TwoResiduals for EdgeStates {
@@ -186,6 +195,11 @@ impl EdgeBalance {
     #[must_use]
     pub fn adhesion(&self) -> Option<WaveAdhesion> {
         self.adhesion.as_ref().map(|(adhesion, ..)| *adhesion)
+    }
+
+    /// The adhesion with the zones that are prepared for it.
+    pub(in crate::sliding) fn with_zones(&self) -> Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)> {
+        self.adhesion.clone()
     }
 
     /// The resolution.
@@ -247,7 +261,7 @@ impl EdgeBalance {
             let scale = self.memory.stiffening_ratio() * half;
             let rounding = ROUNDING * (1.0 + state.condition().ln());
             let residual = [behind / scale, ahead / scale];
-            return Ok(EdgeStates { state, moved: None, tensions: None, residual, rounding: [rounding, rounding] });
+            return Ok(EdgeStates { state, moved: None, tensions: None, residual, smooth: residual, rounding: [rounding, rounding] });
         };
         let (trailing, leading) = &**zones;
         let behind = edges.moved_out(-trailing.length());
@@ -262,14 +276,13 @@ impl EdgeBalance {
         };
         let targets = adhesion.targets();
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
-        let defect = |work: f64, target: f64, amplitude: f64| {
-            let root = if work > 0.0 { (work / target).sqrt() } else { work / target };
-            if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 }
-        };
+        let root = |work: f64, target: f64| if work > 0.0 { (work / target).sqrt() } else { work / target };
+        let defect = |root: f64, amplitude: f64| if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 };
         let amplitudes = state.edge_amplitudes();
         let tensions = (trailing.tension(&trailing_moved), leading.tension(&leading_moved));
         let works = (trailing.work(&state, &tensions.0), leading.work(&state, &tensions.1));
-        let residual = [defect(works.0.value, targets[0], amplitudes.0), defect(works.1.value, targets[1], amplitudes.1)];
+        let roots = [root(works.0.value, targets[0]), root(works.1.value, targets[1])];
+        let (residual, smooth) = ([defect(roots[0], amplitudes.0), defect(roots[1], amplitudes.1)], roots.map(|root| root - 1.0));
         let digits = 1.0 + state.condition().ln();
         // The amplitude of an edge is what two loads of the size of the whole differ by, times cos(a/2): nothing but rounding where adhesion is weak enough.
         let cosine = if edges.half_gap.is_finite() { (0.5 * edges.half_gap).sin() } else { 1.0 };
@@ -282,7 +295,7 @@ impl EdgeBalance {
         if residual.iter().any(|value| value.is_nan()) {
             return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "the work is not a number".into() });
         }
-        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual, rounding })
+        Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual, smooth, rounding })
     }
 
     /// G/Δγ of both edges at a root, each over the work of its own edge, with what rounding leaves uncertain: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none

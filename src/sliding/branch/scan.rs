@@ -111,7 +111,7 @@ pub(in crate::sliding) fn contacts_of(
         Some(SlidingControl::MeanPressure(pressure)) => (HeldQuantity::MeanPressure, pressure),
         Some(SlidingControl::Penetration(penetration)) => (HeldQuantity::Penetration, penetration - 1.0),
     };
-    let curve = EquilibriumCurve::within(every, problem.half_widths)?;
+    let curve = EquilibriumCurve::within(every, problem.half_widths);
     let found = curve.contacts(quantity, value);
     Ok((found, curve.evaluations()))
 }

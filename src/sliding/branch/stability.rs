@@ -14,7 +14,6 @@
 //!
 //! Source: thesis Sec 1.4 and 3.7 (signs of the second variation at both edges); the frame and the joint sign are our own.
 
-use crate::continuation::two_unknowns::TwoResiduals;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, Indenter, Prescribed, WaveContact};
 use crate::sliding::edge_balance::EdgeBalance;
@@ -145,7 +144,8 @@ impl SecondVariations {
             };
             let found = balance.evaluate_edges(moved, Prescribed::MeanPressure(pressure + more))?;
             // Without adhesion the amplitude falls where a work would grow.
-            let [trailing, leading] = found.residual().map(|residual| if balance.adhesion().is_some() { residual } else { -residual });
+            let [trailing, leading] =
+                found.smooth_residual().map(|residual| if balance.adhesion().is_some() { residual } else { -residual });
             // The separation has its own digits near full contact.
             let depth = if indenter == Indenter::Wave { -found.state.mean_separation() } else { found.state.penetration() };
             // The residual is the root of the work: half its change.

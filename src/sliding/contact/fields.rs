@@ -2,9 +2,9 @@
 
 use super::arcs::Place;
 use super::quadrature::{ArcRange, memory_integrals};
+use super::resolution::Resolution;
 use super::state::ContactState;
 use crate::refusal::{Refusal, require_positive};
-use crate::special::gauss_legendre::UnitRule;
 use std::f64::consts::PI;
 
 /// A point of an arc by its distances to the two ends, so that neither is lost to rounding.
@@ -89,7 +89,7 @@ impl ContactState {
             from_near: point.from_trailing,
             from_far: point.from_leading,
             opposite: 2.0 * self.edges.half_gap,
-            rule: self.resolution.arc_rule(),
+            resolution: self.resolution,
         };
         let shift = self.indenter.shift(self.edges.eccentricity);
         let remembered = between.memory(relaxation.ratio, |from_trailing, from_leading| {
@@ -110,7 +110,7 @@ impl ContactState {
             from_near: point.from_leading,
             from_far: point.from_trailing,
             opposite: 2.0 * self.edges.half_width,
-            rule: self.resolution.arc_rule(),
+            resolution: self.resolution,
         };
         let remembered = between.memory(creep.ratio, |from_leading, from_trailing| {
             let Place { root, angle: (sine, cosine) } = self.arcs.outside(ArcPoint { from_trailing, from_leading });
@@ -137,7 +137,7 @@ struct Between {
     from_far: f64,
     /// Length of the arcs on both sides.
     opposite: f64,
-    rule: &'static UnitRule,
+    resolution: Resolution,
 }
 
 impl Between {
@@ -146,16 +146,16 @@ impl Between {
     /// f has a square root in its denominator at both edges. Nearer to the near edge than one scale, where that root would be almost inside the
     /// range, the vanishing whole is used: the integral is −e^{d/scale} ∫₀^d e^{−t/scale} f dt.
     fn memory(&self, scale: f64, f: impl Fn(f64, f64) -> f64) -> f64 {
-        let &Self { from_near, from_far, opposite, rule } = self;
+        let &Self { from_near, from_far, opposite, resolution } = self;
         // Nearer to the far edge the direct integral is short and harmless, and the whole would cancel against almost itself.
         if from_near < scale && from_near < from_far {
             let arc = ArcRange { length: from_near, before: opposite, behind: from_far, starts_at_edge: true };
             let [before] =
-                memory_integrals(arc, f64::INFINITY, rule, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
+                memory_integrals(arc, f64::INFINITY, resolution, |distance, rest| [(rest / scale).exp() * f(distance, from_far + rest)]);
             -before
         } else {
             let arc = ArcRange { length: from_far, before: from_near, behind: opposite, starts_at_edge: false };
-            let [after] = memory_integrals(arc, scale, rule, |distance, rest| [f(from_near + distance, rest)]);
+            let [after] = memory_integrals(arc, scale, resolution, |distance, rest| [f(from_near + distance, rest)]);
             after
         }
     }

@@ -30,7 +30,7 @@ pub(super) struct InsideIntegrals {
 pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, resolution: Resolution) -> InsideIntegrals {
     let (gap, indenter) = (2.0 * edges.half_gap, arcs.indenter);
     let arc = ArcRange { length: 2.0 * edges.half_width, before: gap, behind: gap, starts_at_edge: true };
-    let [flat, odd, wave, slope] = memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
+    let [flat, odd, wave, slope] = memory_integrals(arc, ratio, resolution, |from_trailing, from_leading| {
         let Place { root, angle } = arcs.inside(ArcPoint { from_trailing, from_leading });
         let [flat, odd, wave] = indenter.pressures(angle, root, (0.0, 1.0));
         [flat, odd, wave, -indenter.slope(angle, root)].map(|value| value / ratio)
@@ -43,11 +43,10 @@ pub(super) fn outside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, re
     let width = 2.0 * edges.half_width;
     let arc = ArcRange { length: 2.0 * edges.half_gap, before: width, behind: width, starts_at_edge: true };
     let s = arcs.half.0;
-    let [cosine, sine, depth, root_cosine, root_sine] =
-        memory_integrals(arc, ratio, resolution.arc_rule(), |from_trailing, from_leading| {
-            let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
-            [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
-        });
+    let [cosine, sine, depth, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution, |from_trailing, from_leading| {
+        let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
+        [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
+    });
     OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
 }
 

@@ -54,6 +54,7 @@ pub use edges::ContactEdges;
 pub use fields::ArcPoint;
 pub use indenter::Indenter;
 pub use memory::ContactMemory;
+pub(in crate::sliding) use process_zone::ZoneGap;
 pub use process_zone::{Edge, ProcessZone, ZonePressure, ZoneWork, edge_work};
 pub use resolution::Resolution;
 pub use state::{ContactState, Prescribed, WaveContact};

@@ -51,7 +51,7 @@ impl ContactState {
         let (a, e) = (self.edges.half_width, self.edges.eccentricity);
         let arc = ArcRange { length: 2.0 * a, before: f64::INFINITY, behind: f64::INFINITY, starts_at_edge: true };
         let rule = self.resolution.arc_rule();
-        let [sum] = memory_integrals(arc, f64::INFINITY, rule, |distance, rest| {
+        let [sum] = memory_integrals(arc, f64::INFINITY, self.resolution, |distance, rest| {
             let root = (distance * rest).sqrt();
             let position = if distance < rest { distance - a } else { a - rest };
             let field = root + (flat + (0.5 * odd - e) * position) / root;

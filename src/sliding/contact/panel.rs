@@ -13,7 +13,7 @@
 //! | λ | 2·half·σ/s: du/dτ = λ(t f − t u) over τ from −1 to 1 |
 
 use crate::special::gauss_legendre::UNIT_RULE_12;
-use nalgebra::{Const, LU, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 use std::sync::LazyLock;
 
 /// Nodes of a panel.
@@ -21,7 +21,6 @@ pub(super) const NODES: usize = 12;
 /// Values at the nodes of a panel.
 pub(super) type Values = SVector<f64, NODES>;
 type Square = SMatrix<f64, NODES, NODES>;
-type Factors = LU<f64, Const<NODES>, Const<NODES>>;
 
 /// What is common to all panels: nodes on [−1, 1], weights, differentiation, values at the ends.
 struct Reference {
@@ -138,8 +137,8 @@ pub(super) struct Step {
 /// How u follows.
 #[derive(Debug, Clone)]
 enum Solver {
-    /// By a factored matrix.
-    Factored(Box<Factors>),
+    /// By the inverse of its matrix, which is near the identity or rules its diagonal: a product, and no digit less than by factors.
+    Inverse(Box<Square>),
     /// A panel much thinner than its layer: by this many terms of a series, which needs no matrix of its own.
     Series { terms: u32, roots: [f64; NODES] },
 }
@@ -158,7 +157,8 @@ impl Step {
             for index in 0..NODES {
                 matrix[(index, index)] += strength * panel.roots[index];
             }
-            Solver::Factored(Box::new(matrix.lu()))
+            // A singular step leaves NaN, which is found in the work.
+            Solver::Inverse(Box::new(matrix.try_inverse().unwrap_or(Square::from_element(f64::NAN))))
         };
         Self { solver, strength, towards_edge }
     }
@@ -173,14 +173,7 @@ impl Step {
         };
         let source = field_times_root * self.strength + lifted * inflow_value;
         let values = match &self.solver {
-            Solver::Factored(factors) => {
-                let mut values = source;
-                // A singular step leaves NaN, which the caller finds in the work.
-                if !factors.solve_mut(&mut values) {
-                    values.fill(f64::NAN);
-                }
-                values
-            }
+            Solver::Inverse(inverse) => **inverse * source,
             Solver::Series { terms, roots } => {
                 let mut values = inverse * source;
                 for _ in 1..*terms {

@@ -65,6 +65,28 @@ pub struct ZonePressure(Vec<Field>);
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sliding) struct ZoneGap(Vec<Field>);
 
+impl ZonePressure {
+    /// A sum of three.
+    pub(in crate::sliding) fn sum(of: &[Self; 3], parts: [f64; 3]) -> Self {
+        Self(sum_of_fields(of.each_ref().map(|one| &one.0[..]), parts))
+    }
+}
+
+impl ZoneGap {
+    /// A sum of three.
+    pub(in crate::sliding) fn sum(of: &[Self; 3], parts: [f64; 3]) -> Self {
+        Self(sum_of_fields(of.each_ref().map(|one| &one.0[..]), parts))
+    }
+}
+
+fn sum_of_fields([first, second, third]: [&[Field]; 3], parts: [f64; 3]) -> Vec<Field> {
+    let add = |((one, two), three): ((&Field, &Field), &Field)| Field {
+        value: one.value * parts[0] + two.value * parts[1] + three.value * parts[2],
+        size: one.size * parts[0].abs() + two.size * parts[1].abs() + three.size * parts[2].abs(),
+    };
+    first.iter().zip(second).zip(third).map(add).collect()
+}
+
 /// A field at the nodes of a panel, and the sizes of the terms that it is a sum of.
 #[derive(Debug, Clone, PartialEq)]
 struct Field {

@@ -5,12 +5,10 @@
 //! ```
 //! The variable is √d in the nearer half and √(length − d) in the farther one, which removes both roots; panels are no longer than three
 //! times √scale, over which the exponential is smooth, and no longer than their distance to the nearest singularity outside the arc (the other
-//! edge of the neighbouring arc). The range is cut at 40 scales (e^{−40} = 4e-18).
+//! edge of the neighbouring arc). The range is cut where the memory is below the resolution.
 
-use crate::special::gauss_legendre::UnitRule;
+use super::resolution::Resolution;
 
-/// Where e^{−d/scale} is below rounding.
-const MEMORY_CUT: f64 = 40.0;
 /// Longest panel in units of √scale.
 const LONGEST_PANEL: f64 = 3.2;
 
@@ -31,11 +29,11 @@ pub(super) struct ArcRange {
 pub(super) fn memory_integrals<const N: usize>(
     arc: ArcRange,
     scale: f64,
-    rule: &UnitRule,
+    resolution: Resolution,
     mut f: impl FnMut(f64, f64) -> [f64; N],
 ) -> [f64; N] {
     let mut sums = [0.0; N];
-    let cut = MEMORY_CUT * scale;
+    let (cut, rule) = (resolution.memory_cut() * scale, resolution.arc_rule());
     let reaches_end = cut > 0.5 * arc.length;
     let near_end = if reaches_end { 0.5 * arc.length } else { cut };
     let add = |low: f64, high: f64, value: &mut dyn FnMut(f64, f64)| {

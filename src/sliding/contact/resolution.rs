@@ -48,6 +48,16 @@ impl Resolution {
         }
     }
 
+    /// Where e^{−d/scale} is below the error, in scales; of the finest e^{−40} = 4e-18.
+    pub(super) const fn memory_cut(self) -> f64 {
+        match self {
+            Self::Coarse => 15.0,
+            Self::Medium => 22.0,
+            Self::Fine => 30.0,
+            Self::Finest => 40.0,
+        }
+    }
+
     /// Largest ratio of the ends of a panel of a process zone, in the root of the distance.
     pub(super) const fn panel_ratio(self) -> f64 {
         match self {

@@ -1,31 +1,32 @@
 //! The contacts along the half-widths, joined to curves.
 //!
-//! At each of a row of half-widths all contacts are known; neighbours of nearly one eccentricity belong together. Between two half-widths where a contact appears or
-//! vanishes more half-widths are looked at. Two contacts that vanish together are the two sides of a turn of the half-width.
+//! At each of a row of half-widths all contacts are known, and how each goes on. Rows are divided until the contacts of neighbours are each other's continuation without a
+//! doubt: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears or vanishes, rows are
+//! divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
-use super::width::{ContactsOfWidth, Point, apart};
-use crate::refusal::Refusal;
+use super::point::{HeldQuantity, Point};
+use super::width::{ContactsOfWidth, apart};
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::WaveAdhesion;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Distance of neighbouring places, ln tan(a/2).
-const SPACING: f64 = 0.9;
-/// The same at both ends of the row, where a turn has a neighbour on one side only; it grows from there.
-const END_SPACING: f64 = 0.15;
-/// How much from one to the next.
-const GROWTH: f64 = 1.8;
-/// A change of load below this part of those beside is looked at more closely.
-const DIP: f64 = 0.8;
-/// Parts of it.
-const DIP_PARTS: u32 = 6;
-/// Where contacts appear or vanish, places are at least this near.
-const FINEST: f64 = 0.1;
-/// Largest change of eccentricity between neighbours, of a parabola over the half-width.
-const NEIGHBOURS: f64 = 0.6;
+/// Largest distance of neighbouring places, ln tan(a/2).
+const SPACING: f64 = 0.2;
+/// Where contacts appear or vanish, places are this near: what bends with a root there is told to a thousandth.
+const FINEST: f64 = 1e-6;
+/// Load and depth are not looked at more closely than this.
+const STRAIGHT: f64 = 5e-3;
+/// Largest distance of an eccentricity from what both slopes predict, of a parabola over its size; and of the two sides of a turn.
+const CONTINUES: f64 = 0.1;
+/// The same over the distance to another contact.
+const APART: f64 = 0.25;
+/// Rows at most: more only where what exists is lost in rounding.
+const MOST_ROWS: usize = 1500;
 /// The narrowest contact, over the longer process zone.
 const WIDTH_IN_ZONES: f64 = 0.02;
+/// The same over an unloaded one.
+const WIDTH_IN_UNLOADED: f64 = 0.05;
 /// The narrowest contact and gap without adhesion, in 1/k.
 const NARROWEST: f64 = 1e-5;
 /// Half-widths of a cylinder, under and over its size.
@@ -44,6 +45,10 @@ pub(in crate::sliding) struct EquilibriumCurve {
     pub(super) every: ContactsOfWidth,
     /// Each a curve of contacts in the order along it.
     pub(super) chains: Vec<Vec<Point>>,
+    /// Half-widths that were looked at.
+    rows: u64,
+    /// Half-widths whose conditions were formed for it.
+    formed: u64,
 }
 
 impl EquilibriumCurve {
@@ -57,163 +62,149 @@ impl EquilibriumCurve {
         adhesion: Option<WaveAdhesion>,
         size: f64,
         resolution: Resolution,
-    ) -> Result<Self, Refusal> {
+    ) -> Self {
         let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
+        // Without a load a glassy contact has a³ = 32Γ/β, and no contact is pulled off before it is some tenths of that.
+        let work = adhesion.map_or(0.0, |adhesion| adhesion.trailing_work.min(adhesion.leading_work));
+        let unloaded = (32.0 * work / memory.stiffening_ratio()).cbrt();
+        let narrow = (WIDTH_IN_ZONES * zone).max(WIDTH_IN_UNLOADED * unloaded);
         // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
         let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
         let (narrowest, widest) = match indenter {
-            Indenter::Wave => ((WIDTH_IN_ZONES * zone).clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
-            Indenter::Parabola => ((WIDTH_IN_ZONES * zone).max(RANGE[0] * size), RANGE[1] * (size + zone)),
+            Indenter::Wave => (narrow.clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
+            Indenter::Parabola => (if adhesion.is_some() { narrow } else { RANGE[0] * size }, RANGE[1] * (size + zone)),
         };
         Self::within(ContactsOfWidth::new(memory, indenter, adhesion, resolution), [narrowest, widest])
     }
 
     /// The contacts of a range of half-widths.
-    ///
-    /// # Errors
-    /// As [`EquilibriumCurve::new`].
-    pub(in crate::sliding) fn within(every: ContactsOfWidth, half_widths: [f64; 2]) -> Result<Self, Refusal> {
+    pub(in crate::sliding) fn within(mut every: ContactsOfWidth, half_widths: [f64; 2]) -> Self {
         let indenter = every.indenter();
-        let [narrowest, widest] =
-            half_widths.map(|half_width| ContactEdges::new(indenter, WaveContact { half_width, eccentricity: 0.0 }).place());
-        // A width that is refused is a gap in the row: the zone may be wider than the room there.
-        let row = |place: f64| Row { place, points: every.points(ContactEdges::at_place(indenter, place, 0.0)).unwrap_or_default() };
-        let mut rows: Vec<Row> = places(narrowest, widest).into_iter().map(row).collect();
-        let mut index = 0;
-        while let (Some(from), Some(to)) = (rows.get(index), rows.get(index + 1)) {
-            let joined = joined(indenter, &from.points, &to.points).len();
-            if joined == from.points.len().max(to.points.len()) || to.place - from.place <= FINEST {
-                index += 1;
-            } else {
-                let middle = row(0.5 * (from.place + to.place));
-                rows.insert(index + 1, middle);
+        let [low, high] = half_widths.map(|half_width| ContactEdges::new(indenter, WaveContact { half_width, eccentricity: 0.0 }).place());
+        every.tabulate([low, high]);
+        let row = |place: f64| Row { place, points: every.points(place) };
+        let count = ((high - low) / SPACING).ceil().max(1.0) as u32;
+        let mut open: Vec<Row> = (0..=count).rev().map(|index| row(low + (high - low) * f64::from(index) / f64::from(count))).collect();
+        let mut rows: Vec<Row> = Vec::new();
+        while let Some(next) = open.pop() {
+            match rows.last() {
+                Some(last) if rows.len() < MOST_ROWS && !last.is_followed_by(indenter, &next) => {
+                    let middle = row(0.5 * (last.place + next.place));
+                    open.extend([next, middle]);
+                }
+                _ => rows.push(next),
             }
         }
-        let mut chains = chains(indenter, rows);
-        for chain in &mut chains {
-            *chain = with_dips(&every, std::mem::take(chain));
-        }
-        Ok(Self { every, chains })
+        let (count, formed) = (rows.len() as u64, every.take_widths());
+        Self { chains: chains(indenter, rows), every, rows: count, formed }
     }
 
     /// The contact of another half-width near one that is known.
     pub(super) fn beside(&self, place: f64, eccentricity: f64) -> Option<Point> {
         let point = self.every.nearest(place, eccentricity)?;
-        near(self.every.indenter(), &point, eccentricity).then_some(point)
+        let far = apart(self.every.indenter(), point.eccentricity, eccentricity);
+        (far < CONTINUES * size(self.every.indenter(), &point)).then_some(point)
     }
 
     /// Half-widths that were looked at.
-    pub(in crate::sliding) fn widths(&self) -> u64 {
-        self.every.widths()
+    pub(in crate::sliding) const fn rows(&self) -> u64 {
+        self.rows
     }
 
-    /// What that counts in evaluations of both conditions, with those of checks.
+    /// Evaluations of both conditions that the curve and the checks since the last call count as: the same for each of the contacts that share it.
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
-        self.every.evaluations()
+        2 * self.formed + self.every.evaluations()
     }
 }
 
-/// A chain with more contacts where the load changes so much less than beside that it may turn twice between two neighbours.
-fn with_dips(every: &ContactsOfWidth, chain: Vec<Point>) -> Vec<Point> {
-    let change = |from: usize| match (chain.get(from), chain.get(from + 1)) {
-        (Some(one), Some(other)) => other.mean_pressure - one.mean_pressure,
-        _ => f64::NAN,
-    };
-    let mut all = Vec::with_capacity(chain.len());
-    for (index, point) in chain.iter().enumerate() {
-        all.push(*point);
-        let (before, here, after) = (if index > 0 { change(index - 1) } else { f64::NAN }, change(index), change(index + 1));
-        let dips = before * here > 0.0 && here * after > 0.0 && here.abs() < DIP * before.abs().min(after.abs());
-        if let (true, Some(next)) = (dips, chain.get(index + 1)) {
-            for part in 1..DIP_PARTS {
-                let part = f64::from(part) / f64::from(DIP_PARTS);
-                let eccentricity = point.eccentricity + part * (next.eccentricity - point.eccentricity);
-                all.extend(every.nearest(point.place + part * (next.place - point.place), eccentricity));
+/// What eccentricities are compared with.
+fn size(indenter: Indenter, point: &Point) -> f64 {
+    if indenter == Indenter::Wave { 1.0 } else { point.half_width + point.eccentricity.abs() }
+}
+
+impl Row {
+    /// Whether nothing is open between this row and the next.
+    fn is_followed_by(&self, indenter: Indenter, next: &Self) -> bool {
+        let length = next.place - self.place;
+        let pairs = joined(indenter, self, next);
+        let straight = |quantity: HeldQuantity, one: &Point, other: &Point| {
+            let change = quantity.of(other) - quantity.of(one);
+            let [before, after] = [one, other].map(|point| length * quantity.slope(point));
+            // Monotone as a cubic is, or one turn.
+            before * after <= 0.0 || (before * change > 0.0 && before.abs().max(after.abs()) <= 3.0 * change.abs())
+        };
+        let all = pairs.len() == self.points.len().max(next.points.len());
+        if !all {
+            return length <= FINEST;
+        }
+        length < STRAIGHT
+            || pairs.iter().all(|&(from, to)| {
+                let (Some(one), Some(other)) = (self.points.get(from), next.points.get(to)) else { return true };
+                straight(HeldQuantity::MeanPressure, one, other)
+                    && (indenter == Indenter::Parabola || straight(HeldQuantity::Penetration, one, other))
+            })
+    }
+
+    /// How far the nearest other contact is.
+    fn nearest_other(&self, indenter: Indenter, index: usize) -> f64 {
+        let here = self.points.get(index).map_or(f64::NAN, |point| point.eccentricity);
+        let others = self.points.iter().enumerate().filter(|&(other, _)| other != index);
+        others.map(|(_, point)| apart(indenter, point.eccentricity, here)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Pairs of contacts of two half-widths of which the slopes of both predict each other.
+fn joined(indenter: Indenter, from: &Row, to: &Row) -> Vec<(usize, usize)> {
+    let half = 0.5 * (to.place - from.place);
+    let off = |one: &Point, other: &Point| apart(indenter, one.eccentricity + half * (one.tilt() + other.tilt()), other.eccentricity);
+    let mut pairs = Vec::new();
+    for (index, one) in from.points.iter().enumerate() {
+        for (other_index, other) in to.points.iter().enumerate() {
+            let room = from.nearest_other(indenter, index).min(to.nearest_other(indenter, other_index));
+            let change = apart(indenter, one.eccentricity, other.eccentricity);
+            if off(one, other) < (CONTINUES * size(indenter, one)).min(APART * room) && change < (size(indenter, one)).min(room) {
+                pairs.push((index, other_index));
             }
         }
     }
-    all
-}
-
-/// Places from one end to the other.
-fn places(narrowest: f64, widest: f64) -> Vec<f64> {
-    let middle = 0.5 * (narrowest + widest);
-    let half = |from: f64, sign: f64| {
-        let (mut places, mut step) = (vec![from], END_SPACING);
-        let mut place = from;
-        while sign * (middle - place) > step {
-            place += sign * step;
-            places.push(place);
-            step = (GROWTH * step).min(SPACING);
-        }
-        places
-    };
-    let mut places = half(narrowest, 1.0);
-    places.extend(half(widest, -1.0).into_iter().rev());
-    places
-}
-
-/// Whether a point may continue one of an eccentricity.
-fn near(indenter: Indenter, point: &Point, eccentricity: f64) -> bool {
-    let size = if indenter == Indenter::Wave { 1.0 } else { point.half_width + eccentricity.abs() };
-    apart(indenter, point.eccentricity, eccentricity) < NEIGHBOURS * size
-}
-
-/// Pairs of contacts of two half-widths that are each other's nearest.
-fn joined(indenter: Indenter, from: &[Point], to: &[Point]) -> Vec<(usize, usize)> {
-    let nearest = |point: &Point, row: &[Point]| {
-        let far = |index: &usize| row.get(*index).map_or(f64::INFINITY, |other| apart(indenter, other.eccentricity, point.eccentricity));
-        (0..row.len()).min_by(|first, second| far(first).total_cmp(&far(second)))
-    };
-    from.iter()
-        .enumerate()
-        .filter_map(|(index, point)| {
-            let other = nearest(point, to)?;
-            let back = nearest(to.get(other)?, from)?;
-            (back == index && near(indenter, to.get(other)?, point.eccentricity)).then_some((index, other))
-        })
-        .collect()
+    // Of those that could be both none is.
+    let once = |&(from, to): &(usize, usize)| pairs.iter().filter(|&&(one, other)| one == from || other == to).count() == 1;
+    pairs.iter().copied().filter(once).collect()
 }
 
 /// Joins rows to curves.
 fn chains(indenter: Indenter, rows: Vec<Row>) -> Vec<Vec<Point>> {
-    let begins: Vec<usize> = rows
-        .iter()
-        .scan(0, |sum, row| {
-            let begin = *sum;
-            *sum += row.points.len();
-            Some(begin)
-        })
-        .collect();
-    let count = rows.iter().map(|row| row.points.len()).sum();
+    let mut begins = vec![0];
+    begins.extend(rows.iter().scan(0, |sum, row| {
+        *sum += row.points.len();
+        Some(*sum)
+    }));
+    let count = begins.last().copied().unwrap_or(0);
     // Neighbours of each point along its curve, at most two.
     let mut links: Vec<Vec<usize>> = vec![Vec::new(); count];
     let (mut has_narrower, mut has_wider) = (vec![false; count], vec![false; count]);
     for (index, pair) in rows.windows(2).enumerate() {
         let [from, to] = pair else { continue };
-        for (first, second) in joined(indenter, &from.points, &to.points) {
+        for (first, second) in joined(indenter, from, to) {
             let (first, second) = (begins[index] + first, begins[index + 1] + second);
             links[first].push(second);
             links[second].push(first);
             (has_wider[first], has_narrower[second]) = (true, true);
         }
     }
-    // Two neighbours of one row whose curves end on the same side: a turn of the half-width between this row and the next.
+    // Two contacts of one row whose curves end on the same side, next to each other: a turn of the half-width between this row and the next.
     for (index, row) in rows.iter().enumerate() {
         for (missing, inner) in [(&has_wider, index + 1 < rows.len()), (&has_narrower, index > 0)] {
-            if !inner {
-                continue;
-            }
-            for pair in 0..row.points.len().saturating_sub(1) {
-                let (first, second) = (begins[index] + pair, begins[index] + pair + 1);
-                if !missing[first]
-                    && !missing[second]
-                    && links[first].len() < 2
-                    && links[second].len() < 2
-                    && !links[first].contains(&second)
-                {
-                    links[first].push(second);
-                    links[second].push(first);
+            let open: Vec<usize> = (0..row.points.len()).filter(|point| inner && !missing[begins[index] + point]).collect();
+            for (order, &first) in open.iter().enumerate() {
+                for &second in open.iter().skip(order + 1) {
+                    let (one, other) = (&row.points[first], &row.points[second]);
+                    let near = apart(indenter, one.eccentricity, other.eccentricity) < CONTINUES * size(indenter, one);
+                    let (first, second) = (begins[index] + first, begins[index] + second);
+                    if near && links[first].len() < 2 && links[second].len() < 2 && !links[first].contains(&second) {
+                        links[first].push(second);
+                        links[second].push(first);
+                    }
                 }
             }
         }

@@ -1,8 +1,9 @@
 //! Which contacts of the curve can exist, and where they end.
 
 use super::curve::EquilibriumCurve;
-use super::held::{Crossing, HeldQuantity, Stretch, StretchEnd};
-use super::width::{ContactAt, Point};
+use super::held::{Crossing, Stretch, StretchEnd};
+use super::point::{HeldQuantity, Point};
+use super::width::ContactAt;
 use crate::sliding::contact::{ContactEdges, WaveContact};
 
 /// Halvings between a contact that exists and none.
@@ -74,7 +75,7 @@ impl EquilibriumCurve {
 
     /// The contact at a place, if it can exist.
     pub(super) fn possible(&self, (place, eccentricity): Place) -> Option<Point> {
-        self.beside(place, eccentricity).filter(|point| self.every.can_exist(point).unwrap_or(false))
+        self.beside(place, eccentricity).filter(|point| self.every.can_exist(point))
     }
 
     /// Between a contact that can exist and a place where none can: the last value, and what forbids the next; none if the first cannot exist either.
@@ -121,7 +122,7 @@ impl EquilibriumCurve {
         let place = ContactEdges::new(self.every.indenter(), WaveContact { half_width, eccentricity: 0.0 }).place();
         let mut near: Vec<&Point> = self.chains.iter().flatten().collect();
         near.sort_by(|first, second| (first.place - place).abs().total_cmp(&(second.place - place).abs()));
-        let found = near.into_iter().find(|point| self.every.can_exist(point).unwrap_or(false))?;
+        let found = near.into_iter().find(|point| self.every.can_exist(point))?;
         let (last, why) = self.closed_in((found.place, found.eccentricity), (place, found.eccentricity))?;
         Some((last.half_width, last.half_width > half_width, why))
     }

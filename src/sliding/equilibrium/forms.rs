@@ -9,6 +9,7 @@
 //! on neither conic, so that no two of them lie in one direction: along each direction both conics are quadratics, which have a root in common where their resultant, a quartic of the
 //! direction, vanishes. Without adhesion both edge amplitudes, linear in u, vanish.
 
+use super::works::{Square, Works};
 use crate::continuation::two_unknowns::{largest, solve_two_by_two};
 use crate::sliding::contact::Indenter;
 use std::f64::consts::PI;
@@ -17,14 +18,12 @@ use std::f64::consts::PI;
 const STEPS: usize = 60;
 /// Newton steps at a point where both conics meet.
 const POLISHES: usize = 4;
-/// The square of a load over a pull beyond which the square of the pull is lost in that of the load.
-const WEAK: f64 = 1e9;
 /// Largest residual of a condition at such a point.
 const MEETS: f64 = 1e-5;
 /// The frame that conics are seen in: three orthonormal directions of no meaning.
 const FRAME: [[f64; 3]; 3] = [[0.608_878, -0.343_442, 0.715_063], [0.512_851, 0.858_127, -0.024_540], [-0.605_186, 0.381_663, 0.698_629]];
 
-/// The six coefficients of a quadratic form in (c, s, p): cc, ss, pp, cs, cp, sp.
+/// The six coefficients of a quadratic form in three unknowns: the squares, and the products of the first and second, first and third, second and third.
 pub(super) type Form = [f64; 6];
 /// The three of a linear form.
 pub(super) type Line = [f64; 3];
@@ -44,28 +43,9 @@ pub(super) fn direction(indenter: Indenter, eccentricity: f64) -> Direction {
     }
 }
 
-/// ∂/∂e and ∂/∂p̄ of a form.
-pub(super) fn slopes([cc, ss, pp, cs, cp, sp]: &Form, indenter: Indenter, eccentricity: f64, p: f64) -> [f64; 2] {
-    let (c, s) = direction(indenter, eccentricity);
-    let (by_c, by_s) = (2.0 * cc * c + cs * s + cp * p, 2.0 * ss * s + cs * c + sp * p);
-    let by_shift = match indenter {
-        Indenter::Wave => by_s * c - by_c * s,
-        Indenter::Parabola => by_s,
-    };
-    [by_shift, 2.0 * pp * p + cp * c + sp * s]
-}
-
-/// The value of a form.
-fn of_form([cc, ss, pp, cs, cp, sp]: &Form, (c, s): Direction, p: f64) -> f64 {
-    cc * c * c + ss * s * s + pp * p * p + cs * c * s + cp * c * p + sp * s * p
-}
-
-type Square = [[f64; 3]; 3];
-
-/// A form less the unit one, in scaled unknowns and the frame.
-fn conic([cc, ss, pp, cs, cp, sp]: &Form, indenter: Indenter, scales: [f64; 3]) -> Square {
-    let unit = if indenter == Indenter::Wave { 1.0 } else { 0.0 };
-    let plain = [[cc - 1.0, 0.5 * cs, 0.5 * cp], [0.5 * cs, ss - unit, 0.5 * sp], [0.5 * cp, 0.5 * sp, *pp]];
+/// A form in scaled unknowns and the frame.
+fn conic([a, b, c, d, e, f]: &Form, scales: [f64; 3]) -> Square {
+    let plain = [[*a, 0.5 * d, 0.5 * e], [0.5 * d, *b, 0.5 * f], [0.5 * e, 0.5 * f, *c]];
     std::array::from_fn(|row| {
         std::array::from_fn(|column| {
             let mut sum = 0.0;
@@ -151,7 +131,7 @@ fn real_roots(coefficients: &[f64]) -> Vec<f64> {
 pub(super) struct Conditions {
     pub(super) indenter: Indenter,
     /// Works over 2πΓ; none without adhesion.
-    pub(super) works: Option<[Form; 2]>,
+    pub(super) works: Option<Works>,
     /// Amplitudes of the trailing and of the leading edge, in the contact and, with adhesion, in both moved ones.
     pub(super) amplitudes: Vec<Line>,
     /// Δ − 1 of a wave.
@@ -162,61 +142,46 @@ impl Conditions {
     /// Eccentricity and mean pressure of every root of both conditions, whatever the signs of the edges.
     pub(super) fn roots(&self) -> Vec<(f64, f64)> {
         match &self.works {
-            Some(works) if !self.is_weak() => self.adhesive(works),
-            Some(works) => self.of_amplitudes([0, 1].map(|edge| self.weak_amplitude(works, edge))),
-            None => self.of_amplitudes([0.0; 2]).into_iter().filter(|&(_, pressure)| pressure > 0.0).collect(),
+            Some(works) => self.adhesive(works),
+            None => self.smooth(),
         }
     }
 
-    /// Whether the pull of the edges is so weak beside the load that the squares of both, which the works are, leave no digits of it.
-    pub(super) fn is_weak(&self) -> bool {
-        self.works.as_ref().is_some_and(|works| works.iter().any(|form| form[0] > WEAK))
-    }
-
-    /// The amplitude at which an edge does the work of adhesion, as far as the work is the square of the amplitude.
-    fn weak_amplitude(&self, works: &[Form; 2], edge: usize) -> f64 {
-        match (works.get(edge), self.amplitudes.get(edge)) {
-            (Some(form), Some(line)) => -line[0].abs() / form[0].sqrt(),
-            _ => f64::NAN,
-        }
-    }
-
-    /// The contacts of given amplitudes of both edges, p̄ eliminated: a c + b s = g.
-    fn of_amplitudes(&self, [one, other]: [f64; 2]) -> Vec<(f64, f64)> {
+    /// Where both amplitudes vanish, p̄ eliminated: a c + b s = 0.
+    fn smooth(&self) -> Vec<(f64, f64)> {
         let [first, second] = match &self.amplitudes[..] {
             [first, second, ..] => [first, second],
             _ => return Vec::new(),
         };
         let (a, b) = (first[0] * second[2] - second[0] * first[2], first[1] * second[2] - second[1] * first[2]);
-        let g = one * second[2] - other * first[2];
         let eccentricities = match self.indenter {
             Indenter::Wave => {
-                let (middle, aside) = (b.atan2(a), (g / a.hypot(b)).acos());
-                [middle + aside, middle - aside].map(|e| e - 2.0 * PI * (e / (2.0 * PI)).round()).to_vec()
+                let e = (-a).atan2(b);
+                vec![e, if e > 0.0 { e - PI } else { e + PI }]
             }
-            Indenter::Parabola => vec![(g - a) / b],
+            Indenter::Parabola => vec![-a / b],
         };
         let pressure = |e: f64| {
             let (c, s) = direction(self.indenter, e);
-            (one + other - (first[0] + second[0]) * c - (first[1] + second[1]) * s) / (first[2] + second[2])
+            -((first[0] + second[0]) * c + (first[1] + second[1]) * s) / (first[2] + second[2])
         };
-        eccentricities.into_iter().map(|e| (e, pressure(e))).filter(|(e, pressure)| e.is_finite() && pressure.is_finite()).collect()
+        eccentricities.into_iter().map(|e| (e, pressure(e))).filter(|(e, pressure)| e.is_finite() && *pressure > 0.0).collect()
     }
 
     /// The points in which both conics meet.
-    fn adhesive(&self, works: &[Form; 2]) -> Vec<(f64, f64)> {
+    fn adhesive(&self, works: &Works) -> Vec<(f64, f64)> {
+        let (unit, columns) = works.unit(self.indenter);
         // Unknowns in which both conics are of order one.
-        let unit = if self.indenter == Indenter::Wave { 1.0 } else { 0.0 };
-        let ratio =
-            |over: fn(&Form, f64) -> f64| works.iter().map(|form| ((form[0].abs() + 1.0) / over(form, unit)).powf(0.25)).product::<f64>();
-        let scales = [1.0, ratio(|form, unit| form[1].abs() + unit), ratio(|form, _| form[2].abs())];
-        let [first, second] = works.each_ref().map(|form| conic(form, self.indenter, scales));
+        let part = |form: &Form, index: usize| form[index].abs() + unit[index].abs();
+        let scales: [f64; 3] =
+            std::array::from_fn(|index| works.forms.iter().map(|form| (part(form, 0) / part(form, index)).powf(0.25)).product());
+        let [first, second] = works.forms.each_ref().map(|form| conic(&std::array::from_fn(|index| form[index] - unit[index]), scales));
         // Across a narrow gap both edges pull almost alike: what tells them apart has its own size.
         let apart = normalized(&combined(&second, &first, -1.0));
         let mut roots = Vec::new();
         for point in meeting(&normalized(&combined(&first, &second, 1.0)), &apart) {
-            let [c, s, p]: [f64; 3] =
-                std::array::from_fn(|index| scales[index] * (0..3).map(|row| FRAME[row][index] * point[row]).sum::<f64>());
+            let seen: Line = std::array::from_fn(|index| scales[index] * (0..3).map(|row| FRAME[row][index] * point[row]).sum::<f64>());
+            let [c, s, p]: Line = std::array::from_fn(|part| seen.iter().zip(&columns).map(|(size, column)| size * column[part]).sum());
             match self.indenter {
                 Indenter::Wave => {
                     // A point of the plane is two opposite contacts.
@@ -231,13 +196,12 @@ impl Conditions {
     }
 
     /// A root to the last digits; none if there is none.
-    fn polished(&self, works: &[Form; 2], (mut eccentricity, mut pressure): (f64, f64)) -> Option<(f64, f64)> {
-        let off = |eccentricity: f64, pressure: f64| {
-            works.each_ref().map(|form| of_form(form, direction(self.indenter, eccentricity), pressure) - 1.0)
-        };
+    fn polished(&self, works: &Works, (mut eccentricity, mut pressure): (f64, f64)) -> Option<(f64, f64)> {
+        let off =
+            |eccentricity: f64, pressure: f64| [0, 1].map(|edge| works.work(edge, direction(self.indenter, eccentricity), pressure) - 1.0);
         let mut best = off(eccentricity, pressure);
         for _ in 0..POLISHES {
-            let jacobian = works.each_ref().map(|form| slopes(form, self.indenter, eccentricity, pressure));
+            let jacobian = [0, 1].map(|edge| works.slopes(edge, self.indenter, eccentricity, pressure));
             let Some(step) = solve_two_by_two(&jacobian, best) else { break };
             let (e, p) = (eccentricity - step[0], pressure - step[1]);
             let next = off(e, p);

@@ -16,10 +16,14 @@ mod curve;
 mod existence;
 mod forms;
 mod held;
+mod point;
+mod table;
 mod width;
+mod works;
 
 pub(in crate::sliding) use curve::EquilibriumCurve;
 pub(in crate::sliding) use existence::WhyNot;
-pub(in crate::sliding) use held::{Crossing, End, Held, HeldQuantity, Stretch, StretchEnd};
+pub(in crate::sliding) use held::{Crossing, End, Held, Stretch, StretchEnd};
+pub(in crate::sliding) use point::HeldQuantity;
 pub use width::ContactAt;
 pub(in crate::sliding) use width::ContactsOfWidth;

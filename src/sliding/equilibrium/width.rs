@@ -3,11 +3,15 @@
 //! So no branch can hide: what is not on a curve that was followed belongs to another one.
 
 use super::existence::WhyNot;
-use super::forms::{Conditions, Form, Line, direction, of_line, slopes};
+use super::forms::{Conditions, Line, direction, of_line};
+use super::point::Point;
+use super::table::Table;
+use super::works::{Square, Works, directions, even_and_odd};
 use crate::continuation::two_unknowns::{TwoResiduals, largest};
 use crate::refusal::Refusal;
 use crate::sliding::contact::{
-    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact,
+    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZoneGap,
+    ZonePressure,
 };
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::cell::Cell;
@@ -18,6 +22,10 @@ use std::sync::Arc;
 const ROOT: f64 = 1e-4;
 /// Eccentricities nearer than this are those of one contact (across a narrow gap rounding moves them).
 const SAME: f64 = 1e-5;
+/// The same of a point that is rough.
+const ROUGH: f64 = 1e-3;
+/// Conditions this far on both sides of a place tell how they follow it.
+const BESIDE: f64 = 1e-4;
 
 /// A steady contact of a half-width.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,46 +40,16 @@ pub struct ContactAt {
     pub penetration: f64,
 }
 
-/// A contact of a half-width, with how its conditions follow eccentricity and load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Point {
-    /// ln tan(a/2), of a parabola ln(a/2).
-    pub(super) place: f64,
-    pub(super) half_width: f64,
-    pub(super) eccentricity: f64,
-    pub(super) mean_pressure: f64,
-    /// Δ − 1 of a wave, which keeps its digits near full contact; Δ of a parabola.
-    pub(super) depth: f64,
-    /// ∂(work_i/2πΓ)/∂e; without adhesion −∂(amplitude_i)/∂e.
-    pub(super) by_shift: [f64; 2],
-    /// ∂(work_i/2πΓ)/∂p̄.
-    pub(super) by_load: [f64; 2],
-    /// ∂Δ/∂e and ∂Δ/∂p̄.
-    pub(super) depth_slopes: [f64; 2],
-}
-
-impl Point {
-    pub(super) fn contact(&self, indenter: Indenter) -> ContactAt {
-        ContactAt {
-            half_width: self.half_width,
-            eccentricity: self.eccentricity,
-            mean_pressure: self.mean_pressure,
-            penetration: match indenter {
-                Indenter::Wave => 1.0 + self.depth,
-                Indenter::Parabola => self.depth,
-            },
-        }
-    }
-}
-
 /// The contacts of one material, speed and adhesion.
 #[derive(Debug)]
 pub(in crate::sliding) struct ContactsOfWidth {
     balance: EdgeBalance,
     memory: Arc<ContactMemory>,
     indenter: Indenter,
-    adhesion: Option<(WaveAdhesion, (ProcessZone, ProcessZone))>,
+    adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
     resolution: Resolution,
+    /// The conditions of a range of half-widths, if there are many to be looked at.
+    table: Option<Table>,
     /// Half-widths whose conditions were formed: each as much as two evaluations of both conditions.
     widths: Cell<u64>,
 }
@@ -84,25 +62,33 @@ impl ContactsOfWidth {
         resolution: Resolution,
     ) -> Self {
         let balance = EdgeBalance::new(Arc::clone(&memory), indenter, adhesion, SlidingControl::MeanPressure(0.0), resolution);
-        let adhesion = adhesion.map(|adhesion| {
-            let lengths = (adhesion.trailing_zone, adhesion.leading_zone);
-            (adhesion, ProcessZone::both(&memory, indenter, lengths, resolution))
-        });
-        Self { balance, memory, indenter, adhesion, resolution, widths: Cell::new(0) }
+        let adhesion = balance.with_zones();
+        Self { balance, memory, indenter, adhesion, resolution, table: None, widths: Cell::new(0) }
     }
 
     pub(super) const fn indenter(&self) -> Indenter {
         self.indenter
     }
 
-    /// Half-widths whose conditions were formed.
-    pub(in crate::sliding) fn widths(&self) -> u64 {
-        self.widths.get()
+    /// Half-widths whose conditions were formed since the last call.
+    pub(super) fn take_widths(&self) -> u64 {
+        self.widths.take()
     }
 
-    /// As how many evaluations of both conditions they count.
+    /// As how many evaluations of both conditions they count, with those of checks.
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
-        2 * self.widths.get() + self.balance.take_evaluations()
+        2 * self.widths.take() + self.balance.take_evaluations()
+    }
+
+    /// Tabulates the conditions between two places.
+    pub(super) fn tabulate(&mut self, range: [f64; 2]) {
+        self.table = Some(Table::new(self.indenter, range, |edges| self.conditions(edges).ok()));
+    }
+
+    /// The conditions at a place.
+    fn conditions_at(&self, place: f64) -> Option<Conditions> {
+        let tabulated = self.table.as_ref().and_then(|table| table.at(place));
+        tabulated.or_else(|| self.conditions(ContactEdges::at_place(self.indenter, place, 0.0)).ok())
     }
 
     /// The contacts of a half-width that can exist, in the order of their eccentricities.
@@ -111,30 +97,32 @@ impl ContactsOfWidth {
     /// Those of the contacts; [`Refusal::NotConverged`] where a work is not a number.
     pub(in crate::sliding) fn at(&self, half_width: f64) -> Result<Vec<ContactAt>, Refusal> {
         let edges = ContactEdges::new(self.indenter, WaveContact { half_width, eccentricity: 0.0 });
+        let conditions = self.conditions(edges)?;
         let mut found = Vec::new();
-        for point in self.points(edges)? {
-            if self.can_exist(&point)? {
-                found.push(point.contact(self.indenter));
-            } else {
-                // Of weak adhesion the point is rough.
-                let control = SlidingControl::HalfWidth(half_width);
-                let balance = self.balance.under(control);
-                let near = balance.solve_admissible([point.mean_pressure, point.eccentricity], None, ROOT);
-                self.widths.set(self.widths.get() + balance.take_evaluations().div_ceil(2));
-                found.extend(near.ok().filter(|(found, _)| apart(self.indenter, found.unknowns[1], point.eccentricity) < SAME).map(
-                    |(found, _)| {
-                        let state = &found.solution.state;
-                        ContactAt {
-                            half_width,
-                            eccentricity: found.unknowns[1],
-                            mean_pressure: found.unknowns[0],
-                            penetration: state.penetration(),
-                        }
-                    },
-                ));
-            }
+        for point in self.points_of(edges.place(), &conditions) {
+            found.extend(self.existing(&point)?.map(|contact| ContactAt { half_width, ..contact }));
         }
         Ok(found)
+    }
+
+    /// The contact at a point, at the conditions themselves, if it can exist: both edges pulled and no faces that meet.
+    fn existing(&self, point: &Point) -> Result<Option<ContactAt>, Refusal> {
+        let edges = ContactEdges::at_place(self.indenter, point.place, point.eccentricity);
+        let mut states = self.balance.evaluate_edges(edges, Prescribed::MeanPressure(point.mean_pressure))?;
+        let (mut eccentricity, mut mean_pressure) = (point.eccentricity, point.mean_pressure);
+        if largest(states.residual()) >= ROOT {
+            // Of weak adhesion the point is rough.
+            let balance = self.balance.under(SlidingControl::HalfWidth(edges.half_width));
+            let near = balance.solve([mean_pressure, eccentricity], None, ROOT);
+            self.widths.set(self.widths.get() + balance.take_evaluations().div_ceil(2));
+            let Some(near) = near.ok().filter(|near| apart(self.indenter, near.unknowns[1], point.eccentricity) < ROUGH) else {
+                return Ok(None);
+            };
+            [mean_pressure, eccentricity] = near.unknowns;
+            states = near.solution;
+        }
+        let contact = ContactAt { half_width: edges.half_width, eccentricity, mean_pressure, penetration: states.state.penetration() };
+        Ok(self.balance.admissibility(&states)?.holds().then_some(contact))
     }
 
     /// The contact of a control near a half-width and an eccentricity, if one can exist.
@@ -152,42 +140,41 @@ impl ContactsOfWidth {
         })
     }
 
-    /// Whether a contact holds at the conditions themselves, with both edges pulled and no faces that meet.
-    pub(super) fn can_exist(&self, point: &Point) -> Result<bool, Refusal> {
-        let edges = ContactEdges::at_place(self.indenter, point.place, point.eccentricity);
-        let states = self.balance.evaluate_edges(edges, Prescribed::MeanPressure(point.mean_pressure))?;
-        Ok(largest(states.residual()) < ROOT && self.balance.admissibility(&states)?.holds())
+    /// Whether the contact at a point can exist.
+    pub(super) fn can_exist(&self, point: &Point) -> bool {
+        matches!(self.existing(point), Ok(Some(_)))
     }
 
-    /// The contacts of a half-width whose edges are pulled, in the order of their eccentricities; whether faces meet is not looked at.
-    ///
-    /// # Errors
-    /// As [`ContactsOfWidth::at`].
-    pub(super) fn points(&self, edges: ContactEdges) -> Result<Vec<Point>, Refusal> {
-        let (system, conditions) = self.conditions(edges)?;
-        let mut found = Vec::new();
-        for (eccentricity, mean_pressure) in conditions.roots() {
+    /// The contacts at a place whose edges are pulled, in the order of their eccentricities; whether faces meet is not looked at.
+    pub(super) fn points(&self, place: f64) -> Vec<Point> {
+        self.conditions_at(place).map(|conditions| self.points_of(place, &conditions)).unwrap_or_default()
+    }
+
+    fn points_of(&self, place: f64, conditions: &Conditions) -> Vec<Point> {
+        let mut roots = conditions.roots();
+        roots.retain(|&(eccentricity, mean_pressure)| {
             let direction = direction(self.indenter, eccentricity);
-            if conditions.works.is_some() && conditions.amplitudes.iter().any(|line| of_line(line, direction, mean_pressure) >= 0.0) {
-                continue;
-            }
-            found.push(self.point(edges, &system, &conditions, (eccentricity, mean_pressure))?);
-        }
-        found.sort_by(|first, second| first.eccentricity.total_cmp(&second.eccentricity));
-        found.dedup_by(|first, second| (first.eccentricity - second.eccentricity).abs() < SAME * (1.0 + second.eccentricity.abs()));
+            conditions.works.is_none() || conditions.amplitudes.iter().all(|line| of_line(line, direction, mean_pressure) < 0.0)
+        });
+        roots.sort_by(|first, second| first.0.total_cmp(&second.0));
+        roots.dedup_by(|first, second| (first.0 - second.0).abs() < SAME * (1.0 + second.0.abs()));
         // π is −π.
-        if let ([first, .., last], Indenter::Wave) = (&found[..], self.indenter)
-            && 2.0 * PI - (last.eccentricity - first.eccentricity) < SAME
+        if let ([first, .., last], Indenter::Wave) = (&roots[..], self.indenter)
+            && 2.0 * PI - (last.0 - first.0) < SAME
         {
-            found.pop();
+            roots.pop();
         }
-        Ok(found)
+        if roots.is_empty() {
+            return Vec::new();
+        }
+        let beside =
+            self.table.as_ref().map(|table| [-BESIDE, BESIDE].map(|step| table.at(place + step).map(|conditions| (step, conditions))));
+        roots.into_iter().map(|root| self.point(place, conditions, beside.as_ref(), root)).collect()
     }
 
     /// What forbids the contact near an eccentricity; none if the conditions have no root there, or nothing does.
     pub(super) fn why_not(&self, place: f64, eccentricity: f64) -> Option<WhyNot> {
-        let edges = ContactEdges::at_place(self.indenter, place, 0.0);
-        let (system, conditions) = self.conditions(edges).ok()?;
+        let conditions = self.conditions_at(place)?;
         let far = |root: &(f64, f64)| apart(self.indenter, root.0, eccentricity);
         let root = conditions.roots().into_iter().min_by(|first, second| far(first).total_cmp(&far(second)))?;
         let direction = direction(self.indenter, root.0);
@@ -196,57 +183,70 @@ impl ContactsOfWidth {
         match pressed.filter(|_| conditions.works.is_some()) {
             Some(index) if index % 2 == 0 => Some(WhyNot::TrailingPressed),
             Some(_) => Some(WhyNot::LeadingPressed),
-            None => {
-                let point = self.point(edges, &system, &conditions, root).ok()?;
-                (!self.can_exist(&point).unwrap_or(true)).then_some(WhyNot::FacesMeet)
-            }
+            None => self.why_not_at(&self.point(place, &conditions, None, root)),
         }
     }
 
+    /// The same of a point, by the conditions themselves: where an amplitude passes zero the table may not tell its sign.
+    fn why_not_at(&self, point: &Point) -> Option<WhyNot> {
+        let edges = ContactEdges::at_place(self.indenter, point.place, point.eccentricity);
+        let states = self.balance.evaluate_edges(edges, Prescribed::MeanPressure(point.mean_pressure)).ok()?;
+        let moved = states.moved.iter().flat_map(|(trailing, leading)| [trailing, leading]);
+        let amplitudes: Vec<(f64, f64)> = std::iter::once(&states.state).chain(moved).map(ContactState::edge_amplitudes).collect();
+        if amplitudes.iter().any(|(trailing, _)| *trailing >= 0.0) {
+            Some(WhyNot::TrailingPressed)
+        } else if amplitudes.iter().any(|(_, leading)| *leading >= 0.0) {
+            Some(WhyNot::LeadingPressed)
+        } else {
+            (!self.can_exist(point)).then_some(WhyNot::FacesMeet)
+        }
+    }
+
+    /// A root with its slopes; `beside`: the conditions a step before and after.
     fn point(
         &self,
-        edges: ContactEdges,
-        system: &ContactSystem,
+        place: f64,
         conditions: &Conditions,
+        beside: Option<&[Option<(f64, Conditions)>; 2]>,
         (eccentricity, mean_pressure): (f64, f64),
-    ) -> Result<Point, Refusal> {
-        let (depth, depth_slopes) = match &conditions.depth {
-            Some(line) => {
-                let [c, s, p] = *line;
-                let (cosine, sine) = direction(self.indenter, eccentricity);
-                (of_line(line, (cosine, sine), mean_pressure), [s * cosine - c * sine, p])
-            }
-            // Relative to a datum, and nothing is held by it.
-            None => (system.state(eccentricity, Prescribed::MeanPressure(mean_pressure))?.penetration(), [0.0, 1.0]),
+    ) -> Point {
+        let at = direction(self.indenter, eccentricity);
+        // Derivatives of a line by e and p̄.
+        let by_line = |[c, s, p]: &Line| [if self.indenter == Indenter::Wave { s * at.0 - c * at.1 } else { *s }, *p];
+        // Works, or amplitudes with the sign of works, and Δ.
+        let values = |conditions: &Conditions| -> [f64; 3] {
+            let works = match &conditions.works {
+                Some(works) => [0, 1].map(|edge| works.work(edge, at, mean_pressure)),
+                None => [0, 1].map(|edge| conditions.amplitudes.get(edge).map_or(f64::NAN, |line| -of_line(line, at, mean_pressure))),
+            };
+            [works[0], works[1], conditions.depth.as_ref().map_or(0.0, |line| of_line(line, at, mean_pressure))]
         };
-        let (trailing, leading) = match &conditions.works {
-            Some(works) => {
-                let [trailing, leading] = works.each_ref().map(|form| slopes(form, self.indenter, eccentricity, mean_pressure));
-                (trailing, leading)
-            }
-            None => {
-                let slopes = |line: Option<&Line>| {
-                    let [c, s, p] = line.copied().unwrap_or([f64::NAN; 3]);
-                    let (cosine, sine) = direction(self.indenter, eccentricity);
-                    [if self.indenter == Indenter::Wave { c * sine - s * cosine } else { -s }, -p]
-                };
-                (slopes(conditions.amplitudes.first()), slopes(conditions.amplitudes.get(1)))
-            }
+        let by = |edge: usize| match &conditions.works {
+            Some(works) => works.slopes(edge, self.indenter, eccentricity, mean_pressure),
+            None => conditions.amplitudes.get(edge).map_or([f64::NAN; 2], |line| by_line(line).map(|slope| -slope)),
         };
-        Ok(Point {
-            place: edges.place(),
-            half_width: edges.half_width,
+        let [trailing, leading] = [by(0), by(1)];
+        let here = values(conditions);
+        let side = |index: usize| beside.and_then(|both| both[index].as_ref()).map_or((0.0, here), |(step, other)| (*step, values(other)));
+        let ((before, first), (after, second)) = (side(0), side(1));
+        let [by_trailing, by_leading, by_depth]: [f64; 3] = std::array::from_fn(|index| (second[index] - first[index]) / (after - before));
+        // Of a parabola the depth is relative to a datum, and nothing is held by it.
+        let [depth_by_shift, depth_by_load] = conditions.depth.as_ref().map_or([0.0, 1.0], by_line);
+        Point {
+            place,
+            half_width: ContactEdges::at_place(self.indenter, place, 0.0).half_width,
             eccentricity,
             mean_pressure,
-            depth,
+            depth: here[2],
             by_shift: [trailing[0], leading[0]],
             by_load: [trailing[1], leading[1]],
-            depth_slopes,
-        })
+            by_place: [by_trailing, by_leading],
+            depth_slopes: [by_depth, depth_by_shift, depth_by_load],
+        }
     }
 
     /// Both conditions of a half-width, from three contacts: upright, pressed and aside.
-    fn conditions(&self, edges: ContactEdges) -> Result<(ContactSystem, Conditions), Refusal> {
+    fn conditions(&self, edges: ContactEdges) -> Result<Conditions, Refusal> {
         let half_width = edges.half_width;
         self.widths.set(self.widths.get() + 1);
         let (beta, work) = (self.memory.stiffening_ratio(), self.adhesion.as_ref().map_or(0.0, |(adhesion, _)| adhesion.larger_work()));
@@ -280,68 +280,65 @@ impl ContactsOfWidth {
         let mut amplitudes = amplitudes_of(&states).to_vec();
         let depth = (self.indenter == Indenter::Wave).then(|| line(states.each_ref().map(|state| -state.mean_separation())));
         let Some((adhesion, zones)) = &self.adhesion else {
-            return Ok((own, Conditions { indenter: self.indenter, works: None, amplitudes, depth }));
+            return Ok(Conditions { indenter: self.indenter, works: None, amplitudes, depth });
         };
         let targets = adhesion.targets();
-        let mut works = [[0.0; 6]; 2];
+        let place = edges.place();
+        let lines = even_and_odd(self.indenter, place, &amplitudes[0], &amplitudes[1]);
+        let parts = self.parts(&directions(self.indenter, place, lines), load, reach);
+        let mut forms = [[0.0; 6]; 2];
         // Equal zones widen the contact alike.
         let trailing_system = system(edges.moved_out(-zones.0.length()))?;
         let even = zones.0.length().to_bits() == zones.1.length().to_bits();
         let leading_system = if even { None } else { Some(system(edges.moved_out(zones.1.length()))?) };
         let systems = [&trailing_system, leading_system.as_ref().unwrap_or(&trailing_system)];
         for (((form, target), (zone, outward)), moved_system) in
-            works.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
+            forms.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
         {
             // The eccentricity of a moved contact is that of its own middle.
             let shift = 0.5 * outward * zone.length();
             let moved = all(states.each_ref().map(|state| moved_system.state(state.contact().eccentricity + shift, state.held())))?;
             amplitudes.extend(amplitudes_of(&moved));
             let (tensions, gaps) = (zone.tensions(&moved), zone.gaps_outside(&states));
-            // work(m, n) of the tension of one contact on the gap of another.
-            let cross = tensions.each_ref().map(|tension| gaps.each_ref().map(|gap| zone.work_on(tension, gap).value / target));
-            *form = self.form(&cross, load, reach);
+            let (tensions, gaps) = (parts.map(|part| ZonePressure::sum(&tensions, part)), parts.map(|part| ZoneGap::sum(&gaps, part)));
+            let entry = |one: usize, other: usize| zone.work_on(&tensions[one], &gaps[other]).value / target;
+            let both = |one: usize, other: usize| entry(one, other) + entry(other, one);
+            *form = [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)];
             if form.iter().any(|value| value.is_nan()) {
                 return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "a work is not a number".into() });
             }
         }
-        Ok((own, Conditions { indenter: self.indenter, works: Some(works), amplitudes, depth }))
+        let works = Some(Works::new(self.indenter, place, lines, forms));
+        Ok(Conditions { indenter: self.indenter, works, amplitudes, depth })
     }
 
-    /// The quadratic form of the works of the tensions of three contacts on their gaps.
-    fn form(&self, cross: &[[f64; 3]; 3], load: f64, reach: f64) -> Form {
-        // Rows of the change from the three contacts to (c, s, p).
-        let change = match self.indenter {
-            Indenter::Wave => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [-1.0 / load, 1.0 / load, 0.0]],
-            Indenter::Parabola => [[1.0, 0.0, 0.0], [-1.0 / reach, 0.0, 1.0 / reach], [-1.0 / load, 1.0 / load, 0.0]],
-        };
-        let entry = |first: usize, second: usize| -> f64 {
-            let mut sum = 0.0;
-            for (m, row) in cross.iter().enumerate() {
-                for (n, value) in row.iter().enumerate() {
-                    sum += change[first][m] * value * change[second][n];
-                }
-            }
-            sum
-        };
-        let both = |first: usize, second: usize| entry(first, second) + entry(second, first);
-        [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)]
+    /// How much of the three contacts is in the contacts along given directions of (c, s, p).
+    fn parts(&self, directions: &Square, load: f64, reach: f64) -> Square {
+        directions.map(|[c, s, p]| match self.indenter {
+            Indenter::Wave => [c - p / load, p / load, s],
+            Indenter::Parabola => [c - p / load - s / reach, p / load, s / reach],
+        })
     }
 
     /// The contact of a half-width that continues one of another.
     pub(super) fn nearest(&self, place: f64, eccentricity: f64) -> Option<Point> {
-        let points = self.points(ContactEdges::at_place(self.indenter, place, 0.0)).ok()?;
         let far = |point: &Point| apart(self.indenter, point.eccentricity, eccentricity);
-        points.into_iter().min_by(|first, second| far(first).total_cmp(&far(second)))
+        self.points(place).into_iter().min_by(|first, second| far(first).total_cmp(&far(second)))
     }
 }
 
-/// The distance of two eccentricities; a wave repeats.
-pub(super) fn apart(indenter: Indenter, first: f64, second: f64) -> f64 {
-    let far = first - second;
+/// From one eccentricity to another; a wave repeats.
+pub(super) fn change(indenter: Indenter, from: f64, to: f64) -> f64 {
+    let far = to - from;
     match indenter {
-        Indenter::Wave => (far - 2.0 * PI * (far / (2.0 * PI)).round()).abs(),
-        Indenter::Parabola => far.abs(),
+        Indenter::Wave => far - 2.0 * PI * (far / (2.0 * PI)).round(),
+        Indenter::Parabola => far,
     }
+}
+
+/// The distance of two eccentricities.
+pub(super) fn apart(indenter: Indenter, first: f64, second: f64) -> f64 {
+    change(indenter, first, second).abs()
 }
 
 fn all(states: [Result<ContactState, Refusal>; 3]) -> Result<[ContactState; 3], Refusal> {

@@ -79,7 +79,7 @@ pub(super) fn beyond(
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
     let names = if quantity == HeldQuantity::MeanPressure { LOADS } else { DEPTHS };
-    let known = curve.stable_stretches(quantity, value);
+    let known = curve.stable_stretches(quantity);
     let wave = problem.indenter == Indenter::Wave;
     let full = |limit: &Limit| full_contact(material, problem, limit.name, limit.value.value, work);
     let pulls = |limit: &Limit| {
@@ -106,8 +106,6 @@ pub(super) fn beyond(
         }
     }
     let limit_of = |end: &StretchEnd, other: Option<&StretchEnd>, upper: bool| -> Limit {
-        let located = if end.end == End::Turn { curve.located_turn(quantity, end) } else { *end };
-        let end = &located;
         let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
         let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
@@ -130,27 +128,14 @@ pub(super) fn beyond(
                     _ => rough,
                 }
             }
-            End::Last => match curve
-                .last_stable(quantity, end)
-                .map(|value| (value, None))
-                .or_else(|| curve.beyond_the_end(quantity, end).map(|(value, why)| (value, Some(why))))
-            {
-                Some((limit, None)) => Limit { value: Estimate::new(told(quantity, limit), 1e-6), ..rough },
-                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why },
+            End::Stability => rough,
+            End::Last => match curve.beyond_the_end(quantity, end) {
+                Some((limit, why)) => Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) },
                 None => Limit { name: last_name, ..rough },
             },
         }
     };
-    // Stability is lost without a turn between two contacts of the curve: the ends are closed in on.
-    let closed_in = |end: StretchEnd| match end.end {
-        End::Last => curve.last_stable(quantity, &end).map_or(end, |value| StretchEnd { value, ..end }),
-        End::Turn => end,
-    };
-    let stretches: Vec<Stretch> = known
-        .iter()
-        .filter(|stretch| curve.has_possible(stretch))
-        .map(|stretch| Stretch { lowest: closed_in(stretch.lowest), highest: closed_in(stretch.highest) })
-        .collect();
+    let stretches: Vec<&Stretch> = known.iter().filter(|stretch| curve.has_possible(stretch)).collect();
     let highest = stretches.iter().max_by(|first, second| first.highest.value.total_cmp(&second.highest.value));
     let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {

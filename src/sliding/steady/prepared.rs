@@ -12,6 +12,11 @@ use std::sync::Arc;
 /// The resolution of the curve: about seven digits.
 const CURVE: Resolution = Resolution::Medium;
 
+thread_local! {
+    /// The material of the last contact, and what was prepared for it.
+    static LAST: RefCell<Option<(Material, Rc<Prepared>)>> = const { RefCell::new(None) };
+}
+
 /// Prepared conditions.
 #[derive(Debug)]
 pub(in crate::sliding) struct Prepared {
@@ -39,6 +44,24 @@ impl Prepared {
         Ok(Self { memory, indenter, adhesion, rate, levels: RefCell::new(Vec::new()), curve: RefCell::new(None) })
     }
 
+    /// The same, shared with the last contact of this thread where nothing but what is held differs: the loads of one speed share its curve.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    pub(super) fn shared(material: &Material, rate: f64, indenter: Indenter, adhesion: Option<WaveAdhesion>) -> Result<Rc<Self>, Refusal> {
+        LAST.with_borrow_mut(|last| {
+            if let Some((of, prepared)) = last
+                && of == material
+                && (prepared.rate.to_bits(), prepared.indenter, prepared.adhesion) == (rate.to_bits(), indenter, adhesion)
+            {
+                return Ok(Rc::clone(prepared));
+            }
+            let prepared = Rc::new(Self::new(material, rate, indenter, adhesion)?);
+            *last = Some((material.clone(), Rc::clone(&prepared)));
+            Ok(prepared)
+        })
+    }
+
     /// kv (1/s).
     pub(super) const fn rate(&self) -> f64 {
         self.rate
@@ -55,18 +78,15 @@ impl Prepared {
     }
 
     /// The equilibrium curve; of a cylinder around a half-width.
-    ///
-    /// # Errors
-    /// Those of the contacts.
-    pub(super) fn curve(&self, size: f64) -> Result<Rc<EquilibriumCurve>, Refusal> {
+    pub(super) fn curve(&self, size: f64) -> Rc<EquilibriumCurve> {
         if let Some((known, curve)) = &*self.curve.borrow()
             && (known.to_bits() == size.to_bits() || self.indenter == Indenter::Wave)
         {
-            return Ok(Rc::clone(curve));
+            return Rc::clone(curve);
         }
-        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE)?);
+        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE));
         *self.curve.borrow_mut() = Some((size, Rc::clone(&curve)));
-        Ok(curve)
+        curve
     }
 
     /// The conditions under a control at a level.

@@ -56,7 +56,7 @@ pub fn steady_sliding_reached_by(
     reached_by: ReachedBy,
 ) -> Result<SlidingOutcome, Refusal> {
     problem.checked()?;
-    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    let prepared = Prepared::shared(material, problem.rate, problem.indenter, problem.adhesion)?;
     let mut work = SlidingWork::default();
     let found = searched(material, problem, &prepared, reached_by, &mut work).and_then(|searched| match searched {
         Searched::Outcome(outcome) => Ok(outcome),
@@ -99,7 +99,7 @@ pub(in crate::sliding) fn contact_on_the_curve(
     work: &mut SlidingWork,
 ) -> Result<PartialContact, Refusal> {
     problem.checked()?;
-    let prepared = Prepared::new(material, problem.rate, problem.indenter, problem.adhesion)?;
+    let prepared = Prepared::shared(material, problem.rate, problem.indenter, problem.adhesion)?;
     match searched(material, problem, &prepared, ReachedBy::Loading, work)? {
         Searched::Outcome(SlidingOutcome::Partial(contact)) => Ok(*contact),
         Searched::Outcome(SlidingOutcome::Full(full)) => {
@@ -138,9 +138,9 @@ fn searched(
             _ => {}
         }
     }
-    let curve = prepared.curve(size_of(problem))?;
+    let curve = prepared.curve(size_of(problem));
     let found = curve.held(held.0, held.1);
-    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable != Some(false)).collect();
+    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable).collect();
     if reached_by == ReachedBy::Unloading {
         candidates.reverse();
     }
@@ -150,19 +150,17 @@ fn searched(
     for (index, crossing) in candidates.iter().enumerate() {
         match accepted(prepared, problem, crossing, held.0, work) {
             Ok(mut contact) => {
-                let others = candidates.iter().enumerate().filter(|&(other, crossing)| other != index && crossing.stable == Some(true));
+                let others = candidates.iter().enumerate().filter(|&(other, _)| other != index);
                 let found = WaveContact { half_width: contact.values.half_width.value, eccentricity: contact.values.eccentricity.value };
                 contact.others = curve.others(held, found, others.map(|(_, crossing)| crossing));
                 outcome = Some(contact);
                 break;
             }
-            // At a turn of the half-width it is told by the contact alone.
-            Err(_) if crossing.stable.is_none() => {}
             Err(refusal) if curve.exists(crossing) => not_converged = Some(refusal),
             Err(_) => refused.push(*crossing),
         }
     }
-    work.half_widths += curve.widths();
+    work.half_widths += curve.rows();
     let evaluations = curve.evaluations();
     work.closure_evaluations += evaluations;
     work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;
@@ -183,7 +181,7 @@ impl Nothing {
         work: &mut SlidingWork,
     ) -> Result<SlidingOutcome, Refusal> {
         let size = size_of(problem);
-        let curve = prepared.curve(size)?;
+        let curve = prepared.curve(size);
         let unstable = match &self {
             Self::Held { held, found, refused, reached_by } => {
                 if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {
@@ -207,14 +205,14 @@ impl Nothing {
                 material,
                 problem,
                 "half-widths looked at without a partial contact at this speed",
-                curve.widths() as f64,
+                curve.rows() as f64,
                 *work,
             );
         }
         let (reason, limit_name, limit) = if unstable > 0 {
             ("every contact of what is held is unstable".into(), "unstable contacts", unstable as f64)
         } else {
-            let widths = curve.widths();
+            let widths = curve.rows();
             let reason = format!("no steady partial contact exists at this speed: none at any of {widths} half-widths, whatever the load");
             (reason, "half-widths looked at", widths as f64)
         };
@@ -270,7 +268,7 @@ fn of_width(problem: &SlidingProblem<'_>, prepared: &Prepared, half_width: f64, 
     let every = prepared.contacts_of_width();
     let mut contacts = every.at(half_width)?;
     contacts.sort_by(|first, second| first.eccentricity.abs().total_cmp(&second.eccentricity.abs()));
-    work.half_widths += every.widths();
+    work.half_widths += 1;
     let evaluations = every.evaluations();
     work.closure_evaluations += evaluations;
     work.contacts += if problem.adhesion.is_some() { 3 } else { 1 } * evaluations;

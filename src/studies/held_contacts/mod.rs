@@ -46,8 +46,6 @@ const SAME: f64 = 1e-3;
 const LIMIT: f64 = 1e-3;
 /// A margin of stability nearer to zero is not compared.
 const MARGIN: f64 = 1e-4;
-/// One in so many refusals and limits is known to be off near a limit.
-const KNOWN_SHARE: usize = 150;
 /// What the compared values are uncertain by themselves, over their scale.
 const KNOWN: f64 = 1e-8;
 /// Failures that are listed.
@@ -403,14 +401,7 @@ pub fn section(all: &[Judged]) -> Section {
     section.tables.push(table);
     for (fault, name) in FAULTS {
         let found = states.iter().filter(|state| state.fault == Some(fault)).count();
-        let few = matches!(fault, Fault::FalselyRefused | Fault::FalselyFull | Fault::WrongLimit) && KNOWN_SHARE * found <= states.len();
-        let check = if few && !states.is_empty() {
-            let expected = "none; known: beside a limit, at a hole or beyond the turn of the half-width (named gaps)";
-            Check::statement(name, expected, format!("{found} of {}", states.len()), found == 0)
-        } else {
-            Check::new(name, "none", format!("{found} of {}", states.len()), found == 0 && !states.is_empty())
-        };
-        section.checks.push(check);
+        section.checks.push(Check::new(name, "none", format!("{found} of {}", states.len()), found == 0 && !states.is_empty()));
     }
     let unknown = states.iter().filter(|state| state.unknown).count();
     section.checks.push(Check::new(

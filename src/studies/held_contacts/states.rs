@@ -68,6 +68,8 @@ const SAMPLES: usize = 4;
 const NOISE: f64 = 1e-7;
 /// A margin nearer to zero is not told.
 const UNTOLD: f64 = 1e-4;
+/// Contacts nearer than this, over their size, are one.
+const SAME: f64 = 1e-3;
 /// Halvings between a stable contact and its unstable neighbour.
 const HALVINGS: usize = 14;
 
@@ -123,7 +125,11 @@ impl Speed {
         }
         let (stable, quantity) = self.of(held);
         let contact_at = |stable: &Piece, value: f64| stable.at(&self.bodies, quantity, value);
-        let all: Vec<Equilibrium> = stable.iter().filter_map(|stable| contact_at(stable, value)).collect();
+        let mut all: Vec<Equilibrium> = stable.iter().filter_map(|stable| contact_at(stable, value)).collect();
+        // Where the pull is lost in the rounding of the load, a curve turns back and forth in it: between two stable contacts there is an unstable one, never so near.
+        all.dedup_by(|one, other| {
+            (one.half_width / other.half_width - 1.0).abs() < SAME && distance(self.bodies.indenter, one, other) < SAME
+        });
         let lower = |stable: &Piece| stable.span(quantity)[0];
         let upper = |stable: &Piece| stable.span(quantity)[1];
         let carries = |stable: &Piece, value: f64| lower(stable) < value && value < upper(stable);
@@ -136,7 +142,8 @@ impl Speed {
             let limit = if up { upper(stable) } else { lower(stable) };
             match stable.border(quantity, up) {
                 Border::Strand(End::Row) => Expected::Unknown,
-                Border::Turn if up => Expected::Full(limit),
+                // Beyond a turn, and beyond an edge that runs away by itself, nothing but full contact is left of a wave.
+                Border::Turn | Border::Stability if up && self.bodies.indenter == Indenter::Wave => Expected::Full(limit),
                 _ => Expected::Nothing(limit),
             }
         };

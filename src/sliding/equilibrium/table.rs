@@ -1,0 +1,233 @@
+//! Both edge conditions at every half-width of a range, from those at a few.
+//!
+//! Along x = ln tan(a/2) lines and forms, divided by what they are of an elastic contact ([`super::works`]), are smooth: their Chebyshev series on panels of x end after a few
+//! terms, and what the series leave out stays small beside a work.
+
+use super::forms::{Conditions, Form, Line};
+use super::works::{Works, even_and_odd, scales, third};
+use crate::sliding::contact::{ContactEdges, Indenter};
+use std::f64::consts::PI;
+
+/// Degrees of the series that are tried on a panel before it is divided.
+const DEGREES: [usize; 2] = [8, 16];
+/// The longest panel.
+const LONGEST: f64 = 4.0;
+/// A panel that is not divided, whatever is left out.
+const SHORTEST: f64 = 0.2;
+/// A panel that is left out if any of its half-widths is refused.
+const NARROWEST: f64 = 1e-3;
+/// Largest coefficient of the last terms, over the first ones.
+const TOLERANCE: f64 = 1e-6;
+/// The same of what a moved edge changes: it is looked at for signs alone.
+const SIGN_TOLERANCE: f64 = 1e-4;
+
+/// Series of all numbers of both conditions over a part of the range.
+#[derive(Debug)]
+struct Panel {
+    middle: f64,
+    half: f64,
+    /// By degree.
+    series: Vec<Vec<f64>>,
+}
+
+/// Both conditions of a range of half-widths.
+#[derive(Debug)]
+pub(super) struct Table {
+    indenter: Indenter,
+    panels: Vec<Panel>,
+    /// Lines of amplitudes.
+    lines: usize,
+    with_works: bool,
+}
+
+impl Table {
+    /// From the conditions of single half-widths.
+    pub(super) fn new(indenter: Indenter, [low, high]: [f64; 2], conditions: impl Fn(ContactEdges) -> Option<Conditions>) -> Self {
+        let mut table = Self { indenter, panels: Vec::new(), lines: 0, with_works: false };
+        let count = ((high - low) / LONGEST).ceil().max(1.0);
+        let border = |index: f64| low + (high - low) * index / count;
+        let mut open: Vec<[f64; 2]> =
+            (0..count as u32).rev().map(|index| [border(f64::from(index)), border(f64::from(index + 1))]).collect();
+        let at = |place: f64, table: &mut Self| -> Option<Vec<f64>> {
+            let found = conditions(ContactEdges::at_place(indenter, place, 0.0))?;
+            (table.lines, table.with_works) = (found.amplitudes.len(), found.works.is_some());
+            Some(flattened(indenter, &found, place))
+        };
+        while let Some([low, high]) = open.pop() {
+            let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+            let mut values: Vec<Vec<f64>> = Vec::new();
+            let mut settled = None;
+            let mut refused = false;
+            for degree in DEGREES {
+                let known = std::mem::take(&mut values);
+                for index in 0..=degree {
+                    // The nodes of half the degree are every second one.
+                    match known.get(index / 2).filter(|_| index % 2 == 0) {
+                        Some(value) => values.push(value.clone()),
+                        None => match at(middle + half * (PI * index as f64 / degree as f64).cos(), &mut table) {
+                            Some(value) => values.push(value),
+                            None => break,
+                        },
+                    }
+                }
+                refused = values.len() <= degree;
+                if refused {
+                    break;
+                }
+                let series = series(&values);
+                if table.is_resolved(&series, middle) || (half < SHORTEST && degree == DEGREES[1]) {
+                    settled = Some(series);
+                    break;
+                }
+            }
+            match settled {
+                Some(series) => table.panels.push(Panel { middle, half, series }),
+                // Nothing is known of a half-width that is refused: the zone may be wider than the room there.
+                None if refused && half < NARROWEST => {}
+                None => open.extend([[middle, high], [low, middle]]),
+            }
+        }
+        table
+    }
+
+    /// Whether the last terms of a series are small: every line beside itself, every entry of a form beside the works that its squares do.
+    fn is_resolved(&self, series: &[Vec<f64>], place: f64) -> bool {
+        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else { return false };
+        let tail = |index: usize| last[index].abs().max(before[index].abs());
+        let size = |index: usize| series.iter().map(|terms| terms[index].abs()).sum::<f64>();
+        let line = |begin: usize, tolerance: f64| {
+            let largest = (begin..begin + 3).map(size).fold(0.0, f64::max);
+            (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
+        };
+        let forms = 3 * (self.lines + 1);
+        let first =
+            |line: usize| -> Line { series.first().map_or([f64::NAN; 3], |terms| std::array::from_fn(|column| terms[3 * line + column])) };
+        let third: f64 = third(&first(0), &first(1)).iter().map(|part| part * part).sum();
+        let of_works = place.exp() / (third * scales(self.indenter, place).0[0]);
+        let form = |begin: usize| {
+            const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+            // What a form must be for the contact without amplitudes to do the works of the adhesion: less is lost beside them.
+            let squares = [size(begin), size(begin + 1), size(begin + 2).max(of_works)];
+            SQUARES.iter().enumerate().all(|(index, [row, column])| {
+                let product = (squares[*row] * squares[*column]).sqrt();
+                tail(begin + index) <= TOLERANCE * product.max(size(begin + index))
+            })
+        };
+        line(0, TOLERANCE)
+            && line(3, TOLERANCE)
+            && (2..self.lines).all(|index| line(3 * index, SIGN_TOLERANCE))
+            && line(3 * self.lines, TOLERANCE)
+            && (!self.with_works || (form(forms) && form(forms + 6)))
+    }
+
+    /// The conditions at a place; none outside of the range.
+    pub(super) fn at(&self, place: f64) -> Option<Conditions> {
+        let panel = self.panels.iter().find(|panel| (place - panel.middle).abs() <= panel.half * (1.0 + 1e-12))?;
+        let twice = 2.0 * (place - panel.middle) / panel.half;
+        let count = panel.series.first().map_or(0, Vec::len);
+        // Clenshaw's recurrence, all numbers at once.
+        let (mut one, mut two) = (vec![0.0; count], vec![0.0; count]);
+        for terms in panel.series.iter().skip(1).rev() {
+            for ((one, two), term) in one.iter_mut().zip(&mut two).zip(terms) {
+                let next = term + twice * *one - *two;
+                (*two, *one) = (*one, next);
+            }
+        }
+        let first = panel.series.first()?;
+        let values: Vec<f64> = first.iter().zip(&one).zip(&two).map(|((term, one), two)| term + 0.5 * twice * one - two).collect();
+        Some(self.restored(&values, place))
+    }
+
+    fn restored(&self, values: &[f64], place: f64) -> Conditions {
+        let (scales, cosine) = scales(self.indenter, place);
+        let plain = |index: usize| -> Line { std::array::from_fn(|column| values[3 * index + column]) };
+        let full = |line: Line, size: f64| -> Line { std::array::from_fn(|column| line[column] * scales[column] * size) };
+        let (sum, difference) = (plain(0), plain(1));
+        let mut amplitudes: Vec<Line> =
+            [1.0, -1.0].map(|sign| full(std::array::from_fn(|column| 0.5 * (sum[column] + sign * difference[column])), cosine)).to_vec();
+        for index in 2..self.lines {
+            let (own, moved) = (amplitudes[index % 2], full(plain(index), cosine));
+            amplitudes.push(std::array::from_fn(|column| own[column] + moved[column]));
+        }
+        let depth = (self.indenter == Indenter::Wave).then(|| full(plain(self.lines), cosine));
+        let works = self.with_works.then(|| {
+            let weight = (-place).exp();
+            let form = |edge: usize| -> Form { std::array::from_fn(|index| weight * values[3 * (self.lines + 1) + 6 * edge + index]) };
+            Works::new(self.indenter, place, [sum, difference], [form(0), form(1)])
+        });
+        Conditions { indenter: self.indenter, works, amplitudes, depth }
+    }
+}
+
+/// The numbers of both conditions, divided by what they are of an elastic contact: lines (sum and difference of the two amplitudes first), depth, forms.
+fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64> {
+    let (scales, cosine) = scales(indenter, place);
+    let flat = |line: &Line| -> Line { std::array::from_fn(|column| line[column] / (scales[column] * cosine)) };
+    let mut values = Vec::with_capacity(33);
+    let mut lines: Vec<Line> = conditions.amplitudes.iter().map(flat).collect();
+    if let [trailing, leading, ..] = &conditions.amplitudes[..] {
+        let [sum, difference] = even_and_odd(indenter, place, trailing, leading);
+        (lines[0], lines[1]) = (sum, difference);
+    }
+    // Those of a moved edge by what moving it changes: that is small, and so is an amplitude.
+    for (index, line) in conditions.amplitudes.iter().enumerate().skip(2) {
+        let own = conditions.amplitudes.get(index % 2).map_or([f64::NAN; 3], flat);
+        lines[index] = std::array::from_fn(|column| flat(line)[column] - own[column]);
+    }
+    values.extend(lines.iter().flatten());
+    values.extend(conditions.depth.as_ref().map_or([0.0; 3], flat));
+    if let Some(works) = &conditions.works {
+        values.extend(works.forms.iter().flatten().map(|entry| entry * place.exp()));
+    }
+    values
+}
+
+/// The Chebyshev coefficients of values at cos(πj/n).
+fn series(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let degree = values.len() - 1;
+    let cosine = |turns: usize| (PI * (turns % (2 * degree)) as f64 / degree as f64).cos();
+    let ends = |index: usize| if index == 0 || index == degree { 0.5 } else { 1.0 };
+    (0..=degree)
+        .map(|order| {
+            let mut terms = vec![0.0; values.first().map_or(0, Vec::len)];
+            for (node, here) in values.iter().enumerate() {
+                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosine(order * node);
+                for (term, value) in terms.iter_mut().zip(here) {
+                    *term += weight * value;
+                }
+            }
+            terms
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::expect_used)]
+    use super::*;
+
+    #[test]
+    fn a_flattened_condition_is_restored() {
+        let forms = [[3.0, 1.5, 7.0, 0.3, -2.0, 0.4], [-1.0, 0.5, 2.0, 0.1, 1.0, 4.0]];
+        let amplitudes = vec![[1.0, 0.2, -3.0], [1.1, -0.3, -2.9], [0.5, 0.5, 1.0], [0.1, 0.2, 0.3], [0.7, -0.1, 0.2], [1.0, 1.0, 1.0]];
+        for place in [-3.0, 0.1, 2.0] {
+            let at = |place: f64| Conditions {
+                indenter: Indenter::Wave,
+                works: Some(Works::new(Indenter::Wave, place, even_and_odd(Indenter::Wave, place, &amplitudes[0], &amplitudes[1]), forms)),
+                amplitudes: amplitudes.clone(),
+                depth: Some([0.1, 0.2, 0.3]),
+            };
+            let table = Table::new(Indenter::Wave, [place - 0.1, place + 0.1], |edges| Some(at(edges.place())));
+            let conditions = at(place);
+            let found = table.at(place).expect("inside");
+            let (works, right) = (found.works.expect("works"), conditions.works.expect("works"));
+            for edge in [0, 1] {
+                let [one, other] = [works, right].map(|works| works.work(edge, (0.8, 0.6), 0.3));
+                assert!((one - other).abs() < 1e-5 * (1.0 + other.abs()), "{place}: {one} {other}");
+            }
+            for (one, other) in found.amplitudes.iter().flatten().zip(conditions.amplitudes.iter().flatten()) {
+                assert!((one - other).abs() < 1e-6, "{place}: {:?}", found.amplitudes);
+            }
+        }
+    }
+}
