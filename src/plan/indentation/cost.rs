@@ -49,6 +49,9 @@ const CYCLE_MOVES: f64 = 72.0;
 const CYCLE_MOVES_ORDER: f64 = 0.25;
 const REPEATING: f64 = 20.0;
 const MOVE_UPDATES: f64 = 350.0;
+/// The same where the rim of a punch holds the edge: shorter moves of fewer points.
+const HELD_CYCLE_MOVES: f64 = 790.0;
+const HELD_MOVE_UPDATES: f64 = 35.0;
 /// Moves between two instants where the power is added up.
 const LEDGER: f64 = 30.0;
 
@@ -118,21 +121,24 @@ impl IndentationPlan {
     fn work_of_moves(&self) -> (f64, f64) {
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
         let finer = (1e-3 / self.accuracy).powf(CYCLE_MOVES_ORDER).clamp(1.0, 4.0);
+        let held = self.profile.rim().is_finite() && self.timeline.oscillates();
+        let (cycle, updates) = if held { (HELD_CYCLE_MOVES, HELD_MOVE_UPDATES) } else { (CYCLE_MOVES, MOVE_UPDATES) };
         let moves: f64 = self
             .timeline
             .legs
             .iter()
             .map(|leg| match leg.oscillation {
                 Some(oscillation) => {
-                    let repeated = STATIONARY + REPEATING * oscillation.frequency * longest;
-                    CYCLE_MOVES * finer * leg.cycles().min(repeated)
+                    let memory = oscillation.frequency * longest;
+                    let repeated = STATIONARY + if oscillation.until_stationary { SETTLING * memory.sqrt() } else { REPEATING * memory };
+                    cycle * finer * leg.cycles().min(repeated)
                 }
                 None if leg.quantity == HistoryQuantity::Force => LOADED_MOVES,
                 None => MOVES,
             })
             .sum();
         let moves = if self.indentation.energies { moves * LEDGER } else { moves };
-        (moves, moves * MOVE_UPDATES)
+        (moves, moves * updates)
     }
 
     /// Expected work of one state.

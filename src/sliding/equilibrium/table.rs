@@ -16,6 +16,9 @@ const LONGEST: f64 = 4.0;
 const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
 const NARROWEST: f64 = 1e-3;
+/// Half-widths after which no panel is divided any more: ten times those of twelve terms over seven decades. Hundreds of decades, which no scene of this world has, are then
+/// known less well.
+const MOST_NODES: usize = 4000;
 /// Largest coefficient of the last terms, over the first ones.
 const TOLERANCE: f64 = 1e-6;
 /// The same of what a moved edge changes: it is looked at for signs alone.
@@ -53,6 +56,7 @@ impl Table {
             (table.lines, table.with_works) = (found.amplitudes.len(), found.works.is_some());
             Some(flattened(indenter, &found, place))
         };
+        let mut nodes = 0;
         while let Some([low, high]) = open.pop() {
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             let mut values: Vec<Vec<f64>> = Vec::new();
@@ -64,10 +68,13 @@ impl Table {
                     // The nodes of half the degree are every second one.
                     match known.get(index / 2).filter(|_| index % 2 == 0) {
                         Some(value) => values.push(value.clone()),
-                        None => match at(middle + half * (PI * index as f64 / degree as f64).cos(), &mut table) {
-                            Some(value) => values.push(value),
-                            None => break,
-                        },
+                        None => {
+                            nodes += 1;
+                            match at(middle + half * (PI * index as f64 / degree as f64).cos(), &mut table) {
+                                Some(value) => values.push(value),
+                                None => break,
+                            }
+                        }
                     }
                 }
                 refused = values.len() <= degree;
@@ -75,7 +82,7 @@ impl Table {
                     break;
                 }
                 let series = series(&values);
-                if table.is_resolved(&series, middle) || (half < SHORTEST && degree == DEGREES[1]) {
+                if table.is_resolved(&series, middle) || ((half < SHORTEST || nodes > MOST_NODES) && degree == DEGREES[1]) {
                     settled = Some(series);
                     break;
                 }
@@ -83,7 +90,9 @@ impl Table {
             match settled {
                 Some(series) => table.panels.push(Panel { middle, half, series }),
                 // Nothing is known of a half-width that is refused: the zone may be wider than the room there.
-                None if refused && half < NARROWEST => {}
+                None if refused && (half < NARROWEST || nodes > MOST_NODES) => {}
+                // Nor of a stretch at whose ends and middle there is none.
+                None if refused && half < SHORTEST && [low, middle, high].into_iter().all(|place| at(place, &mut table).is_none()) => {}
                 None => open.extend([[middle, high], [low, middle]]),
             }
         }

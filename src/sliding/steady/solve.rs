@@ -70,7 +70,14 @@ pub fn steady_sliding_reached_by(
     if settled {
         return found;
     }
-    without_faint_adhesion(material, problem, &mut work).map_or(found, Ok)
+    match (found, without_faint_adhesion(material, problem, &mut work)) {
+        (Ok(SlidingOutcome::Partial(own)), Some(SlidingOutcome::Partial(bare)))
+            if own.certificate.accuracy <= bare.certificate.accuracy =>
+        {
+            Ok(SlidingOutcome::Partial(own))
+        }
+        (found, bare) => bare.map_or(found, Ok),
+    }
 }
 
 /// What the equilibrium curve has of what is held.
