@@ -22,7 +22,7 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
-use crate::scene::typed::{Indentation, Scene, Units};
+use crate::scene::typed::{HistorySegment, Indentation, Scene, Units};
 use scale::Scale;
 use timeline::Timeline;
 
@@ -41,6 +41,8 @@ pub(super) struct IndentationPlan {
     /// Whether a sweep follows.
     swept: bool,
     timeline: Timeline,
+    /// The history at values all over the sweep of a frequency; none if no frequency is swept.
+    examples: Vec<Timeline>,
     profile: Profile,
     /// Whether it is solved without steps in time.
     without_steps: bool,
@@ -70,6 +72,7 @@ impl IndentationPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
             timeline,
+            examples: examples(scene, indentation, &scale),
             profile: march::profile(indentation)?,
             without_steps: false,
         };
@@ -86,6 +89,23 @@ impl IndentationPlan {
             })
         }
     }
+}
+
+/// Values of a swept frequency that the cost of a sweep is judged by.
+const EXAMPLES: usize = 7;
+
+fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Timeline> {
+    let swept = |key: &str| -> Option<usize> { key.strip_prefix("history.")?.strip_suffix(".oscillation.frequency")?.parse().ok() };
+    let Some((index, values)) = scene.sweeps.iter().find_map(|sweep| Some((swept(&sweep.key)?, &sweep.values))) else { return Vec::new() };
+    let (count, last) = (EXAMPLES.min(values.len()), values.len().saturating_sub(1));
+    (0..count)
+        .filter_map(|example| {
+            let mut changed = indentation.clone();
+            let HistorySegment::Oscillation(oscillation) = changed.history.segments.get_mut(index)? else { return None };
+            oscillation.frequency = *values.get(example * last / count.saturating_sub(1).max(1))?;
+            Timeline::new(&changed, scale).ok()
+        })
+        .collect()
 }
 
 impl ProblemPlan for IndentationPlan {
@@ -110,7 +130,21 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn predicted_work(&self, states: u64) -> Work {
-        self.work_of_a_state() * states
+        let count = self.examples.len() as u64;
+        if count == 0 {
+            return self.work_of_a_state() * states;
+        }
+        let mut sum = Work::default();
+        for timeline in &self.examples {
+            sum += Self { timeline: timeline.clone(), examples: Vec::new(), ..self.clone() }.work_of_a_state();
+        }
+        let mean = |total: u64| (u128::from(total) * u128::from(states) / u128::from(count)) as u64;
+        Work {
+            closure_evaluations: mean(sum.closure_evaluations),
+            kernel_evaluations: mean(sum.kernel_evaluations),
+            field_evaluations: mean(sum.field_evaluations),
+            ..Work::default()
+        }
     }
 
     fn rows_of_a_state(&self) -> u64 {

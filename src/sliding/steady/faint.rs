@@ -11,19 +11,30 @@ use crate::material::Material;
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::WaveAdhesion;
 
-/// Largest pull of an edge over the load that is faint. What is stronger has roots with digits of their own: of 300 half-widths with works down to 1e-20 (pulls of 1e-9) none
-/// was missed, of 60 with weaker ones eleven.
-const FAINT: f64 = 1e-9;
+/// Largest pull of an edge over the load that is faint beside a contact with edges of its own, whose bars are too wide.
+const FAINTEST: f64 = 1e-11;
+/// The same where no such contact is found. What is stronger has roots with digits of their own: works of 1e-13 and more (pulls of 2e-6) all of 800 tried, works of 1e-14 all but 6 of 96.
+const FAINT: f64 = 1e-5;
 /// Pull over the load of the adhesion that is felt.
-const FELT: f64 = 1e-5;
+const FELT: f64 = 1e-4;
 /// Its process zones over the half-width, at most.
 const LONGEST_ZONE: f64 = 1e-2;
 /// Bound over what the root of the works makes of the change.
 const SAFETY: f64 = 3.0;
 
+/// Whether adhesion may be that faint in a wide contact.
+pub(super) fn may_be_faint(material: &Material, adhesion: WaveAdhesion) -> bool {
+    (material.glassy_modulus() / material.relaxed_modulus() * adhesion.larger_work()).sqrt() < FAINT
+}
+
 /// The contact without an adhesion that is too faint for its edges to be told; none if it is not, or if nothing but adhesion holds the contact.
-pub(super) fn without_faint_adhesion(material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<SlidingOutcome> {
-    without_adhesion_below(FAINT, material, problem, work)
+pub(super) fn without_faint_adhesion(
+    found: bool,
+    material: &Material,
+    problem: &SlidingProblem<'_>,
+    work: &mut SlidingWork,
+) -> Option<SlidingOutcome> {
+    without_adhesion_below(if found { FAINTEST } else { FAINT }, material, problem, work)
 }
 
 fn without_adhesion_below(faint: f64, material: &Material, problem: &SlidingProblem<'_>, work: &mut SlidingWork) -> Option<SlidingOutcome> {
@@ -112,12 +123,14 @@ mod tests {
         let mut widest: f64 = 0.0;
         for indenter in [Indenter::Wave, Indenter::Parabola] {
             for control in [SlidingControl::MeanPressure(0.2), SlidingControl::HalfWidth(0.9)] {
-                for (rate, work) in [(0.0, 1e-19), (0.3, 1e-19), (10.0, 1e-20)] {
+                for (rate, work) in [(0.0, 1e-13), (0.3, 1e-13), (10.0, 1e-13)] {
                     let adhesion = Some(WaveAdhesion::even(work, 1e-2 * work.sqrt()));
                     let problem = SlidingProblem { rate, indenter, adhesion, work_by_speed: None, control, accuracy: 1e-9 };
-                    let rooted = partial(&material, &problem, &mut SlidingWork::default()).expect("roots").values;
+                    let rooted = partial(&material, &problem, &mut SlidingWork::default())
+                        .unwrap_or_else(|| panic!("no roots of {problem:?}"))
+                        .values;
                     assert!(rooted.adhesion.is_some());
-                    let faint = without_adhesion_below(1e-8, &material, &problem, &mut SlidingWork::default());
+                    let faint = without_adhesion_below(1e-4, &material, &problem, &mut SlidingWork::default());
                     let Some(SlidingOutcome::Partial(faint)) = faint else { panic!("{problem:?}") };
                     assert!(faint.values.adhesion.is_none());
                     for (one, other) in [
@@ -130,7 +143,8 @@ mod tests {
                     ] {
                         let off = (one.value - other.value).abs();
                         assert!(off <= one.error + other.error, "{problem:?}: {one:?} {other:?}");
-                        assert!(one.error <= 1e-8 * one.value.abs().max(1.0), "{one:?}");
+                        // Pulls are 5e-6 of the load at most.
+                        assert!(one.error <= 2e-5 * one.value.abs().max(1.0), "{one:?}");
                         widest = widest.max(off / one.error.max(1e-300));
                     }
                 }
@@ -146,11 +160,11 @@ mod tests {
         let adhesion = Some(WaveAdhesion::even(1e-12, 1e-9));
         let control = SlidingControl::HalfWidth(1.0);
         let problem = SlidingProblem { rate: 0.0, indenter: Indenter::Wave, adhesion, work_by_speed: None, control, accuracy: 1e-9 };
-        assert!(without_faint_adhesion(&material, &problem, &mut SlidingWork::default()).is_none());
+        assert!(without_faint_adhesion(true, &material, &problem, &mut SlidingWork::default()).is_none());
         // Nothing but adhesion holds an unloaded contact.
         let faint = Some(WaveAdhesion::even(1e-100, 1e-53));
         let unloaded = SlidingProblem { adhesion: faint, control: SlidingControl::MeanPressure(0.0), ..problem };
-        assert!(without_faint_adhesion(&material, &unloaded, &mut SlidingWork::default()).is_none());
+        assert!(without_faint_adhesion(false, &material, &unloaded, &mut SlidingWork::default()).is_none());
         assert!(steady_sliding(&material, &SlidingProblem { adhesion: faint, ..problem }).is_ok());
     }
 }

@@ -5,7 +5,7 @@
 //! given half-width the contact of the smallest eccentricity is the one.
 
 use super::accuracy::solved;
-use super::faint::without_faint_adhesion;
+use super::faint::{may_be_faint, without_faint_adhesion};
 use super::limits::{beyond, beyond_a_width, beyond_a_zone, closing_pressure, size_of};
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
@@ -64,20 +64,15 @@ pub fn steady_sliding_reached_by(
     });
     let settled = match &found {
         Ok(SlidingOutcome::Partial(contact)) => contact.certificate.accuracy <= problem.accuracy,
-        Ok(SlidingOutcome::Full(_)) | Err(Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) => true,
+        Ok(SlidingOutcome::Full(_)) => problem.adhesion.is_none_or(|adhesion| !may_be_faint(material, adhesion)),
+        Err(Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) => true,
         Err(_) => false,
     };
     if settled {
         return found;
     }
-    match (found, without_faint_adhesion(material, problem, &mut work)) {
-        (Ok(SlidingOutcome::Partial(own)), Some(SlidingOutcome::Partial(bare)))
-            if own.certificate.accuracy <= bare.certificate.accuracy =>
-        {
-            Ok(SlidingOutcome::Partial(own))
-        }
-        (found, bare) => bare.map_or(found, Ok),
-    }
+    let has_edges = matches!(found, Ok(SlidingOutcome::Partial(_)));
+    without_faint_adhesion(has_edges, material, problem, &mut work).map_or(found, Ok)
 }
 
 /// What the equilibrium curve has of what is held.
