@@ -34,7 +34,7 @@ impl Line<'_> {
         }
         let shares = self.shares(in_contact);
         let noise = &self.chain.noise[usize::from(!in_contact)];
-        let breaks = if let Profile::Table(_) = self.profile { self.profile.breaks(high) } else { Vec::new() };
+        let breaks = if let Profile::Table(_) = self.profile.face() { self.profile.breaks(high) } else { Vec::new() };
         let mut start = low;
         for end in breaks.into_iter().filter(|place| *place > low * (1.0 + 1e-9) && *place < high * (1.0 - 1e-9)).chain([high]) {
             self.build_smooth((start, end), (&shares, noise), at, into, MOST_HALVINGS);
