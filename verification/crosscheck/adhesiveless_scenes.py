@@ -314,7 +314,7 @@ class Draw:
             lines.append("energies = {}")
         return dict(toml="\n".join(lines + history) + "\n", files=self.files, solid=solid, shape=shape, stiffness=stiffness, relaxed=relaxed,
                     start=(self.start_quantity, self.start_value), legs=legs, speed=speed, instants=instants, si=si, accuracy=accuracy,
-                    number=self.number, seed=self.seed,
+                    number=self.number, seed=self.seed, radius_scale=self.radius_scale,
                     kind=dict(shape=self.shape, control=self.control, start=self.start, terms=self.terms, turns=self.turns,
                               units="si" if si else "reduced", liquid=self.liquid,
                               special=next((leg["kind"] for leg in legs if leg["kind"] in ("table", "cycles", "oscillation")), "none")))

@@ -1,4 +1,4 @@
-"""Indentation without adhesion through the command line: textbook cases by quadrature. Random scenes: `adhesiveless_study.py`, by hand, for imposed forces are still marched.
+"""Indentation without adhesion through the command line: textbook cases by quadrature, and random scenes against a bed of springs.
 
 A value is right if it differs from the reference by no more than its own error bound and rounding; a bound must also meet the accuracy that the scene asks for.
 """
@@ -64,3 +64,39 @@ def test_textbook_case(case, binary, need):
             cell = cells[-1]
         assert abs(cell["value"] - right) <= cell["error"] + ROUNDING * scale, (reference["quantity"], time, cell, right)
         assert cell["error"] <= 1e-6 * scale, (reference["quantity"], time, cell)
+
+
+def study():
+    import adhesiveless_study
+    return adhesiveless_study
+
+
+def test_random_scenes(binary, need):
+    """Every shape, control and start, up to five turns; values to three digits, events, nothing refused."""
+    for module in ("numpy", "scipy", "mpmath"):
+        need(module)
+    of = study()
+    results, seconds = of.study(40, 5, binary, jobs=2, truths=of.BLUNT)
+    text, failed = of.report(results, seconds)
+    assert failed == 0, text + "\n" + "\n".join(f"{r['seed']} {r['number']}: {r['wrong'] or r['skipped']}" for r in results if r["wrong"] or r["skipped"])
+    assert sum(len(r["compared"]) for r in results) > 2000, text
+
+
+def test_the_two_judges_agree(need):
+    """A bed of springs that follows no edge, and times of equal radius: they share no step."""
+    for module in ("numpy", "scipy", "mpmath"):
+        need(module)
+    import numpy as np
+    of, scenes = study(), 0
+    for number in range(60):
+        scene = of.Draw(6, number).scene()
+        if scene["kind"]["control"] != "penetration" or scene["start"][0] != "penetration" or scene["kind"]["special"] == "oscillation":
+            continue
+        right, blunt = of.truth(scene), of.blunt_truth(scene)
+        scenes += 1
+        assert np.allclose(right["time"], blunt["time"], rtol=1e-12, atol=0.0)
+        for name in ("penetration", "force", "contact_radius"):
+            assert np.all(np.abs(np.array(right[name]) - blunt[name]) <= np.array(blunt["off"][name]) + np.array(right["off"][name])), (number, name)
+        if scenes == 6:
+            break
+    assert scenes == 6
