@@ -205,6 +205,22 @@ fn controls_that_change_on_the_way() {
     assert!((last.force.value + 0.004).abs() < 1e-9 || last.contact_radius.value.abs() < 1e-12);
 }
 
+/// An elastic solid forgets its way, so that no zone is too short for it: pull-off as Johnson, Kendall and Roberts have it, under the penetration and under the force.
+#[test]
+fn elastic_solids_with_zones_of_a_millionth_of_the_radius() {
+    let elastic = Material::from_relaxation(1.0, &[]).unwrap();
+    let pull_off = 1.5 * PI * WORK;
+    for zone in [1e-3, 1e-5, 1e-6] {
+        let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: zone });
+        for history in [History::penetration(0.01).ramp(-0.01, 1.0), History::force(0.0).ramp(-2.0 * pull_off, 1.0)] {
+            let found = run(&elastic, &IndentationProblem::new(SPHERE, adhesion, history).relaxed()).unwrap();
+            assert!(found.reached && found.residual < 1e-8, "{zone}: {:e}", found.residual);
+            let tension = found.largest_tension.unwrap();
+            assert!((tension.value / pull_off - 1.0).abs() < 0.2 * zone.sqrt() + tension.error / pull_off, "{zone}: {tension:?} of {pull_off}");
+        }
+    }
+}
+
 #[test]
 fn refusals_have_reasons() {
     let refused = |material: &Material, problem: &IndentationProblem| run(material, problem).unwrap_err();

@@ -3,8 +3,6 @@
 //! Goal: right, or refused with a reason; never a wrong number.
 //!
 //! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected.json`, with where it comes from: closed forms, quadratures, published values.
-//!
-//! Inputs marked `yet` ought to be solved and are refused as yet: one that is solved leaves this list.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;

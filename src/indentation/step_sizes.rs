@@ -9,6 +9,8 @@ const MOST_STEPS: f64 = 6_000.0;
 const TIGHT: f64 = 1e-4;
 /// Largest step of the edge, over the process zone (without adhesion: over a 25th of the contact's size).
 const LARGEST_REACH: f64 = 0.5;
+/// Of an elastic solid: over the contact radius, where that is more.
+const OF_CONTACT: f64 = 0.05;
 /// Accepted residual of the edge condition, over the tolerance of the path, and its bounds: rounding below, a certificate above.
 const EDGE_TOLERANCE: f64 = 1e-4;
 const SMALLEST_EDGE_TOLERANCE: f64 = 1e-12;
@@ -44,7 +46,12 @@ impl Marcher<'_> {
 
     /// Largest step of the edge. Bounds go with the tolerance as well, by the order of the path: two marches never take the same steps.
     pub(super) fn largest_reach(&self) -> f64 {
-        LARGEST_REACH * self.stride() * self.length
+        LARGEST_REACH * self.stride() * self.measured_by()
+    }
+
+    /// What the way of the edge is measured by: the process zone; nothing fades in an elastic solid, whose edge is the same by whatever steps it came.
+    fn measured_by(&self) -> f64 {
+        if self.springs.terms() == 0 { self.length.max(OF_CONTACT * self.contact.radius()) } else { self.length }
     }
 
     /// The first step after a corner: what the clock can still tell, or more.
@@ -72,7 +79,8 @@ impl Marcher<'_> {
         if self.problem.adhesion.is_none() {
             return self.length;
         }
-        (way * self.length).sqrt().clamp(SHORTEST_MEASURE * self.length, self.length)
+        let length = self.measured_by();
+        (way * length).sqrt().clamp(SHORTEST_MEASURE * length, length)
     }
 
     /// Accepted residual: well below what the path is known to.
