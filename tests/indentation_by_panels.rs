@@ -177,6 +177,39 @@ fn bounds_cover_the_errors() {
     }
 }
 
+/// F dΔ + G_tip dA = dU + P_d dt, an identity of exact fields: retractions, an approach with its dwell, an edge that comes back, cycles with their merged segments, a
+/// held force with its first jump.
+#[test]
+fn the_power_balance_closes() {
+    let states = states();
+    let mut cases = Vec::new();
+    for name in RETRACTIONS {
+        cases.push((name, material(&states[name]), retraction(&states[name]), 1e-11));
+    }
+    let of = |name: &'static str, history: History, relaxed: bool, share: f64| {
+        let problem = problem(&states[name], history);
+        (name, material(&states[name]), if relaxed { problem.relaxed() } else { problem }, share)
+    };
+    cases.push(of("approach_dwell_retract", History::penetration(0.0).at_speed(0.015, 0.05).hold(0.3).at_speed(-1.0, 0.05), false, 1e-9));
+    cases.push(of("readvance", History::penetration(0.03).ramp(0.022, 2.0).ramp(0.054, 8.0), true, 1e-9));
+    let cycles = History::penetration(0.022).oscillate(Oscillation::steady(0.0015, 0.8 / TAU), 4.0 * TAU / 0.8);
+    cases.push(of("oscillation_two_cycles", cycles, true, 1e-8));
+    for (name, material, mut problem, share) in cases {
+        problem.energies = true;
+        let outcome = march_by_panels(&material, &problem, USUAL, &[]).unwrap();
+        let balance = |k: usize| {
+            let (energies, turned) = outcome.accounts[k];
+            turned.external + turned.tip - turned.dissipated - energies.stored
+        };
+        let (_, turned) = outcome.accounts.last().unwrap();
+        let all = turned.external.abs() + turned.tip.abs() + turned.dissipated;
+        let drift = (0..outcome.accounts.len()).map(|k| (balance(k) - balance(0)).abs()).fold(0.0, f64::max);
+        println!("{name}: {drift:e} of {all:e}");
+        assert!(turned.dissipated > 0.0 && drift <= share * all, "{name}: {drift:e} of {all:e}");
+        assert!(outcome.ends.iter().all(|row| row.stress_intensity > 0.0), "{name}");
+    }
+}
+
 /// The march of this crate, another method, at its own tolerance.
 #[test]
 fn the_march_agrees() {

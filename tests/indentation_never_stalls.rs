@@ -216,7 +216,10 @@ fn elastic_solids_with_zones_of_a_millionth_of_the_radius() {
             let found = run(&elastic, &IndentationProblem::new(SPHERE, adhesion, history).relaxed()).unwrap();
             assert!(found.reached && found.residual < 1e-8, "{zone}: {:e}", found.residual);
             let tension = found.largest_tension.unwrap();
-            assert!((tension.value / pull_off - 1.0).abs() < 0.2 * zone.sqrt() + tension.error / pull_off, "{zone}: {tension:?} of {pull_off}");
+            assert!(
+                (tension.value / pull_off - 1.0).abs() < 0.2 * zone.sqrt() + tension.error / pull_off,
+                "{zone}: {tension:?} of {pull_off}"
+            );
         }
     }
 }

@@ -23,15 +23,17 @@ pub(super) struct Checked {
 /// Parts of the way to the first point that are looked at; more of them where the residual is not monotone.
 const PARTS: [f64; 4] = [0.0, 0.3, 0.6, 0.85];
 const MORE_PARTS: usize = 24;
-/// Residual over that at λ = 0 above which a sign counts: below it is the tolerance of the panel.
+/// Residual over that at λ = 0 above which a sign counts, and the position, over the tolerance, that such a residual is: beside a turn, where all of them are small, the
+/// roots are one within the tolerance.
 const SIGN_NOISE: f64 = 1e-3;
+const WITHIN: f64 = 0.1;
 
 pub(super) fn checked(
     points: &Points,
     window: &mut Window,
     setting: &Setting<'_>,
     panel: &Panel,
-    (start_residual, fades): (f64, f64),
+    ((start_residual, fades), tolerance): ((f64, f64), f64),
 ) -> Checked {
     let mut now = Instant::default();
     let mut at = |window: &mut Window, segment: &Segment, theta: f64| {
@@ -48,7 +50,8 @@ pub(super) fn checked(
     }
     let way = nodes.iter().map(|&x| panel.segment.place_at(x).0.abs()).fold(0.0, f64::max);
     let target = start_residual * (1.0 - 0.5 * fades * (1.0 + nodes[1]));
-    let first = first_root(points, window, setting, panel, &mut |window, segment, theta| at(window, segment, theta) - target);
+    let noise = WITHIN * tolerance * panel.stiffness;
+    let first = first_root(points, window, setting, panel, noise, &mut |window, segment, theta| at(window, segment, theta) - target);
     Checked { defect, way, first }
 }
 
@@ -57,6 +60,7 @@ pub(super) fn first_root(
     window: &mut Window,
     setting: &Setting<'_>,
     panel: &Panel,
+    noise: f64,
     at: &mut impl FnMut(&mut Window, &Segment, f64) -> f64,
 ) -> bool {
     let theta = points.nodes[1];
@@ -93,9 +97,8 @@ pub(super) fn first_root(
         expected * at(window, &segment, 1.0)
     };
     let found: Vec<f64> = PARTS.iter().map(|&part| residual(window, part)).collect();
-    let noise = SIGN_NOISE * found[0].abs();
-    if found.windows(2).all(|pair| pair[1] <= pair[0]) {
-        return found.iter().all(|&value| value > 0.0);
-    }
-    found.iter().all(|&value| value > -noise) && (1..MORE_PARTS).all(|k| residual(window, 0.97 * k as f64 / MORE_PARTS as f64) > 0.0)
+    let noise = noise.max(SIGN_NOISE * found[0].abs());
+    let monotone = found.windows(2).all(|pair| pair[1] <= pair[0]);
+    found.iter().all(|&value| value > -noise)
+        && (monotone || (1..MORE_PARTS).all(|k| residual(window, 0.97 * k as f64 / MORE_PARTS as f64) > -noise))
 }

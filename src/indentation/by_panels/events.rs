@@ -135,8 +135,11 @@ impl March<'_> {
 
     /// Nothing moves for a time.
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
+        let before = self.row(None, 0.0);
         self.record_rest(time);
         self.line.waited(time);
+        let after = self.row(None, 0.0);
+        self.turn_over_at_once(&before, &after);
         self.next_branch()
     }
 

@@ -28,6 +28,7 @@ impl March<'_> {
         let sign = if advances { 1.0 } else { -1.0 };
         self.start_residual = left;
         let start = self.line.edge;
+        let from = self.row(None, 0.0);
         let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
         let mut stride = first;
         let mut gone = 0.0;
@@ -36,8 +37,9 @@ impl March<'_> {
             // Within one segment of the past.
             let border = self.line.list(!advances).last().map_or(f64::INFINITY, |last| if advances { last.high } else { -last.low });
             let least = if advances { f64::INFINITY } else { self.line.edge - FLOOR * zone };
-            let next = stride.min(border).min(least);
-            if next <= 1e-9 * zone || self.line.edge > FURTHEST * start {
+            // A border within rounding of the edge is passed.
+            let next = stride.min(border.max(1e-9 * zone)).min(least);
+            if least <= 1e-9 * zone || self.line.edge > FURTHEST * start {
                 return Some(End::Lost);
             }
             let landed = excess(self, next) >= 0.0;
@@ -62,7 +64,9 @@ impl March<'_> {
             self.marks.iter_mut().for_each(|mark| mark.place -= sign * way);
             gone += way;
             if landed {
-                self.outcome.jumps.push(self.row(None, 0.0));
+                let to = self.row(None, 0.0);
+                self.turn_over_at_once(&from, &to);
+                self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;
             }

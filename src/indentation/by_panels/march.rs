@@ -5,7 +5,7 @@
 
 use super::check::checked;
 use super::closure::Window;
-use super::events::{Mark, first_crossing};
+use super::events::{Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
@@ -63,6 +63,7 @@ impl<'a> March<'a> {
             wanted: vec![],
             least_force: row,
             jumps: vec![],
+            accounts: vec![],
             end: End::Failed,
             panels: 0,
             refused: 0,
@@ -72,7 +73,7 @@ impl<'a> March<'a> {
         let mut march = Self {
             problem,
             points: Points::new(problem.degree),
-            window: Window::new(problem.zone),
+            window: Window::new(problem.zone, problem.tolerance),
             line,
             branch: 0,
             marks: vec![Mark { place: 0.0, jump: true }],
@@ -228,9 +229,16 @@ impl<'a> March<'a> {
                 solved_with_depth(points, &mut window, &setting, (control, &value), (chart, span), (guess, depths), (target, wanted))
             }
         };
-        let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, target));
+        let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, (target, tolerance)));
         self.window = window;
-        let (Some(panel), Some(checked)) = (panel, checked) else { return self.refuses(span, 0.3, sign * expected) };
+        let (Some(panel), Some(checked)) = (panel, checked) else {
+            let beside_turn = self.since_turn == 0.0 || self.slows && self.to_turn < 0.1 * tolerance;
+            if chart == Chart::PlaceOfTime && beside_turn && self.refusals >= FADES && self.lingers(span, tolerance) {
+                self.outcome.refused += 1;
+                return None;
+            }
+            return self.refuses(span, 0.3, sign * expected);
+        };
         let least = tolerance.min(RESIDUAL * self.problem.tolerance * self.scale() / panel.stiffness);
         // A motion that its error could have made is none.
         let error = (checked.defect / least.min(0.02 * checked.way.max(1e-300))).max(panel.tail / least);
@@ -247,7 +255,10 @@ impl<'a> March<'a> {
                 return self.refuses(span, (0.45 * (x + 1.0)).max(0.1), 0.0);
             }
         }
-        if chart == Chart::PlaceOfTime && sign * panel.segment.place_at(self.points.nodes[1]).0 < 0.0 {
+        // The wrong way from the start: at once, or by the end with no turn on the way.
+        let against = |x: f64| sign * panel.segment.place_at(x).0 < 0.0;
+        let turns = || turning(|x| -sign * panel.segment.place_at(x).1).is_some();
+        if chart == Chart::PlaceOfTime && (against(self.points.nodes[1]) || against(1.0) && !turns()) {
             // It turned where the last panel ended, or did not turn there after all: the same span the other way, once; then less.
             self.flips += 1;
             if self.flips > 1 {

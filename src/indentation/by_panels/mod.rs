@@ -25,14 +25,16 @@
 //! | λ | part of a panel's times, in the test for the first root |
 //!
 //! Measured on states of an independent program (`tests/indentation_by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
-//! Of 304 marches of random scenes (ramps, approaches, cycles; one to four terms) two end in a refusal, beside a turn; none of the others differs.
-//! Not yet: energies, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that
+//! Of 4,732 marches of random scenes at 1e-4 (ramps, approaches, cycles; one to four terms), and of 634 at 1e-5, none ends in a refusal, and the two
+//! degrees of each scene agree. The power balance closes to 1e-9 of what is turned over.
+//! Not yet: fields, admissibility (K_I ≥ 0, gap ≥ 0), rims and tables, edge laws, a given radius, a force without adhesion, controls that
 //! change, sudden penetrations, checkpoints, periodic states; many hundreds of cycles.
 
 mod chain;
 mod check;
 mod closure;
 mod drive;
+mod energies;
 mod events;
 mod followed;
 mod force;
@@ -52,5 +54,6 @@ mod solve;
 mod start;
 mod window;
 
+pub use energies::{Energies, TurnedOver};
 pub use problem::{End, Outcome, Row};
 pub use solve::{Bounded, BoundedRow, PanelOptions, march_by_panels, solve_by_panels};

@@ -81,6 +81,9 @@ pub(super) fn solved(
             .collect();
         let stiffness = by_edge.iter().map(|c| c.abs()).sum::<f64>() / p as f64;
         let worst = residuals.iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
+        if !stiffness.is_finite() {
+            return None;
+        }
         let residual = worst / stiffness;
         if residual <= enough || worst <= ROUNDING * setting.scale {
             let tail = setting.scale / stiffness * tail(&segment, setting, window.zone);
@@ -130,7 +133,8 @@ pub(super) fn solved(
 }
 
 /// What the last two coefficients of X hold of it, over the jump that the passage makes: a part of the field that the series may miss. A
-/// term that fades within a short way of the edge counts by that way over the zone.
+/// term that fades within a short way of the edge counts by that way over the zone, and so does the panel itself: the closure is an integral
+/// of the field over the zone.
 pub(super) fn tail(segment: &Segment, setting: &Setting<'_>, zone: f64) -> f64 {
     let n = setting.chain.terms();
     let terms = if setting.advances { &setting.chain.relaxation } else { &setting.chain.creep };
@@ -142,5 +146,6 @@ pub(super) fn tail(segment: &Segment, setting: &Setting<'_>, zone: f64) -> f64 {
     let jump = if setting.advances { passed * setting.chain.glassy } else { passed / setting.chain.glassy };
     // Without adhesion nothing jumps, and the series is of the displacement itself.
     let jump = if setting.adhesion.is_some() { jump } else { setting.scale * if setting.advances { setting.chain.glassy } else { 1.0 } };
-    if last > 0.0 { last / jump } else { 0.0 }
+    let way = (segment.high - segment.low).abs().max(f64::MIN_POSITIVE);
+    if last > 0.0 { last / jump * (way / zone).min(1.0) } else { 0.0 }
 }

@@ -23,6 +23,8 @@ pub(super) struct Outset {
 
 /// Part of the tolerance that a rest beside a turn may leave.
 const LINGER: f64 = 0.3;
+/// Halvings of such a rest.
+const MOST_HALVINGS: u32 = 40;
 /// Change of speed at a kink that a panel's prediction still bears.
 const SAME_SPEED: f64 = 0.3;
 
@@ -130,33 +132,52 @@ impl March<'_> {
         self.past = Some((advances, straight, 1.0));
     }
 
-    /// An edge that neither way moves on beside a turn rests for a time, if what it leaves of the closure is well within the tolerance.
-    pub(super) fn lingers(&mut self, time: f64, tolerance: f64) -> bool {
-        let left = self.problem.drive.branches[self.branch].end - self.line.time;
-        if self.state.is_some() || self.stiffness <= 0.0 || time > 0.5 * left {
+    /// An edge whose turn is not found rests: for the longest time up to `longest` in which what it leaves of the closure would move it, either way, by a part
+    /// of the tolerance only. Then it sets out anew.
+    pub(super) fn lingers(&mut self, longest: f64, tolerance: f64) -> bool {
+        let until_corner = self.problem.drive.branches[self.branch].end - self.line.time;
+        if self.state.is_some() || longest > 0.5 * until_corner {
             return false;
         }
+        let here = self.sudden(0.0);
+        let softest = [tolerance, -tolerance].map(|way| (self.sudden(way) - here) / way).into_iter().fold(f64::INFINITY, f64::min);
+        if softest <= 0.0 {
+            return false;
+        }
+        let mut time = longest;
+        for _ in 0..MOST_HALVINGS {
+            let left = self.resting(time);
+            if (left - here).abs() <= LINGER * tolerance * softest {
+                let before = self.row(None, 0.0);
+                self.record_rest(time);
+                self.line.waited(time);
+                let after = self.row(None, 0.0);
+                self.turn_over_at_once(&before, &after);
+                self.start_residual = left;
+                let outset = self.sets_out();
+                if outset.stable && outset.speed != 0.0 {
+                    self.sets(outset, f64::INFINITY);
+                    self.span = (Chart::PlaceOfTime, 2.0 * time);
+                    (self.to_turn, self.since_turn) = (0.0, 0.0);
+                } else {
+                    self.past = None;
+                }
+                return true;
+            }
+            time *= 0.5;
+        }
+        false
+    }
+
+    /// C − Δγ of an edge that has rested for a time.
+    fn resting(&mut self, time: f64) -> f64 {
         let mut window = std::mem::take(&mut self.window);
         let setting = self.setting(false);
         let mut now = Instant::default();
         setting.along(&[time], &[], 0.0, &mut now);
-        let left = setting.excess(&mut window, None, &now, false).value;
+        let excess = setting.excess(&mut window, None, &now, false).value;
         self.window = window;
-        if left.abs() > LINGER * tolerance * self.stiffness {
-            return false;
-        }
-        self.record_rest(time);
-        self.line.waited(time);
-        self.start_residual = left;
-        let outset = self.sets_out();
-        if outset.stable && outset.speed != 0.0 {
-            self.sets(outset, f64::INFINITY);
-            self.span = (Chart::PlaceOfTime, 2.0 * time);
-            (self.to_turn, self.since_turn) = (0.0, 0.0);
-        } else {
-            self.past = None;
-        }
-        true
+        excess
     }
 
     /// Whether an edge goes on beyond a kink of the closure about as fast as before; what it does else shows where it sets out.

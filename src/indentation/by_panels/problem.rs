@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::drive::Drive;
+use super::energies::{Energies, TurnedOver};
 use crate::indentation::Profile;
 
 /// What is asked.
@@ -19,6 +20,8 @@ pub(super) struct Problem {
     pub degree: usize,
     /// Instants wanted.
     pub instants: Vec<f64>,
+    /// Whether energies are accounted for.
+    pub energies: bool,
 }
 
 /// A point of the history.
@@ -32,6 +35,8 @@ pub struct Row {
     pub contact_radius: f64,
     /// F (N), compression positive.
     pub force: f64,
+    /// K_I (Pa√m), tension positive.
+    pub stress_intensity: f64,
 }
 
 /// Why a march ended.
@@ -60,6 +65,8 @@ pub struct Outcome {
     pub least_force: Row,
     /// Where jumps landed.
     pub jumps: Vec<Row>,
+    /// At the end of every panel and rest, and after jumps, if the problem asks for energies.
+    pub accounts: Vec<(Energies, TurnedOver)>,
     /// Why it ended.
     pub end: End,
     /// Panels accepted.

@@ -2,11 +2,14 @@
 
 use super::closure::Way;
 use super::drive::Instant;
+use super::energies::{Energies, TurnedOver, energies, stress_intensity};
 use super::events::first_crossing;
 use super::force::force;
-use super::line::Segment;
+use super::gauss::Gauss;
+use super::line::{Segment, series};
 use super::march::March;
 use super::problem::Row;
+use std::f64::consts::PI;
 
 /// An instant so little beyond a panel, relative, is its end: times are sums.
 const LATE: f64 = 1e-13;
@@ -23,7 +26,13 @@ impl March<'_> {
         }
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let solid = (&self.problem.chain, &self.problem.profile);
-        Row { time: self.line.time + time, penetration: now.depth, contact_radius: edge, force: force(solid, &self.line, way, &now) }
+        Row {
+            time: self.line.time + time,
+            penetration: now.depth,
+            contact_radius: edge,
+            force: force(solid, &self.line, way, &now),
+            stress_intensity: stress_intensity(solid, &self.line, way, &now),
+        }
     }
 
     /// Rows of the panel: wanted instants, its end, the least force.
@@ -67,6 +76,55 @@ impl March<'_> {
         }
         let row = at(self, cut);
         self.outcome.ends.push(row);
+        self.turn_over(advances, segment, cut);
+    }
+
+    /// U and P_d on the way, or after a rest.
+    fn account(&self, way: Option<Way<'_>>, time: f64) -> Energies {
+        let mut now = Instant::default();
+        let setting = self.setting(false);
+        match way {
+            Some(way) => setting.along(&way.panel.times, &way.panel.depths, way.theta, &mut now),
+            None if time == 0.0 => setting.still(&mut now),
+            None => setting.along(&[time], &[], 0.0, &mut now),
+        }
+        energies((&self.problem.chain, &self.problem.profile), &self.line, way, &now)
+    }
+
+    /// What a panel turns over up to a parameter, by quadrature along it.
+    fn turn_over(&mut self, advances: bool, segment: &Segment, cut: f64) {
+        if !self.problem.energies {
+            return;
+        }
+        let mut total = self.outcome.accounts.last().map_or_else(TurnedOver::default, |last| last.1);
+        let (span, rule) = (cut + 1.0, Gauss::get());
+        for (x, weight) in rule.nodes.iter().zip(rule.weights) {
+            let theta = -1.0 + span * x;
+            let way = Some(Way { panel: segment, advances, theta });
+            let (row, account) = (self.row(way, segment.time_at(theta)), self.account(way, 0.0));
+            let mut now = Instant::default();
+            self.setting(advances).along(&segment.times, &segment.depths, theta, &mut now);
+            let duration = weight * span * series(&segment.times, theta).1;
+            total.external += duration * now.rate * row.force;
+            let area = weight * span * 2.0 * PI * row.contact_radius * segment.place_at(theta).1;
+            total.tip += area * row.stress_intensity * row.stress_intensity / (2.0 * self.problem.chain.glassy);
+            total.dissipated += duration * account.dissipated_power;
+        }
+        let end = self.account(Some(Way { panel: segment, advances, theta: cut }), 0.0);
+        self.outcome.accounts.push((end, total));
+    }
+
+    /// What a jump, or a rest, turned over since the last account: what acts from outside goes straight, and what is not stored is lost.
+    pub(super) fn turn_over_at_once(&mut self, before: &Row, now: &Row) {
+        if !self.problem.energies {
+            return;
+        }
+        let (start, mut total) = self.outcome.accounts.last().copied().unwrap_or_default();
+        let end = self.account(None, 0.0);
+        let external = 0.5 * (before.force + now.force) * (now.penetration - before.penetration);
+        total.external += external;
+        total.dissipated += external + start.stored - end.stored;
+        self.outcome.accounts.push((end, total));
     }
 
     /// Wanted instants of a time in which nothing moves.

@@ -28,7 +28,6 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let refusals = [
         (!matches!(problem.profile, Profile::Paraboloid { .. } | Profile::Cone { .. }), "other shapes than spheres and cones"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
-        (problem.energies, "energies"),
         (mixed, "controls that change after the first stretch"),
         (first == Controlled::ContactRadius || history.controlled == Controlled::ContactRadius, "a given contact radius"),
         (problem.adhesion.is_none() && (first != Controlled::Penetration || history.controlled != first), "a force without adhesion"),

@@ -106,6 +106,7 @@ pub fn march_by_panels(
         tolerance: options.tolerance,
         degree: options.degree,
         instants: instants.to_vec(),
+        energies: problem.energies,
     };
     let outcome = March::new(&own, edge, depth).run();
     if outcome.end == End::Failed {
@@ -191,6 +192,7 @@ fn combined(one: &Row, two: &Row, of: impl Fn(f64, f64) -> f64) -> Row {
         penetration: of(one.penetration, two.penetration),
         contact_radius: of(one.contact_radius, two.contact_radius),
         force: of(one.force, two.force),
+        stress_intensity: of(one.stress_intensity, two.stress_intensity),
     }
 }
 
