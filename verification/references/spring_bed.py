@@ -11,8 +11,8 @@ import subprocess
 
 import numpy as np
 
-# Springs and steps a leg of the coarse grid; a flat face is one spring.
-SPRINGS, STEPS = 300, 160
+# Springs, denser towards the axis, and steps a leg of the coarse grid; a flat face is one spring.
+SPRINGS, STEPS = 500, 160
 OWN, FLOOR = 4.0, 1e-3
 
 
@@ -29,7 +29,10 @@ class Bed:
     """Legs as `ting_graham.History` takes them; `solve` gives what is right at every wanted instant."""
 
     def __init__(self, solid, shape, stiffness, reach):
-        self.solid, self.shape, self.stiffness, self.reach = solid, shape, stiffness, reach
+        self.solid, self.shape, self.stiffness = solid, shape, stiffness
+        # A table is no shape beyond its last point.
+        self.end = getattr(shape, "end", math.inf)
+        self.reach = min(reach, self.end)
         self.legs, self.wanted = [], [0.0]
         self.time, self.fine = 0.0, False
 
@@ -67,10 +70,11 @@ class Bed:
         if math.isfinite(shape.rim):
             lines = [f"1 1 {shape.rim!r} 0.0 {2.0 * shape.rim!r}"]
         else:
-            # A radius that is held is a spring's own: between two it would drift by a part of their distance.
+            # A radius that is held is a spring's own: between two it would drift by a part of their distance. So are the points of a table.
             imposed = [leg[2] for leg in self.legs if leg[1] == "contact_radius"] + [self.first] * (self.start[0] == "c")
-            s = np.unique(np.concatenate([np.linspace(0.0, self.reach, springs + 1), [r for r in imposed if 0.0 < r < self.reach]]))
-            s = s[np.concatenate([[True], np.diff(s) > 1e-9 * self.reach])]
+            places = [r for r in [*imposed, *shape.knots] if 0.0 < r < self.reach]
+            s = np.unique(np.concatenate([self.reach * np.linspace(0.0, 1.0, springs + 1) ** 2, places]))
+            s = s[np.concatenate([[True], np.diff(s) > 1e-11 * self.reach])]
             ways = np.diff(s)
             weight = np.concatenate([ways, [ways[-1]]]) + np.concatenate([[0.0], ways])
             lines = [f"0 {len(s)}", *(" ".join(map(repr, map(float, row))) for row in (s, np.concatenate([[0.0], shape.line(s[1:])]), weight))]
@@ -107,12 +111,13 @@ class Bed:
         flat = math.isfinite(self.shape.rim)
         for _ in range(60):
             coarse, rough, highest = self._run(program, SPRINGS, STEPS)
-            if flat or (0.25 * self.reach < highest < 0.95 * self.reach):
+            deep = highest >= 0.95 * self.reach
+            if flat or (deep and self.reach == self.end) or (0.25 * self.reach < highest and not deep):
                 break
-            self.reach = 2.0 * self.reach if highest >= 0.95 * self.reach else max(1.6 * highest, 0.1 * self.reach)
+            self.reach = min(2.0 * self.reach, self.end) if deep else max(1.6 * highest, 0.1 * self.reach)
         fine, events, self.highest = self._run(program, 2 * SPRINGS, 2 * STEPS)
         off = OWN * np.abs(fine - coarse) + FLOOR * np.max(np.abs(fine), axis=0)
         off[:, 1:3] += fine[:, 5:7]
         if not flat:
-            off[:, 3] += 2.0 * self.reach / (2 * SPRINGS)
+            off[:, 3] += 2.0 * np.sqrt(np.maximum(fine[:, 3], 0.0) * self.reach) / SPRINGS + self.reach / SPRINGS ** 2
         return fine, off, events, rough
