@@ -60,7 +60,7 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn contacts(&self, quantity: HeldQuantity, value: f64) -> Vec<ContactAt> {
         let control = quantity.control(value, self.every.indenter());
         let mut found: Vec<ContactAt> = Vec::new();
-        for crossing in self.held(quantity, value).crossings {
+        for crossing in self.held(quantity, value) {
             let Some(contact) = self.every.solved(control, [crossing.half_width, crossing.eccentricity]) else { continue };
             let same = |other: &ContactAt| {
                 (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs()

@@ -23,7 +23,7 @@ mod works;
 
 pub(in crate::sliding) use curve::EquilibriumCurve;
 pub(in crate::sliding) use existence::WhyNot;
-pub(in crate::sliding) use held::{Crossing, End, Held, Stretch, StretchEnd};
+pub(in crate::sliding) use held::{Crossing, End, Stretch, StretchEnd};
 pub(in crate::sliding) use point::HeldQuantity;
 pub use width::ContactAt;
 pub(in crate::sliding) use width::ContactsOfWidth;

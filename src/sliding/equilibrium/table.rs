@@ -8,10 +8,10 @@ use super::works::{Works, even_and_odd, scales, third};
 use crate::sliding::contact::{ContactEdges, Indenter};
 use std::f64::consts::PI;
 
-/// Degrees of the series that are tried on a panel before it is divided.
-const DEGREES: [usize; 2] = [8, 16];
+/// Degrees of the series that are tried on a panel before it is divided: the nodes of each are among those of the next.
+const DEGREES: [usize; 3] = [14, 28, 56];
 /// The longest panel.
-const LONGEST: f64 = 4.0;
+const LONGEST: f64 = 16.0;
 /// A panel that is not divided, whatever is left out.
 const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
@@ -60,8 +60,7 @@ impl Table {
         while let Some([low, high]) = open.pop() {
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             let mut values: Vec<Vec<f64>> = Vec::new();
-            let mut settled = None;
-            let mut refused = false;
+            let (mut settled, mut refused, mut before) = (None, false, None);
             for degree in DEGREES {
                 let known = std::mem::take(&mut values);
                 for index in 0..=degree {
@@ -82,10 +81,19 @@ impl Table {
                     break;
                 }
                 let series = series(&values);
-                if table.is_resolved(&series, middle) || ((half < SHORTEST || nodes > MOST_NODES) && degree == DEGREES[1]) {
+                let left_out = table.left_out(&series, middle);
+                // What is left out falls as a power of the degree.
+                let (ratio, more) = (before.map_or(left_out, |before| left_out / before), (DEGREES[2] - degree) as f64);
+                let by = if before.is_some() { 2.0 * more } else { more } / degree as f64;
+                let hopeless = left_out * ratio.powf(by) > TOLERANCE || degree == DEGREES[2];
+                if left_out <= TOLERANCE || (hopeless && (half < SHORTEST || nodes > MOST_NODES)) {
                     settled = Some(series);
                     break;
                 }
+                if hopeless {
+                    break;
+                }
+                before = Some(left_out);
             }
             match settled {
                 Some(series) => table.panels.push(Panel { middle, half, series }),
@@ -99,14 +107,17 @@ impl Table {
         table
     }
 
-    /// Whether the last terms of a series are small: every line beside itself, every entry of a form beside the works that its squares do.
-    fn is_resolved(&self, series: &[Vec<f64>], place: f64) -> bool {
-        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else { return false };
+    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do.
+    fn left_out(&self, series: &[Vec<f64>], place: f64) -> f64 {
+        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else {
+            return f64::INFINITY;
+        };
         let tail = |index: usize| last[index].abs().max(before[index].abs());
         let size = |index: usize| series.iter().map(|terms| terms[index].abs()).sum::<f64>();
-        let line = |begin: usize, tolerance: f64| {
+        let over = |tail: f64, size: f64| if tail == 0.0 { 0.0 } else { tail / size };
+        let line = |begin: usize| {
             let largest = (begin..begin + 3).map(size).fold(0.0, f64::max);
-            (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
+            (begin..begin + 3).map(|index| over(tail(index), largest)).fold(0.0, worse)
         };
         let forms = 3 * (self.lines + 1);
         let first =
@@ -117,16 +128,14 @@ impl Table {
             const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
             // What a form must be for the contact without amplitudes to do the works of the adhesion: less is lost beside them.
             let squares = [size(begin), size(begin + 1), size(begin + 2).max(of_works)];
-            SQUARES.iter().enumerate().all(|(index, [row, column])| {
-                let product = (squares[*row] * squares[*column]).sqrt();
-                tail(begin + index) <= TOLERANCE * product.max(size(begin + index))
-            })
+            let entries = SQUARES.iter().enumerate().map(|(index, [row, column])| {
+                over(tail(begin + index), (squares[*row] * squares[*column]).sqrt().max(size(begin + index)))
+            });
+            entries.fold(0.0, worse)
         };
-        line(0, TOLERANCE)
-            && line(3, TOLERANCE)
-            && (2..self.lines).all(|index| line(3 * index, SIGN_TOLERANCE))
-            && line(3 * self.lines, TOLERANCE)
-            && (!self.with_works || (form(forms) && form(forms + 6)))
+        let moved = (2..self.lines).map(|index| line(3 * index) * (TOLERANCE / SIGN_TOLERANCE)).fold(0.0, worse);
+        let works = if self.with_works { worse(form(forms), form(forms + 6)) } else { 0.0 };
+        [line(0), line(3), line(3 * self.lines), moved, works].into_iter().fold(0.0, worse)
     }
 
     /// The conditions at a place; none outside of the range.
@@ -189,6 +198,11 @@ fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64
         values.extend(works.forms.iter().flatten().map(|entry| entry * place.exp()));
     }
     values
+}
+
+/// The larger one; what is not a number is larger than any.
+const fn worse(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other.is_nan() { f64::INFINITY } else { one.max(other) }
 }
 
 /// The Chebyshev coefficients of values at cos(πj/n).

@@ -20,7 +20,7 @@ use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchEnd, BranchPath, BranchProblem, FoldQuantity, Impossible, Turn, trace, turn_near};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, Held, HeldQuantity, Stretch, StretchEnd, WhyNot};
+use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, HeldQuantity, Stretch, StretchEnd, WhyNot};
 
 /// Folds are located this well, or to the accuracy of the problem if that is less.
 const FOLD_ACCURACY: f64 = 1e-9;
@@ -74,7 +74,6 @@ pub(super) fn beyond(
     problem: &SlidingProblem<'_>,
     curve: &EquilibriumCurve,
     (quantity, value): (HeldQuantity, f64),
-    held: &Held,
     (refused, reached_by): (&[Crossing], ReachedBy),
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
@@ -140,7 +139,7 @@ pub(super) fn beyond(
     let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
         // Nothing is stable: a wave that touches closes by itself.
-        let largest = held.largest.filter(|_| wave)?;
+        let largest = curve.largest(quantity).filter(|_| wave)?;
         let limit = Limit {
             name: "largest mean pressure of any partial contact at this speed, none of which is stable",
             ..limit_of(&largest, None, true)

@@ -17,7 +17,7 @@ use crate::refusal::Refusal;
 use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, Held, HeldQuantity};
+use crate::sliding::equilibrium::{Crossing, HeldQuantity};
 use std::f64::consts::PI;
 
 /// The resolution of second variations: signs are told to five digits.
@@ -86,7 +86,7 @@ enum Searched {
 /// No contact: what is known of why.
 enum Nothing {
     /// Of a load or penetration: what the curve has, and the stable contacts that cannot exist.
-    Held { held: (HeldQuantity, f64), found: Held, refused: Vec<Crossing>, reached_by: ReachedBy },
+    Held { held: (HeldQuantity, f64), found: Vec<Crossing>, refused: Vec<Crossing>, reached_by: ReachedBy },
     /// Of a half-width.
     HalfWidth(f64),
 }
@@ -142,7 +142,7 @@ fn searched(
     }
     let curve = prepared.curve(size_of(problem));
     let found = curve.held(held.0, held.1);
-    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable).collect();
+    let mut candidates: Vec<Crossing> = found.iter().copied().filter(|crossing| crossing.stable).collect();
     if reached_by == ReachedBy::Unloading {
         candidates.reverse();
     }
@@ -186,10 +186,10 @@ impl Nothing {
         let curve = prepared.curve(size);
         let unstable = match &self {
             Self::Held { held, found, refused, reached_by } => {
-                if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {
+                if let Some(outcome) = beyond(material, problem, &curve, *held, (refused, *reached_by), *work) {
                     return outcome;
                 }
-                found.crossings.len()
+                found.len()
             }
             Self::HalfWidth(half_width) => {
                 if let Some(refusal) = beyond_a_width(&curve, *half_width) {
