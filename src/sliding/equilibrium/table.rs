@@ -142,17 +142,15 @@ impl Table {
     pub(super) fn at(&self, place: f64) -> Option<Conditions> {
         let panel = self.panels.iter().find(|panel| (place - panel.middle).abs() <= panel.half * (1.0 + 1e-12))?;
         let twice = 2.0 * (place - panel.middle) / panel.half;
-        let count = panel.series.first().map_or(0, Vec::len);
-        // Clenshaw's recurrence, all numbers at once.
-        let (mut one, mut two) = (vec![0.0; count], vec![0.0; count]);
-        for terms in panel.series.iter().skip(1).rev() {
-            for ((one, two), term) in one.iter_mut().zip(&mut two).zip(terms) {
-                let next = term + twice * *one - *two;
-                (*two, *one) = (*one, next);
+        let mut values = vec![0.0; panel.series.first().map_or(0, Vec::len)];
+        // T_k and T_(k+1).
+        let (mut now, mut next) = (1.0, 0.5 * twice);
+        for terms in &panel.series {
+            for (value, term) in values.iter_mut().zip(terms) {
+                *value += now * term;
             }
+            (now, next) = (next, twice * next - now);
         }
-        let first = panel.series.first()?;
-        let values: Vec<f64> = first.iter().zip(&one).zip(&two).map(|((term, one), two)| term + 0.5 * twice * one - two).collect();
         Some(self.restored(&values, place))
     }
 
@@ -208,13 +206,13 @@ const fn worse(one: f64, other: f64) -> f64 {
 /// The Chebyshev coefficients of values at cos(πj/n).
 fn series(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let degree = values.len() - 1;
-    let cosine = |turns: usize| (PI * (turns % (2 * degree)) as f64 / degree as f64).cos();
+    let cosines: Vec<f64> = (0..2 * degree).map(|turns| (PI * turns as f64 / degree as f64).cos()).collect();
     let ends = |index: usize| if index == 0 || index == degree { 0.5 } else { 1.0 };
     (0..=degree)
         .map(|order| {
             let mut terms = vec![0.0; values.first().map_or(0, Vec::len)];
             for (node, here) in values.iter().enumerate() {
-                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosine(order * node);
+                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosines[order * node % (2 * degree)];
                 for (term, value) in terms.iter_mut().zip(here) {
                     *term += weight * value;
                 }

@@ -9,10 +9,7 @@ use super::table::Table;
 use super::works::{Square, Works, directions, even_and_odd};
 use crate::continuation::two_unknowns::{TwoResiduals, largest};
 use crate::refusal::Refusal;
-use crate::sliding::contact::{
-    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZoneGap,
-    ZonePressure,
-};
+use crate::sliding::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, WaveContact, ZoneSum};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -47,7 +44,6 @@ pub(in crate::sliding) struct ContactsOfWidth {
     memory: Arc<ContactMemory>,
     indenter: Indenter,
     adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
-    resolution: Resolution,
     /// The conditions of a range of half-widths, if there are many to be looked at.
     table: Option<Table>,
     /// Half-widths whose conditions were formed: each as much as two evaluations of both conditions.
@@ -55,15 +51,11 @@ pub(in crate::sliding) struct ContactsOfWidth {
 }
 
 impl ContactsOfWidth {
-    pub(in crate::sliding) fn new(
-        memory: Arc<ContactMemory>,
-        indenter: Indenter,
-        adhesion: Option<WaveAdhesion>,
-        resolution: Resolution,
-    ) -> Self {
-        let balance = EdgeBalance::new(Arc::clone(&memory), indenter, adhesion, SlidingControl::MeanPressure(0.0), resolution);
+    /// Of conditions, whatever their control.
+    pub(in crate::sliding) fn new(balance: EdgeBalance) -> Self {
+        let (memory, indenter) = (Arc::clone(balance.memory()), balance.indenter());
         let adhesion = balance.with_zones();
-        Self { balance, memory, indenter, adhesion, resolution, table: None, widths: Cell::new(0) }
+        Self { balance, memory, indenter, adhesion, table: None, widths: Cell::new(0) }
     }
 
     pub(super) const fn indenter(&self) -> Indenter {
@@ -262,10 +254,9 @@ impl ContactsOfWidth {
                 (reach, reach)
             }
         };
-        let system = |edges: ContactEdges| ContactSystem::new(&self.memory, self.indenter, edges, self.resolution);
         let places = [(0.0, 0.0), (0.0, load), (aside, 0.0)];
-        let own = system(edges)?;
-        let states = all(places.map(|(eccentricity, pressure)| own.state(eccentricity, Prescribed::MeanPressure(pressure))))?;
+        let systems = self.balance.systems_of(edges)?;
+        let states = all(places.map(|(eccentricity, pressure)| systems.own.state(eccentricity, Prescribed::MeanPressure(pressure))))?;
         // The coefficients of (c, s, p) from the values at the three places.
         let line = |[upright, pressed, beside]: [f64; 3]| -> Line {
             match self.indenter {
@@ -279,7 +270,7 @@ impl ContactsOfWidth {
         };
         let mut amplitudes = amplitudes_of(&states).to_vec();
         let depth = (self.indenter == Indenter::Wave).then(|| line(states.each_ref().map(|state| -state.mean_separation())));
-        let Some((adhesion, zones)) = &self.adhesion else {
+        let (Some((adhesion, zones)), Some(wider)) = (&self.adhesion, &systems.moved) else {
             return Ok(Conditions { indenter: self.indenter, works: None, amplitudes, depth });
         };
         let targets = adhesion.targets();
@@ -287,21 +278,18 @@ impl ContactsOfWidth {
         let lines = even_and_odd(self.indenter, place, &amplitudes[0], &amplitudes[1]);
         let parts = self.parts(&directions(self.indenter, place, lines), load, reach);
         let mut forms = [[0.0; 6]; 2];
-        // Equal zones widen the contact alike.
-        let trailing_system = system(edges.moved_out(-zones.0.length()))?;
-        let even = zones.0.length().to_bits() == zones.1.length().to_bits();
-        let leading_system = if even { None } else { Some(system(edges.moved_out(zones.1.length()))?) };
-        let systems = [&trailing_system, leading_system.as_ref().unwrap_or(&trailing_system)];
-        for (((form, target), (zone, outward)), moved_system) in
-            forms.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
+        for ((((form, target), (zone, outward)), moved_system), fields) in
+            forms.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(wider.both()).zip(&wider.fields)
         {
             // The eccentricity of a moved contact is that of its own middle.
             let shift = 0.5 * outward * zone.length();
             let moved = all(states.each_ref().map(|state| moved_system.state(state.contact().eccentricity + shift, state.held())))?;
             amplitudes.extend(amplitudes_of(&moved));
-            let (tensions, gaps) = (zone.tensions(&moved), zone.gaps_outside(&states));
-            let (tensions, gaps) = (parts.map(|part| ZonePressure::sum(&tensions, part)), parts.map(|part| ZoneGap::sum(&gaps, part)));
-            let entry = |one: usize, other: usize| zone.work_on(&tensions[one], &gaps[other]).value / target;
+            let tensions = moved.each_ref().map(|state| zone.tension_by(fields, state));
+            let gaps = states.each_ref().map(|state| zone.gap_by(fields, state));
+            let (tensions, gaps) =
+                (parts.map(|part| ZoneSum::of_pressures(&tensions, part)), parts.map(|part| ZoneSum::of_gaps(&gaps, part)));
+            let entry = |one: usize, other: usize| zone.work_on(&tensions[one], &gaps[other]) / target;
             let both = |one: usize, other: usize| entry(one, other) + entry(other, one);
             *form = [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)];
             if form.iter().any(|value| value.is_nan()) {
