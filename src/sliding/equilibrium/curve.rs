@@ -4,6 +4,7 @@
 //! doubt: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears or vanishes, rows are
 //! divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
+use super::held::StretchEnd;
 use super::point::{HeldQuantity, Point};
 use super::width::{ContactsOfWidth, apart};
 use crate::sliding::contact::{ContactEdges, Indenter, WaveContact};
@@ -44,6 +45,8 @@ pub(in crate::sliding) struct EquilibriumCurve {
     pub(super) every: ContactsOfWidth,
     /// Each a curve of contacts in the order along it.
     pub(super) chains: Vec<Vec<Point>>,
+    /// The narrowest place that was looked at.
+    narrowest: f64,
     /// Half-widths that were looked at.
     rows: u64,
     /// Half-widths whose conditions were formed for it.
@@ -90,7 +93,7 @@ impl EquilibriumCurve {
             }
         }
         let (count, formed) = (rows.len() as u64, every.take_widths());
-        Self { chains: chains(indenter, rows), every, rows: count, formed }
+        Self { chains: chains(indenter, rows), every, narrowest: low, rows: count, formed }
     }
 
     /// The contact of another half-width near one that is known.
@@ -98,6 +101,11 @@ impl EquilibriumCurve {
         let point = self.every.nearest(place, eccentricity)?;
         let far = apart(self.every.indenter(), point.eccentricity, eccentricity);
         (far < CONTINUES * size(self.every.indenter(), &point)).then_some(point)
+    }
+
+    /// Whether a contact is the narrowest that was looked at.
+    pub(in crate::sliding) fn is_narrowest(&self, contact: &StretchEnd) -> bool {
+        contact.place <= self.narrowest
     }
 
     /// Half-widths that were looked at.

@@ -1,6 +1,7 @@
 //! What a held load or penetration finds on the equilibrium curve: its contacts, which of them are stable, and where such contacts end.
 
 use super::curve::EquilibriumCurve;
+use super::existence::Place;
 use super::point::{HeldQuantity, Point};
 use super::width::change;
 use std::f64::consts::FRAC_PI_2;
@@ -55,12 +56,14 @@ pub(in crate::sliding) struct StretchEnd {
 }
 
 /// Stable contacts next to each other on the curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(in crate::sliding) struct Stretch {
     /// The smallest value of what is held.
     pub(in crate::sliding) lowest: StretchEnd,
     /// The largest.
     pub(in crate::sliding) highest: StretchEnd,
+    /// What is held, and the place, of all contacts from the lowest to the highest.
+    pub(in crate::sliding) along: Vec<(f64, Place)>,
 }
 
 impl EquilibriumCurve {
@@ -255,8 +258,13 @@ impl EquilibriumCurve {
                 }
             };
             let (first, last) = (end_at(quantity, &chain[begin], how(begin)), end_at(quantity, &chain[end], how(end)));
+            let mut along: Vec<(f64, Place)> =
+                chain[begin..=end].iter().map(|point| (quantity.of(point), (point.place, point.eccentricity))).collect();
             let (lowest, highest) = if first.value <= last.value { (first, last) } else { (last, first) };
-            found.push(Stretch { lowest, highest });
+            if first.value > last.value {
+                along.reverse();
+            }
+            found.push(Stretch { lowest, highest, along });
             begin = end;
         }
     }

@@ -21,6 +21,8 @@ const NARROWEST: f64 = 1e-3;
 const MOST_NODES: usize = 4000;
 /// Largest coefficient of the last terms, over the first ones.
 const TOLERANCE: f64 = 1e-6;
+/// The same over the least of what they add up to, times this part.
+const LOCAL: f64 = 0.1;
 /// The same of what a moved edge changes: it is looked at for signs alone.
 const SIGN_TOLERANCE: f64 = 1e-4;
 
@@ -81,7 +83,7 @@ impl Table {
                     break;
                 }
                 let series = series(&values);
-                let left_out = table.left_out(&series, middle);
+                let left_out = table.left_out(&series, &values, middle);
                 // What is left out falls as a power of the degree.
                 let (ratio, more) = (before.map_or(left_out, |before| left_out / before), (DEGREES[2] - degree) as f64);
                 let by = if before.is_some() { 2.0 * more } else { more } / degree as f64;
@@ -107,8 +109,9 @@ impl Table {
         table
     }
 
-    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do.
-    fn left_out(&self, series: &[Vec<f64>], place: f64) -> f64 {
+    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do. A part of it over what they are at
+    /// the node where that is least: along a long panel a solid goes from glassy to relaxed.
+    fn left_out(&self, series: &[Vec<f64>], values: &[Vec<f64>], place: f64) -> f64 {
         let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else {
             return f64::INFINITY;
         };
@@ -117,6 +120,8 @@ impl Table {
         let over = |tail: f64, size: f64| if tail == 0.0 { 0.0 } else { tail / size };
         let line = |begin: usize| {
             let largest = (begin..begin + 3).map(size).fold(0.0, f64::max);
+            let of_node = |node: &Vec<f64>| (begin..begin + 3).map(|index| node[index].abs()).fold(0.0, f64::max);
+            let largest = largest.min(values.iter().map(of_node).fold(f64::INFINITY, f64::min) / LOCAL);
             (begin..begin + 3).map(|index| over(tail(index), largest)).fold(0.0, worse)
         };
         let forms = 3 * (self.lines + 1);
@@ -129,7 +134,12 @@ impl Table {
             // What a form must be for the contact without amplitudes to do the works of the adhesion: less is lost beside them.
             let squares = [size(begin), size(begin + 1), size(begin + 2).max(of_works)];
             let entries = SQUARES.iter().enumerate().map(|(index, [row, column])| {
-                over(tail(begin + index), (squares[*row] * squares[*column]).sqrt().max(size(begin + index)))
+                let of_node = |node: &Vec<f64>| {
+                    let square = |index: usize| node[begin + index].abs().max(if index == 2 { of_works } else { 0.0 });
+                    (square(*row) * square(*column)).sqrt().max(node[begin + index].abs())
+                };
+                let least = values.iter().map(of_node).fold(f64::INFINITY, f64::min);
+                over(tail(begin + index), (squares[*row] * squares[*column]).sqrt().max(size(begin + index)).min(least / LOCAL))
             });
             entries.fold(0.0, worse)
         };
