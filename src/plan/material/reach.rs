@@ -18,7 +18,7 @@ struct Made {
 
 /// The expansion of a law, made once; others that want one wait meanwhile.
 fn expanded(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Option<Expansion> {
-    let of = (law.clone(), range, accuracy);
+    let of = (*law, range, accuracy);
     let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(known) = made.iter().find(|known| known.of == of) {
         return known.expansion.clone();

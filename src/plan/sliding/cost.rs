@@ -6,11 +6,11 @@ use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, Slidin
 use crate::sliding::branch::{Scan, beyond_both_ends};
 
 /// Balances of a contact of a load or penetration: the equilibrium curve, the contact and its stability. With adhesion, and without.
-const ON_CURVE: [f64; 2] = [101.0, 195.0];
+const ON_CURVE: [f64; 2] = [165.0, 335.0];
 /// Balances of a contact of a given half-width.
 const OF_WIDTH: f64 = 21.0;
 /// Balances of the elastic companion.
-const COMPANION: f64 = 85.0;
+const COMPANION: f64 = 140.0;
 /// Contacts solved for one balance with adhesion: as it is, and with each edge moved.
 const SOLVES: f64 = 3.0;
 
