@@ -12,13 +12,13 @@
 //! Source: thesis Secs 3.2 and 3.3.
 
 use super::contact::{
-    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZonePressure,
-    ZoneWork,
+    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZoneFields,
+    ZonePressure, ZoneWork,
 };
 use crate::continuation::two_unknowns::{Jacobian, Solution, TwoEquations, TwoResiduals, largest};
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -166,6 +166,30 @@ pub struct EdgeBalance {
     control: SlidingControl,
     resolution: Resolution,
     evaluations: Cell<u64>,
+    /// The systems of the half-width that was asked for last: eccentricities, loads and release rates share them.
+    systems: RefCell<Option<(ContactEdges, Arc<Systems>)>>,
+}
+
+/// The linear systems of a half-width.
+#[derive(Debug)]
+pub(in crate::sliding) struct Systems {
+    pub(in crate::sliding) own: ContactSystem,
+    pub(in crate::sliding) moved: Option<MovedSystems>,
+}
+
+/// Those with an edge moved out; equal zones widen a contact alike.
+#[derive(Debug)]
+pub(in crate::sliding) struct MovedSystems {
+    trailing: ContactSystem,
+    leading: Option<ContactSystem>,
+    pub(in crate::sliding) fields: [ZoneFields; 2],
+}
+
+impl MovedSystems {
+    /// Of the trailing and of the leading edge.
+    pub(in crate::sliding) fn both(&self) -> [&ContactSystem; 2] {
+        [&self.trailing, self.leading.as_ref().unwrap_or(&self.trailing)]
+    }
 }
 
 impl EdgeBalance {
@@ -182,7 +206,7 @@ impl EdgeBalance {
             let zones = ProcessZone::both(&memory, indenter, (adhesion.trailing_zone, adhesion.leading_zone), resolution);
             (adhesion, Arc::new(zones))
         });
-        Self { memory, indenter, adhesion, control, resolution, evaluations: Cell::new(0) }
+        Self { memory, indenter, adhesion, control, resolution, evaluations: Cell::new(0), systems: RefCell::new(None) }
     }
 
     /// The same conditions under another control; what is prepared is shared.
@@ -200,6 +224,16 @@ impl EdgeBalance {
     /// The adhesion with the zones that are prepared for it.
     pub(in crate::sliding) fn with_zones(&self) -> Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)> {
         self.adhesion.clone()
+    }
+
+    /// The material at its speed.
+    pub(in crate::sliding) const fn memory(&self) -> &Arc<ContactMemory> {
+        &self.memory
+    }
+
+    /// The indenter.
+    pub(in crate::sliding) const fn indenter(&self) -> Indenter {
+        self.indenter
     }
 
     /// The resolution.
@@ -253,9 +287,9 @@ impl EdgeBalance {
     /// As [`EdgeBalance::evaluate`].
     pub fn evaluate_edges(&self, edges: ContactEdges, prescribed: Prescribed) -> Result<EdgeStates, Refusal> {
         self.evaluations.set(self.evaluations.get() + 1);
-        let solve = |edges, prescribed| ContactState::at_edges(&self.memory, self.indenter, edges, prescribed, self.resolution);
-        let state = solve(edges, prescribed)?;
-        let Some((adhesion, zones)) = &self.adhesion else {
+        let systems = self.systems_of(edges)?;
+        let state = systems.own.state(edges.eccentricity, prescribed)?;
+        let (Some((adhesion, zones)), Some(wider)) = (&self.adhesion, &systems.moved) else {
             let half = self.indenter.half_angle_scale(edges.half_width);
             let (behind, ahead) = state.edge_amplitudes();
             let scale = self.memory.stiffening_ratio() * half;
@@ -266,21 +300,18 @@ impl EdgeBalance {
         let (trailing, leading) = &**zones;
         let behind = edges.moved_out(-trailing.length());
         let ahead = edges.moved_out(leading.length());
-        let wider = ContactSystem::new(&self.memory, self.indenter, behind, self.resolution)?;
-        let trailing_moved = wider.state(behind.eccentricity, state.held())?;
-        // Equal zones widen the contact alike.
-        let leading_moved = if trailing.length().to_bits() == leading.length().to_bits() {
-            wider.state(ahead.eccentricity, state.held())?
-        } else {
-            solve(ahead, state.held())?
-        };
+        let [trailing_system, leading_system] = wider.both();
+        let trailing_moved = trailing_system.state(behind.eccentricity, state.held())?;
+        let leading_moved = leading_system.state(ahead.eccentricity, state.held())?;
         let targets = adhesion.targets();
         // With the sign of the amplitude the root goes on linearly where the edge is pressed, instead of rising to a second zero.
         let root = |work: f64, target: f64| if work > 0.0 { (work / target).sqrt() } else { work / target };
         let defect = |root: f64, amplitude: f64| if amplitude > 0.0 { -root.abs() - 1.0 } else { root - 1.0 };
         let amplitudes = state.edge_amplitudes();
-        let tensions = (trailing.tension(&trailing_moved), leading.tension(&leading_moved));
-        let works = (trailing.work(&state, &tensions.0), leading.work(&state, &tensions.1));
+        let [behind, ahead] = &wider.fields;
+        let tensions = (trailing.tension_by(behind, &trailing_moved), leading.tension_by(ahead, &leading_moved));
+        let gaps = (trailing.gap_by(behind, &state), leading.gap_by(ahead, &state));
+        let works = (trailing.work_of(&tensions.0, &gaps.0), leading.work_of(&tensions.1, &gaps.1));
         let roots = [root(works.0.value, targets[0]), root(works.1.value, targets[1])];
         let (residual, smooth) = ([defect(roots[0], amplitudes.0), defect(roots[1], amplitudes.1)], roots.map(|root| root - 1.0));
         let digits = 1.0 + state.condition().ln();
@@ -298,6 +329,33 @@ impl EdgeBalance {
         Ok(EdgeStates { state, moved: Some((trailing_moved, leading_moved)), tensions: Some(tensions), residual, smooth, rounding })
     }
 
+    /// The systems of a half-width.
+    pub(in crate::sliding) fn systems_of(&self, edges: ContactEdges) -> Result<Arc<Systems>, Refusal> {
+        let edges = ContactEdges { eccentricity: 0.0, ..edges };
+        if let Some((of, systems)) = &*self.systems.borrow()
+            && *of == edges
+        {
+            return Ok(Arc::clone(systems));
+        }
+        let new = |edges| ContactSystem::new(&self.memory, self.indenter, edges, self.resolution);
+        let own = new(edges)?;
+        let moved = match &self.adhesion {
+            None => None,
+            Some((_, zones)) => {
+                let [trailing, leading] = [&zones.0, &zones.1].map(ProcessZone::length);
+                let even = trailing.to_bits() == leading.to_bits();
+                let behind = new(edges.moved_out(-trailing))?;
+                let ahead = if even { None } else { Some(new(edges.moved_out(leading))?) };
+                let first = zones.0.fields(&behind, &own);
+                let second = ahead.as_ref().map_or_else(|| first.mirrored(), |ahead| zones.1.fields(ahead, &own));
+                Some(MovedSystems { trailing: behind, leading: ahead, fields: [first, second] })
+            }
+        };
+        let systems = Arc::new(Systems { own, moved });
+        *self.systems.borrow_mut() = Some((edges, Arc::clone(&systems)));
+        Ok(systems)
+    }
+
     /// G/Δγ of both edges at a root, each over the work of its own edge, with what rounding leaves uncertain: [U(edge moved) − U]/(2πΓδ) at fixed penetration; none
     /// without adhesion.
     ///
@@ -308,7 +366,8 @@ impl EdgeBalance {
             return Ok(None);
         };
         let (trailing, leading) = &**zones;
-        let reversed = states.state.reversed()?;
+        let edges = states.state.edges();
+        let reversed = self.systems_of(edges)?.own.state(-edges.eccentricity, states.state.held())?;
         let targets = adhesion.targets();
         let over = |target: f64, work: ZoneWork| Estimate::new(work.value / target, ROUNDING * work.size / target);
         Ok(Some((over(targets[0], trailing.release(&reversed, &tensions.0)), over(targets[1], leading.release(&reversed, &tensions.1)))))

@@ -36,7 +36,7 @@ const STEPS: usize = 60;
 const BETWEEN_LOOKS: usize = 5;
 const RAISED: usize = 3;
 /// Part of the accuracy at which a refinement ends, as nothing is gained by more; and looks without a smaller largest error after which it ends.
-const ENOUGH: f64 = 0.7;
+const ENOUGH: f64 = 0.95;
 const PATIENCE: u32 = 4;
 /// Cells beyond each end of the range, and how they grow.
 const END_CELLS: usize = 8;
@@ -86,27 +86,29 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
             }
         }
     } else {
+        let stride = (count / 16).max(2);
         while error > accuracy && count < MOST_TERMS {
-            count += 2;
+            count += stride;
             let (shape, reached) = attempt(count, &start);
             if reached < error {
                 (best, error) = (shape, reached);
             }
         }
     }
-    // Where the spectrum is weak, two neighbours may be one.
+    // Where the spectrum is weak, two neighbours may be one: many pairs at once while that goes well, then fewer.
+    let magnitude = |time: f64| law.complex_modulus(1.0 / time).map_or(f64::INFINITY, |modulus| modulus.magnitude());
+    let mut stride = best.count() / 8;
     while error <= accuracy && best.count() > 1 {
-        let shape = minimax(
-            &best.weakest_joined(|time| law.complex_modulus(1.0 / time).map_or(f64::INFINITY, |modulus| modulus.magnitude())),
-            &data,
-            window,
-            accuracy,
-        );
+        let fewer = (0..stride.max(1)).fold(best.clone(), |shape, _| shape.weakest_joined(magnitude));
+        let shape = minimax(&fewer, &data, window, accuracy);
         let reached = largest_error(&shape, &test);
-        if reached > accuracy {
+        if reached <= accuracy {
+            (best, error) = (shape, reached);
+        } else if stride <= 1 {
             break;
+        } else {
+            stride /= 2;
         }
-        (best, error) = (shape, reached);
     }
     // Terms far weaker than the accuracy at their own frequency are nothing but work.
     let stronger = best

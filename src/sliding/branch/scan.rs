@@ -11,7 +11,7 @@ use crate::continuation::fold::interpolated;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution};
-use crate::sliding::edge_balance::SlidingControl;
+use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use crate::sliding::equilibrium::{ContactAt, ContactsOfWidth, EquilibriumCurve, HeldQuantity};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -71,7 +71,11 @@ pub struct EveryBranch {
 pub fn contacts_of_width(material: &Material, problem: &BranchProblem, half_width: f64) -> Result<Vec<ContactAt>, Refusal> {
     problem.checked()?;
     let memory = Arc::new(ContactMemory::new(material, problem.rate)?);
-    ContactsOfWidth::new(memory, problem.indenter, Some(problem.adhesion), Resolution::Medium).at(half_width)
+    ContactsOfWidth::new(conditions(memory, problem.indenter, problem.adhesion, Resolution::Medium)).at(half_width)
+}
+
+fn conditions(memory: Arc<ContactMemory>, indenter: Indenter, adhesion: WaveAdhesion, resolution: Resolution) -> EdgeBalance {
+    EdgeBalance::new(memory, indenter, Some(adhesion), SlidingControl::MeanPressure(0.0), resolution)
 }
 
 /// The half-widths of a scan.
@@ -96,7 +100,7 @@ pub(in crate::sliding) fn contacts_of(
 ) -> Result<(Vec<ContactAt>, u64), Refusal> {
     let (rate, adhesion) = problem.at(third);
     let memory = Arc::new(ContactMemory::new(material, rate)?);
-    let every = ContactsOfWidth::new(memory, problem.indenter, Some(adhesion), RESOLUTION);
+    let every = ContactsOfWidth::new(conditions(memory, problem.indenter, adhesion, RESOLUTION));
     // A contact that a width refuses is a gap in the row: the zone may be wider than the room there.
     let at = |width: f64| every.at(width).unwrap_or_default();
     let (quantity, value) = match control {

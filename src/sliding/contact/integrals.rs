@@ -39,15 +39,27 @@ pub(super) fn inside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, res
 }
 
 /// The integrals over the gap with e^{−v/ζ}, v the distance behind the trailing edge.
+///
+/// The depth D of H₀ vanishes at both edges and has D' = −cos(y/2)/|X|, so that ∫e^{−v/ζ}D = −ζ∫e^{−v/ζ}cos(y/2)/|X|. The second integral is the cheaper one; where the memory
+/// is longer than the gap it would cancel, and the first takes its place.
 pub(super) fn outside_integrals(arcs: &Arcs, edges: ContactEdges, ratio: f64, resolution: Resolution) -> OutsideIntegrals {
     let width = 2.0 * edges.half_width;
     let arc = ArcRange { length: 2.0 * edges.half_gap, before: width, behind: width, starts_at_edge: true };
     let s = arcs.half.0;
-    let [cosine, sine, depth, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution, |from_trailing, from_leading| {
-        let Place { root, angle: (sine, cosine) } = arcs.outside(ArcPoint { from_trailing, from_leading });
-        [cosine / root, sine / root, inverse_hyperbolic_sine(0.5 * root / s), root * cosine, root * sine]
-    });
-    OutsideIntegrals { cosine, sine, depth, root_cosine, root_sine }
+    let place = |from_trailing, from_leading| arcs.outside(ArcPoint { from_trailing, from_leading });
+    if ratio < arc.length {
+        let [cosine, sine, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution, |from_trailing, from_leading| {
+            let Place { root, angle: (sine, cosine) } = place(from_trailing, from_leading);
+            [cosine / root, sine / root, root * cosine, root * sine]
+        });
+        OutsideIntegrals { cosine, sine, depth: -ratio * cosine, root_cosine, root_sine }
+    } else {
+        let [depth, sine, root_cosine, root_sine] = memory_integrals(arc, ratio, resolution, |from_trailing, from_leading| {
+            let Place { root, angle: (sine, cosine) } = place(from_trailing, from_leading);
+            [inverse_hyperbolic_sine(0.5 * root / s), sine / root, root * cosine, root * sine]
+        });
+        OutsideIntegrals { cosine: -depth / ratio, sine, depth, root_cosine, root_sine }
+    }
 }
 
 /// 1-norm condition number by the explicit inverse: n is at most some twenty.

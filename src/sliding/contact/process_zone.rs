@@ -33,6 +33,7 @@ use super::memory::ContactMemory;
 use super::panel::{March, NODES, Panel, Step, Values};
 use super::resolution::Resolution;
 use super::state::ContactState;
+use super::system::ContactSystem;
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
@@ -65,26 +66,44 @@ pub struct ZonePressure(Vec<Field>);
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::sliding) struct ZoneGap(Vec<Field>);
 
-impl ZonePressure {
-    /// A sum of three.
-    pub(in crate::sliding) fn sum(of: &[Self; 3], parts: [f64; 3]) -> Self {
-        Self(sum_of_fields(of.each_ref().map(|one| &one.0[..]), parts))
+/// A sum of three pressures or gaps at the nodes of a process zone.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::sliding) struct ZoneSum(Vec<Values>);
+
+impl ZoneSum {
+    /// Of pressures.
+    pub(in crate::sliding) fn of_pressures(of: &[ZonePressure; 3], parts: [f64; 3]) -> Self {
+        Self::new(of.each_ref().map(|one| &one.0[..]), parts)
+    }
+
+    /// Of gaps.
+    pub(in crate::sliding) fn of_gaps(of: &[ZoneGap; 3], parts: [f64; 3]) -> Self {
+        Self::new(of.each_ref().map(|one| &one.0[..]), parts)
+    }
+
+    fn new([first, second, third]: [&[Field]; 3], parts: [f64; 3]) -> Self {
+        let add = |((one, two), three): ((&Field, &Field), &Field)| one.value * parts[0] + two.value * parts[1] + three.value * parts[2];
+        Self(first.iter().zip(second).zip(third).map(add).collect())
     }
 }
 
-impl ZoneGap {
-    /// A sum of three.
-    pub(in crate::sliding) fn sum(of: &[Self; 3], parts: [f64; 3]) -> Self {
-        Self(sum_of_fields(of.each_ref().map(|one| &one.0[..]), parts))
-    }
+/// What the fields of all contacts of a half-width are sums of, at the nodes of a process zone.
+#[derive(Debug, Clone)]
+pub(in crate::sliding) struct ZoneFields {
+    /// H₀, H₁, W and S.
+    inside: Vec<[Values; 4]>,
+    /// g_W, |X| cos(y/2), the depth of H₀, and cos(y/2)/|X| and sin(y/2)/|X|.
+    outside: Vec<[Values; 5]>,
 }
 
-fn sum_of_fields([first, second, third]: [&[Field]; 3], parts: [f64; 3]) -> Vec<Field> {
-    let add = |((one, two), three): ((&Field, &Field), &Field)| Field {
-        value: one.value * parts[0] + two.value * parts[1] + three.value * parts[2],
-        size: one.size * parts[0].abs() + two.size * parts[1].abs() + three.size * parts[2].abs(),
-    };
-    first.iter().zip(second).zip(third).map(add).collect()
+impl ZoneFields {
+    /// Those of the other edge, whose zone is as long: sin(y/2) inside and cos(y/2) outside change their signs.
+    pub(in crate::sliding) fn mirrored(&self) -> Self {
+        Self {
+            inside: self.inside.iter().map(|&[flat, odd, wave, slope]| [flat, -odd, wave, -slope]).collect(),
+            outside: self.outside.iter().map(|&[wave, slope, depth, even, odd]| [wave, -slope, depth, -even, odd]).collect(),
+        }
+    }
 }
 
 /// A field at the nodes of a panel, and the sizes of the terms that it is a sum of.
@@ -186,38 +205,48 @@ impl ProcessZone {
         self.length
     }
 
+    /// The fields of a half-width at the nodes, from the systems of the contact with that edge moved out and of the contact itself.
+    pub(in crate::sliding) fn fields(&self, moved: &ContactSystem, own: &ContactSystem) -> ZoneFields {
+        ZoneFields { inside: self.inside_fields(moved.arcs()), outside: self.outside_fields(own.arcs(), self.edge) }
+    }
+
     /// The pressure inside the edge of a contact with that edge moved out.
     #[must_use]
     pub fn tension(&self, moved: &ContactState) -> ZonePressure {
         ZonePressure(self.pressures(moved, &self.inside_fields(&moved.arcs)))
     }
 
-    /// Those of contacts of one half-width, which share what does not depend on the load.
-    pub(in crate::sliding) fn tensions<const N: usize>(&self, moved: &[ContactState; N]) -> [ZonePressure; N] {
-        let fields = moved.first().map(|state| self.inside_fields(&state.arcs)).unwrap_or_default();
-        moved.each_ref().map(|state| ZonePressure(self.pressures(state, &fields)))
+    /// The same with the fields of its half-width.
+    pub(in crate::sliding) fn tension_by(&self, fields: &ZoneFields, moved: &ContactState) -> ZonePressure {
+        ZonePressure(self.pressures(moved, &fields.inside))
     }
 
-    /// The gaps outside the edge of contacts of one half-width.
-    pub(in crate::sliding) fn gaps_outside<const N: usize>(&self, contacts: &[ContactState; N]) -> [ZoneGap; N] {
-        let fields = contacts.first().map(|state| self.outside_fields(&state.arcs, self.edge)).unwrap_or_default();
-        contacts.each_ref().map(|state| ZoneGap(self.gaps(state, &self.outside, &fields)))
+    /// The gap outside the edge of a contact, with the fields of its half-width.
+    pub(in crate::sliding) fn gap_by(&self, fields: &ZoneFields, contact: &ContactState) -> ZoneGap {
+        ZoneGap(self.gaps(contact, &self.outside, &fields.outside))
     }
 
     /// (1/2δ) ∫ tension₊·gap₋, in reduced units; NaN if a field is.
     #[must_use]
     pub fn work(&self, contact: &ContactState, tension: &ZonePressure) -> ZoneWork {
-        self.work_on(tension, &self.gap(contact))
+        let fields = self.outside_fields(&contact.arcs, self.edge);
+        self.work_of(tension, &ZoneGap(self.gaps(contact, &self.outside, &fields)))
     }
 
-    /// The gap outside the edge of a contact.
-    pub(in crate::sliding) fn gap(&self, contact: &ContactState) -> ZoneGap {
-        ZoneGap(self.gaps(contact, &self.outside, &self.outside_fields(&contact.arcs, self.edge)))
+    /// The same of a gap.
+    pub(in crate::sliding) fn work_of(&self, tension: &ZonePressure, gap: &ZoneGap) -> ZoneWork {
+        self.integral(&tension.0, &gap.0)
     }
 
     /// (1/2δ) ∫ tension·gap of any two fields.
-    pub(in crate::sliding) fn work_on(&self, tension: &ZonePressure, gap: &ZoneGap) -> ZoneWork {
-        self.integral(&tension.0, &gap.0)
+    pub(in crate::sliding) fn work_on(&self, tension: &ZoneSum, gap: &ZoneSum) -> f64 {
+        let mut value = 0.0;
+        for ((panel, pressure), gap) in self.panels.iter().zip(&tension.0).zip(gap.0.iter().rev()) {
+            for index in 0..NODES {
+                value -= panel.weights[index] * pressure[index] * gap[NODES - 1 - index];
+            }
+        }
+        value / (2.0 * self.length)
     }
 
     /// [U(edge moved) − U]/δ, in reduced units, from the contact with that edge moved out and the mirror image of the contact that slides the

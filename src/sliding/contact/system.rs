@@ -76,6 +76,10 @@ impl ContactSystem {
         Ok(Self { edges, indenter, arcs, resolution, memory: Arc::clone(memory), outside, wave_loads, slope_loads, flat_loads, condition })
     }
 
+    pub(super) const fn arcs(&self) -> &Arcs {
+        &self.arcs
+    }
+
     /// The contact of an eccentricity.
     ///
     /// # Errors

@@ -4,15 +4,15 @@
 //! doubt: what both slopes predict is met much nearer than any other contact, and load and depth turn once at most between them. Where a contact appears or vanishes, rows are
 //! divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
+use super::held::StretchEnd;
 use super::point::{HeldQuantity, Point};
 use super::width::{ContactsOfWidth, apart};
-use crate::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
-use crate::sliding::edge_balance::WaveAdhesion;
+use crate::sliding::contact::{ContactEdges, Indenter, WaveContact};
+use crate::sliding::edge_balance::EdgeBalance;
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Largest distance of neighbouring places, ln tan(a/2).
-const SPACING: f64 = 0.2;
+const SPACING: f64 = 0.4;
 /// Where contacts appear or vanish, places are this near: what bends with a root there is told to a thousandth.
 const FINEST: f64 = 1e-6;
 /// Load and depth are not looked at more closely than this.
@@ -45,6 +45,8 @@ pub(in crate::sliding) struct EquilibriumCurve {
     pub(super) every: ContactsOfWidth,
     /// Each a curve of contacts in the order along it.
     pub(super) chains: Vec<Vec<Point>>,
+    /// The narrowest place that was looked at.
+    narrowest: f64,
     /// Half-widths that were looked at.
     rows: u64,
     /// Half-widths whose conditions were formed for it.
@@ -52,21 +54,16 @@ pub(in crate::sliding) struct EquilibriumCurve {
 }
 
 impl EquilibriumCurve {
-    /// The contacts of a material, speed and adhesion; `size`: of a cylinder the half-width around which contacts are looked for.
+    /// The contacts of conditions, whatever their control; `size`: of a cylinder the half-width around which contacts are looked for.
     ///
     /// # Errors
     /// Those of the contacts.
-    pub(in crate::sliding) fn new(
-        memory: Arc<ContactMemory>,
-        indenter: Indenter,
-        adhesion: Option<WaveAdhesion>,
-        size: f64,
-        resolution: Resolution,
-    ) -> Self {
+    pub(in crate::sliding) fn new(balance: EdgeBalance, size: f64) -> Self {
+        let (indenter, adhesion) = (balance.indenter(), balance.adhesion());
         let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
         // Without a load a glassy contact has a³ = 32Γ/β, and no contact is pulled off before it is some tenths of that.
         let work = adhesion.map_or(0.0, |adhesion| adhesion.trailing_work.min(adhesion.leading_work));
-        let unloaded = (32.0 * work / memory.stiffening_ratio()).cbrt();
+        let unloaded = (32.0 * work / balance.memory().stiffening_ratio()).cbrt();
         let narrow = (WIDTH_IN_ZONES * zone).max(WIDTH_IN_UNLOADED * unloaded);
         // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
         let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
@@ -74,7 +71,7 @@ impl EquilibriumCurve {
             Indenter::Wave => (narrow.clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
             Indenter::Parabola => (if adhesion.is_some() { narrow } else { RANGE[0] * size }, RANGE[1] * (size + zone)),
         };
-        Self::within(ContactsOfWidth::new(memory, indenter, adhesion, resolution), [narrowest, widest])
+        Self::within(ContactsOfWidth::new(balance), [narrowest, widest])
     }
 
     /// The contacts of a range of half-widths.
@@ -96,7 +93,7 @@ impl EquilibriumCurve {
             }
         }
         let (count, formed) = (rows.len() as u64, every.take_widths());
-        Self { chains: chains(indenter, rows), every, rows: count, formed }
+        Self { chains: chains(indenter, rows), every, narrowest: low, rows: count, formed }
     }
 
     /// The contact of another half-width near one that is known.
@@ -104,6 +101,11 @@ impl EquilibriumCurve {
         let point = self.every.nearest(place, eccentricity)?;
         let far = apart(self.every.indenter(), point.eccentricity, eccentricity);
         (far < CONTINUES * size(self.every.indenter(), &point)).then_some(point)
+    }
+
+    /// Whether a contact is the narrowest that was looked at.
+    pub(in crate::sliding) fn is_narrowest(&self, contact: &StretchEnd) -> bool {
+        contact.place <= self.narrowest
     }
 
     /// Half-widths that were looked at.

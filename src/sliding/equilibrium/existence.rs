@@ -60,7 +60,7 @@ impl EquilibriumCurve {
     pub(in crate::sliding) fn contacts(&self, quantity: HeldQuantity, value: f64) -> Vec<ContactAt> {
         let control = quantity.control(value, self.every.indenter());
         let mut found: Vec<ContactAt> = Vec::new();
-        for crossing in self.held(quantity, value).crossings {
+        for crossing in self.held(quantity, value) {
             let Some(contact) = self.every.solved(control, [crossing.half_width, crossing.eccentricity]) else { continue };
             let same = |other: &ContactAt| {
                 (other.half_width - contact.half_width).abs() + (other.eccentricity - contact.eccentricity).abs()
@@ -84,16 +84,21 @@ impl EquilibriumCurve {
         Some((quantity.of(&last), why?))
     }
 
-    /// Whether contacts at an end of a stretch, or half way between, can exist.
+    /// Whether any contact of a stretch can exist.
     pub(in crate::sliding) fn has_possible(&self, stretch: &Stretch) -> bool {
-        let (low, high) = (&stretch.lowest, &stretch.highest);
-        let middle = (0.5 * (low.place + high.place), 0.5 * (low.eccentricity + high.eccentricity));
-        [(high.place, high.eccentricity), middle, (low.place, low.eccentricity)].into_iter().any(|place| self.possible(place).is_some())
+        stretch.along.iter().rev().any(|&(_, place)| self.possible(place).is_some())
     }
 
-    /// The last value before the end of a stretch, if the end itself cannot exist.
-    pub(in crate::sliding) fn end_of_possible(&self, quantity: HeldQuantity, from: Place, end: Place) -> Option<(f64, WhyNot)> {
-        if self.possible(end).is_some() { None } else { self.last_possible(quantity, from, end) }
+    /// Along neighbours on the curve: the last value, seen from the first contact that can exist, before one that cannot; none if the first of all can.
+    pub(in crate::sliding) fn end_of_possible(&self, quantity: HeldQuantity, along: impl Iterator<Item = Place>) -> Option<(f64, WhyNot)> {
+        let mut impossible = None;
+        for place in along {
+            if self.possible(place).is_some() {
+                return self.last_possible(quantity, place, impossible?);
+            }
+            impossible = Some(place);
+        }
+        None
     }
 
     fn closed_in(&self, from: Place, to: Place) -> Option<(Point, Option<WhyNot>)> {

@@ -108,15 +108,19 @@ fn meeting(first: &Square, second: &Square) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// The real roots of a polynomial (rising powers) between −1 and 1, between those of its derivative.
+/// The real roots of a polynomial (rising powers) between −1 and 1, between those of its derivative where there may be more than one.
 fn real_roots(coefficients: &[f64]) -> Vec<f64> {
     let value = |x: f64| coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient);
-    if coefficients.len() < 2 {
+    let degree = coefficients.len() - 1;
+    let most = most_roots(coefficients);
+    if degree == 0 || most == 0 {
         return Vec::new();
     }
-    let derivative: Vec<f64> = coefficients.iter().enumerate().skip(1).map(|(power, coefficient)| power as f64 * coefficient).collect();
     let mut ends = vec![-1.0];
-    ends.extend(real_roots(&derivative));
+    if most > 1 {
+        let derivative: [f64; 4] = std::array::from_fn(|power| (power + 1) as f64 * coefficients.get(power + 1).copied().unwrap_or(0.0));
+        ends.extend(real_roots(&derivative[..degree]));
+    }
     ends.push(1.0);
     ends.windows(2)
         .filter_map(|pair| match *pair {
@@ -124,6 +128,23 @@ fn real_roots(coefficients: &[f64]) -> Vec<f64> {
             _ => None,
         })
         .collect()
+}
+
+/// A bound on the number of roots between −1 and 1, met exactly where it is none or one: Descartes' rule for u = (1 + x)/(1 − x).
+fn most_roots(coefficients: &[f64]) -> usize {
+    // Σ c_k (u − 1)^k (u + 1)^(n − k) by Horner's scheme.
+    let (mut sum, mut power) = ([0.0; 5], [1.0, 0.0, 0.0, 0.0, 0.0]);
+    for coefficient in coefficients.iter().rev() {
+        let (before, of_power) = (sum, power);
+        for index in 0..5 {
+            let lower = |of: &[f64; 5]| if index == 0 { 0.0 } else { of[index - 1] };
+            sum[index] = lower(&before) - before[index] + coefficient * of_power[index];
+            power[index] = lower(&of_power) + of_power[index];
+        }
+    }
+    let mut signs = sum.iter().filter(|&&term| term != 0.0).map(|&term| term < 0.0);
+    let Some(mut last) = signs.next() else { return 0 };
+    signs.filter(|&sign| std::mem::replace(&mut last, sign) != sign).count()
 }
 
 /// Both conditions of a half-width.
@@ -184,15 +205,14 @@ impl Conditions {
             let [c, s, p]: Line = std::array::from_fn(|part| seen.iter().zip(&columns).map(|(size, column)| size * column[part]).sum());
             match self.indenter {
                 Indenter::Wave => {
-                    // A point of the plane is two opposite contacts.
-                    let size = c.hypot(s);
-                    roots.push((s.atan2(c), p / size));
-                    roots.push(((-s).atan2(-c), -p / size));
+                    // A point of the plane is two opposite contacts, with the same works.
+                    let Some((e, pressure)) = self.polished(works, (s.atan2(c), p / c.hypot(s))) else { continue };
+                    roots.extend([(e, pressure), (if e > 0.0 { e - PI } else { e + PI }, -pressure)]);
                 }
-                Indenter::Parabola => roots.push((s / c, p / c)),
+                Indenter::Parabola => roots.extend(self.polished(works, (s / c, p / c))),
             }
         }
-        roots.into_iter().filter_map(|root| self.polished(works, root)).collect()
+        roots
     }
 
     /// A root to the last digits; none if there is none.

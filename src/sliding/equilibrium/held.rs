@@ -1,6 +1,7 @@
 //! What a held load or penetration finds on the equilibrium curve: its contacts, which of them are stable, and where such contacts end.
 
 use super::curve::EquilibriumCurve;
+use super::existence::Place;
 use super::point::{HeldQuantity, Point};
 use super::width::change;
 use std::f64::consts::FRAC_PI_2;
@@ -55,67 +56,61 @@ pub(in crate::sliding) struct StretchEnd {
 }
 
 /// Stable contacts next to each other on the curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(in crate::sliding) struct Stretch {
     /// The smallest value of what is held.
     pub(in crate::sliding) lowest: StretchEnd,
     /// The largest.
     pub(in crate::sliding) highest: StretchEnd,
-}
-
-/// What is found of a held value.
-#[derive(Debug, Clone)]
-pub(in crate::sliding) struct Held {
-    /// The contacts, narrow ones first.
-    pub(in crate::sliding) crossings: Vec<Crossing>,
-    /// The largest value of any contact about the crest, stable or not; none without contacts.
-    pub(in crate::sliding) largest: Option<StretchEnd>,
+    /// What is held, and the place, of all contacts from the lowest to the highest.
+    pub(in crate::sliding) along: Vec<(f64, Place)>,
 }
 
 impl EquilibriumCurve {
-    /// The contacts of a held value.
-    pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Held {
-        let mut found = Held { crossings: Vec::new(), largest: None };
+    /// The contacts of a held value, narrow ones first.
+    pub(in crate::sliding) fn held(&self, quantity: HeldQuantity, value: f64) -> Vec<Crossing> {
+        let mut found = Vec::new();
         for chain in &self.chains {
-            let chain = self.with_turns(quantity, chain);
-            // A contact on the other side of the trough says nothing of one on the crest.
-            for point in chain.iter().filter(|point| point.eccentricity.abs() < FRAC_PI_2) {
-                if found.largest.is_none_or(|largest| quantity.of(point) > largest.value) {
-                    found.largest = Some(end_at(quantity, point, End::Last));
-                }
-            }
+            // A turn that the value is beyond of needs no place.
+            let chain = self.with_turns(quantity, chain, |from, to| may_reach(quantity, value, from, to));
             for pair in chain.windows(2) {
                 let [from, to] = pair else { continue };
                 let (before, after) = (quantity.of(from) - value, quantity.of(to) - value);
                 // A value met exactly belongs to one of both sides.
                 if (before <= 0.0) != (after <= 0.0) {
-                    found.crossings.push(self.crossing(quantity, value, from, to));
+                    found.push(self.crossing(quantity, value, from, to));
                 }
             }
         }
-        found.crossings.sort_by(|first, second| first.half_width.total_cmp(&second.half_width));
+        found.sort_by(|first, second| first.half_width.total_cmp(&second.half_width));
         found
+    }
+
+    /// The largest value of any contact about the crest, stable or not; none without contacts.
+    pub(in crate::sliding) fn largest(&self, quantity: HeldQuantity) -> Option<StretchEnd> {
+        let chains = self.chains.iter().flat_map(|chain| self.with_turns(quantity, chain, |_, _| true));
+        // A contact on the other side of the trough says nothing of one on the crest.
+        let about_the_crest = chains.filter(|point| point.eccentricity.abs() < FRAC_PI_2);
+        let largest = about_the_crest.max_by(|first, second| quantity.of(first).total_cmp(&quantity.of(second)));
+        largest.map(|point| end_at(quantity, &point, End::Last))
     }
 
     /// The stretches of stable contacts, narrow ones first.
     pub(in crate::sliding) fn stable_stretches(&self, quantity: HeldQuantity) -> Vec<Stretch> {
         let mut found = Vec::new();
         for chain in &self.chains {
-            self.stretches(quantity, &self.with_borders(quantity, self.with_turns(quantity, chain)), &mut found);
+            self.stretches(quantity, &self.with_borders(quantity, self.with_turns(quantity, chain, |_, _| true)), &mut found);
         }
         found.sort_by(|first, second| first.lowest.half_width.total_cmp(&second.lowest.half_width));
         found
     }
 
-    /// A chain with the contacts at which what is held turns.
-    fn with_turns(&self, quantity: HeldQuantity, chain: &[Point]) -> Vec<Point> {
+    /// A chain with the contacts at which what is held turns, between neighbours where it matters.
+    fn with_turns(&self, quantity: HeldQuantity, chain: &[Point], matters: impl Fn(&Point, &Point) -> bool) -> Vec<Point> {
         let turns = |one: &Point, other: &Point| quantity.rise(one) * quantity.rise(other) < 0.0;
-        self.with_more(
-            chain,
-            |from, to| {
-                if turns(from, to) { self.divided(from, to, TURN_PLACE, |point| quantity.slope(point)) } else { None }
-            },
-        )
+        self.with_more(chain, |from, to| {
+            if turns(from, to) && matters(from, to) { self.divided(from, to, TURN_PLACE, |point| quantity.slope(point)) } else { None }
+        })
     }
 
     /// A chain with the contacts at which stability begins or ends without a turn.
@@ -263,11 +258,23 @@ impl EquilibriumCurve {
                 }
             };
             let (first, last) = (end_at(quantity, &chain[begin], how(begin)), end_at(quantity, &chain[end], how(end)));
+            let mut along: Vec<(f64, Place)> =
+                chain[begin..=end].iter().map(|point| (quantity.of(point), (point.place, point.eccentricity))).collect();
             let (lowest, highest) = if first.value <= last.value { (first, last) } else { (last, first) };
-            found.push(Stretch { lowest, highest });
+            if first.value > last.value {
+                along.reverse();
+            }
+            found.push(Stretch { lowest, highest, along });
             begin = end;
         }
     }
+}
+
+/// Whether a value may be met between two neighbours: the one turn there may be is not beyond what the steeper slope of both reaches.
+fn may_reach(quantity: HeldQuantity, value: f64, from: &Point, to: &Point) -> bool {
+    let reach = (to.place - from.place).abs() * quantity.slope(from).abs().max(quantity.slope(to).abs());
+    let (one, other) = (quantity.of(from), quantity.of(to));
+    !(value < one.min(other) - reach || value > one.max(other) + reach)
 }
 
 fn end_at(quantity: HeldQuantity, point: &Point, end: End) -> StretchEnd {

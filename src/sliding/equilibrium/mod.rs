@@ -14,6 +14,7 @@
 
 mod curve;
 mod existence;
+mod formed;
 mod forms;
 mod held;
 mod point;
@@ -22,8 +23,8 @@ mod width;
 mod works;
 
 pub(in crate::sliding) use curve::EquilibriumCurve;
-pub(in crate::sliding) use existence::WhyNot;
-pub(in crate::sliding) use held::{Crossing, End, Held, Stretch, StretchEnd};
+pub(in crate::sliding) use existence::{Place, WhyNot};
+pub(in crate::sliding) use held::{Crossing, End, Stretch, StretchEnd};
 pub(in crate::sliding) use point::HeldQuantity;
 pub use width::ContactAt;
 pub(in crate::sliding) use width::ContactsOfWidth;

@@ -8,10 +8,10 @@ use super::works::{Works, even_and_odd, scales, third};
 use crate::sliding::contact::{ContactEdges, Indenter};
 use std::f64::consts::PI;
 
-/// Degrees of the series that are tried on a panel before it is divided.
-const DEGREES: [usize; 2] = [8, 16];
+/// Degrees of the series that are tried on a panel before it is divided: the nodes of each are among those of the next.
+const DEGREES: [usize; 3] = [14, 28, 56];
 /// The longest panel.
-const LONGEST: f64 = 4.0;
+const LONGEST: f64 = 16.0;
 /// A panel that is not divided, whatever is left out.
 const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
@@ -21,6 +21,8 @@ const NARROWEST: f64 = 1e-3;
 const MOST_NODES: usize = 4000;
 /// Largest coefficient of the last terms, over the first ones.
 const TOLERANCE: f64 = 1e-6;
+/// The same over the least of what they add up to, times this part.
+const LOCAL: f64 = 0.1;
 /// The same of what a moved edge changes: it is looked at for signs alone.
 const SIGN_TOLERANCE: f64 = 1e-4;
 
@@ -60,8 +62,7 @@ impl Table {
         while let Some([low, high]) = open.pop() {
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             let mut values: Vec<Vec<f64>> = Vec::new();
-            let mut settled = None;
-            let mut refused = false;
+            let (mut settled, mut refused, mut before) = (None, false, None);
             for degree in DEGREES {
                 let known = std::mem::take(&mut values);
                 for index in 0..=degree {
@@ -82,10 +83,19 @@ impl Table {
                     break;
                 }
                 let series = series(&values);
-                if table.is_resolved(&series, middle) || ((half < SHORTEST || nodes > MOST_NODES) && degree == DEGREES[1]) {
+                let left_out = table.left_out(&series, &values, middle);
+                // What is left out falls as a power of the degree.
+                let (ratio, more) = (before.map_or(left_out, |before| left_out / before), (DEGREES[2] - degree) as f64);
+                let by = if before.is_some() { 2.0 * more } else { more } / degree as f64;
+                let hopeless = left_out * ratio.powf(by) > TOLERANCE || degree == DEGREES[2];
+                if left_out <= TOLERANCE || (hopeless && (half < SHORTEST || nodes > MOST_NODES)) {
                     settled = Some(series);
                     break;
                 }
+                if hopeless {
+                    break;
+                }
+                before = Some(left_out);
             }
             match settled {
                 Some(series) => table.panels.push(Panel { middle, half, series }),
@@ -99,14 +109,20 @@ impl Table {
         table
     }
 
-    /// Whether the last terms of a series are small: every line beside itself, every entry of a form beside the works that its squares do.
-    fn is_resolved(&self, series: &[Vec<f64>], place: f64) -> bool {
-        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else { return false };
+    /// The last terms of a series, over the first ones: every line beside itself, every entry of a form beside the works that its squares do. A part of it over what they are at
+    /// the node where that is least: along a long panel a solid goes from glassy to relaxed.
+    fn left_out(&self, series: &[Vec<f64>], values: &[Vec<f64>], place: f64) -> f64 {
+        let Some((last, before)) = series.last().zip(series.len().checked_sub(2).and_then(|index| series.get(index))) else {
+            return f64::INFINITY;
+        };
         let tail = |index: usize| last[index].abs().max(before[index].abs());
         let size = |index: usize| series.iter().map(|terms| terms[index].abs()).sum::<f64>();
-        let line = |begin: usize, tolerance: f64| {
+        let over = |tail: f64, size: f64| if tail == 0.0 { 0.0 } else { tail / size };
+        let line = |begin: usize| {
             let largest = (begin..begin + 3).map(size).fold(0.0, f64::max);
-            (begin..begin + 3).all(|index| tail(index) <= tolerance * largest)
+            let of_node = |node: &Vec<f64>| (begin..begin + 3).map(|index| node[index].abs()).fold(0.0, f64::max);
+            let largest = largest.min(values.iter().map(of_node).fold(f64::INFINITY, f64::min) / LOCAL);
+            (begin..begin + 3).map(|index| over(tail(index), largest)).fold(0.0, worse)
         };
         let forms = 3 * (self.lines + 1);
         let first =
@@ -117,33 +133,34 @@ impl Table {
             const SQUARES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
             // What a form must be for the contact without amplitudes to do the works of the adhesion: less is lost beside them.
             let squares = [size(begin), size(begin + 1), size(begin + 2).max(of_works)];
-            SQUARES.iter().enumerate().all(|(index, [row, column])| {
-                let product = (squares[*row] * squares[*column]).sqrt();
-                tail(begin + index) <= TOLERANCE * product.max(size(begin + index))
-            })
+            let entries = SQUARES.iter().enumerate().map(|(index, [row, column])| {
+                let of_node = |node: &Vec<f64>| {
+                    let square = |index: usize| node[begin + index].abs().max(if index == 2 { of_works } else { 0.0 });
+                    (square(*row) * square(*column)).sqrt().max(node[begin + index].abs())
+                };
+                let least = values.iter().map(of_node).fold(f64::INFINITY, f64::min);
+                over(tail(begin + index), (squares[*row] * squares[*column]).sqrt().max(size(begin + index)).min(least / LOCAL))
+            });
+            entries.fold(0.0, worse)
         };
-        line(0, TOLERANCE)
-            && line(3, TOLERANCE)
-            && (2..self.lines).all(|index| line(3 * index, SIGN_TOLERANCE))
-            && line(3 * self.lines, TOLERANCE)
-            && (!self.with_works || (form(forms) && form(forms + 6)))
+        let moved = (2..self.lines).map(|index| line(3 * index) * (TOLERANCE / SIGN_TOLERANCE)).fold(0.0, worse);
+        let works = if self.with_works { worse(form(forms), form(forms + 6)) } else { 0.0 };
+        [line(0), line(3), line(3 * self.lines), moved, works].into_iter().fold(0.0, worse)
     }
 
     /// The conditions at a place; none outside of the range.
     pub(super) fn at(&self, place: f64) -> Option<Conditions> {
         let panel = self.panels.iter().find(|panel| (place - panel.middle).abs() <= panel.half * (1.0 + 1e-12))?;
         let twice = 2.0 * (place - panel.middle) / panel.half;
-        let count = panel.series.first().map_or(0, Vec::len);
-        // Clenshaw's recurrence, all numbers at once.
-        let (mut one, mut two) = (vec![0.0; count], vec![0.0; count]);
-        for terms in panel.series.iter().skip(1).rev() {
-            for ((one, two), term) in one.iter_mut().zip(&mut two).zip(terms) {
-                let next = term + twice * *one - *two;
-                (*two, *one) = (*one, next);
+        let mut values = vec![0.0; panel.series.first().map_or(0, Vec::len)];
+        // T_k and T_(k+1).
+        let (mut now, mut next) = (1.0, 0.5 * twice);
+        for terms in &panel.series {
+            for (value, term) in values.iter_mut().zip(terms) {
+                *value += now * term;
             }
+            (now, next) = (next, twice * next - now);
         }
-        let first = panel.series.first()?;
-        let values: Vec<f64> = first.iter().zip(&one).zip(&two).map(|((term, one), two)| term + 0.5 * twice * one - two).collect();
         Some(self.restored(&values, place))
     }
 
@@ -191,16 +208,21 @@ fn flattened(indenter: Indenter, conditions: &Conditions, place: f64) -> Vec<f64
     values
 }
 
+/// The larger one; what is not a number is larger than any.
+const fn worse(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other.is_nan() { f64::INFINITY } else { one.max(other) }
+}
+
 /// The Chebyshev coefficients of values at cos(πj/n).
 fn series(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let degree = values.len() - 1;
-    let cosine = |turns: usize| (PI * (turns % (2 * degree)) as f64 / degree as f64).cos();
+    let cosines: Vec<f64> = (0..2 * degree).map(|turns| (PI * turns as f64 / degree as f64).cos()).collect();
     let ends = |index: usize| if index == 0 || index == degree { 0.5 } else { 1.0 };
     (0..=degree)
         .map(|order| {
             let mut terms = vec![0.0; values.first().map_or(0, Vec::len)];
             for (node, here) in values.iter().enumerate() {
-                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosine(order * node);
+                let weight = 2.0 / degree as f64 * ends(order) * ends(node) * cosines[order * node % (2 * degree)];
                 for (term, value) in terms.iter_mut().zip(here) {
                     *term += weight * value;
                 }

@@ -6,13 +6,9 @@ use super::existence::WhyNot;
 use super::forms::{Conditions, Line, direction, of_line};
 use super::point::Point;
 use super::table::Table;
-use super::works::{Square, Works, directions, even_and_odd};
 use crate::continuation::two_unknowns::{TwoResiduals, largest};
 use crate::refusal::Refusal;
-use crate::sliding::contact::{
-    ContactEdges, ContactMemory, ContactState, ContactSystem, Indenter, Prescribed, ProcessZone, Resolution, WaveContact, ZoneGap,
-    ZonePressure,
-};
+use crate::sliding::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, WaveContact};
 use crate::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -43,27 +39,22 @@ pub struct ContactAt {
 /// The contacts of one material, speed and adhesion.
 #[derive(Debug)]
 pub(in crate::sliding) struct ContactsOfWidth {
-    balance: EdgeBalance,
-    memory: Arc<ContactMemory>,
-    indenter: Indenter,
-    adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
-    resolution: Resolution,
+    pub(super) balance: EdgeBalance,
+    pub(super) memory: Arc<ContactMemory>,
+    pub(super) indenter: Indenter,
+    pub(super) adhesion: Option<(WaveAdhesion, Arc<(ProcessZone, ProcessZone)>)>,
     /// The conditions of a range of half-widths, if there are many to be looked at.
     table: Option<Table>,
     /// Half-widths whose conditions were formed: each as much as two evaluations of both conditions.
-    widths: Cell<u64>,
+    pub(super) widths: Cell<u64>,
 }
 
 impl ContactsOfWidth {
-    pub(in crate::sliding) fn new(
-        memory: Arc<ContactMemory>,
-        indenter: Indenter,
-        adhesion: Option<WaveAdhesion>,
-        resolution: Resolution,
-    ) -> Self {
-        let balance = EdgeBalance::new(Arc::clone(&memory), indenter, adhesion, SlidingControl::MeanPressure(0.0), resolution);
+    /// Of conditions, whatever their control.
+    pub(in crate::sliding) fn new(balance: EdgeBalance) -> Self {
+        let (memory, indenter) = (Arc::clone(balance.memory()), balance.indenter());
         let adhesion = balance.with_zones();
-        Self { balance, memory, indenter, adhesion, resolution, table: None, widths: Cell::new(0) }
+        Self { balance, memory, indenter, adhesion, table: None, widths: Cell::new(0) }
     }
 
     pub(super) const fn indenter(&self) -> Indenter {
@@ -245,81 +236,6 @@ impl ContactsOfWidth {
         }
     }
 
-    /// Both conditions of a half-width, from three contacts: upright, pressed and aside.
-    fn conditions(&self, edges: ContactEdges) -> Result<Conditions, Refusal> {
-        let half_width = edges.half_width;
-        self.widths.set(self.widths.get() + 1);
-        let (beta, work) = (self.memory.stiffening_ratio(), self.adhesion.as_ref().map_or(0.0, |(adhesion, _)| adhesion.larger_work()));
-        let slope = match self.indenter {
-            Indenter::Wave => 1.0 / (0.5 * edges.half_gap).tan(),
-            Indenter::Parabola => 0.5 * half_width,
-        };
-        let load = self.indenter.half_angle_scale(half_width) + (work * slope * beta.sqrt()).sqrt();
-        let (reach, aside) = match self.indenter {
-            Indenter::Wave => (1.0, 0.5 * PI),
-            Indenter::Parabola => {
-                let reach = half_width + 10.0 * load / half_width;
-                (reach, reach)
-            }
-        };
-        let system = |edges: ContactEdges| ContactSystem::new(&self.memory, self.indenter, edges, self.resolution);
-        let places = [(0.0, 0.0), (0.0, load), (aside, 0.0)];
-        let own = system(edges)?;
-        let states = all(places.map(|(eccentricity, pressure)| own.state(eccentricity, Prescribed::MeanPressure(pressure))))?;
-        // The coefficients of (c, s, p) from the values at the three places.
-        let line = |[upright, pressed, beside]: [f64; 3]| -> Line {
-            match self.indenter {
-                Indenter::Wave => [upright, beside, (pressed - upright) / load],
-                Indenter::Parabola => [upright, (beside - upright) / reach, (pressed - upright) / load],
-            }
-        };
-        let amplitudes_of = |states: &[ContactState; 3]| {
-            let values = states.each_ref().map(ContactState::edge_amplitudes);
-            [line(values.map(|(trailing, _)| trailing)), line(values.map(|(_, leading)| leading))]
-        };
-        let mut amplitudes = amplitudes_of(&states).to_vec();
-        let depth = (self.indenter == Indenter::Wave).then(|| line(states.each_ref().map(|state| -state.mean_separation())));
-        let Some((adhesion, zones)) = &self.adhesion else {
-            return Ok(Conditions { indenter: self.indenter, works: None, amplitudes, depth });
-        };
-        let targets = adhesion.targets();
-        let place = edges.place();
-        let lines = even_and_odd(self.indenter, place, &amplitudes[0], &amplitudes[1]);
-        let parts = self.parts(&directions(self.indenter, place, lines), load, reach);
-        let mut forms = [[0.0; 6]; 2];
-        // Equal zones widen the contact alike.
-        let trailing_system = system(edges.moved_out(-zones.0.length()))?;
-        let even = zones.0.length().to_bits() == zones.1.length().to_bits();
-        let leading_system = if even { None } else { Some(system(edges.moved_out(zones.1.length()))?) };
-        let systems = [&trailing_system, leading_system.as_ref().unwrap_or(&trailing_system)];
-        for (((form, target), (zone, outward)), moved_system) in
-            forms.iter_mut().zip(targets).zip([(&zones.0, -1.0), (&zones.1, 1.0)]).zip(systems)
-        {
-            // The eccentricity of a moved contact is that of its own middle.
-            let shift = 0.5 * outward * zone.length();
-            let moved = all(states.each_ref().map(|state| moved_system.state(state.contact().eccentricity + shift, state.held())))?;
-            amplitudes.extend(amplitudes_of(&moved));
-            let (tensions, gaps) = (zone.tensions(&moved), zone.gaps_outside(&states));
-            let (tensions, gaps) = (parts.map(|part| ZonePressure::sum(&tensions, part)), parts.map(|part| ZoneGap::sum(&gaps, part)));
-            let entry = |one: usize, other: usize| zone.work_on(&tensions[one], &gaps[other]).value / target;
-            let both = |one: usize, other: usize| entry(one, other) + entry(other, one);
-            *form = [entry(0, 0), entry(1, 1), entry(2, 2), both(0, 1), both(0, 2), both(1, 2)];
-            if form.iter().any(|value| value.is_nan()) {
-                return Err(Refusal::NotConverged { what: "the closure of a sliding edge", detail: "a work is not a number".into() });
-            }
-        }
-        let works = Some(Works::new(self.indenter, place, lines, forms));
-        Ok(Conditions { indenter: self.indenter, works, amplitudes, depth })
-    }
-
-    /// How much of the three contacts is in the contacts along given directions of (c, s, p).
-    fn parts(&self, directions: &Square, load: f64, reach: f64) -> Square {
-        directions.map(|[c, s, p]| match self.indenter {
-            Indenter::Wave => [c - p / load, p / load, s],
-            Indenter::Parabola => [c - p / load - s / reach, p / load, s / reach],
-        })
-    }
-
     /// The contact of a half-width that continues one of another.
     pub(super) fn nearest(&self, place: f64, eccentricity: f64) -> Option<Point> {
         let far = |point: &Point| apart(self.indenter, point.eccentricity, eccentricity);
@@ -339,9 +255,4 @@ pub(super) fn change(indenter: Indenter, from: f64, to: f64) -> f64 {
 /// The distance of two eccentricities.
 pub(super) fn apart(indenter: Indenter, first: f64, second: f64) -> f64 {
     change(indenter, first, second).abs()
-}
-
-fn all(states: [Result<ContactState, Refusal>; 3]) -> Result<[ContactState; 3], Refusal> {
-    let [first, second, third] = states;
-    Ok([first?, second?, third?])
 }

@@ -10,17 +10,18 @@
 //! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a contact that
 //! can exist and one that cannot.
 
+use super::full::full_contact;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
 use super::solution::{SlidingOutcome, SlidingWork};
-use super::solve::{ReachedBy, full_contact};
+use super::solve::ReachedBy;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchEnd, BranchPath, BranchProblem, FoldQuantity, Impossible, Turn, trace, turn_near};
 use crate::sliding::contact::Indenter;
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, Held, HeldQuantity, Stretch, StretchEnd, WhyNot};
+use crate::sliding::equilibrium::{Crossing, End, EquilibriumCurve, HeldQuantity, Place, Stretch, StretchEnd, WhyNot};
 
 /// Folds are located this well, or to the accuracy of the problem if that is less.
 const FOLD_ACCURACY: f64 = 1e-9;
@@ -74,7 +75,6 @@ pub(super) fn beyond(
     problem: &SlidingProblem<'_>,
     curve: &EquilibriumCurve,
     (quantity, value): (HeldQuantity, f64),
-    held: &Held,
     (refused, reached_by): (&[Crossing], ReachedBy),
     work: SlidingWork,
 ) -> Option<Result<SlidingOutcome, Refusal>> {
@@ -96,21 +96,27 @@ pub(super) fn beyond(
         let Some(stretch) = known.iter().find(|stretch| stretch.lowest.value <= value && value <= stretch.highest.value) else {
             continue;
         };
-        for (end, name) in [(stretch.highest, names.smallest_possible), (stretch.lowest, names.largest_possible)] {
-            if let Some((limit, why)) =
-                curve.last_possible(quantity, (end.place, end.eccentricity), (crossing.place, crossing.eccentricity))
-            {
-                let value = Estimate::new(told(quantity, limit), 1e-9);
-                return Some(pulls(&Limit { name, value, why: Some(why) }));
-            }
+        let here = (crossing.place, crossing.eccentricity);
+        let of = |&(_, place): &(f64, Place)| place;
+        let above = stretch.along.iter().filter(|(other, _)| *other > value).map(of);
+        let below = stretch.along.iter().rev().filter(|(other, _)| *other < value).map(of);
+        let limit = |(limit, why): (f64, WhyNot), name| Limit { name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
+        let found = curve.end_of_possible(quantity, std::iter::once(here).chain(above)).map(|found| limit(found, names.smallest_possible));
+        let found = found.or_else(|| {
+            curve.end_of_possible(quantity, std::iter::once(here).chain(below)).map(|found| limit(found, names.largest_possible))
+        });
+        if let Some(limit) = found {
+            return Some(pulls(&limit));
         }
     }
-    let limit_of = |end: &StretchEnd, other: Option<&StretchEnd>, upper: bool| -> Limit {
+    let limit_of = |end: &StretchEnd, stretch: Option<&Stretch>, upper: bool| -> Limit {
         let (turn_name, last_name) = if upper { (names.highest, names.largest_possible) } else { (names.lowest, names.smallest_possible) };
         let rough = Limit { name: turn_name, value: Estimate::new(told(quantity, end.value), 1e-6), why: None };
         // The faces may meet before the end.
-        let place = |end: &StretchEnd| (end.place, end.eccentricity);
-        if let Some((limit, why)) = other.and_then(|other| curve.end_of_possible(quantity, place(other), place(end))) {
+        let places = stretch.map(|stretch| stretch.along.iter().map(|&(_, place)| place));
+        let found = places
+            .and_then(|places| if upper { curve.end_of_possible(quantity, places.rev()) } else { curve.end_of_possible(quantity, places) });
+        if let Some((limit, why)) = found {
             return Limit { name: last_name, value: Estimate::new(told(quantity, limit), 1e-9), why: Some(why) };
         }
         match end.end {
@@ -140,31 +146,34 @@ pub(super) fn beyond(
     let lowest = stretches.iter().min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value));
     let (Some(highest), Some(lowest)) = (highest, lowest) else {
         // Nothing is stable: a wave that touches closes by itself.
-        let largest = held.largest.filter(|_| wave)?;
-        let limit = Limit {
-            name: "largest mean pressure of any partial contact at this speed, none of which is stable",
-            ..limit_of(&largest, None, true)
+        let largest = curve.largest(quantity).filter(|_| wave)?;
+        let name = "largest mean pressure of any partial contact at this speed, none of which is stable";
+        // A narrower contact pulls less: at the narrow end of the curve the loads go on to zero.
+        let limit = if curve.is_narrowest(&largest) && largest.value < 0.0 {
+            Limit { name, value: Estimate::exact(0.0), why: None }
+        } else {
+            Limit { name, ..limit_of(&largest, None, true) }
         };
         return (quantity == HeldQuantity::MeanPressure).then(|| full(&limit));
     };
     if value >= highest.highest.value {
-        let limit = limit_of(&highest.highest, Some(&highest.lowest), true);
+        let limit = limit_of(&highest.highest, Some(highest), true);
         return Some(if wave && limit.why.is_none() { full(&limit) } else { pulls(&limit) });
     }
     if value <= lowest.lowest.value {
-        return Some(pulls(&limit_of(&lowest.lowest, Some(&lowest.highest), false)));
+        return Some(pulls(&limit_of(&lowest.lowest, Some(lowest), false)));
     }
     // Between two stretches: what is raised past the lower one, or lowered past the upper one, finds no stable contact.
     let limit = match reached_by {
         ReachedBy::Loading => {
             let below = stretches.iter().filter(|stretch| stretch.highest.value <= value);
             let below = below.max_by(|first, second| first.highest.value.total_cmp(&second.highest.value))?;
-            limit_of(&below.highest, Some(&below.lowest), true)
+            limit_of(&below.highest, Some(below), true)
         }
         ReachedBy::Unloading => {
             let above = stretches.iter().filter(|stretch| stretch.lowest.value >= value);
             let above = above.min_by(|first, second| first.lowest.value.total_cmp(&second.lowest.value))?;
-            limit_of(&above.lowest, Some(&above.highest), false)
+            limit_of(&above.lowest, Some(above), false)
         }
     };
     let limit = Limit { name: if limit.why.is_some() { names.hole } else { limit.name }, ..limit };

@@ -2,7 +2,9 @@
 
 mod accuracy;
 mod faint;
+mod full;
 mod limits;
+mod nothing;
 mod prepared;
 mod problem;
 mod solution;
@@ -11,12 +13,13 @@ mod start;
 
 pub use super::contact::Indenter;
 pub use super::edge_balance::{SlidingControl, WaveAdhesion};
+pub use full::full_contact_friction;
 pub(super) use prepared::Prepared;
 pub use problem::SlidingProblem;
 pub(super) use problem::adhesion_at;
 pub use solution::{
     AdhesiveValues, ContactStability, FullContact, PartialContact, PartialValues, SlidingCertificate, SlidingOutcome, SlidingWork,
 };
-pub use solve::{ReachedBy, full_contact_friction, steady_sliding, steady_sliding_near, steady_sliding_reached_by};
+pub use solve::{ReachedBy, steady_sliding, steady_sliding_near, steady_sliding_reached_by};
 pub(super) use solve::{contact_on_the_curve, near_counted};
 pub use start::Start;

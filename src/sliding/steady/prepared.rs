@@ -74,7 +74,7 @@ impl Prepared {
 
     /// The contacts of any half-width.
     pub(super) fn contacts_of_width(&self) -> ContactsOfWidth {
-        ContactsOfWidth::new(Arc::clone(&self.memory), self.indenter, self.adhesion, CURVE)
+        ContactsOfWidth::new(self.balance(SlidingControl::MeanPressure(0.0), CURVE))
     }
 
     /// The equilibrium curve; of a cylinder around a half-width.
@@ -84,7 +84,7 @@ impl Prepared {
         {
             return Rc::clone(curve);
         }
-        let curve = Rc::new(EquilibriumCurve::new(Arc::clone(&self.memory), self.indenter, self.adhesion, size, CURVE));
+        let curve = Rc::new(EquilibriumCurve::new(self.balance(SlidingControl::MeanPressure(0.0), CURVE), size));
         *self.curve.borrow_mut() = Some((size, Rc::clone(&curve)));
         curve
     }

@@ -15,7 +15,7 @@ pub struct SlidingProblem<'a> {
     pub indenter: Indenter,
     /// Adhesion at that rate; none for the adhesiveless contact.
     pub adhesion: Option<WaveAdhesion>,
-    /// How the works of adhesion follow the rate kv (1/s), if they do: the contact is reached along a path in speed.
+    /// How the works of adhesion follow the rate kv (1/s), if they do.
     pub work_by_speed: Option<&'a WorkBySpeed>,
     /// What is prescribed.
     pub control: SlidingControl,

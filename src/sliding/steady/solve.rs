@@ -6,18 +6,19 @@
 
 use super::accuracy::solved;
 use super::faint::{may_be_faint, without_faint_adhesion};
-use super::limits::{beyond, beyond_a_width, beyond_a_zone, closing_pressure, size_of};
+use super::full::full_contact;
+use super::limits::{closing_pressure, size_of};
+use super::nothing::Nothing;
 use super::prepared::Prepared;
 use super::problem::SlidingProblem;
-use super::solution::{ContactStability, FullContact, PartialContact, SlidingOutcome, SlidingWork};
+use super::solution::{ContactStability, PartialContact, SlidingOutcome, SlidingWork};
 use super::start::Start;
-use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, Held, HeldQuantity};
+use crate::sliding::equilibrium::{Crossing, HeldQuantity};
 use std::f64::consts::PI;
 
 /// The resolution of second variations: signs are told to five digits.
@@ -83,14 +84,6 @@ enum Searched {
     Nothing(Nothing),
 }
 
-/// No contact: what is known of why.
-enum Nothing {
-    /// Of a load or penetration: what the curve has, and the stable contacts that cannot exist.
-    Held { held: (HeldQuantity, f64), found: Held, refused: Vec<Crossing>, reached_by: ReachedBy },
-    /// Of a half-width.
-    HalfWidth(f64),
-}
-
 /// The contact of a problem, without a word on why there is none: that would follow branches, which begin here.
 ///
 /// # Errors
@@ -142,7 +135,7 @@ fn searched(
     }
     let curve = prepared.curve(size_of(problem));
     let found = curve.held(held.0, held.1);
-    let mut candidates: Vec<Crossing> = found.crossings.iter().copied().filter(|crossing| crossing.stable).collect();
+    let mut candidates: Vec<Crossing> = found.iter().copied().filter(|crossing| crossing.stable).collect();
     if reached_by == ReachedBy::Unloading {
         candidates.reverse();
     }
@@ -170,55 +163,6 @@ fn searched(
         (Some(contact), _) => Ok(Searched::Outcome(SlidingOutcome::Partial(Box::new(PartialContact { work: *work, ..contact })))),
         (None, Some(refusal)) => Err(refusal),
         (None, None) => Ok(Searched::Nothing(Nothing::Held { held, found, refused, reached_by })),
-    }
-}
-
-impl Nothing {
-    /// Full contact, or the limit that was passed.
-    fn explained(
-        self,
-        material: &Material,
-        problem: &SlidingProblem<'_>,
-        prepared: &Prepared,
-        work: &mut SlidingWork,
-    ) -> Result<SlidingOutcome, Refusal> {
-        let size = size_of(problem);
-        let curve = prepared.curve(size);
-        let unstable = match &self {
-            Self::Held { held, found, refused, reached_by } => {
-                if let Some(outcome) = beyond(material, problem, &curve, *held, found, (refused, *reached_by), *work) {
-                    return outcome;
-                }
-                found.crossings.len()
-            }
-            Self::HalfWidth(half_width) => {
-                if let Some(refusal) = beyond_a_width(&curve, *half_width) {
-                    return Err(refusal);
-                }
-                0
-            }
-        };
-        if let Some(refusal) = beyond_a_zone(material, problem, size) {
-            return Err(refusal);
-        }
-        if let (0, SlidingControl::MeanPressure(_), Indenter::Wave) = (unstable, problem.control, problem.indenter) {
-            // Not even short zones leave a contact: adhesion closes the gap of itself.
-            return full_contact(
-                material,
-                problem,
-                "half-widths looked at without a partial contact at this speed",
-                curve.rows() as f64,
-                *work,
-            );
-        }
-        let (reason, limit_name, limit) = if unstable > 0 {
-            ("every contact of what is held is unstable".into(), "unstable contacts", unstable as f64)
-        } else {
-            let widths = curve.rows();
-            let reason = format!("no steady partial contact exists at this speed: none at any of {widths} half-widths, whatever the load");
-            (reason, "half-widths looked at", widths as f64)
-        };
-        Err(Refusal::NoSuchState { reason, limit_name, limit })
     }
 }
 
@@ -307,40 +251,4 @@ pub(in crate::sliding) fn near_counted(
 ) -> Result<PartialContact, Refusal> {
     problem.checked()?;
     solved(prepared, problem, start, work)
-}
-
-pub(super) fn full_contact(
-    material: &Material,
-    problem: &SlidingProblem<'_>,
-    limit_name: &'static str,
-    limit: f64,
-    work: SlidingWork,
-) -> Result<SlidingOutcome, Refusal> {
-    let mean_pressure = match problem.control {
-        SlidingControl::MeanPressure(pressure) => Some(pressure),
-        _ => None,
-    };
-    let friction_stress = full_contact_friction(material, problem.rate)?;
-    Ok(SlidingOutcome::Full(FullContact {
-        mean_pressure,
-        friction_stress,
-        friction_coefficient: mean_pressure.filter(|&pressure| pressure > 0.0).map(|pressure| friction_stress.scaled(1.0 / pressure)),
-        limit_name,
-        limit,
-        work,
-    }))
-}
-
-/// The friction stress of full contact, ½ Im E(kv)/E0, in E0*k²Λ²/2: half the loss of the first harmonic, whatever the adhesion.
-///
-/// # Errors
-/// [`Refusal::OutOfRange`] for a negative rate; [`Refusal::Undefined`] for a viscous material.
-pub fn full_contact_friction(material: &Material, rate: f64) -> Result<Estimate, Refusal> {
-    let relaxed = material.solid_modulus("the friction of a full contact in units of E0")?;
-    if rate == 0.0 {
-        return Ok(Estimate::exact(0.0));
-    }
-    // A sum of positive terms, each good to a few ulp.
-    let terms = material.relaxation_terms().len() as f64;
-    Ok(Estimate::relative(0.5 * material.complex_modulus(rate)?.loss / relaxed, (4.0 + terms) * f64::EPSILON))
 }

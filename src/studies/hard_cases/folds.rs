@@ -1,18 +1,19 @@
 //! Sliding contacts on, just before and just after folds; wrong roots; scenes with more than one contact.
 //!
-//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`crate::sliding::branch`]), which the solver of single
-//! contacts does not use. All of these are found before the case runs.
+//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`crate::sliding::branch`]), or are the largest load of contacts of
+//! given half-widths. All of these are found before the case runs.
 
 use super::case::{Expected, Found, HardCase, near};
 use super::sliding::solved;
 use crate::elastic::johnson_wave::WaveBranch;
 use crate::elastic::{Control, JohnsonWave, WestergaardWave};
+use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::refusal::Refusal;
 use crate::sliding::branch::{BranchProblem, BranchStart, SpeedFolds, contacts_of_width, speed_folds, strength, trace};
 use crate::sliding::contact::{ContactMemory, Indenter, Resolution};
 use crate::sliding::edge_balance::EdgeBalance;
-use crate::sliding::steady::{SlidingControl, SlidingProblem, Start, WaveAdhesion, steady_sliding_near};
+use crate::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -52,13 +53,13 @@ fn elastic() -> Vec<HardCase> {
             let pressure = limit + inside * part * limit.abs();
             let state = johnson.state_by_mean_pressure(0.5 * pressure, WaveBranch::Stable);
             let expected = match (&state, name) {
-                // Near a fold a goes with the root of the distance; the zone moves the fold by its own length.
+                // Near a fold a goes with the root of the distance. The zone moves the fold by a part of its own length: two lengths tell the fold without it.
                 (Ok(state), _) => vec![
                     Expected::Is("partial contact"),
                     Expected::Value { quantity: "a", value: state.contact_half_width, tolerance: 2e-3 * state.contact_half_width },
                 ],
-                (Err(_), "snap-in") => vec![Expected::Is("full contact"), near("limit", limit, zone)],
-                (Err(_), _) => vec![Expected::NoSuchState { limit, tolerance: zone }],
+                (Err(_), "snap-in") => vec![Expected::Is("full contact"), near("limit", limit, 1e-9)],
+                (Err(_), _) => vec![Expected::NoSuchState { limit, tolerance: 1e-9 }],
             };
             let place = if part > 0.0 { "before" } else { "after" };
             cases.push(HardCase::new(
@@ -67,7 +68,11 @@ fn elastic() -> Vec<HardCase> {
                 "two contacts meet there: Newton's method slows down, and a wrong step finds the other one",
                 "Johnson's wave: the larger contact until the fold; then none, or full contact, with the fold as the limit",
                 expected,
-                move || solved(&solid(1.0)?, &wave(0.0, WaveAdhesion::even(work, zone), SlidingControl::MeanPressure(pressure))),
+                move || {
+                    let of_zone =
+                        |zone| solved(&solid(1.0)?, &wave(0.0, WaveAdhesion::even(work, zone), SlidingControl::MeanPressure(pressure)));
+                    without_zone(of_zone(zone), of_zone(0.5 * zone))
+                },
             ));
         }
         let a = fold.contact_half_width;
@@ -96,6 +101,25 @@ fn elastic() -> Vec<HardCase> {
     cases
 }
 
+/// What was found of a zone, with the limit that is left without it, from that of half the zone.
+fn without_zone(whole: Result<Found, Refusal>, half: Result<Found, Refusal>) -> Result<Found, Refusal> {
+    match (whole, half) {
+        (Err(Refusal::NoSuchState { reason, limit_name, limit }), Err(Refusal::NoSuchState { limit: other, .. })) => {
+            Err(Refusal::NoSuchState { reason, limit_name, limit: 2.0 * other - limit })
+        }
+        (Ok(mut found), Ok(other)) => {
+            let of = |found: &Found| found.values.iter().find(|(quantity, _)| *quantity == "limit").map(|(_, value)| *value);
+            if let Some((limit, other)) = of(&found).zip(of(&other)) {
+                let value = Estimate::new(2.0 * other.value - limit.value, 2.0 * other.error + limit.error);
+                found.values.retain(|(quantity, _)| *quantity != "limit");
+                found = found.with("limit", value);
+            }
+            Ok(found)
+        }
+        (whole, _) => whole,
+    }
+}
+
 /// Pull-off and snap-in of a sliding contact with memory.
 fn viscoelastic(beta: f64, rate: f64, adhesion: WaveAdhesion) -> Vec<HardCase> {
     let found = solid(beta).and_then(|material| strength(&material, &BranchProblem::loads(rate, adhesion, 1e-9)));
@@ -109,7 +133,7 @@ fn viscoelastic(beta: f64, rate: f64, adhesion: WaveAdhesion) -> Vec<HardCase> {
         HardCase::new(
             PROBLEM,
             name,
-            "the solver of single contacts follows a path in speed, which knows nothing of this fold",
+            "two contacts of the load meet there: a thousandth before it both are near each other, a thousandth after it there is none",
             "the fold equations of the branch of loads",
             expected,
             move || solved(&solid(beta)?, &wave(rate, adhesion, SlidingControl::MeanPressure(pressure))),
@@ -139,27 +163,23 @@ fn in_speed() -> Vec<HardCase> {
         Ok(SpeedFolds { no_contact: Some(gap), .. }) => (gap.lower.parameter().value, gap.upper.parameter().value),
         _ => (f64::NAN, f64::NAN),
     };
-    // The largest load at a speed, by the branch of loads.
-    let snap_in = |rate: f64| {
-        let branch = solid(beta).and_then(|material| trace(&material, &BranchProblem::loads(rate, adhesion, 1e-8)));
-        branch.ok().and_then(|branch| branch.snap_in().map(|fold| fold.value.value)).unwrap_or(f64::NAN)
-    };
+    let snap_in = |rate: f64| largest_load(beta, rate, adhesion);
     let case = |name: &'static str, rate: f64, expected: Vec<Expected>| {
         HardCase::new(
             PROBLEM,
             name,
-            "a path in speed that steps over a fold finds a contact of another branch",
+            "between both speeds the load has no contact, and contacts of other loads and of the neighbouring speeds are near",
             "both folds by arclength, and a scan of every contact between them",
             expected,
             move || solved(&solid(beta)?, &wave(rate, adhesion, control)),
         )
     };
     vec![
-        case("β = 100, a hundredth before the fold of the slow contact", 0.99 * lower, vec![Expected::Is("partial contact")]),
+        case("β = 100, 0.5 % before the fold of the slow contact", 0.995 * lower, vec![Expected::Is("partial contact")]),
         case(
-            "β = 100, a hundredth after the fold of the slow contact",
-            1.01 * lower,
-            vec![Expected::Is("full contact"), near("limit", snap_in(1.01 * lower), 1e-6)],
+            "β = 100, 0.5 % after the fold of the slow contact",
+            1.005 * lower,
+            vec![Expected::Is("full contact"), near("limit", snap_in(1.005 * lower), 1e-6)],
         ),
         case(
             "β = 100, midway between both folds",
@@ -169,6 +189,36 @@ fn in_speed() -> Vec<HardCase> {
         case("β = 100, a hundredth before the fold of the fast contact", 0.99 * upper, vec![Expected::Is("full contact")]),
         case("β = 100, a hundredth after the fold of the fast contact", 1.01 * upper, vec![Expected::Is("partial contact")]),
     ]
+}
+
+/// The largest load of contacts about as wide as that of snap-in, each found at its half-width: the golden section; no fold equations.
+fn largest_load(beta: f64, rate: f64, adhesion: WaveAdhesion) -> f64 {
+    let Ok(material) = solid(beta) else { return f64::NAN };
+    let branch = trace(&material, &BranchProblem::loads(rate, adhesion, 1e-8));
+    let Some(about) = branch.ok().and_then(|branch| branch.snap_in().map(|fold| fold.contact.half_width.value)) else { return f64::NAN };
+    let load = |half_width: f64| {
+        let problem = SlidingProblem { accuracy: 1e-9, ..wave(rate, adhesion, SlidingControl::HalfWidth(half_width)) };
+        match steady_sliding(&material, &problem) {
+            Ok(SlidingOutcome::Partial(found)) => found.values.mean_pressure.value,
+            _ => f64::NAN,
+        }
+    };
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let (mut low, mut high) = (about - 0.1 * (PI - about), about + 0.1 * (PI - about));
+    let (mut one, mut other) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut at_one, mut at_other) = (load(one), load(other));
+    for _ in 0..24 {
+        if at_one > at_other {
+            (high, other, at_other) = (other, one, at_one);
+            one = high - GOLDEN * (high - low);
+            at_one = load(one);
+        } else {
+            (low, one, at_one) = (one, other, at_other);
+            other = low + GOLDEN * (high - low);
+            at_other = load(other);
+        }
+    }
+    at_one.max(at_other)
 }
 
 /// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds before.
