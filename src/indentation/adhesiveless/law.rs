@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 const MOST_ITERATIONS: u32 = 200;
 /// An excess over what is imposed that tells the way of the edge.
 const CLEAR: f64 = 1e-13;
-/// Steps that no longer halve are rounding, if they are so small over the level, or so many times what is remembered.
+/// Steps that no longer halve are rounding, if they are so small over the level, or what the series of the line leave, or so many times what is remembered.
 const STALLED: f64 = 1e-12;
 const MANY: f64 = 16.0;
 /// What rounding leaves of a level.
@@ -200,6 +200,7 @@ impl<'l, 'a> Law<'l, 'a> {
         reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
     ) -> Result<Option<(Row, Row)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
+        let stalled = self.line.tolerance.max(STALLED);
         let mut last = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             let along = self.undone(&level);
@@ -226,7 +227,7 @@ impl<'l, 'a> Law<'l, 'a> {
                 *level -= step;
             }
             let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
-            if size <= ROUNDING * whole || (size <= (STALLED * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
+            if size <= ROUNDING * whole || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
                 return Ok(Some((level, places)));
             }
             last = size;
