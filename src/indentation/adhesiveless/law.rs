@@ -43,6 +43,8 @@ pub(super) struct Met {
     pub(super) way: Way,
     pub(super) depths: Row,
     pub(super) places: Row,
+    /// Whether the edge rests, to rounding.
+    pub(super) rests: bool,
     /// What rounding leaves of Δ: a small contact carries little of what the whole surface remembers.
     pub(super) noise: f64,
 }
@@ -121,7 +123,7 @@ impl<'l, 'a> Law<'l, 'a> {
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
             let Some(excess) = clear.filter(|_| !punch) else {
                 if !punch {
-                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], noise: 0.0 }));
+                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], rests: true, noise: 0.0 }));
                 }
                 return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
             };
@@ -142,8 +144,8 @@ impl<'l, 'a> Law<'l, 'a> {
             let all = a >= rim && (line.profile.is_flat() || level >= inside[k].last().unwrap_or(0.0));
             if all { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
         };
-        let (kappa, places) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
-        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, noise: 0.0 })
+        let (kappa, places, noise) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
+        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
     fn outwards(&self, outside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
@@ -184,13 +186,16 @@ impl<'l, 'a> Law<'l, 'a> {
             };
         }
         let met = self.newton((of_force, of_depth), &right, from, remembered, reached)?;
-        if let Some(depth) = met.as_ref().and_then(|(depths, _)| depths.iter().find(|depth| **depth > top)) {
+        if let Some(depth) = met.as_ref().and_then(|(depths, ..)| depths.iter().find(|depth| **depth > top)) {
             line.virgin_edge(*depth, a)?;
         }
-        Ok(met.map(|(depths, places)| Met { way: Way::Outwards, depths, places, noise: remembered / places[0].max(f64::MIN_POSITIVE) }))
+        Ok(met.map(|(depths, places, noise)| {
+            let noise = noise.max(remembered / places[0].max(f64::MIN_POSITIVE));
+            Met { way: Way::Outwards, depths, places, rests: false, noise }
+        }))
     }
 
-    /// Newton's steps from above.
+    /// Newton's steps from above: levels, places, and the size of steps that no longer halve.
     fn newton(
         &self,
         (of_force, of_depth): (f64, f64),
@@ -198,9 +203,9 @@ impl<'l, 'a> Law<'l, 'a> {
         mut level: Row,
         remembered: f64,
         reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
-    ) -> Result<Option<(Row, Row)>, Refusal> {
+    ) -> Result<Option<(Row, Row, f64)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
-        let stalled = self.line.tolerance.max(STALLED);
+        let stalled = (MANY * self.line.tolerance).max(STALLED);
         let mut last = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             let along = self.undone(&level);
@@ -228,7 +233,7 @@ impl<'l, 'a> Law<'l, 'a> {
             }
             let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
             if size <= ROUNDING * whole || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
-                return Ok(Some((level, places)));
+                return Ok(Some((level, places, if size <= ROUNDING * whole { 0.0 } else { size })));
             }
             last = size;
         }
@@ -260,6 +265,7 @@ impl<'l, 'a> Law<'l, 'a> {
             way: if rising { Way::Outwards } else { Way::Inwards },
             depths: if rising { level } else { self.depths_of(&level) },
             places: own,
+            rests: false,
             noise: 0.0,
         })
     }

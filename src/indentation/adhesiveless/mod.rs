@@ -28,6 +28,7 @@ mod fresh;
 mod grid;
 mod imposed;
 mod law;
+mod ledger;
 mod line;
 mod linear;
 mod motions;
@@ -39,4 +40,5 @@ mod solve;
 mod state;
 mod times;
 
+pub(super) use ledger::Sums;
 pub(super) use solve::{course, solve, surface_at};
