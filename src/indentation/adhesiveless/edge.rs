@@ -2,9 +2,10 @@
 //!
 //! Each chain knows when the edge passes it: in contact when its own S falls through zero, free when it rises through zero. No chain waits for another one.
 
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::grid::{GRID, NODES};
 use super::line::Line;
+use super::moment::Moment;
 use super::times::{leaving, touching};
 use crate::refusal::Refusal;
 

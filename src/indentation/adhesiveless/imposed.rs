@@ -40,7 +40,7 @@ const LOOKS: u32 = 64;
 
 impl Course<'_> {
     /// What is imposed, and in which unit.
-    fn asked(&self, controlled: Controlled) -> (Asked, f64) {
+    pub(super) fn asked(&self, controlled: Controlled) -> (Asked, f64) {
         let twice = 2.0 * self.chain.glassy;
         match controlled {
             Controlled::Force => (Asked::Load { of_force: 1.0, of_depth: 0.0 }, twice.recip()),
@@ -115,7 +115,8 @@ impl Course<'_> {
         if most - length < 0.2 * length && !matches!(asked, Asked::Radius) {
             length = most;
         }
-        let (mut last, mut worse, mut shortened) = (f64::INFINITY, 0, false);
+        let (mut best, mut worse, mut shortened) = (f64::INFINITY, 0, false);
+        let first = length;
         loop {
             let target: Row = places().map(|part| unit * given.value(at + part * length));
             let law = Law::new(&self.line, &self.fresh, length);
@@ -138,9 +139,9 @@ impl Course<'_> {
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
             let (own, allowed) = (allowed, allowed.max(met.noise));
             if left > allowed {
-                worse = if left > NO_BETTER * last { worse + 1 } else { 0 };
+                worse = if left > NO_BETTER * best { worse + 1 } else { 0 };
                 let rounding = left < MOST_NOISE * allowed && worse >= TWICE;
-                (last, shortened) = (left, true);
+                (best, shortened) = (left.min(best), true);
                 if length > least && !rounding {
                     let passed = law.passes(&met).filter(|part| *part > SLOWEST && *part < 0.95);
                     length *= passed.unwrap_or_else(|| factor.clamp(SLOWEST, 0.7));
@@ -174,6 +175,8 @@ impl Course<'_> {
                 let part = drive.until(passed);
                 self.add_up(&Gone { before, drive: part, way, edge, since: self.time, force })?;
             }
+            // What rounding leaves is no less of a shorter panel.
+            let (length, shortened) = if left > allowed { (first, false) } else { (length, shortened) };
             self.panel_length = (length * factor.clamp(if shortened { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
             match ended {
@@ -240,72 +243,6 @@ impl Course<'_> {
         self.time += to - from;
         self.panel_length = 0.0;
         Ok(())
-    }
-
-    /// The contact is lost with its force.
-    fn let_go(&mut self) -> Result<(), Refusal> {
-        let depth = self.line.penetration - self.line.pressing_at(0.0);
-        self.line.leap(depth, None)?;
-        self.line.release_all();
-        Ok(())
-    }
-
-    /// Meets an imposed value at once.
-    pub(super) fn settle(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
-        let (asked, unit) = self.asked(controlled);
-        let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
-        let open = self.line.radius() == 0.0;
-        let depth = if controlled == Controlled::Penetration
-            || (open && controlled == Controlled::Frame && value <= self.line.surface_after(0.0))
-        {
-            value
-        } else if pulls && value <= 0.0 {
-            return if open { Ok(()) } else { self.let_go() };
-        } else if open && self.line.profile.is_flat() {
-            // All of a punch is touched at once: from where it touches.
-            self.line.went_to(self.line.surface_after(0.0));
-            self.line.touch_rim();
-            return self.settle(controlled, value);
-        } else {
-            let law = Law::new(&self.line, &self.fresh, 0.0);
-            self.evaluations += 1;
-            let met = law.met(asked, &[unit * value; DEGREE])?;
-            met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
-        };
-        self.line.leap(depth, (controlled == Controlled::ContactRadius).then_some(value))?;
-        if controlled == Controlled::Frame && self.line.radius() == 0.0 {
-            // Nothing carries any more: the frame takes the indenter along.
-            self.line.went_to(value);
-        }
-        Ok(())
-    }
-
-    /// A contact that has been held at a value until it has relaxed.
-    pub(super) fn relaxed(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
-        let modulus = self.chain.relaxed;
-        if modulus == 0.0 && value > 0.0 {
-            return Err(Refusal::Undefined {
-                quantity: "the relaxed contact",
-                reason: "the material has no relaxed modulus: it flows for ever; start untouched and hold".into(),
-            });
-        }
-        let depth = match controlled {
-            Controlled::Penetration => value,
-            Controlled::ContactRadius => self.line.profile.line(value),
-            Controlled::Force => self.fresh.depth(0.5 * value / modulus)?,
-            Controlled::Frame => {
-                // Δ + 2E0*Φ/k_f = value: the load rises with Δ.
-                let stiffness = self.problem.frame_stiffness.unwrap_or(f64::INFINITY);
-                let (mut low, mut high) = (value.min(0.0), value);
-                for _ in 0..200 {
-                    let middle = 0.5 * (low + high);
-                    let deeper = self.fresh.depth(0.5 * stiffness * (value - middle) / modulus).map_or(true, |depth| depth > middle);
-                    if deeper { low = middle } else { high = middle }
-                }
-                if value > 0.0 { 0.5 * (low + high) } else { value }
-            }
-        };
-        self.line.rested(depth)
     }
 }
 

@@ -9,7 +9,7 @@
 //!
 //! where c_F F/2E∞* + c_Δ Δ is imposed: convex in y, so that Newton's steps from above go straight down. A duration of zero makes ℛ one: a step.
 
-use super::drive::{DEGREE, Drive, means};
+use super::drive::{DEGREE, means};
 use super::edge::Way;
 use super::fresh::Fresh;
 use super::line::Line;
@@ -24,6 +24,9 @@ const CLEAR: f64 = 1e-13;
 /// Steps that no longer halve are rounding, if they are so small over the level, or what the series of the line leave, or so many times what is remembered.
 const STALLED: f64 = 1e-12;
 const MANY: f64 = 16.0;
+/// After so many that do not halve, so small ones are what kinks of the line leave.
+const STUCK: u32 = 40;
+const AT_MOST: f64 = 1e-7;
 /// What rounding leaves of a level.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -55,12 +58,12 @@ pub(super) fn places() -> Row {
 }
 
 pub(super) struct Law<'l, 'a> {
-    line: &'l Line<'a>,
-    fresh: &'l Fresh<'a>,
+    pub(super) line: &'l Line<'a>,
+    pub(super) fresh: &'l Fresh<'a>,
     soft: f64,
     inverse: Square,
-    kept: [Vec<f64>; DEGREE],
-    recovered: [Vec<f64>; DEGREE],
+    pub(super) kept: [Vec<f64>; DEGREE],
+    pub(super) recovered: [Vec<f64>; DEGREE],
 }
 
 impl<'l, 'a> Law<'l, 'a> {
@@ -97,7 +100,7 @@ impl<'l, 'a> Law<'l, 'a> {
         self.inverse.map(|row| row.iter().zip(values).map(|(entry, value)| entry * value).sum())
     }
 
-    fn depths_of(&self, kappa: &Row) -> Row {
+    pub(super) fn depths_of(&self, kappa: &Row) -> Row {
         let start = self.line.penetration;
         self.undone(&kappa.map(|kappa| kappa - self.soft * start)).map(|rise| start + rise)
     }
@@ -206,7 +209,7 @@ impl<'l, 'a> Law<'l, 'a> {
     ) -> Result<Option<(Row, Row, f64)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
         let stalled = (MANY * self.line.tolerance).max(STALLED);
-        let mut last = f64::INFINITY;
+        let (mut last, mut stuck) = (f64::INFINITY, 0);
         for _ in 0..MOST_ITERATIONS {
             let along = self.undone(&level);
             let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
@@ -232,62 +235,15 @@ impl<'l, 'a> Law<'l, 'a> {
                 *level -= step;
             }
             let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
-            if size <= ROUNDING * whole || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
+            if size <= ROUNDING * whole
+                || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last)
+                || (stuck > STUCK && size <= AT_MOST * whole)
+            {
                 return Ok(Some((level, places, if size <= ROUNDING * whole { 0.0 } else { size })));
             }
+            stuck += u32::from(size >= 0.5 * last);
             last = size;
         }
         Ok(None)
-    }
-
-    fn met_radius(&self, inside: &[Rising], outside: &[Rising], radii: &Row) -> Result<Met, Refusal> {
-        let line = self.line;
-        let a = line.radius();
-        let rising = radii[DEGREE - 1] > a || a == 0.0;
-        let own = radii.map(|radius| radius.max(0.0));
-        let mut level = [0.0; DEGREE];
-        for (k, level) in level.iter_mut().enumerate() {
-            *level = if rising {
-                let [limit, _] = line.known();
-                if own[k] > limit {
-                    return Err(Refusal::NoSuchState {
-                        reason: "the contact radius lies beyond the last point of the table".into(),
-                        limit_name: "the radius of its last point",
-                        limit,
-                    });
-                }
-                outside[k].value(own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
-            } else {
-                inside[k].value(own[k].min(a)).unwrap_or(0.0)
-            };
-        }
-        Ok(Met {
-            way: if rising { Way::Outwards } else { Way::Inwards },
-            depths: if rising { level } else { self.depths_of(&level) },
-            places: own,
-            rests: false,
-            noise: 0.0,
-        })
-    }
-
-    /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
-    pub(super) fn passes(&self, met: &Met) -> Option<f64> {
-        let a = self.line.radius();
-        let end = met.places[DEGREE - 1];
-        let (inside, outside) = (self.line.holding(&self.kept[0]), self.line.surfaces(&self.recovered[0]));
-        let knots = self.fresh.knots(a, end);
-        let first = inside
-            .borders(a, end)
-            .chain(outside.borders(a, end))
-            .chain(knots)
-            .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
-        let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
-        let way = Drive::through(a, 1.0, &points);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (way.value(middle) - first) * (end - a) < 0.0 { low = middle } else { high = middle }
-        }
-        Some(high)
     }
 }

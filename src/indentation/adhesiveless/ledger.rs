@@ -1,10 +1,11 @@
 //! What is added up along a drive: the work done, the power lost, and the moments and extremes of a cycle, by series in the time that are halved until they end.
 
 use super::course::Course;
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
 use super::line::{Line, place_of};
+use super::moment::Moment;
 use super::passing::Edge;
 use crate::refusal::Refusal;
 

@@ -11,8 +11,8 @@
 //! zero of S, and nothing but S ≥ 0 decides what is in contact.
 
 use super::chain::Chain;
-use super::drive::Moment;
 use super::grid::{GRID, NODES, Nodal, dot};
+use super::moment::Moment;
 use crate::indentation::profile::Profile;
 use crate::refusal::Refusal;
 

@@ -1,9 +1,10 @@
 //! What the edge does to the chains that it passes: each at its own time.
 
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
 use super::line::{Line, NARROWEST, Stretch};
+use super::moment::Moment;
 use super::times::{leaving, touching};
 use crate::refusal::Refusal;
 
