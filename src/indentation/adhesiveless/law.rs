@@ -210,6 +210,8 @@ impl<'l, 'a> Law<'l, 'a> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
         let stalled = (MANY * self.line.tolerance).max(STALLED);
         let (mut last, mut stuck) = (f64::INFINITY, 0);
+        // Levels that are not too low.
+        let mut above = level;
         for _ in 0..MOST_ITERATIONS {
             let along = self.undone(&level);
             let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
@@ -217,9 +219,21 @@ impl<'l, 'a> Law<'l, 'a> {
                 let there = reached(k, level[k])?;
                 excess[k] = of_force * there.area + of_depth * along[k] - right[k];
                 places[k] = there.place;
+                if excess[k] > 0.0 {
+                    above[k] = level[k];
+                }
             }
             let step = if of_depth == 0.0 {
-                std::array::from_fn(|k| if excess[k] == 0.0 { 0.0 } else { excess[k] / (of_force * places[k]) })
+                std::array::from_fn(|k| {
+                    if excess[k] == 0.0 {
+                        0.0
+                    } else if places[k] > 0.0 {
+                        excess[k] / (of_force * places[k])
+                    } else {
+                        // Kinks of the line have led below all that is in contact.
+                        -0.5 * (above[k] - level[k])
+                    }
+                })
             } else {
                 let jacobian: Square = std::array::from_fn(|k| {
                     std::array::from_fn(|l| of_depth * self.inverse[k][l] + if k == l { of_force * places[k] } else { 0.0 })

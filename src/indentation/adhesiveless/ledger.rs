@@ -13,11 +13,11 @@ use crate::refusal::Refusal;
 const MOST_HALVINGS: u32 = 60;
 /// Rounding of a value, and what a series of the line leaves of F, over what it leaves of S.
 const ROUNDING: f64 = 1e-14;
-const OF_LINE: f64 = 10.0;
+const OF_LINE: f64 = 50.0;
 /// How much coarser the power lost may be, which only tells how well the balance holds.
 const OF_BALANCE: f64 = 1e3;
 /// Parts of a drive, at most.
-const MOST_PARTS: u32 = 4000;
+const MOST_PARTS: u32 = 600;
 /// Steps of the search for an extreme, each 0.618 of the one before.
 const NARROWINGS: u32 = 45;
 
