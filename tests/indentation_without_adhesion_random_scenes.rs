@@ -13,9 +13,9 @@ use viscotack::plan;
 use viscotack::scene::{Document, read};
 
 fn solved(name: &str) -> Outcome {
-    let folder = Path::new("tests/scenes_without_adhesion");
-    let text = std::fs::read_to_string(folder.join(name).with_extension("toml")).unwrap();
-    let document = Document::parse("scene.toml", text, folder).unwrap();
+    let path = Path::new("tests/scenes_without_adhesion").join(name).with_extension("toml");
+    let mut document = Document::load(&path).unwrap();
+    read::resolve_includes(&mut document).unwrap();
     let scene = read::read(&document).unwrap();
     let found = plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
     let failed = found.rows.iter().find(|row| row.status != Status::Solved);
