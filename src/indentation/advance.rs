@@ -52,12 +52,6 @@ impl Marcher<'_> {
         let (mut reach, mut cap) = (self.reach.min(self.largest_reach()), cap);
         let mut landing = false;
         let a = self.contact.radius();
-        if a == 0.0 {
-            // From a point, without adhesion: y grows smoothly, and only time can drive it.
-            reach = reach.max(self.largest_reach());
-        } else if self.problem.adhesion.is_none() {
-            reach = reach.min(0.25 * a);
-        }
         if let Some(distance) = self.fold_ahead() {
             // A path that slows down foresees folds that never come: where the glassy edge is stable well beyond one, the fold is further than half of that.
             let beyond = (BEYOND_FOLD * distance).max(SHORTEST_LOOK * self.length);
@@ -74,7 +68,7 @@ impl Marcher<'_> {
             }
         }
         let mut way = Way::Any;
-        if a > 0.0 && self.problem.adhesion.is_some() && self.problem.edge_law.may_rest() {
+        if a > 0.0 && self.problem.edge_law.may_rest() {
             match self.way(&mut cap, left, target, imposed)? {
                 Some(known) => way = known,
                 None => return Ok(()),
@@ -144,14 +138,11 @@ impl Marcher<'_> {
                     if a + way <= self.smallest() {
                         landing = false;
                         let room = a - self.smallest();
-                        way = match self.problem.adhesion {
-                            Some(_) if room <= AT_MARK * self.length => return self.detach(EventKind::ZoneReached, imposed),
-                            // There, and not where the last step before happens to end; a zone that grows moves the end.
-                            Some(_) if self.problem.edge_law.growing_zone => -HALF * room,
-                            Some(_) => -room,
-                            None if a <= 2.0 * self.smallest() => return self.detach(EventKind::Detachment, imposed),
-                            None => 0.5 * way.max(-a),
-                        };
+                        if room <= AT_MARK * self.length {
+                            return self.detach(EventKind::ZoneReached, imposed);
+                        }
+                        // There, and not where the last step before happens to end; a zone that grows moves the end.
+                        way = if self.problem.edge_law.growing_zone { -HALF * room } else { -room };
                     }
                     match self.stepper().edge_driven(a + way, guess, cap, imposed)? {
                         EdgeStep::Found(trial) => Some((trial, true)),
@@ -185,7 +176,7 @@ impl Marcher<'_> {
             // The edge turns: a step ends there, and the path starts anew.
             let mut turned = false;
             let may_turn = !by_edge || self.reverses(trial.motion.to);
-            if may_turn && !self.is_nearly_a_point() && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
+            if may_turn && turnings < MOST_TURNINGS && self.moves(trial.motion.to) {
                 let place = self.contact.profile().coordinate(trial.motion.to);
                 if let Some(time) = self.past.turn((trial.motion.time, place)) {
                     let part = time / trial.motion.time;

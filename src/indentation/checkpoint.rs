@@ -117,7 +117,6 @@ impl Marcher<'_> {
             // Made anew from the problem.
             length: _,
             opening: _,
-            force_scale: _,
             contact,
             edge,
             past,

@@ -96,7 +96,7 @@ impl Marcher<'_> {
     /// The nearest corner of the path within a way of the edge.
     pub(super) fn mark_within(&self, way: f64) -> Option<f64> {
         let a = self.contact.radius();
-        if self.is_nearly_a_point() {
+        if self.contact.radius() == 0.0 {
             return None;
         }
         let distance = |mark: &f64| (mark - a) * way.signum();
@@ -122,12 +122,5 @@ impl Marcher<'_> {
         let a = self.contact.radius();
         let last = self.past.nodes().windows(2).fold(0.0_f64, |most, pair| most.max((pair[0].radius - pair[1].radius).abs()));
         (to - a).abs().max(last) > (STILL * self.tolerance * self.length).max(PLACE_NOISE * NARROWEST * a)
-    }
-
-    /// Whether the contact is one without adhesion that has just grown from a point, or shrinks to one: it goes by a root of the time, noise may look like a turn,
-    /// and only time can drive it.
-    pub(super) fn is_nearly_a_point(&self) -> bool {
-        let a = self.contact.radius();
-        a == 0.0 || (self.problem.adhesion.is_none() && a < self.length)
     }
 }

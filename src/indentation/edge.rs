@@ -26,8 +26,6 @@ const SAME_GRADING: f64 = 4.0;
 const LEAST_GROWTH: f64 = 1e-2;
 /// Room about the edge for a zone that grows.
 const ROOM: f64 = 2.0;
-/// Depth of a contact without adhesion, over the deepest so far, below which Q is rounding of what the line bore then.
-const DENTED: f64 = 1e-3;
 /// Deviation from a straight way, over the depth, that is rounding.
 const STRAIGHT_TO: f64 = 8.0 * f64::EPSILON;
 /// Powers 1 to 5 of the polynomials of degree five that are zero at 0 and at all fifths but one.
@@ -78,14 +76,10 @@ pub(super) struct Trial {
 
 /// The edge condition, what it remembers, and its counters.
 pub(super) struct Edge {
-    pub(super) adhesion: Option<Adhesion>,
+    pub(super) adhesion: Adhesion,
     pub(super) law: EdgeLaw,
-    /// Scale of Q without adhesion.
-    pub(super) load_scale: f64,
     /// Length scale of changes of Δ, to condition differences.
     pub(super) depth_scale: f64,
-    /// The deepest that the contact has been.
-    pub(super) deepest: f64,
     /// The kernel and the window of the last trial edge: many trials share one.
     kernel: Option<(f64, Zone)>,
     /// Degree of the path in the search under way.
@@ -96,8 +90,8 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    pub(super) fn new((adhesion, law): (Option<Adhesion>, EdgeLaw), load_scale: f64, depth_scale: f64) -> Self {
-        Self { adhesion, law, load_scale, depth_scale, deepest: 0.0, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
+    pub(super) fn new((adhesion, law): (Adhesion, EdgeLaw), depth_scale: f64) -> Self {
+        Self { adhesion, law, depth_scale, kernel: None, held: None, window: None, evaluations: 0, updates: 0 }
     }
 
     /// As it was between two steps: what makes trials quick is found again.
@@ -108,12 +102,15 @@ impl Edge {
 
     /// δ₀.
     pub(super) fn zone(&self) -> f64 {
-        self.adhesion.map_or(0.0, |adhesion| adhesion.process_zone)
+        self.adhesion.process_zone
     }
 
     /// δ at an edge with Q(a).
     pub(super) fn zone_at(&self, springs: &Springs, radius: f64, edge_load: f64) -> f64 {
-        let Some(adhesion) = self.adhesion.filter(|_| self.law.growing_zone) else { return self.zone() };
+        if !self.law.growing_zone {
+            return self.zone();
+        }
+        let adhesion = self.adhesion;
         let growth = edge_load / (2.0 * PI * springs.relaxed * adhesion.work_of_adhesion) * (edge_load / radius);
         (growth.max(LEAST_GROWTH) * adhesion.process_zone).min(radius / SMALLEST)
     }
@@ -124,13 +121,6 @@ impl Edge {
             return self.zone();
         }
         ROOM * self.zone_at(contact.springs(), contact.radius(), contact.edge_load()).max(self.zone())
-    }
-
-    /// Q without adhesion is seen against a glassy contact of the same depth: a contact that grows from a point is small at first, and one that shrinks to a point
-    /// in a surface that was dented ends among the rounding of what it bore.
-    fn load_scale(&self, contact: &Contact<'_>, radius: f64) -> f64 {
-        let depth = contact.profile().line(radius.max(contact.radius())).max(contact.penetration().abs()).max(DENTED * self.deepest);
-        if depth > 0.0 { contact.springs().glassy * depth } else { self.load_scale }
     }
 
     /// Forgets what belongs to the state before a step.
@@ -238,14 +228,9 @@ impl Edge {
             window = Window::new(contact, motion.to, motion.time, ROOM * length, whole);
             self.updates += window.after(contact, motion);
         }
-        let work = if self.adhesion.is_some() {
-            let kernel = self.kernel_at(motion.to, length)?;
-            let work = zone_work(&kernel, &window.loads, &window.gaps);
-            self.kernel = Some((motion.to, kernel));
-            work
-        } else {
-            0.0
-        };
+        let kernel = self.kernel_at(motion.to, length)?;
+        let work = zone_work(&kernel, &window.loads, &window.gaps);
+        self.kernel = Some((motion.to, kernel));
         let found = [work, edge_load, value_at(&window.gaps, motion.to)];
         self.window = Some(window);
         Ok(found)
@@ -262,14 +247,8 @@ impl Edge {
     /// g of a motion.
     pub(super) fn residual(&mut self, contact: &Contact<'_>, motion: &Motion, whole: bool) -> Result<f64, Refusal> {
         let [work, edge_load, edge_gap] = self.closure(contact, motion, whole)?;
-        let g = match self.adhesion {
-            Some(adhesion) => {
-                let speed = if self.law.by_speed.is_some() { motion.edge_speed(contact.profile()) } else { 0.0 };
-                self.signed(work / adhesion.work_of_adhesion, (edge_load, edge_gap), motion.to - motion.from, speed)
-            }
-            None => -edge_load / self.load_scale(contact, motion.to),
-        };
-        finite(g, motion.to)
+        let speed = if self.law.by_speed.is_some() { motion.edge_speed(contact.profile()) } else { 0.0 };
+        finite(self.signed(work / self.adhesion.work_of_adhesion, (edge_load, edge_gap), motion.to - motion.from, speed), motion.to)
     }
 
     /// C is a product: a pressed edge over an overlapping surface works positively as well, on the other side of equilibrium. D(a) = −Q(a)/E∞*, so both sides of the
@@ -309,17 +288,12 @@ impl Edge {
         self.evaluations += 1;
         let loads = next.line_load();
         let edge_load = value_at(&loads, radius);
-        let g = match self.adhesion {
-            Some(adhesion) => {
-                let length = self.zone_at(contact.springs(), radius, edge_load);
-                let kernel = self.kernel_at(radius, length)?;
-                let gaps = next.gap_factor(radius + length);
-                let work = zone_work(&kernel, &loads, &gaps) / adhesion.work_of_adhesion;
-                self.kernel = Some((radius, kernel));
-                self.signed(work, (edge_load, value_at(&gaps, radius)), radius - contact.radius(), f64::INFINITY)
-            }
-            None => -edge_load / self.load_scale(contact, radius),
-        };
+        let length = self.zone_at(contact.springs(), radius, edge_load);
+        let kernel = self.kernel_at(radius, length)?;
+        let gaps = next.gap_factor(radius + length);
+        let work = zone_work(&kernel, &loads, &gaps) / self.adhesion.work_of_adhesion;
+        self.kernel = Some((radius, kernel));
+        let g = self.signed(work, (edge_load, value_at(&gaps, radius)), radius - contact.radius(), f64::INFINITY);
         Ok((next, finite(g, radius)?))
     }
 }

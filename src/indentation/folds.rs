@@ -50,7 +50,7 @@ impl Marcher<'_> {
 
     /// Near a fold dt goes with the square of the way left: the root of the residual is what the place is known to.
     pub(super) fn is_near_fold(&self) -> bool {
-        self.problem.adhesion.is_some() && self.fold_ahead().is_some_and(|distance| distance < NEAR_FOLD * self.length)
+        self.fold_ahead().is_some_and(|distance| distance < NEAR_FOLD * self.length)
     }
 
     /// Whether the edge, moved at once a little further on, would run on by itself; none where there is no place to look at.

@@ -67,6 +67,7 @@ pub(super) fn march_to(
     problem.checked()?;
     let springs = Springs::new(material)?;
     let mut marcher = Marcher::new(&springs, problem, tolerance)?;
+    let zone = marcher.edge.zone();
     marcher.observer = guide.observer;
     let mut trace = match guide.from {
         Some(state) => {
@@ -79,7 +80,6 @@ pub(super) fn march_to(
             marcher.through(false)?
         }
     };
-    let zone = problem.adhesion.map_or(0.0, |adhesion| adhesion.process_zone);
     problem.profile.holds(trace.summary.scales[2], zone)?;
     trace.tolerance = tolerance;
     Ok(trace)
@@ -115,8 +115,6 @@ pub(super) struct Marcher<'a> {
     pub(super) slopes: (f64, f64),
     /// Whether y(t) went on more smoothly than t(y) in the last step: time drives the next one then.
     pub(super) smooth_in_time: bool,
-    /// Largest force imposed.
-    pub(super) force_scale: f64,
     /// What is added up over the cycle under way.
     pub(super) meter: Option<Meter>,
     pub(super) record: Record<'a>,
@@ -127,7 +125,13 @@ pub(super) struct Marcher<'a> {
 impl<'a> Marcher<'a> {
     fn new(springs: &'a Springs, problem: &'a IndentationProblem, tolerance: f64) -> Result<Self, Refusal> {
         let tolerance = crate::refusal::require_positive("tolerance", tolerance)?.min(0.1);
-        let contact = started(springs, problem)?;
+        let Some(adhesion) = problem.adhesion else {
+            return Err(Refusal::Undefined {
+                quantity: "a march without adhesion",
+                reason: "such a contact is solved without steps".into(),
+            });
+        };
+        let contact = started(springs, problem, adhesion)?;
         let profile = &problem.profile;
         let largest = |controlled: Controlled| {
             let start = if problem.history.controlled == controlled { problem.history.start } else { 0.0 };
@@ -141,14 +145,12 @@ impl<'a> Marcher<'a> {
             .max(largest(Controlled::ContactRadius))
             .max(contact.radius());
         let size = if size > 0.0 { size } else { profile.rim() };
-        let length = problem.adhesion.map_or(size / 25.0, |adhesion| adhesion.process_zone);
+        let length = adhesion.process_zone;
         let depth = profile.line(size).max(contact.penetration().abs()).max(deepest);
         // A flat punch has no depth of its own; any length conditions an affine equation.
         let depth = if depth > 0.0 { depth } else { size };
-        let opening = problem.adhesion.map_or(depth, |adhesion| {
-            (2.0 * PI * contact.radius().max(length) * adhesion.work_of_adhesion / springs.glassy).sqrt().min(depth)
-        });
-        let edge = Edge::new((problem.adhesion, problem.edge_law.clone()), springs.glassy * depth, depth);
+        let opening = (2.0 * PI * contact.radius().max(length) * adhesion.work_of_adhesion / springs.glassy).sqrt().min(depth);
+        let edge = Edge::new((adhesion, problem.edge_law.clone()), depth);
         Ok(Self {
             springs,
             problem,
@@ -171,7 +173,6 @@ impl<'a> Marcher<'a> {
             turns: Vec::new(),
             slopes: (0.0, 0.0),
             smooth_in_time: false,
-            force_scale: largest(Controlled::Force),
             place: Place::default(),
             observer: None,
         })
@@ -179,24 +180,23 @@ impl<'a> Marcher<'a> {
 
     /// The state at the start, as the first point of the path.
     fn begin(&mut self) -> Result<(), Refusal> {
-        let residual = match self.problem.adhesion {
-            Some(_) if self.contact.radius() > 0.0 => {
-                let depth = self.contact.penetration();
-                let here = move |_: f64| depth;
-                let (_, residual) = self.edge.jumped(&self.contact, self.contact.radius(), &Imposed::Penetration(&here))?;
-                if self.contact.radius() >= self.contact.profile().rim() {
-                    // A punch that its rim holds is in equilibrium below the work of adhesion.
-                    residual.max(0.0)
-                } else if self.problem.start == Start::Untouched && self.problem.edge_law.by_speed.is_some() {
-                    // It jumped in, which no speed at rest tells of.
-                    0.0
-                } else {
-                    residual
-                }
+        let residual = if self.contact.radius() > 0.0 {
+            let depth = self.contact.penetration();
+            let here = move |_: f64| depth;
+            let (_, residual) = self.edge.jumped(&self.contact, self.contact.radius(), &Imposed::Penetration(&here))?;
+            if self.contact.radius() >= self.contact.profile().rim() {
+                // A punch that its rim holds is in equilibrium below the work of adhesion.
+                residual.max(0.0)
+            } else if self.problem.start == Start::Untouched && self.problem.edge_law.by_speed.is_some() {
+                // It jumped in, which no speed at rest tells of.
+                0.0
+            } else {
+                residual
             }
-            _ => 0.0,
+        } else {
+            0.0
         };
-        if self.problem.start == Start::Untouched && self.problem.adhesion.is_some() {
+        if self.problem.start == Start::Untouched {
             self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
         }
         self.record.point(self.now(), &self.contact, residual);
@@ -333,7 +333,6 @@ impl<'a> Marcher<'a> {
             self.observe();
             // What a march with a checkpoint here would not have.
             self.edge.forget();
-            self.edge.deepest = self.record.trace.summary.scales[0];
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
                 let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
@@ -368,17 +367,6 @@ impl<'a> Marcher<'a> {
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
         let controlled = stretch.segment.controlled;
-        let mut cap = cap;
-        if controlled == Controlled::Force && self.problem.adhesion.is_none() && self.contact.radius() > 0.0 {
-            // Without adhesion the contact ends where the force does, with a root of the time left: towards it by tenths.
-            let (now, then) = (value(0.0), value(cap));
-            if now <= self.touching_force() && then <= now {
-                return self.detach(EventKind::Detachment, &imposed);
-            }
-            if then < 0.1 * now {
-                cap *= 0.9 * now / (now - then);
-            }
-        }
         let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
         if apart > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.
@@ -388,7 +376,7 @@ impl<'a> Marcher<'a> {
             self.went(cap, left, target, 0.0);
             return Ok(());
         }
-        if self.contact.radius() == 0.0 && self.problem.adhesion.is_some() {
+        if self.contact.radius() == 0.0 {
             return self.touch_again(&imposed);
         }
         self.advance(cap, left, target, &imposed)
@@ -429,7 +417,7 @@ impl<'a> Marcher<'a> {
                 Controlled::Force => Imposed::Load { value: &fixed, stiffness: 0.0 },
                 Controlled::Frame => Imposed::Load { value: &load, stiffness },
             };
-            if self.contact.radius() == 0.0 && self.problem.adhesion.is_some() {
+            if self.contact.radius() == 0.0 {
                 self.touch_again(&imposed)?;
             } else {
                 self.settle(&imposed)?;

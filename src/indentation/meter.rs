@@ -4,6 +4,7 @@
 //! march itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
 //! phase over 0.4 rad, to rounding.
 
+use super::adhesiveless::Sums as Added;
 use super::cycle::Cycle;
 use super::oscillation::Oscillation;
 use super::panel::RULE;
@@ -181,6 +182,31 @@ impl Meter {
                 }
                 self.sums.extend(quantity, course.at(low).0);
             }
+        }
+    }
+
+    /// The weights of a value in its moments at a time: φ̇, φ̇ sin φ and φ̇ cos φ.
+    pub(super) fn weights(&self, time: f64) -> [f64; 3] {
+        let since = (time - self.origin).clamp(0.0, self.duration);
+        let cycles = self.oscillation.cycles_at(since, self.duration);
+        let (sin, cos) = (TAU * (cycles - cycles.round())).sin_cos();
+        let pace = TAU * self.oscillation.frequency_at(since, self.duration);
+        [pace, pace * sin, pace * cos]
+    }
+
+    /// A point has been reached, and all up to it has been added up elsewhere.
+    pub(super) fn passed(&mut self, point: &PathPoint, sums: &Added) {
+        self.points.clear();
+        self.points.push(*point);
+        self.sums.work += sums.work;
+        for (moment, part) in self.sums.moments.iter_mut().flatten().zip(sums.moments.iter().flatten()) {
+            *moment += part;
+        }
+        for (quantity, range) in sums.extremes.iter().flatten().enumerate() {
+            range.iter().for_each(|value| self.sums.extend(quantity, *value));
+        }
+        for (quantity, value) in [point.penetration, point.force, point.contact_radius].into_iter().enumerate() {
+            self.sums.extend(quantity, value);
         }
     }
 

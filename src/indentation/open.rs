@@ -7,34 +7,19 @@ use super::motion::{Motion, Passage};
 use super::springs::DEGREE;
 use crate::refusal::Refusal;
 
-/// Part of the largest force that is none.
-const NO_FORCE: f64 = 1e-12;
-/// Overlap at which a contact without adhesion begins, over its depth.
-const FIRST_OVERLAP: f64 = 1e-9;
-
 impl Marcher<'_> {
     /// W on the axis of an open contact, which the indenter touches first.
     fn surface(&self) -> f64 {
         self.contact.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0))
     }
 
-    /// Overlap at which a contact without adhesion begins: what is left of one that shrank to a point is none.
-    fn overlap(&self) -> f64 {
-        if self.problem.adhesion.is_some() { 0.0 } else { FIRST_OVERLAP * self.edge.depth_scale }
-    }
-
-    /// Force from which a contact without adhesion counts.
-    pub(super) fn touching_force(&self) -> f64 {
-        if self.problem.adhesion.is_some() { 0.0 } else { NO_FORCE * self.force_scale }
-    }
-
     /// Whether an open contact stays open under the imposed value.
     pub(super) fn is_open(&self, controlled: Controlled, value: f64) -> bool {
         match controlled {
             // Without a force the frame's end is where the indenter is.
-            Controlled::Penetration | Controlled::Frame => value < self.surface() + self.overlap(),
+            Controlled::Penetration | Controlled::Frame => value < self.surface(),
             // An indenter pushed by a force stays where it lost contact, until it is pushed again.
-            Controlled::Force | Controlled::ContactRadius => value <= self.touching_force(),
+            Controlled::Force | Controlled::ContactRadius => value <= 0.0,
         }
     }
 
@@ -44,9 +29,9 @@ impl Marcher<'_> {
             return 0.0;
         }
         let overlap = |dt: f64| match controlled {
-            Controlled::Force | Controlled::ContactRadius => value(dt) - self.touching_force(),
+            Controlled::Force | Controlled::ContactRadius => value(dt),
             Controlled::Penetration | Controlled::Frame => match self.contact.moved(0.0, value(dt), dt, Sweep::Linear) {
-                Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)) - self.overlap(),
+                Ok(later) => value(dt) - later.free_displacement(1.0).first().map_or(0.0, |panel| panel.at(0.0)),
                 Err(_) => -1.0,
             },
         };

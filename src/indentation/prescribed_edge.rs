@@ -53,26 +53,17 @@ impl Marcher<'_> {
             (Motion::new(self.contact.profile(), (self.contact.radius(), radius), dt, Passage::Radius, here, powers), error)
         };
         let unit = self.opening;
-        let rise = match self.problem.adhesion {
-            None => {
-                let first = self.edge.residual(&self.contact, &motion(0.0).0, false)?;
-                let second = self.edge.residual(&self.contact, &motion(unit).0, false)?;
-                -unit * first / (second - first)
-            }
-            Some(adhesion) => {
-                // C is a quadratic in the rise; sampled again about its root it keeps its digits.
-                let mut about = self.contact.profile().line(radius) - here;
-                let mut scale = -unit;
-                for _ in 0..2 {
-                    let mut sample = |x: f64| self.edge.work(&self.contact, &motion(about + scale * x).0);
-                    let samples = [sample(0.0)?, sample(1.0)?, sample(2.0)?];
-                    about += scale * tension_root(samples, adhesion.work_of_adhesion)?;
-                    about += 0.5 * unit;
-                    scale = -0.5 * unit;
-                }
-                about - 0.5 * unit
-            }
-        };
+        // C is a quadratic in the rise; sampled again about its root it keeps its digits.
+        let mut about = self.contact.profile().line(radius) - here;
+        let mut scale = -unit;
+        for _ in 0..2 {
+            let mut sample = |x: f64| self.edge.work(&self.contact, &motion(about + scale * x).0);
+            let samples = [sample(0.0)?, sample(1.0)?, sample(2.0)?];
+            about += scale * tension_root(samples, self.edge.adhesion.work_of_adhesion)?;
+            about += 0.5 * unit;
+            scale = -0.5 * unit;
+        }
+        let rise = about - 0.5 * unit;
         let (motion, error) = motion(rise);
         let residual = self.edge.residual(&self.contact, &motion, false)?;
         Ok((motion, residual, error))

@@ -47,7 +47,7 @@ pub fn run_watched(
         if from.is_some() {
             return Err(Refusal::Undefined {
                 quantity: "a checkpoint of a contact without adhesion",
-                reason: "it takes seconds and is solved from its start: run it without --resume".into(),
+                reason: "it takes seconds and is solved from its start: run it without the checkpoint".into(),
             });
         }
         return super::adhesiveless::solve(material, problem, watch);

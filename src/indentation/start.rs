@@ -37,21 +37,20 @@ pub(super) fn size_of(profile: &Profile, function: impl Fn(f64) -> f64, value: f
 }
 
 /// The first contact.
-pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) -> Result<Contact<'a>, Refusal> {
+pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem, adhesion: Adhesion) -> Result<Contact<'a>, Refusal> {
     let relaxed = problem.start == Start::Relaxed;
     let modulus = if relaxed { springs.relaxed } else { springs.glassy };
     let profile = &problem.profile;
     // An edge that has crept outwards to rest, or jumps out at once.
     let closing = if relaxed { 0.0 } else { f64::INFINITY };
-    let adhesion = match problem.adhesion {
-        Some(adhesion) if profile.rim().is_infinite() => {
-            if !relaxed {
-                problem.edge_law.goes(false)?;
-            }
-            let [_, leading] = problem.edge_law.levels(closing);
-            Some(Adhesion { work_of_adhesion: leading * adhesion.work_of_adhesion, ..adhesion })
+    let adhesion = if profile.rim().is_infinite() {
+        if !relaxed {
+            problem.edge_law.goes(false)?;
         }
-        adhesion => adhesion,
+        let [_, leading] = problem.edge_law.levels(closing);
+        Adhesion { work_of_adhesion: leading * adhesion.work_of_adhesion, ..adhesion }
+    } else {
+        adhesion
     };
     let (a, depth) = match at_rim(problem, adhesion, modulus)? {
         Some(held) => held,
@@ -62,7 +61,7 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem) ->
 }
 
 /// The radius and the penetration of a contact that a rim holds, if one does; a flat face touches by no less.
-fn at_rim(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f64) -> Result<Option<(f64, f64)>, Refusal> {
+fn at_rim(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Result<Option<(f64, f64)>, Refusal> {
     let (profile, history) = (&problem.profile, &problem.history);
     let (rim, value) = (profile.rim(), history.start);
     if rim.is_infinite() || history.controlled == Controlled::ContactRadius {
@@ -74,10 +73,6 @@ fn at_rim(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f64
         (Controlled::Force, _) => (value + shape) / slope,
         (Controlled::Frame, Some(stiffness)) => (value * stiffness + shape) / (stiffness + slope),
         _ => value,
-    };
-    let Some(adhesion) = adhesion else {
-        let touches = depth > profile.line(rim);
-        return Ok(if touches { Some((rim, depth)) } else { profile.is_flat().then_some((0.0, depth)) });
     };
     let least = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, rim)?.penetration;
     if depth < least && profile.is_flat() {
@@ -96,19 +91,19 @@ fn height_integral(profile: &Profile, a: f64) -> f64 {
 }
 
 /// The radius and the penetration of a contact whose edge is free to move.
-fn at_edge(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f64) -> Result<(f64, f64), Refusal> {
+fn at_edge(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Result<(f64, f64), Refusal> {
     let (profile, history) = (&problem.profile, &problem.history);
     let value = history.start;
-    Ok(match (adhesion, history.controlled) {
-        (Some(adhesion), Controlled::ContactRadius) => {
+    Ok(match history.controlled {
+        Controlled::ContactRadius => {
             let state = elastic_contact_of_radius(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
             (state.contact_radius, state.penetration)
         }
-        (Some(adhesion), Controlled::Penetration) => {
+        Controlled::Penetration => {
             let state = elastic_contact(profile, modulus, adhesion.work_of_adhesion, adhesion.process_zone, value)?;
             (state.contact_radius, state.penetration)
         }
-        (Some(adhesion), Controlled::Force | Controlled::Frame) => {
+        Controlled::Force | Controlled::Frame => {
             let imposed = |state: &ElasticContact| match (history.controlled, problem.frame_stiffness) {
                 (Controlled::Frame, Some(stiffness)) => state.penetration + state.force / stiffness,
                 _ => state.force,
@@ -130,17 +125,6 @@ fn at_edge(problem: &IndentationProblem, adhesion: Option<Adhesion>, modulus: f6
             }
             let state = by_radius(high)?;
             (state.contact_radius, state.penetration)
-        }
-        (None, Controlled::ContactRadius) => (value, profile.line(value)),
-        (None, Controlled::Penetration) => (size_of(profile, |a| profile.line(a), value), value),
-        (None, Controlled::Force | Controlled::Frame) => {
-            let load = |a: f64| 2.0 * modulus * (a * profile.line(a) - height_integral(profile, a));
-            let imposed = |a: f64| match (history.controlled, problem.frame_stiffness) {
-                (Controlled::Frame, Some(stiffness)) => profile.line(a) + load(a) / stiffness,
-                _ => load(a),
-            };
-            let a = size_of(profile, imposed, value);
-            (a, profile.line(a))
         }
     })
 }

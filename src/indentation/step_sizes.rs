@@ -76,9 +76,6 @@ impl Marcher<'_> {
 
     /// What an error of the place of the edge is seen against: the stresses that a step leaves behind an adhering edge know the way that it went, and K with them.
     pub(super) fn measure(&self, way: f64) -> f64 {
-        if self.problem.adhesion.is_none() {
-            return self.length;
-        }
         let length = self.measured_by();
         (way * length).sqrt().clamp(SHORTEST_MEASURE * length, length)
     }
@@ -90,9 +87,6 @@ impl Marcher<'_> {
 
     /// The smallest contact that is one.
     pub(super) fn smallest(&self) -> f64 {
-        if self.problem.adhesion.is_none() {
-            return 1e-3 * self.length / 8.0;
-        }
         SMALLEST * self.zone_now()
     }
 }

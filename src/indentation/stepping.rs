@@ -22,7 +22,7 @@ const STALLS: f64 = 0.9;
 /// Growth of a trial time without a bracket.
 const STRIDE: f64 = 4.0;
 
-/// The smallest contact with adhesion that is one, over its process zone.
+/// The smallest contact that is one, over its process zone.
 pub(super) const SMALLEST: f64 = 1.05;
 
 /// Where a step of the edge ended.

@@ -2,13 +2,14 @@
 
 use super::chain::Chain;
 use super::fresh::Fresh;
+use super::ledger::Sums;
 use super::line::Line;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::meter::Meter;
 use crate::indentation::problem::{IndentationProblem, Start};
 use crate::indentation::record::Record;
-use crate::indentation::solution::{Event, EventKind, PathPoint, Trace};
+use crate::indentation::solution::{Event, EventKind, Trace};
 use crate::indentation::stretch::{Stretch, part, weight};
 use crate::refusal::Refusal;
 
@@ -20,10 +21,8 @@ const SAME_PACE: f64 = 1e-9;
 pub(super) struct Fineness {
     /// What series leave, over the depth.
     pub(super) series: f64,
-    /// Points of a cycle.
-    pub(super) of_cycle: u32,
-    /// Ratio of instants after a corner, and even ones of a stretch, between which power is added up.
-    pub(super) ledger: (f64, u32),
+    /// What sums over the time leave, over what they are of.
+    pub(super) sums: f64,
 }
 
 /// A course under way.
@@ -38,8 +37,10 @@ pub(super) struct Course<'a> {
     pub(super) time: f64,
     pub(super) record: Record<'a>,
     pub(super) meter: Option<Meter>,
-    /// The last points of the same smooth piece.
-    pub(super) recent: Vec<PathPoint>,
+    /// What has been added up since the last point.
+    pub(super) sums: Sums,
+    /// What the last panel left of Δ (m).
+    pub(super) left: f64,
     pace: Option<(Controlled, f64)>,
     pub(super) evaluations: u64,
     /// How long the next panel may be; 0 after a corner.
@@ -64,7 +65,8 @@ impl<'a> Course<'a> {
             time: 0.0,
             record: Record::without_contact(),
             meter: None,
-            recent: Vec::new(),
+            sums: Sums::default(),
+            left: 0.0,
             pace: None,
             evaluations: 0,
             panel_length: 0.0,
@@ -89,7 +91,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, self.line.joined))
+        Ok((trace, self.line.everywhere + self.line.joined))
     }
 
     /// The line at a time of the history.
@@ -179,7 +181,6 @@ impl<'a> Course<'a> {
 
     /// Nothing behind counts for what follows.
     pub(super) fn corner(&mut self) {
-        self.recent.clear();
         self.panel_length = 0.0;
     }
 
@@ -194,7 +195,6 @@ impl<'a> Course<'a> {
         if !same {
             self.record.new_piece();
             self.corner();
-            self.recent.extend(self.record.trace.path.last().copied());
         }
         self.meter = segment.oscillation.map(|oscillation| {
             Meter::new(index, (oscillation, segment.duration), self.origin, self.chain.longest_time(), self.record.trace.path.last())

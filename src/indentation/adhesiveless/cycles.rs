@@ -4,10 +4,8 @@ use super::course::Course;
 use super::line::Line;
 use crate::indentation::stretch::Stretch;
 
-/// Instants between which the power is added up: the first over the shortest relaxation time.
-const FIRST_OF_LEDGER: f64 = 0.02;
-/// Even ones between two instants that are kept, at least.
-const FEWEST: u32 = 4;
+/// Points of a cycle.
+const OF_CYCLE: u32 = 8;
 /// Change of all cycles that are left, over the accuracy and the depth, at which they are one.
 const REPEATED: f64 = 1e-5;
 /// Change of a cycle over the depth that is rounding.
@@ -36,7 +34,7 @@ impl<'a> Course<'a> {
         if change > allowed && last_change > NO_CHANGE * self.line.depth {
             return 0;
         }
-        self.line.joined += change;
+        self.line.everywhere += change;
         let Some(meter) = &mut self.meter else { return 0 };
         for _ in 0..left {
             self.record.cycle_again(meter);
@@ -51,7 +49,7 @@ impl<'a> Course<'a> {
         let mut times = Vec::new();
         if let Some(oscillation) = stretch.segment.oscillation {
             let duration = stretch.segment.duration;
-            let of_cycle = f64::from(self.fineness.of_cycle);
+            let of_cycle = f64::from(OF_CYCLE);
             let mut k = (oscillation.cycles_at(self.time, duration) * of_cycle * (1.0 + 1e-12)).floor();
             loop {
                 k += 1.0;
@@ -64,17 +62,6 @@ impl<'a> Course<'a> {
                     _ => break,
                 }
             }
-        } else if self.problem.energies && self.until.is_infinite() {
-            let (ratio, even) = self.fineness.ledger;
-            let even = (even / self.problem.instants_per_segment.max(1)).max(FEWEST);
-            let mut way = FIRST_OF_LEDGER * self.chain.shortest_time().min(target - self.time);
-            while self.recent.len() <= 1 && self.time + way < target {
-                times.push(self.time + way);
-                way *= ratio;
-            }
-            times.extend((1..even).map(|k| self.time + (target - self.time) * f64::from(k) / f64::from(even)));
-            times.sort_by(f64::total_cmp);
-            times.dedup_by(|second, first| *second - *first <= 1e-9 * *second);
         }
         times.retain(|time| *time < target * (1.0 - 1e-13));
         times.push(target);

@@ -1,7 +1,5 @@
 //! The penetration within a stretch of time, Δ(x) = Δ₀ + Σ w_k (x/T)^k + A(sin(φ + ωx) − sin φ), 0 ≤ x ≤ T, and what it does to a point in contact.
 
-use super::chain::Chain;
-
 /// Highest power of the time.
 pub(super) const DEGREE: usize = 8;
 
@@ -86,18 +84,19 @@ impl Drive {
     }
 
     /// What a slow term gains, as powers of the time: u′ = Δ′ − (T/ρ)u.
-    fn series(&self, rho: f64) -> Option<Series> {
+    pub(super) fn series(&self, rho: f64) -> Option<Series> {
         let z = self.duration / rho;
         if self.used == 1 || self.wave.is_some() || z > SLOW {
             return None;
         }
         let (mut powers, mut last) = ([0.0; LONGEST_SERIES], 0.0);
+        let largest = self.powers[..self.used].iter().fold(0.0, |most: f64, power| most.max(power.abs()));
         let mut used = LONGEST_SERIES;
         for (k, power) in powers.iter_mut().enumerate() {
             let order = (k + 1) as f64;
             last = self.powers.get(k).copied().unwrap_or(0.0) - z * last / order;
             *power = last;
-            if k >= self.used && last.abs() <= f64::EPSILON * f64::EPSILON * self.start.abs().max(self.powers[0].abs()) {
+            if k >= self.used && last.abs() <= 1e-3 * f64::EPSILON * largest {
                 used = k;
                 break;
             }
@@ -167,65 +166,11 @@ fn shift(powers: &[f64], part: f64, left: f64, shifted: &mut [f64; DEGREE]) {
     }
 }
 
-/// Everything that a time since the start of a drive does, to all points alike.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Moment {
-    pub(super) time: f64,
-    /// Δ and Δ̇.
-    pub(super) depth: f64,
-    pub(super) rate: f64,
-    /// e^{−x/ρ_i} and what u_i gains.
-    pub(super) kept: Vec<f64>,
-    pub(super) gained: Vec<f64>,
-    /// e^{−x/τ_j}.
-    pub(super) recovered: Vec<f64>,
-    /// The drive that it is of, and what slow terms gain along it as powers of the time; none of other terms.
-    pub(super) of: Option<Drive>,
-    pub(super) series: Vec<Option<Series>>,
-}
-
 /// What a term gains along a polynomial, as powers 1… of the time.
 pub(super) type Series = ([f64; LONGEST_SERIES], usize);
-const LONGEST_SERIES: usize = 36;
+pub(super) const LONGEST_SERIES: usize = 36;
 /// Longest drive, over the time of a term, of which a series is of use.
 const SLOW: f64 = 2.0;
-
-impl Moment {
-    pub(super) fn new(chain: &Chain, drive: &Drive, x: f64) -> Self {
-        let mut moment = Self::default();
-        moment.set(chain, drive, x);
-        moment.set_free(chain, drive, x);
-        moment
-    }
-
-    /// For points that are free until then.
-    pub(super) fn set_free(&mut self, chain: &Chain, drive: &Drive, x: f64) {
-        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
-        self.recovered.clear();
-        self.recovered.extend(chain.voigt.iter().map(|&(rate, _)| (-rate * x).exp()));
-    }
-
-    /// For points that are in contact until then.
-    pub(super) fn set(&mut self, chain: &Chain, drive: &Drive, x: f64) {
-        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
-        if self.of.as_ref() != Some(drive) {
-            self.of = Some(*drive);
-            self.series.clear();
-            self.series.extend(chain.maxwell.iter().map(|&(_, rho)| drive.series(rho)));
-        }
-        self.kept.clear();
-        self.gained.clear();
-        let y = x / drive.duration;
-        for (&(_, rho), series) in chain.maxwell.iter().zip(&self.series) {
-            let kept = (-x / rho).exp();
-            self.kept.push(kept);
-            self.gained.push(match series {
-                Some((powers, used)) => powers.iter().take(*used).rev().fold(0.0, |sum, power| (sum + power) * y),
-                None => drive.gained(rho, x, kept),
-            });
-        }
-    }
-}
 
 /// 1/(DEGREE + m), m = 1…: divisions would take most of the time of a drive.
 const RECIPROCALS: [f64; 60] = {

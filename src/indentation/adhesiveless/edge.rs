@@ -2,9 +2,10 @@
 //!
 //! Each chain knows when the edge passes it: in contact when its own S falls through zero, free when it rises through zero. No chain waits for another one.
 
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::grid::{GRID, NODES};
 use super::line::Line;
+use super::moment::Moment;
 use super::times::{leaving, touching};
 use crate::refusal::Refusal;
 
@@ -33,6 +34,9 @@ pub(super) enum Ended {
     /// It was found.
     Touched,
 }
+
+/// How far, which way (none at rest), and why no further.
+pub(super) type Went = (f64, Option<Way>, Ended);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Way {
@@ -126,17 +130,17 @@ impl Line<'_> {
         times
     }
 
-    /// Goes on along a drive, as far as the edge goes one way: how far, and why it ended there.
-    pub(super) fn go(&mut self, drive: &Drive) -> Result<(f64, Ended), Refusal> {
-        self.led(drive, None, self.looked_at(drive))
+    /// Goes on along a drive, as far as the edge goes one way: how far, which way, and why it ended there. `touched`: the contact has just been found.
+    pub(super) fn go(&mut self, drive: &Drive, touched: bool) -> Result<Went, Refusal> {
+        self.led(drive, None, touched, self.looked_at(drive))
     }
 
     /// The same along a panel that knows its way, and what its polynomial leaves of Δ.
-    pub(super) fn follow(&mut self, drive: &Drive, way: Way, left: f64) -> Result<(f64, Ended), Refusal> {
-        self.led(drive, Some((way, left)), evenly(drive.duration).collect())
+    pub(super) fn follow(&mut self, drive: &Drive, way: Way, left: f64) -> Result<Went, Refusal> {
+        self.led(drive, Some((way, left)), true, evenly(drive.duration).collect())
     }
 
-    fn led(&mut self, drive: &Drive, known: Option<(Way, f64)>, times: Vec<f64>) -> Result<(f64, Ended), Refusal> {
+    fn led(&mut self, drive: &Drive, known: Option<(Way, f64)>, touched: bool, times: Vec<f64>) -> Result<Went, Refusal> {
         self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
         let mut moment = Moment::default();
         let mut way: Option<Way> = known.map(|(way, _)| way);
@@ -153,11 +157,11 @@ impl Line<'_> {
                     continue;
                 }
                 way = Some(if inwards > outwards { Way::Inwards } else { Way::Outwards });
-                if self.radius() == 0.0 {
+                if self.radius() == 0.0 && !touched {
                     let touch = self.touched_at(drive, &mut moment);
                     if touch > AT_ONCE * drive.duration {
                         self.pass_nothing(&drive.until(touch));
-                        return Ok((touch, Ended::Touched));
+                        return Ok((touch, None, Ended::Touched));
                     }
                 }
             }
@@ -175,11 +179,11 @@ impl Line<'_> {
                 Some(place) => wrong(self.rate_at(place, &moment, heading)),
             };
             if turned {
-                let turn = self.turn(drive, heading, (before, time))?;
+                let turn = self.turn(drive, heading, (before, time), least)?;
                 if turn > 0.0 {
                     let drive = drive.until(turn);
-                    self.pass(&drive, heading)?;
-                    return Ok((turn, Ended::Turned));
+                    self.pass(&drive, heading, None)?;
+                    return Ok((turn, way, Ended::Turned));
                 }
                 if known.is_some() {
                     break;
@@ -195,22 +199,22 @@ impl Line<'_> {
                 if lost < drive.duration {
                     // What has flowed to the end holds nothing: it is lost before any time has gone by.
                     if lost > 0.0 {
-                        self.pass(&drive.until(lost), heading)?;
+                        self.pass(&drive.until(lost), heading, None)?;
                     }
                     self.release_all();
-                    return Ok((lost, Ended::Lost));
+                    return Ok((lost, way, Ended::Lost));
                 }
-                self.pass(drive, heading)?;
+                self.pass(drive, heading, None)?;
                 self.release_all();
-                return Ok((drive.duration, Ended::Lost));
+                return Ok((drive.duration, way, Ended::Lost));
             }
             before = time;
         }
         match way {
-            Some(way) => self.pass(drive, way)?,
+            Some(way) => self.pass(drive, way, None)?,
             None => self.pass_nothing(drive),
         }
-        Ok((drive.duration, Ended::Whole))
+        Ok((drive.duration, way, Ended::Whole))
     }
 
     /// When the chain on the axis leaves contact, at most at a time.
@@ -232,7 +236,8 @@ impl Line<'_> {
     }
 
     /// When, between two times, the edge turns: where dS/dt at the edge vanishes.
-    fn turn(&self, drive: &Drive, way: Way, (from, to): (f64, f64)) -> Result<f64, Refusal> {
+    /// A rate that rounding leaves is none.
+    fn turn(&self, drive: &Drive, way: Way, (from, to): (f64, f64), least: f64) -> Result<f64, Refusal> {
         let mut moment = Moment::default();
         let mut rate = |time: f64| -> Result<f64, Refusal> {
             moment.set(self.chain, drive, time);
@@ -249,7 +254,7 @@ impl Line<'_> {
         };
         let (mut low, mut high) = (from, to);
         let (mut good, mut bad) = (rate(low)?, rate(high)?);
-        if good <= 0.0 {
+        if good <= least {
             return Ok(from);
         }
         if bad >= 0.0 {

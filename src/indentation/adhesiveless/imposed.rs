@@ -6,7 +6,9 @@ use super::course::Course;
 use super::drive::{DEGREE, Drive};
 use super::edge::Ended;
 use super::law::{Asked, Law, places};
+use super::ledger::Gone;
 use super::linear::Row;
+use super::passing::Edge;
 use crate::indentation::history::Controlled;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
@@ -23,19 +25,22 @@ const TOWARDS: f64 = 0.7;
 const FASTEST: f64 = 4.0;
 const SLOWEST: f64 = 0.25;
 const GROWTH: f64 = 1.5;
-/// A panel that is no better for being shorter leaves rounding; it is not believed to be so much over what is allowed.
+/// A panel that is twice no better for being shorter leaves rounding; it is not believed to be so much over what is allowed.
 const NO_BETTER: f64 = 0.9;
+const TWICE: u32 = 2;
 const MOST_NOISE: f64 = 300.0;
 const MOST_PANELS: u32 = 200_000;
 /// What a panel may leave over what series may, and what rounding leaves of it, over the depth.
 const OF_SERIES: f64 = 1.0;
 const ROUNDING: f64 = 1e-13;
+/// So many times what presses by rounding presses.
+const MANY: f64 = 4.0;
 /// Instants at which it is looked whether something imposed passes zero.
 const LOOKS: u32 = 64;
 
 impl Course<'_> {
     /// What is imposed, and in which unit.
-    fn asked(&self, controlled: Controlled) -> (Asked, f64) {
+    pub(super) fn asked(&self, controlled: Controlled) -> (Asked, f64) {
         let twice = 2.0 * self.chain.glassy;
         match controlled {
             Controlled::Force => (Asked::Load { of_force: 1.0, of_depth: 0.0 }, twice.recip()),
@@ -59,12 +64,14 @@ impl Course<'_> {
             self.time = start + at;
             let nothing = NOTHING * self.chain.shortest_time().min(whole);
             if self.line.radius() == 0.0 {
-                let touch = self.until(&given, at, |course, time| course.presses(controlled, &given, at, time));
-                self.stay_open(controlled, &given, at, touch);
+                // What the contact that was lost leaves pressing, by rounding, does not press.
+                let excess = (given.value(at) - self.line.surface_after(0.0)).max(0.0);
+                let touch = self.until(&given, at, |course, time| course.presses(controlled, &given, at, time, excess));
+                self.stay_open(controlled, &given, at, touch)?;
                 at = touch;
                 if at < whole {
                     let soon = SOON * (whole - at);
-                    self.stay_open(controlled, &given, at, at + soon);
+                    self.stay_open(controlled, &given, at, at + soon)?;
                     at += soon;
                     self.settle(controlled, given.value(at))?;
                     self.corner();
@@ -102,10 +109,14 @@ impl Course<'_> {
         let least = SHORTEST * self.chain.shortest_time().min(given.duration);
         let mut length = if self.panel_length > 0.0 { self.panel_length } else { 0.1 * self.chain.shortest_time().min(most) };
         length = length.min(most);
-        if most - length < 0.2 * length {
+        if matches!(asked, Asked::Radius) {
+            length = one_way(given, at, length);
+        }
+        if most - length < 0.2 * length && !matches!(asked, Asked::Radius) {
             length = most;
         }
-        let mut before = f64::INFINITY;
+        let (mut best, mut worse, mut shortened) = (f64::INFINITY, 0, false);
+        let first = length;
         loop {
             let target: Row = places().map(|part| unit * given.value(at + part * length));
             let law = Law::new(&self.line, &self.fresh, length);
@@ -128,22 +139,45 @@ impl Course<'_> {
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
             let (own, allowed) = (allowed, allowed.max(met.noise));
             if left > allowed {
-                let rounding = left < MOST_NOISE * allowed && left > NO_BETTER * before;
-                before = left;
+                worse = if left > NO_BETTER * best { worse + 1 } else { 0 };
+                let rounding = left < MOST_NOISE * allowed && worse >= TWICE;
+                (best, shortened) = (left.min(best), true);
                 if length > least && !rounding {
                     let passed = law.passes(&met).filter(|part| *part > SLOWEST && *part < 0.95);
                     length *= passed.unwrap_or_else(|| factor.clamp(SLOWEST, 0.7));
                     continue;
                 }
-                self.line.joined += left.min(own * MOST_NOISE);
+                self.line.everywhere += left.min(own * MOST_NOISE);
             }
             let points: Vec<(f64, f64)> = places().into_iter().zip(rises).collect();
             let drive = Drive::through(start, length, &points);
-            let (passed, ended) = self.line.follow(&drive, met.way, allowed)?;
-            if let (Asked::Radius, Ended::Whole) = (asked, ended) {
-                self.line.put_edge(met.places[DEGREE - 1]);
+            self.left = allowed;
+            let before = self.before();
+            let edge = matches!(asked, Asked::Radius).then_some(Edge { given, since: at });
+            let (passed, way, ended) = if edge.is_some() {
+                self.line.pass(&drive, met.way, edge.as_ref())?;
+                (length, Some(met.way), Ended::Whole)
+            } else if met.rests {
+                self.line.pass_nothing(&drive);
+                (length, None, Ended::Whole)
+            } else {
+                self.line.follow(&drive, met.way, allowed)?
+            };
+            if let Some(before) = before.filter(|_| passed > 0.0) {
+                let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
+                let of_frame = |time: f64| stiffness * (given.value(at + time) - drive.value(time));
+                let of_force = |time: f64| given.value(at + time);
+                let force: Option<&dyn Fn(f64) -> f64> = match controlled {
+                    Controlled::Force => Some(&of_force),
+                    Controlled::Frame => Some(&of_frame),
+                    _ => None,
+                };
+                let part = drive.until(passed);
+                self.add_up(&Gone { before, drive: part, way, edge, since: self.time, force })?;
             }
-            self.panel_length = (length * factor.clamp(if before.is_finite() { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
+            // What rounding leaves is no less of a shorter panel.
+            let (length, shortened) = if left > allowed { (first, false) } else { (length, shortened) };
+            self.panel_length = (length * factor.clamp(if shortened { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
             match ended {
                 Ended::Whole | Ended::Touched => {}
@@ -182,96 +216,48 @@ impl Course<'_> {
     }
 
     /// Whether what is imposed at a time presses an indenter that has been open since another one.
-    fn presses(&self, controlled: Controlled, given: &Drive, since: f64, time: f64) -> bool {
+    fn presses(&self, controlled: Controlled, given: &Drive, since: f64, time: f64, excess: f64) -> bool {
         let value = given.value(time);
         match controlled {
             Controlled::Force | Controlled::ContactRadius => value > 0.0,
             Controlled::Frame | Controlled::Penetration => {
-                value > self.line.surface_after(time - since) + self.fineness.series.max(ROUNDING) * self.line.depth
+                let noise = (self.fineness.series.max(ROUNDING) * self.line.depth).max(self.left).max(MANY * excess);
+                value > self.line.surface_after(time - since) + noise
             }
         }
     }
 
     /// Lets a time pass in which nothing presses: a frame takes the indenter along; without one it stays, unless the surface comes up to it.
-    fn stay_open(&mut self, controlled: Controlled, given: &Drive, from: f64, to: f64) {
+    fn stay_open(&mut self, controlled: Controlled, given: &Drive, from: f64, to: f64) -> Result<(), Refusal> {
         if to <= from {
-            return;
+            return Ok(());
         }
         let depth = self.line.penetration;
-        self.line.pass_nothing(&Drive::straight(depth, depth, to - from));
+        let (drive, before) = (Drive::straight(depth, depth, to - from), self.before());
+        self.line.pass_nothing(&drive);
+        if let Some(before) = before {
+            self.add_up(&Gone { before, drive, way: None, edge: None, since: self.time, force: Some(&|_| 0.0) })?;
+        }
         let surface = self.line.surface_after(0.0);
         self.line.went_to(if controlled == Controlled::Frame { given.value(to) } else { depth }.min(surface));
         self.time += to - from;
         self.panel_length = 0.0;
-    }
-
-    /// The contact is lost with its force.
-    fn let_go(&mut self) -> Result<(), Refusal> {
-        let depth = self.line.penetration - self.line.pressing_at(0.0);
-        self.line.leap(depth)?;
-        self.line.release_all();
         Ok(())
     }
+}
 
-    /// Meets an imposed value at once.
-    pub(super) fn settle(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
-        let (asked, unit) = self.asked(controlled);
-        let pulls = matches!(controlled, Controlled::Force | Controlled::ContactRadius);
-        let open = self.line.radius() == 0.0;
-        let depth = if controlled == Controlled::Penetration
-            || (open && controlled == Controlled::Frame && value <= self.line.surface_after(0.0))
-        {
-            value
-        } else if pulls && value <= 0.0 {
-            return if open { Ok(()) } else { self.let_go() };
-        } else if open && self.line.profile.is_flat() {
-            // All of a punch is touched at once: from where it touches.
-            self.line.went_to(self.line.surface_after(0.0));
-            self.line.touch_rim();
-            return self.settle(controlled, value);
-        } else {
-            let law = Law::new(&self.line, &self.fresh, 0.0);
-            self.evaluations += 1;
-            let met = law.met(asked, &[unit * value; DEGREE])?;
-            met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
-        };
-        self.line.leap(depth)?;
-        match controlled {
-            Controlled::ContactRadius => self.line.put_edge(value),
-            // Nothing carries any more: the frame takes the indenter along.
-            Controlled::Frame if self.line.radius() == 0.0 => self.line.went_to(value),
-            _ => {}
-        }
-        Ok(())
+/// How long, at most so long, a quantity goes one way from a time on.
+fn one_way(given: &Drive, from: f64, longest: f64) -> f64 {
+    let rate = |k: u32| given.rate(from + longest * f64::from(k) / f64::from(LOOKS));
+    let way = rate(1);
+    let Some(turned) = (2..=LOOKS).find(|k| rate(*k) * way < 0.0) else { return longest };
+    let part = longest / f64::from(LOOKS);
+    let (mut low, mut high) = (part * f64::from(turned - 1), part * f64::from(turned));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if given.rate(from + middle) * way > 0.0 { low = middle } else { high = middle }
     }
-
-    /// A contact that has been held at a value until it has relaxed.
-    pub(super) fn relaxed(&mut self, controlled: Controlled, value: f64) -> Result<(), Refusal> {
-        let modulus = self.chain.relaxed;
-        if modulus == 0.0 && value > 0.0 {
-            return Err(Refusal::Undefined {
-                quantity: "the relaxed contact",
-                reason: "the material has no relaxed modulus: it flows for ever; start untouched and hold".into(),
-            });
-        }
-        let depth = match controlled {
-            Controlled::Penetration => value,
-            Controlled::ContactRadius => self.line.profile.line(value),
-            Controlled::Force => self.fresh.depth(0.5 * value / modulus)?,
-            Controlled::Frame => {
-                // Δ + 2E0*Φ/k_f = value: the load rises with Δ.
-                let stiffness = self.problem.frame_stiffness.unwrap_or(f64::INFINITY);
-                let (mut low, mut high) = (value.min(0.0), value);
-                for _ in 0..200 {
-                    let middle = 0.5 * (low + high);
-                    let deeper = self.fresh.depth(0.5 * stiffness * (value - middle) / modulus).map_or(true, |depth| depth > middle);
-                    if deeper { low = middle } else { high = middle }
-                }
-                if value > 0.0 { 0.5 * (low + high) } else { value }
-            }
-        };
-        self.line.rested(depth)
-    }
+    low
 }
 
 /// The last coefficients of the Chebyshev series through nodes.

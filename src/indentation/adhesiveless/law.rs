@@ -9,7 +9,7 @@
 //!
 //! where c_F F/2E∞* + c_Δ Δ is imposed: convex in y, so that Newton's steps from above go straight down. A duration of zero makes ℛ one: a step.
 
-use super::drive::{DEGREE, Drive, means};
+use super::drive::{DEGREE, means};
 use super::edge::Way;
 use super::fresh::Fresh;
 use super::line::Line;
@@ -21,9 +21,12 @@ use std::f64::consts::PI;
 const MOST_ITERATIONS: u32 = 200;
 /// An excess over what is imposed that tells the way of the edge.
 const CLEAR: f64 = 1e-13;
-/// Steps that no longer halve are rounding, if they are so small over the level, or so many times what is remembered.
+/// Steps that no longer halve are rounding, if they are so small over the level, or what the series of the line leave, or so many times what is remembered.
 const STALLED: f64 = 1e-12;
 const MANY: f64 = 16.0;
+/// After so many that do not halve, so small ones are what kinks of the line leave.
+const STUCK: u32 = 40;
+const AT_MOST: f64 = 1e-7;
 /// What rounding leaves of a level.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -43,6 +46,8 @@ pub(super) struct Met {
     pub(super) way: Way,
     pub(super) depths: Row,
     pub(super) places: Row,
+    /// Whether the edge rests, to rounding.
+    pub(super) rests: bool,
     /// What rounding leaves of Δ: a small contact carries little of what the whole surface remembers.
     pub(super) noise: f64,
 }
@@ -53,12 +58,12 @@ pub(super) fn places() -> Row {
 }
 
 pub(super) struct Law<'l, 'a> {
-    line: &'l Line<'a>,
-    fresh: &'l Fresh<'a>,
+    pub(super) line: &'l Line<'a>,
+    pub(super) fresh: &'l Fresh<'a>,
     soft: f64,
     inverse: Square,
-    kept: [Vec<f64>; DEGREE],
-    recovered: [Vec<f64>; DEGREE],
+    pub(super) kept: [Vec<f64>; DEGREE],
+    pub(super) recovered: [Vec<f64>; DEGREE],
 }
 
 impl<'l, 'a> Law<'l, 'a> {
@@ -95,7 +100,7 @@ impl<'l, 'a> Law<'l, 'a> {
         self.inverse.map(|row| row.iter().zip(values).map(|(entry, value)| entry * value).sum())
     }
 
-    fn depths_of(&self, kappa: &Row) -> Row {
+    pub(super) fn depths_of(&self, kappa: &Row) -> Row {
         let start = self.line.penetration;
         self.undone(&kappa.map(|kappa| kappa - self.soft * start)).map(|rise| start + rise)
     }
@@ -121,7 +126,7 @@ impl<'l, 'a> Law<'l, 'a> {
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
             let Some(excess) = clear.filter(|_| !punch) else {
                 if !punch {
-                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], noise: 0.0 }));
+                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], rests: true, noise: 0.0 }));
                 }
                 return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
             };
@@ -142,8 +147,8 @@ impl<'l, 'a> Law<'l, 'a> {
             let all = a >= rim && (line.profile.is_flat() || level >= inside[k].last().unwrap_or(0.0));
             if all { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
         };
-        let (kappa, places) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
-        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, noise: 0.0 })
+        let (kappa, places, noise) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
+        Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
     fn outwards(&self, outside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
@@ -184,13 +189,16 @@ impl<'l, 'a> Law<'l, 'a> {
             };
         }
         let met = self.newton((of_force, of_depth), &right, from, remembered, reached)?;
-        if let Some(depth) = met.as_ref().and_then(|(depths, _)| depths.iter().find(|depth| **depth > top)) {
+        if let Some(depth) = met.as_ref().and_then(|(depths, ..)| depths.iter().find(|depth| **depth > top)) {
             line.virgin_edge(*depth, a)?;
         }
-        Ok(met.map(|(depths, places)| Met { way: Way::Outwards, depths, places, noise: remembered / places[0].max(f64::MIN_POSITIVE) }))
+        Ok(met.map(|(depths, places, noise)| {
+            let noise = noise.max(remembered / places[0].max(f64::MIN_POSITIVE));
+            Met { way: Way::Outwards, depths, places, rests: false, noise }
+        }))
     }
 
-    /// Newton's steps from above.
+    /// Newton's steps from above: levels, places, and the size of steps that no longer halve.
     fn newton(
         &self,
         (of_force, of_depth): (f64, f64),
@@ -198,9 +206,12 @@ impl<'l, 'a> Law<'l, 'a> {
         mut level: Row,
         remembered: f64,
         reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
-    ) -> Result<Option<(Row, Row)>, Refusal> {
+    ) -> Result<Option<(Row, Row, f64)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
-        let mut last = f64::INFINITY;
+        let stalled = (MANY * self.line.tolerance).max(STALLED);
+        let (mut last, mut stuck) = (f64::INFINITY, 0);
+        // Levels that are not too low.
+        let mut above = level;
         for _ in 0..MOST_ITERATIONS {
             let along = self.undone(&level);
             let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
@@ -208,9 +219,21 @@ impl<'l, 'a> Law<'l, 'a> {
                 let there = reached(k, level[k])?;
                 excess[k] = of_force * there.area + of_depth * along[k] - right[k];
                 places[k] = there.place;
+                if excess[k] > 0.0 {
+                    above[k] = level[k];
+                }
             }
             let step = if of_depth == 0.0 {
-                std::array::from_fn(|k| if excess[k] == 0.0 { 0.0 } else { excess[k] / (of_force * places[k]) })
+                std::array::from_fn(|k| {
+                    if excess[k] == 0.0 {
+                        0.0
+                    } else if places[k] > 0.0 {
+                        excess[k] / (of_force * places[k])
+                    } else {
+                        // Kinks of the line have led below all that is in contact.
+                        -0.5 * (above[k] - level[k])
+                    }
+                })
             } else {
                 let jacobian: Square = std::array::from_fn(|k| {
                     std::array::from_fn(|l| of_depth * self.inverse[k][l] + if k == l { of_force * places[k] } else { 0.0 })
@@ -226,61 +249,15 @@ impl<'l, 'a> Law<'l, 'a> {
                 *level -= step;
             }
             let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
-            if size <= ROUNDING * whole || (size <= (STALLED * whole).max(MANY * remembered / small) && size >= 0.5 * last) {
-                return Ok(Some((level, places)));
+            if size <= ROUNDING * whole
+                || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last)
+                || (stuck > STUCK && size <= AT_MOST * whole)
+            {
+                return Ok(Some((level, places, if size <= ROUNDING * whole { 0.0 } else { size })));
             }
+            stuck += u32::from(size >= 0.5 * last);
             last = size;
         }
         Ok(None)
-    }
-
-    fn met_radius(&self, inside: &[Rising], outside: &[Rising], radii: &Row) -> Result<Met, Refusal> {
-        let line = self.line;
-        let a = line.radius();
-        let rising = radii[DEGREE - 1] > a || a == 0.0;
-        let own = radii.map(|radius| radius.max(0.0));
-        let mut level = [0.0; DEGREE];
-        for (k, level) in level.iter_mut().enumerate() {
-            *level = if rising {
-                let [limit, _] = line.known();
-                if own[k] > limit {
-                    return Err(Refusal::NoSuchState {
-                        reason: "the contact radius lies beyond the last point of the table".into(),
-                        limit_name: "the radius of its last point",
-                        limit,
-                    });
-                }
-                outside[k].value(own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
-            } else {
-                inside[k].value(own[k].min(a)).unwrap_or(0.0)
-            };
-        }
-        Ok(Met {
-            way: if rising { Way::Outwards } else { Way::Inwards },
-            depths: if rising { level } else { self.depths_of(&level) },
-            places: own,
-            noise: 0.0,
-        })
-    }
-
-    /// Part of the duration at which the edge passes a place where stretches meet, the first one on its way.
-    pub(super) fn passes(&self, met: &Met) -> Option<f64> {
-        let a = self.line.radius();
-        let end = met.places[DEGREE - 1];
-        let (inside, outside) = (self.line.holding(&self.kept[0]), self.line.surfaces(&self.recovered[0]));
-        let knots = self.fresh.knots(a, end);
-        let first = inside
-            .borders(a, end)
-            .chain(outside.borders(a, end))
-            .chain(knots)
-            .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
-        let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
-        let way = Drive::through(a, 1.0, &points);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (way.value(middle) - first) * (end - a) < 0.0 { low = middle } else { high = middle }
-        }
-        Some(high)
     }
 }

@@ -11,8 +11,8 @@
 //! zero of S, and nothing but S ≥ 0 decides what is in contact.
 
 use super::chain::Chain;
-use super::drive::Moment;
 use super::grid::{GRID, NODES, Nodal, dot};
+use super::moment::Moment;
 use crate::indentation::profile::Profile;
 use crate::refusal::Refusal;
 
@@ -27,6 +27,8 @@ pub(super) struct Stretch {
     pub(super) heights: Nodal,
     /// u_i or e_j, term after term.
     pub(super) state: Vec<f64>,
+    /// What joining has changed in it (m).
+    pub(super) off: f64,
     /// Whether it may be joined with the next one: not tried since it changed.
     pub(super) fresh: bool,
 }
@@ -85,7 +87,8 @@ pub(super) struct Line<'a> {
     pub(super) depth: f64,
     /// What a series may leave, over the depth.
     pub(super) tolerance: f64,
-    /// Σ of what joining stretches changed (m): no state is off by more, since nothing that follows makes a difference larger.
+    /// What is not known of any state (m), since nothing that follows makes a difference larger: everywhere, and the most that joining changed at a place.
+    pub(super) everywhere: f64,
     pub(super) joined: f64,
     pub(super) updates: u64,
     pub(super) most_stretches: u64,
@@ -101,6 +104,7 @@ impl<'a> Line<'a> {
             penetration: 0.0,
             depth: 0.0,
             tolerance,
+            everywhere: 0.0,
             joined: 0.0,
             updates: 0,
             most_stretches: 0,

@@ -1,11 +1,49 @@
 //! What the edge does to the chains that it passes: each at its own time.
 
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
 use super::line::{Line, NARROWEST, Stretch};
+use super::moment::Moment;
 use super::times::{leaving, touching};
 use crate::refusal::Refusal;
+
+/// Where the edge is imposed to be: a quantity that goes one way, from a time of it on.
+#[derive(Clone, Copy)]
+pub(super) struct Edge<'e> {
+    pub(super) given: &'e Drive,
+    pub(super) since: f64,
+}
+
+impl Edge<'_> {
+    fn place(&self, time: f64) -> f64 {
+        self.given.value(self.since + time).max(0.0)
+    }
+
+    /// When it passes a place, within a duration.
+    fn time(&self, place: f64, duration: f64) -> f64 {
+        let outwards = self.place(duration) > self.place(0.0);
+        let (mut low, mut high) = (0.0, duration);
+        let (mut below, mut above) = (self.place(low) - place, self.place(high) - place);
+        while high - low > f64::EPSILON * duration {
+            let chord = low - below * (high - low) / (above - below);
+            // A chord and its mirror enclose the root of what is nearly straight; a half is the way out.
+            for time in [chord, chord + 1e-3 * (high - low), chord - 1e-3 * (high - low), 0.5 * (low + high)] {
+                if time > low && time < high {
+                    let value = self.place(time) - place;
+                    if value == 0.0 {
+                        return time;
+                    }
+                    if (value < 0.0) == outwards { (low, below) = (time, value) } else { (high, above) = (time, value) }
+                }
+            }
+            if 0.5 * (low + high) <= low || 0.5 * (low + high) >= high {
+                break;
+            }
+        }
+        if above.abs() < below.abs() { high } else { low }
+    }
+}
 
 impl Line<'_> {
     /// A time in which the edge rests.
@@ -15,14 +53,22 @@ impl Line<'_> {
         self.went_to(moment.depth);
     }
 
-    /// A whole drive along which the edge goes one way.
-    pub(super) fn pass(&mut self, drive: &Drive, way: Way) -> Result<(), Refusal> {
+    /// A whole drive along which the edge goes one way, to where S vanishes or where it is imposed.
+    pub(super) fn pass(&mut self, drive: &Drive, way: Way, edge: Option<&Edge<'_>>) -> Result<(), Refusal> {
+        self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
         let end = Moment::new(self.chain, drive, drive.duration);
         let this = self.without_stretches();
+        let to = edge.map(|edge| edge.place(drive.duration));
         let (mut moment, mut scratch, mut guess) = (Moment::default(), Vec::new(), 0.0);
         match way {
-            Way::Inwards => self.recede(&end, &mut |height, state| {
-                let time = leaving(&this, drive, height, state, drive.duration, guess, &mut moment);
+            Way::Inwards => self.recede(&end, to, &mut |place, height, state| {
+                let time = if let Some(edge) = edge {
+                    let time = edge.time(place, drive.duration);
+                    moment.set(this.chain, drive, time);
+                    time
+                } else {
+                    leaving(&this, drive, height, state, drive.duration, guess, &mut moment)
+                };
                 guess = time;
                 for ((u, kept), gained) in state.iter_mut().zip(&moment.kept).zip(&moment.gained) {
                     *u = *u * kept + gained;
@@ -32,8 +78,14 @@ impl Line<'_> {
                     *e *= (-rate * (drive.duration - time)).exp();
                 }
             }),
-            Way::Outwards => self.advance(&end, &mut |height, state| {
-                let time = touching(&this, drive, height, state, guess, &mut moment);
+            Way::Outwards => self.advance(&end, to, &mut |place, height, state| {
+                let time = if let Some(edge) = edge {
+                    let time = edge.time(place, drive.duration);
+                    moment.set_free(this.chain, drive, time);
+                    time
+                } else {
+                    touching(&this, drive, height, state, guess, &mut moment)
+                };
                 guess = time;
                 for (e, kept) in state.iter_mut().zip(&moment.recovered) {
                     *e *= kept;
@@ -52,9 +104,8 @@ impl Line<'_> {
         Ok(())
     }
 
-    /// A step of the penetration, at once: whether the contact was lost.
-    pub(super) fn leap(&mut self, to: f64) -> Result<bool, Refusal> {
-        let had = self.radius() > 0.0;
+    /// A step of the penetration, at once, and of the edge where that is imposed.
+    pub(super) fn leap(&mut self, to: f64, edge: Option<f64>) -> Result<(), Refusal> {
         let before = self.penetration;
         self.depth = self.depth.max(to.abs());
         let terms = self.chain.terms();
@@ -67,22 +118,23 @@ impl Line<'_> {
             ..Moment::default()
         };
         let (chain, mut scratch) = (self.chain, Vec::new());
-        if to < before {
-            self.recede(&end, &mut |height, state| chain.released(before - height, state, &mut scratch));
+        let inwards = edge.map_or(to < before, |edge| edge < self.radius());
+        if inwards {
+            self.recede(&end, edge, &mut |_, height, state| chain.released(before - height, state, &mut scratch));
         } else {
-            self.advance(&end, &mut |height, state| chain.touched(to - height, state, &mut scratch))?;
+            self.advance(&end, edge, &mut |_, height, state| chain.touched(to - height, state, &mut scratch))?;
         }
         self.went_to(to);
         self.tidy(false);
-        Ok(had && self.radius() == 0.0)
+        Ok(())
     }
 
-    /// The edge goes inwards: `released` takes a chain with its height from u_i at the start to e_j at the end.
-    fn recede(&mut self, end: &Moment, released: &mut dyn FnMut(f64, &mut [f64])) {
+    /// The edge goes inwards: `released` takes a chain with its place and height from u_i at the start to e_j at the end.
+    fn recede(&mut self, end: &Moment, edge: Option<f64>, released: &mut dyn FnMut(f64, f64, &mut [f64])) {
         let mut freed: Vec<Stretch> = Vec::new();
         let mut cut = None;
         while let Some(stretch) = self.contact.pop() {
-            let place = snapped(&stretch, zero_in(&stretch, &self.pressed(&stretch, end)));
+            let place = snapped(&stretch, edge.unwrap_or_else(|| zero_in(&stretch, &self.pressed(&stretch, end))));
             if place >= stretch.high {
                 self.contact.push(stretch);
                 break;
@@ -93,10 +145,11 @@ impl Line<'_> {
                 false,
                 &mut |s, height, state| {
                     stretch.at(s, state);
-                    released(height, state);
+                    released(s, height, state);
                 },
                 &mut parts,
             );
+            parts.iter_mut().for_each(|part| part.off = stretch.off);
             parts.append(&mut freed);
             freed = parts;
             if place > stretch.low {
@@ -107,6 +160,7 @@ impl Line<'_> {
         if let Some((whole, place)) = cut {
             let mut parts = Vec::new();
             self.build((whole.low, place), true, &mut |s, _, state| whole.at(s, state), &mut parts);
+            parts.iter_mut().for_each(|part| part.off = whole.off);
             self.contact.append(&mut parts);
         }
         self.age(end);
@@ -114,8 +168,8 @@ impl Line<'_> {
         self.free = freed;
     }
 
-    /// The edge goes outwards: `touched` takes a chain with its height from e_j at the start to u_i at the end.
-    fn advance(&mut self, end: &Moment, touched: &mut dyn FnMut(f64, &mut [f64])) -> Result<(), Refusal> {
+    /// The edge goes outwards: `touched` takes a chain with its place and height from e_j at the start to u_i at the end.
+    fn advance(&mut self, end: &Moment, to: Option<f64>, touched: &mut dyn FnMut(f64, f64, &mut [f64])) -> Result<(), Refusal> {
         let (mut gained, mut rest): (Vec<Stretch>, Vec<Stretch>) = (Vec::new(), Vec::new());
         let (mut reached, mut stopped) = (self.radius(), false);
         for stretch in std::mem::take(&mut self.free) {
@@ -123,14 +177,15 @@ impl Line<'_> {
                 rest.push(stretch);
                 continue;
             }
-            let place = snapped(&stretch, zero_in(&stretch, &self.opened(&stretch, end)));
+            let (own, others) = (gained.len(), rest.len());
+            let place = snapped(&stretch, to.unwrap_or_else(|| zero_in(&stretch, &self.opened(&stretch, end))));
             if place > stretch.low {
                 self.build(
                     (stretch.low, place),
                     true,
                     &mut |s, height, state| {
                         stretch.at(s, state);
-                        touched(height, state);
+                        touched(s, height, state);
                     },
                     &mut gained,
                 );
@@ -140,19 +195,20 @@ impl Line<'_> {
             if stopped && place > stretch.low {
                 self.build((place, stretch.high), false, &mut |s, _, state| stretch.at(s, state), &mut rest);
             } else if stopped {
-                rest.push(stretch);
+                rest.push(stretch.clone());
             }
+            gained.iter_mut().skip(own).chain(rest.iter_mut().skip(others)).for_each(|part| part.off = stretch.off);
         }
         self.free = rest;
         if !stopped {
-            let edge = self.virgin_edge(end.depth, reached)?;
+            let edge = if let Some(to) = to { to.min(self.profile.rim()) } else { self.virgin_edge(end.depth, reached)? };
             if edge - reached > NARROWEST * edge {
                 self.build(
                     (reached, edge),
                     true,
-                    &mut |_, height, state| {
+                    &mut |s, height, state| {
                         state.fill(0.0);
-                        touched(height, state);
+                        touched(s, height, state);
                     },
                     &mut gained,
                 );
@@ -170,6 +226,7 @@ impl Line<'_> {
         let mut freed = Vec::new();
         let mut scratch = Vec::new();
         for stretch in std::mem::take(&mut self.contact) {
+            let own = freed.len();
             self.build(
                 (stretch.low, stretch.high),
                 false,
@@ -179,6 +236,7 @@ impl Line<'_> {
                 },
                 &mut freed,
             );
+            freed.iter_mut().skip(own).for_each(|part| part.off = stretch.off);
         }
         freed.append(&mut self.free);
         self.free = freed;
@@ -203,6 +261,7 @@ fn zero_in(stretch: &Stretch, values: &Nodal) -> f64 {
 /// The same, at an end where it is next to one.
 fn snapped(stretch: &Stretch, place: f64) -> f64 {
     let near = NARROWEST * stretch.high;
+    // Beyond an end is at it, too.
     if place - stretch.low <= near {
         stretch.low
     } else if stretch.high - place <= near {

@@ -1,12 +1,8 @@
 //! Points of the path of a course: events, the account of energies.
 
 use super::course::Course;
-use crate::indentation::meter::Course as Polynomial;
-use crate::indentation::panel::RULE;
+use super::ledger::Sums;
 use crate::indentation::solution::{Energies, Event, EventKind, PathPoint};
-
-/// Points of a path that a polynomial goes through.
-const POINTS_BEHIND: usize = 6;
 
 impl Course<'_> {
     pub(super) fn event(&self) -> Event<f64> {
@@ -54,48 +50,29 @@ impl Course<'_> {
             piece: self.record.piece(),
             energies: None,
         };
+        let sums = std::mem::take(&mut self.sums);
         if self.problem.energies {
             let [stored, dissipated_power] = self.line.energies();
-            point.energies = Some(Energies { stored, dissipated_power, ..Energies::default() });
-            self.recent.push(point);
-            let spare = self.recent.len().saturating_sub(POINTS_BEHIND);
-            self.recent.drain(..spare);
-            let energies = self.account(&point, sudden);
-            point.energies = Some(energies);
+            point.energies = Some(self.account([stored, dissipated_power], &sums, sudden));
         }
         self.record.trace.work.steps += 1;
         self.record.push(point);
         if let Some(meter) = &mut self.meter {
-            meter.step(&point);
+            meter.passed(&point, &sums);
         }
     }
 
-    /// The running account of energies up to a point that is the newest of the recent ones.
-    fn account(&self, point: &PathPoint, sudden: bool) -> Energies {
-        let now = point.energies.unwrap_or_default();
-        let Some(last) = self.record.trace.path.last() else { return now };
-        let Some(before) = last.energies else { return now };
-        let (mut external, mut lost) = (0.0, 0.0);
-        if sudden || point.time <= last.time {
-            // Springs alone take a step: what it does is stored.
-            external = now.stored - before.stored;
-        } else {
-            let [depth, force, power] = [
-                Polynomial::through(&self.recent, |point| point.penetration),
-                Polynomial::through(&self.recent, |point| point.force),
-                Polynomial::through(&self.recent, |point| point.energies.map_or(0.0, |energies| energies.dissipated_power)),
-            ];
-            let begin = last.time - point.time;
-            for (x, weight) in RULE.nodes.iter().zip(RULE.weights) {
-                let time = begin * (1.0 - x);
-                external += -begin * weight * force.at(time).0 * depth.at(time).1;
-                lost += -begin * weight * power.at(time).0;
-            }
-        }
+    /// The running account of energies. What is not stored of the work is lost: the power lost, added up by itself, tells how well both agree.
+    fn account(&self, [stored, dissipated_power]: [f64; 2], sums: &Sums, sudden: bool) -> Energies {
+        let now = Energies { stored, dissipated_power, ..Energies::default() };
+        let Some(before) = self.record.trace.path.last().and_then(|last| last.energies) else { return now };
+        let rise = stored - before.stored;
+        // Springs alone take a step: what it does is stored.
+        let (work, lost) = if sudden { (rise, 0.0) } else { (sums.work, sums.work - rise) };
         Energies {
-            external_work: before.external_work + external,
+            external_work: before.external_work + work,
             dissipated: before.dissipated + lost,
-            balance_defect: external - (now.stored - before.stored) - lost,
+            balance_defect: lost - sums.lost,
             ..now
         }
     }

@@ -51,7 +51,7 @@ impl Line<'_> {
         halvings: u32,
     ) {
         let terms = self.chain.terms();
-        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
+        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
         let mut state = vec![0.0; terms];
         for k in 0..NODES {
             let place = stretch.place(k);
@@ -102,8 +102,9 @@ impl Line<'_> {
                     if !(all || before.fresh || next.fresh) {
                         break;
                     }
-                    let Some((joined, change)) = self.joined(before, &next, &shares, allowed) else { break };
-                    self.joined += change;
+                    let Some((mut joined, change)) = self.joined(before, &next, &shares, allowed) else { break };
+                    joined.off = before.off.max(next.off) + change;
+                    self.joined = self.joined.max(joined.off);
                     kept.pop();
                     next = joined;
                 }
@@ -120,7 +121,7 @@ impl Line<'_> {
     fn joined(&self, first: &Stretch, second: &Stretch, shares: &[f64], allowed: f64) -> Option<(Stretch, f64)> {
         let (low, high) = (first.low, second.high);
         let terms = self.chain.terms();
-        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], fresh: true };
+        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
         for k in 0..NODES {
             let place = whole.place(k);
             whole.heights[k] = self.profile.line(place);

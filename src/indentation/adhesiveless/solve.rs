@@ -5,7 +5,7 @@ use super::course::{Course, Fineness};
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::fields::SurfaceFields;
-use crate::indentation::history::Controlled;
+use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::judgement::judged;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
@@ -20,25 +20,19 @@ const COARSER: f64 = 30.0;
 const OF_CHANGE: f64 = 100.0;
 /// Slope of S over f′ that is told from none.
 const SOFTEST: f64 = 1e4;
-/// Points of cycles and powers over their first number, at most: a contact that is lost and found within a cycle has a force that is not smooth.
-const DENSEST: u32 = 8;
-/// Part of an error that denser points must leave to go on.
-const HELPED: f64 = 0.6;
 /// Series over the accuracy.
 const OF_ACCURACY: f64 = 1e-7;
+const LOOSEST: f64 = 1e-11;
+/// The same of sums over the time.
+const OF_SUMS: f64 = 1e-3;
+const FINEST_SUMS: f64 = 1e-12;
 
-/// How finely courses go: the coarser one (level 0) and the finer one, at points of cycles and of powers `points` times as dense.
-fn fineness(accuracy: f64, level: u32, points: u32) -> Fineness {
+/// How finely courses go: the coarser one (level 0) and the finer one.
+fn fineness(accuracy: f64, level: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
-    let finer = (1e-3 / accuracy).powf(0.25).clamp(1.0, 4.0);
     Fineness {
-        series: (OF_ACCURACY * accuracy).clamp(FINEST, 1e-10) * coarser,
-        of_cycle: (finer * if level == 0 { 28.0 } else { 40.0 }) as u32 * points,
-        ledger: if level == 0 {
-            (1.6_f64.powf(f64::from(points).recip()), 16 * points)
-        } else {
-            (1.35_f64.powf(f64::from(points).recip()), 24 * points)
-        },
+        series: (OF_ACCURACY * accuracy).clamp(FINEST, LOOSEST) * coarser,
+        sums: (OF_SUMS * accuracy).clamp(FINEST_SUMS, 1e-5) * coarser,
     }
 }
 
@@ -50,39 +44,29 @@ pub(in crate::indentation) fn solve(
 ) -> Result<IndentationSolution, Refusal> {
     let chain = Chain::new(material)?;
     let mut work = IndentationWork::default();
-    let (mut points, mut number, mut excess) = (1, 0, f64::INFINITY);
-    loop {
-        let mut course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
-            number += 1;
-            Course::new(&chain, problem, fineness(problem.accuracy, level, points)).watched(watch, number).through(stops)
-        };
-        let (mut coarse, _) = course(0, &[])?;
-        let stops = coarse.shortened.clone();
-        let (fine, unknown) = course(1, &stops)?;
-        problem.profile.holds(fine.summary.scales[2], 0.0)?;
-        for trace in [&coarse, &fine] {
-            work.add(&trace.work);
-        }
-        // The finer course errs by a small part of the change between both.
-        coarse.tolerance = fine.tolerance * OF_CHANGE;
-        let traces = vec![fine, coarse];
-        let verdict =
-            judged(problem, &traces, 0).ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
-        let helped = verdict.excess < HELPED * excess;
-        excess = verdict.excess;
-        let mut solution = verdict.solution(work);
-        if solution.reached || points >= DENSEST || !helped {
-            widen(&mut solution, &chain, problem, unknown);
-            return Ok(solution);
-        }
-        points *= 2;
+    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
+        Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
+    };
+    let (mut coarse, _) = course(0, &[])?;
+    let stops = coarse.shortened.clone();
+    let (fine, unknown) = course(1, &stops)?;
+    problem.profile.holds(fine.summary.scales[2], 0.0)?;
+    for trace in [&coarse, &fine] {
+        work.add(&trace.work);
     }
+    // The finer course errs by a small part of the change between both.
+    coarse.tolerance = fine.tolerance * OF_CHANGE;
+    let verdict = judged(problem, &[fine, coarse], 0)
+        .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
+    let mut solution = verdict.solution(work);
+    widen(&mut solution, &chain, problem, unknown);
+    Ok(solution)
 }
 
 /// One course, as fine as an accuracy asks for.
 pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
     let chain = Chain::new(material)?;
-    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1, 1)).through(&[])?;
+    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1)).through(&[])?;
     trace.tolerance = accuracy;
     problem.profile.holds(trace.summary.scales[2], 0.0)?;
     Ok(trace)
@@ -101,11 +85,19 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         // An edge is known no worse than the whole contact.
         if a > 0.0 && slope > 0.0 { (softest * unknown / slope).min(a) } else { 0.0 }
     };
-    for instant in &mut solution.instants {
+    // What is imposed at each instant: an edge that is imposed is known.
+    let kept = |segment: &Segment| {
+        let at_once = segment.duration == 0.0 || segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+        (segment.controlled, if at_once { 1 } else { problem.instants_per_segment.max(1) as usize })
+    };
+    let first = std::iter::once((problem.history.controlled, 1));
+    let imposed =
+        first.chain(problem.history.segments.iter().map(kept)).flat_map(|(controlled, times)| std::iter::repeat_n(controlled, times));
+    for (instant, controlled) in solution.instants.iter_mut().zip(imposed) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth);
         wider(&mut instant.force, of_force(a));
-        wider(&mut instant.contact_radius, of_edge(a));
+        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a) });
     }
     for cycle in &mut solution.cycles {
         for k in 0..2 {
@@ -135,7 +127,7 @@ pub(in crate::indentation) fn surface_at(
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     let chain = Chain::new(material)?;
-    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1, 1)).line_at(time, &solved.shortened)?;
+    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1)).line_at(time, &solved.shortened)?;
     let (depth, profile) = (line.penetration, &problem.profile);
     let surface = |grades: i32| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {

@@ -1,7 +1,7 @@
 //! A line looked at: what presses where, what must not be negative, and how two lines differ.
 
 use super::grid::NODES;
-use super::line::{Line, NARROWEST, Stretch};
+use super::line::Line;
 use crate::refusal::Refusal;
 
 impl Line<'_> {
@@ -48,44 +48,6 @@ impl Line<'_> {
             &mut stretches,
         );
         self.contact = stretches;
-    }
-
-    /// Puts the edge where it is imposed, which it is to rounding: all between carries nothing. In a liquid that has flowed nothing else tells where.
-    pub(super) fn put_edge(&mut self, place: f64) {
-        let (chain, depth, a) = (self.chain, self.penetration, self.radius());
-        if (place - a).abs() <= NARROWEST * a {
-            return;
-        }
-        let (contact, free, mut scratch) = (std::mem::take(&mut self.contact), std::mem::take(&mut self.free), Vec::new());
-        let (mut pressed, mut opened) = (Vec::new(), Vec::new());
-        let mut part = |line: &mut Self, stretch: Option<&Stretch>, (low, high): (f64, f64), was: bool| {
-            for (low, high, is) in [(low, high.min(place), true), (low.max(place), high, false)] {
-                let mut at = |s: f64, height: f64, state: &mut [f64]| {
-                    match stretch {
-                        Some(stretch) => stretch.at(s, state),
-                        None => state.fill(0.0),
-                    }
-                    match (was, is) {
-                        (true, false) => chain.released(depth - height, state, &mut scratch),
-                        (false, true) => chain.touched(depth - height, state, &mut scratch),
-                        _ => {}
-                    }
-                };
-                line.build((low, high), is, &mut at, if is { &mut pressed } else { &mut opened });
-            }
-        };
-        let mut end = a;
-        for stretch in &contact {
-            part(self, Some(stretch), (stretch.low, stretch.high), true);
-        }
-        for stretch in &free {
-            part(self, Some(stretch), (stretch.low, stretch.high), false);
-            end = stretch.high;
-        }
-        if place > end {
-            part(self, None, (end, place), false);
-        }
-        (self.contact, self.free) = (pressed, opened);
     }
 
     /// The least of what must not be negative, Q/E∞* inside and D outside (m), and what Q leaves at the edge, over the depth.

@@ -1,7 +1,8 @@
 //! When a chain leaves contact or is touched, as the zero of its own S.
 
-use super::drive::{Drive, Moment};
+use super::drive::Drive;
 use super::line::Line;
+use super::moment::Moment;
 
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
@@ -9,42 +10,40 @@ const MOST_ITERATIONS: u32 = 100;
 /// When a chain in contact with u_i (now) leaves: `moment` is then set to it.
 pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let soft = chain.relaxed / chain.glassy;
-    let mut pressing = |time: f64, moment: &mut Moment| {
-        moment.set(chain, drive, time);
-        let (mut value, mut slope) = (soft * (moment.depth - height), moment.rate);
-        for ((&(modulus, rho), u), (kept, gained)) in chain.maxwell.iter().zip(state).zip(moment.kept.iter().zip(&moment.gained)) {
-            let share = modulus / chain.glassy * (u * kept + gained);
-            value += share;
-            slope -= share / rho;
-        }
+    let time = rising_zero(by, guess, &mut |time| {
+        let (value, slope) = moment.pressing(chain, drive, height, state, time);
         (-value, -slope)
-    };
-    rising_zero(by, guess, moment, &mut pressing)
+    });
+    moment.set(chain, drive, time);
+    time
 }
 
 /// When a free chain with e_j (now) touches: `moment` is then set to it.
 pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let mut overlap = |time: f64, moment: &mut Moment| {
-        moment.set_free(chain, drive, time);
-        let (mut value, mut slope) = (moment.depth - height, moment.rate);
-        for ((&(rate, _), e), kept) in chain.voigt.iter().zip(state).zip(&moment.recovered) {
-            value -= e * kept;
-            slope += rate * e * kept;
+    let time = rising_zero(drive.duration, guess, &mut |time| {
+        let (mut value, mut slope) = (drive.value(time) - height, drive.rate(time));
+        for (&(rate, _), e) in chain.voigt.iter().zip(state) {
+            // What has recovered counts no more.
+            if *e != 0.0 {
+                let left = e * (-rate * time).exp();
+                value -= left;
+                slope += rate * left;
+            }
         }
         (value, slope)
-    };
-    rising_zero(drive.duration, guess, moment, &mut overlap)
+    });
+    moment.set_free(chain, drive, time);
+    time
 }
 
 /// The time of 0…`by` at which a function rises through zero, by Newton's steps within a bracket.
-fn rising_zero(by: f64, guess: f64, moment: &mut Moment, function: &mut dyn FnMut(f64, &mut Moment) -> (f64, f64)) -> f64 {
+fn rising_zero(by: f64, guess: f64, function: &mut dyn FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (0.0, by);
     let mut time = if guess > 0.0 && guess < by { guess } else { by };
     let (mut step, mut last_step) = (by, by);
     for _ in 0..MOST_ITERATIONS {
-        let (value, slope) = function(time, moment);
+        let (value, slope) = function(time);
         if value == 0.0 {
             return time;
         }
@@ -78,13 +77,8 @@ fn rising_zero(by: f64, guess: f64, moment: &mut Moment, function: &mut dyn FnMu
         }
         time = next;
         if high <= 1e-25 * by {
-            time = 0.0;
-            function(time, moment);
-            break;
+            return 0.0;
         }
-    }
-    if (moment.time - time).abs() > 0.0 {
-        function(time, moment);
     }
     time
 }

@@ -1,0 +1,194 @@
+//! What is added up along a drive: the work done, the power lost, and the moments and extremes of a cycle, by series in the time that are halved until they end.
+
+use super::course::Course;
+use super::drive::Drive;
+use super::edge::Way;
+use super::grid::{GRID, NODES, Nodal};
+use super::line::{Line, place_of};
+use super::moment::Moment;
+use super::passing::Edge;
+use crate::refusal::Refusal;
+
+/// Halvings of the time of a drive.
+const MOST_HALVINGS: u32 = 60;
+/// Rounding of a value, and what a series of the line leaves of F, over what it leaves of S.
+const ROUNDING: f64 = 1e-14;
+const OF_LINE: f64 = 50.0;
+/// How much coarser the power lost may be, which only tells how well the balance holds.
+const OF_BALANCE: f64 = 1e3;
+/// Parts of a drive, at most.
+const MOST_PARTS: u32 = 600;
+/// Steps of the search for an extreme, each 0.618 of the one before.
+const NARROWINGS: u32 = 45;
+
+/// Sums over the time since the last point.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::indentation) struct Sums {
+    /// ∫F dΔ and ∫P_d dt.
+    pub(in crate::indentation) work: f64,
+    pub(in crate::indentation) lost: f64,
+    /// ∫x dφ, ∫x sin φ dφ, ∫x cos φ dφ of Δ and of F.
+    pub(in crate::indentation) moments: [[f64; 3]; 2],
+    /// Smallest and largest Δ, F and a; none where nothing was added.
+    pub(in crate::indentation) extremes: Option<[[f64; 2]; 3]>,
+}
+
+/// A drive that has been gone along one way, from a line before it.
+pub(super) struct Gone<'g, 'a> {
+    pub(super) before: Line<'a>,
+    pub(super) drive: Drive,
+    /// None where the edge rested.
+    pub(super) way: Option<Way>,
+    pub(super) edge: Option<Edge<'g>>,
+    /// The time of the stretch at its start.
+    pub(super) since: f64,
+    /// F where it is imposed.
+    pub(super) force: Option<&'g dyn Fn(f64) -> f64>,
+}
+
+impl Gone<'_, '_> {
+    /// F and P_d at a time; P_d only where energies are asked for.
+    fn at(&self, time: f64, energies: bool) -> Result<(f64, f64), Refusal> {
+        if let (false, Some(force)) = (energies, self.force) {
+            return Ok((force(time), 0.0));
+        }
+        if !energies && self.edge.is_none() && self.way != Some(Way::Outwards) {
+            return Ok((self.before.pressing_after(&self.drive, time, self.way.is_some()), 0.0));
+        }
+        let mut line = self.before.clone();
+        if time > 0.0 {
+            match self.way {
+                Some(way) => line.pass(&self.drive.until(time), way, self.edge.as_ref())?,
+                None => line.pass_nothing(&self.drive.until(time)),
+            }
+        }
+        let power = if energies { line.energies()[1] } else { 0.0 };
+        Ok((self.force.map_or_else(|| line.force(), |force| force(time)), power))
+    }
+}
+
+impl Line<'_> {
+    /// F of what is in contact, a time along a drive in which the edge goes inwards, or rests.
+    fn pressing_after(&self, drive: &Drive, time: f64, recedes: bool) -> f64 {
+        let mut moment = Moment::default();
+        moment.set(self.chain, drive, time);
+        let mut sum = 0.0;
+        for stretch in &self.contact {
+            let pressed = self.pressed(stretch, &moment);
+            if recedes && pressed[0] <= 0.0 {
+                break;
+            }
+            sum += stretch.width()
+                * if recedes && pressed[NODES - 1] < 0.0 {
+                    GRID.integral_to(GRID.falling_zero(&pressed), &pressed)
+                } else {
+                    GRID.integral(&pressed)
+                };
+        }
+        2.0 * self.chain.glassy * sum
+    }
+}
+
+impl<'a> Course<'a> {
+    /// Whether anything is added up.
+    pub(super) fn adds_up(&self) -> bool {
+        self.until.is_infinite() && (self.problem.energies || self.meter.is_some())
+    }
+
+    /// The line as it is, where something is added up.
+    pub(super) fn before(&self) -> Option<Line<'a>> {
+        self.adds_up().then(|| self.line.clone())
+    }
+
+    /// Adds up what a drive has done.
+    pub(super) fn add_up(&mut self, gone: &Gone<'_, 'a>) -> Result<(), Refusal> {
+        let drive = &gone.drive;
+        let mut parts = vec![(0.0, drive.duration, MOST_HALVINGS)];
+        let (start, rise) = (gone.at(0.0, false)?.0, drive.end() - drive.start);
+        let mut sums = std::mem::take(&mut self.sums);
+        sums.work += start * rise;
+        let mut swings = [0.0_f64; 2];
+        let noise = OF_LINE * self.fineness.series.max(self.chain.noise.iter().flatten().sum()).max(ROUNDING);
+        let whole = self.record.trace.summary.scales;
+        let mut left = MOST_PARTS;
+        while let Some((low, high, halvings)) = parts.pop() {
+            left = left.saturating_sub(1);
+            let (mut depths, mut forces, mut powers) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
+            let mut work = [0.0; NODES];
+            let mut phases = [[0.0; 3]; NODES];
+            for k in 0..NODES {
+                let time = place_of(low, high, k);
+                depths[k] = drive.value(time);
+                (forces[k], powers[k]) = gone.at(time, self.problem.energies)?;
+                work[k] = (forces[k] - start) * drive.rate(time);
+                if let Some(meter) = &self.meter {
+                    phases[k] = meter.weights(self.origin + gone.since + time);
+                }
+            }
+            let range = |values: &Nodal| values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
+            let ranges = [range(&depths), range(&forces)];
+            for (swing, [least, most]) in swings.iter_mut().zip(ranges) {
+                *swing = swing.max(most - least);
+            }
+            let width = high - low;
+            let largest: [f64; 2] = std::array::from_fn(|k| whole[k].max(ranges[k][0].abs()).max(ranges[k][1].abs()));
+            // What the work of the whole drive may be off by, and what of it noise leaves.
+            let fastest = (0..NODES).fold(0.0, |most: f64, k| most.max(drive.rate(place_of(low, high, k)).abs()));
+            let of_work = (self.fineness.sums * swings[0] * swings[1]).max(noise * largest[1] * fastest * width);
+            let of_power = (OF_BALANCE * self.fineness.sums * largest[0] * largest[1])
+                .max(noise * width * powers.iter().fold(0.0, |most: f64, p| most.max(*p)));
+            let mut ended = width * GRID.tail(&work) <= of_work && width * GRID.tail(&powers) <= of_power;
+            let mut moments = [[0.0; 3]; 2];
+            if self.meter.is_some() {
+                for (quantity, values) in [&depths, &forces].into_iter().enumerate() {
+                    for (index, moment) in moments[quantity].iter_mut().enumerate() {
+                        let part: Nodal = std::array::from_fn(|k| phases[k][index] * values[k]);
+                        let allowed = (self.fineness.sums * swings[quantity]).max(noise * largest[quantity]);
+                        ended &= width * GRID.tail(&part) <= allowed;
+                        *moment = width * GRID.integral(&part);
+                    }
+                }
+                ended &= GRID.tail(&forces) <= (self.fineness.sums * swings[1]).max(noise * largest[1]);
+            }
+            if !ended && halvings > 0 && left > 0 {
+                let middle = 0.5 * (low + high);
+                parts.push((middle, high, halvings - 1));
+                parts.push((low, middle, halvings - 1));
+                continue;
+            }
+            sums.work += width * GRID.integral(&work);
+            sums.lost += width * GRID.integral(&powers);
+            for (sum, part) in sums.moments.iter_mut().flatten().zip(moments.iter().flatten()) {
+                *sum += part;
+            }
+            if self.meter.is_some() {
+                // The edge goes one way.
+                let (one, other) = (gone.before.radius(), self.line.radius());
+                let found = [extremes(&depths), extremes(&forces), [one.min(other), one.max(other)]];
+                sums.extremes = Some(match sums.extremes {
+                    None => found,
+                    Some(old) => std::array::from_fn(|k| [old[k][0].min(found[k][0]), old[k][1].max(found[k][1])]),
+                });
+            }
+        }
+        self.sums = sums;
+        Ok(())
+    }
+}
+
+/// Least and largest value of a series.
+fn extremes(values: &Nodal) -> [f64; 2] {
+    [-1.0, 1.0].map(|sign| {
+        let top = (0..NODES).max_by(|one, other| (sign * values[*one]).total_cmp(&(sign * values[*other]))).unwrap_or(0);
+        if top == 0 || top == NODES - 1 {
+            return values[top];
+        }
+        let of = |part: f64| sign * super::grid::dot(&GRID.at(part, 1.0 - part), values);
+        let (mut low, mut high) = (GRID.parts[top - 1], GRID.parts[top + 1]);
+        for _ in 0..NARROWINGS {
+            let (first, second) = (high - 0.618_033_988_75 * (high - low), low + 0.618_033_988_75 * (high - low));
+            if of(first) > of(second) { high = second } else { low = first }
+        }
+        sign * of(0.5 * (low + high)).max(sign * values[top])
+    })
+}

@@ -1,0 +1,134 @@
+//! Random scenes of an indenter without adhesion that were refused, endless or less accurate than asked for: one for each kind of fault.
+//!
+//! Contract: scenes without `[adhesion]`, in tests/scenes_without_adhesion (drawn by verification/crosscheck/adhesiveless_scenes.py).
+//! Goal: every row is solved. The values of these scenes are compared by the cross-check, which knows them from an independent program.
+//! Oracle: here, what needs no solver: an imposed radius, one detachment, the balance of energies by two integrals, and Hertz's energy.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
+use std::path::Path;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Watch, run, run_watched};
+use viscotack::material::Material;
+use viscotack::outcome::{Outcome, Status};
+use viscotack::plan;
+use viscotack::scene::{Document, read};
+
+fn solved(name: &str) -> Outcome {
+    let path = Path::new("tests/scenes_without_adhesion").join(name).with_extension("toml");
+    let mut document = Document::load(&path).unwrap();
+    read::resolve_includes(&mut document).unwrap();
+    let scene = read::read(&document).unwrap();
+    let found = plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
+    let failed = found.rows.iter().find(|row| row.status != Status::Solved);
+    assert!(failed.is_none(), "{name}: {failed:?}");
+    found
+}
+
+fn events(outcome: &Outcome, kind: &str) -> usize {
+    outcome.rows.iter().filter(|row| row.labels.iter().any(|label| label == kind)).count()
+}
+
+/// Newton's steps do not end between two series of the line that differ by what series may leave.
+#[test]
+fn steps_towards_a_force_end_where_the_series_of_the_line_do() {
+    solved("step_to_a_force");
+    solved("ramp_to_a_force");
+}
+
+/// Near its loss a contact is so small that panels are no better for being shorter.
+#[test]
+fn a_force_that_falls_to_nothing_takes_no_endless_panels() {
+    solved("force_to_nothing");
+}
+
+/// A contact that has just been found was found again and again.
+#[test]
+fn a_surface_that_is_grazed_is_touched_once() {
+    solved("grazed_surface");
+}
+
+/// A rate at the edge that is rounding turned the edge again and again.
+#[test]
+fn a_rate_that_is_rounding_turns_no_edge() {
+    solved("turn_at_once");
+}
+
+/// What rounding leaves pressing after a loss made a second contact, and a second loss.
+#[test]
+fn a_frame_that_lifts_off_detaches_once() {
+    assert_eq!(events(&solved("frame_lifts_off"), "detachment"), 1);
+}
+
+/// A liquid that has flowed carries nothing: its edge rests.
+#[test]
+fn a_liquid_that_has_flowed_keeps_its_edge() {
+    let found = solved("melt_in_a_frame");
+    let time = found.columns.iter().position(|column| column.name == "time").unwrap();
+    // The frame is held for 58 079.887 s before it lifts off.
+    let detached = found.rows.iter().filter(|row| row.labels.iter().any(|label| label == "detachment"));
+    assert!(detached.map(|row| row.value(time).unwrap()).all(|time| time > 58_079.887));
+}
+
+/// Δ hardly tells where the edge of a steep shape is: the edge goes where it is imposed.
+#[test]
+fn an_imposed_radius_is_met_whatever_the_shape() {
+    let found = solved("steep_radius");
+    let place = found.columns.iter().position(|column| column.name == "contact_radius").unwrap();
+    let last = found.rows.iter().rfind(|row| !row.labels.iter().any(|label| label == "event")).unwrap();
+    assert!((last.value(place).unwrap() / 4.630141264406802e-06 - 1.0).abs() < 1e-14);
+}
+
+/// Sums over the time followed points that were not dense enough for what relaxes within a stretch, or for a contact that is lost within a cycle.
+#[test]
+fn energies_and_cycles_are_as_exact_as_asked_for() {
+    solved("energies");
+    solved("cycles_that_open");
+}
+
+fn problem(history: History, accuracy: f64) -> IndentationProblem {
+    let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, None, history);
+    IndentationProblem { accuracy, energies: true, instants_per_segment: 3, ..problem }
+}
+
+/// Hertz: U = (8/15)E*√R Δ^{5/2}, all of it given back; a viscoelastic cycle loses what both integrals say.
+#[test]
+fn the_work_is_stored_or_lost() {
+    let elastic = Material::from_relaxation(3.0, &[]).unwrap();
+    let solution = run(&elastic, &problem(History::penetration(0.0).ramp(0.01, 2.0).ramp(0.002, 5.0), 1e-8)).unwrap();
+    for instant in &solution.instants {
+        let [stored, _, work, lost] = instant.energies.unwrap();
+        let exact = 8.0 / 15.0 * 3.0 * instant.penetration.value.powf(2.5);
+        let scale = 8.0 / 15.0 * 3.0 * 0.01_f64.powf(2.5);
+        for (value, right) in [(stored, exact), (work, exact), (lost, 0.0)] {
+            assert!((value.value - right).abs() <= 1e-9 * scale, "{value:?} {right:e}");
+        }
+    }
+    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let history = History::penetration(0.0).ramp(0.01, 2.0).hold(1e3).ramp(0.002, 0.05).hold(30.0).ramp(0.012, 4.0);
+    let solution = run(&rubber, &problem(history, 1e-6)).unwrap();
+    assert!(solution.reached && solution.balance_defect.unwrap() < 1e-5, "{:?}", solution.balance_defect);
+    let [.., lost] = solution.instants.last().unwrap().energies.unwrap();
+    assert!(lost.value > 1e-3 * solution.instants.last().unwrap().energies.unwrap()[2].value);
+}
+
+/// A contact without adhesion is solved from its start: a checkpoint of another one is refused.
+#[test]
+fn a_checkpoint_is_refused_without_adhesion() {
+    struct First(std::sync::Mutex<Option<Vec<u8>>>);
+    impl Watch for First {
+        fn passed(&self, _: u32, _: f64) {}
+        fn wants_checkpoint(&self) -> bool {
+            self.0.lock().unwrap().is_none()
+        }
+        fn checkpoint(&self, checkpoint: &viscotack::indentation::Checkpoint) {
+            *self.0.lock().unwrap() = Some(postcard::to_allocvec(checkpoint).unwrap());
+        }
+    }
+    let rubber = Material::standard_solid(1.0, 10.0, 10.0).unwrap();
+    let without = IndentationProblem { energies: false, ..problem(History::penetration(0.0).ramp(0.03, 1.0), 1e-2) };
+    let adhesion = Some(Adhesion { work_of_adhesion: 5e-4, process_zone: 0.013 });
+    let taker = First(std::sync::Mutex::new(None));
+    run_watched(&rubber, &IndentationProblem { adhesion, ..without.clone() }, None, Some(&taker)).unwrap();
+    let bytes = taker.0.lock().unwrap().clone().unwrap();
+    let refusal = run_watched(&rubber, &without, Some(postcard::from_bytes(&bytes).unwrap()), None).unwrap_err().to_string();
+    assert!(refusal.contains("without adhesion") && refusal.contains("run it without the checkpoint"), "{refusal}");
+}
