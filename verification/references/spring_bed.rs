@@ -45,6 +45,7 @@ struct Bed {
     last_gap: f64,
     highest: f64,
     rounding: f64,
+    imposed: f64,
 }
 
 impl Bed {
@@ -138,7 +139,10 @@ impl Bed {
         self.depth = match quantity {
             Quantity::Penetration => value,
             Quantity::Force => self.depth_of_load(value, 0.0),
-            Quantity::ContactRadius => self.depth_of_radius(value),
+            Quantity::ContactRadius => {
+                self.imposed = value;
+                self.depth_of_radius(value)
+            }
             Quantity::Frame => self.depth_of_load(self.frame * value, self.frame),
         };
         let terms = self.rates.len();
@@ -185,8 +189,10 @@ impl Bed {
     fn show(&self, quantity: Quantity, out: &mut String) {
         let (force, slope) = self.force(self.depth);
         let afloat = u8::from(!self.touching() && quantity == Quantity::Force);
-        let (edge, mut missed) = (self.edge(), 0.0);
+        let (mut edge, mut missed) = (self.edge(), 0.0);
         if quantity == Quantity::ContactRadius && !self.flat {
+            // What is imposed: where a liquid has flowed for long, all that it once bore is within rounding of being free.
+            edge = self.imposed;
             let next = self.radius.partition_point(|&r| r < edge).clamp(1, self.radius.len() - 1);
             missed = (self.met[next] - self.met[next - 1]).abs();
         }
@@ -258,6 +264,7 @@ fn main() {
         last_gap: 0.0,
         highest: 0.0,
         rounding: 0.0,
+        imposed: 0.0,
     };
     let mut out = String::new();
     if at_rest {

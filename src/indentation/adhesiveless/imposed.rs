@@ -179,9 +179,10 @@ impl Course<'_> {
             let (length, shortened) = if left > allowed { (first, false) } else { (length, shortened) };
             self.panel_length = (length * factor.clamp(if shortened { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
+            // A panel may end just where the edge reaches the axis.
             match ended {
-                Ended::Whole | Ended::Touched => {}
-                Ended::Lost => self.lost(),
+                Ended::Whole | Ended::Touched if self.line.radius() > 0.0 => {}
+                Ended::Whole | Ended::Touched | Ended::Lost => self.lost(),
                 Ended::Turned => self.turned(),
             }
             // Turned at once: rounding, for a panel knows its way.

@@ -48,6 +48,7 @@ impl Course<'_> {
         for _ in 0..MOST_TURNS {
             self.evaluations += 1;
             let before = self.before();
+            let had = self.line.radius() > 0.0;
             let (time, way, ended) = self.line.go(&drive, touched)?;
             if let Some(before) = before.filter(|_| time > 0.0) {
                 let part = drive.until(time);
@@ -59,6 +60,9 @@ impl Course<'_> {
             match ended {
                 Ended::Whole => {
                     self.time = end;
+                    if had && self.line.radius() == 0.0 {
+                        self.lost();
+                    }
                     return Ok(());
                 }
                 Ended::Touched => {

@@ -59,6 +59,8 @@ pub(in crate::indentation) fn solve(
     let verdict = judged(problem, &[fine, coarse], 0)
         .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
     let mut solution = verdict.solution(work);
+    // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
+    solution.largest_tension = None;
     widen(&mut solution, &chain, problem, unknown);
     Ok(solution)
 }
