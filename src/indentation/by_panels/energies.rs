@@ -69,7 +69,9 @@ pub(super) fn energies(solid: (&Chain, &Profile), line: &Line, way: Option<Way<'
                 (false, false) => (segment.low.max(edge), segment.high),
             };
             if low < high {
-                let theta = |s: f64, end: f64, at_end: f64| if !segment.blank && s == end { at_end } else { segment.theta_at(s) };
+                let theta = |s: f64, end: f64, at_end: f64| {
+                    if !segment.blank && s.to_bits() == end.to_bits() { at_end } else { segment.theta_at(s) }
+                };
                 let range = (theta(low, segment.low, segment.theta_low), theta(high, segment.high, segment.theta_high));
                 scene.add(bonded, segment, range, MOST_CUTS, &mut sum);
             }

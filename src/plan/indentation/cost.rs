@@ -13,47 +13,39 @@ const INSTANT: f64 = 27.0;
 const DECADE: f64 = 0.35;
 /// Power of the accuracy that balances grow with.
 const ORDER: f64 = 0.25;
-/// Balances without adhesion, relative: steps are a part of the contact, not of a process zone.
-const ADHESIVELESS: f64 = 0.5;
 /// Points of the line updated for a balance, and relative growth with the square of the decades: the finer the layers behind the edge.
 const UPDATES: f64 = 200.0;
 const LAYERS: f64 = 0.12;
 
 /// The same where a force or a frame is imposed: Δ is found as well, from two loads.
 const LOADED: f64 = 2.0;
-/// Without adhesion only the swept stretch is updated.
-const NARROW: f64 = 0.25;
 
 /// Balances of a cycle at an accuracy of 1e-2 where an edge moves, and power of the accuracy they grow with.
 const CYCLE: f64 = 2600.0;
 const CYCLE_ORDER: f64 = 0.25;
 /// Points of the line updated for a balance of a first cycle: they grow with the root of the cycles, as each turn of the edge leaves a layer.
 const CYCLE_UPDATES: f64 = 330.0;
-/// The same without adhesion, where turns leave no layer of their own.
-const SWEPT_UPDATES: f64 = 35.0;
-/// The same where the rim of a punch holds the edge: a few panels, of twice as many with a process zone.
+/// The same where the rim of a punch holds the edge: a few panels.
 const HELD_CYCLE: f64 = 60.0;
 const HELD_CYCLE_ORDER: f64 = 0.4;
-const HELD_UPDATES: f64 = 16.0;
+const HELD_UPDATES: f64 = 32.0;
 /// The same outside cycles, where the edge may leave the rim.
 const HELD_HISTORY_UPDATES: f64 = 110.0;
 /// Cycles until they are stationary: the first few, and what the longest memory asks for.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
-/// Without steps in time: moves of both courses for each instant, and where a force is given; moves of a cycle at an accuracy of 1e-3, power of the accuracy
-/// they grow with, cycles of the longest memory and decades of accuracy until each is the last one; points of the line updated for a move.
+/// Without steps in time: moves of both courses for each instant, and where a force is given; moves of a cycle of the penetration, or of something else;
+/// cycles of the longest memory until each is the last one; points of the line updated for a move.
 const MOVES: f64 = 2.0;
 const LOADED_MOVES: f64 = 10.0;
-const CYCLE_MOVES: f64 = 72.0;
-const CYCLE_MOVES_ORDER: f64 = 0.25;
+const CYCLE_MOVES: f64 = 20.0;
+const LOADED_CYCLE_MOVES: f64 = 90.0;
 const REPEATING: f64 = 20.0;
 const MOVE_UPDATES: f64 = 350.0;
-/// The same where the rim of a punch holds the edge: shorter moves of fewer points.
-const HELD_CYCLE_MOVES: f64 = 790.0;
-const HELD_MOVE_UPDATES: f64 = 35.0;
-/// Moves between two instants where the power is added up.
-const LEDGER: f64 = 30.0;
+/// The same where the rim of a punch holds the edge: moves of few points.
+const HELD_CYCLE_MOVES: f64 = 24.0;
+const HELD_MOVE_UPDATES: f64 = 22.0;
 
 /// No prediction is larger.
 const MOST: f64 = 1e11;
@@ -104,25 +96,19 @@ impl IndentationPlan {
         };
         let cycles: f64 = self.timeline.legs.iter().map(expected).sum();
         let finer = 1e-2 / self.accuracy;
-        let adhesive = self.indentation.adhesion.is_some();
         if matches!(self.indentation.shape, IndentationShape::FlatPunch { .. }) {
             let balances = cycles * HELD_CYCLE * finer.powf(HELD_CYCLE_ORDER);
-            return (balances, balances * HELD_UPDATES * if adhesive { 2.0 } else { 1.0 });
+            return (balances, balances * HELD_UPDATES);
         }
         let balances = cycles * CYCLE * finer.powf(CYCLE_ORDER);
-        if adhesive {
-            (balances, balances * CYCLE_UPDATES * cycles.sqrt())
-        } else {
-            (balances * ADHESIVELESS, balances * ADHESIVELESS * SWEPT_UPDATES)
-        }
+        (balances, balances * CYCLE_UPDATES * cycles.sqrt())
     }
 
     /// Expected moves and updates without steps in time.
     fn work_of_moves(&self) -> (f64, f64) {
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
-        let finer = (1e-3 / self.accuracy).powf(CYCLE_MOVES_ORDER).clamp(1.0, 4.0);
         let held = self.profile.rim().is_finite() && self.timeline.oscillates();
-        let (cycle, updates) = if held { (HELD_CYCLE_MOVES, HELD_MOVE_UPDATES) } else { (CYCLE_MOVES, MOVE_UPDATES) };
+        let updates = if held { HELD_MOVE_UPDATES } else { MOVE_UPDATES };
         let moves: f64 = self
             .timeline
             .legs
@@ -131,13 +117,17 @@ impl IndentationPlan {
                 Some(oscillation) => {
                     let memory = oscillation.frequency * longest;
                     let repeated = STATIONARY + if oscillation.until_stationary { SETTLING * memory.sqrt() } else { REPEATING * memory };
-                    cycle * finer * leg.cycles().min(repeated)
+                    let cycle = match leg.quantity {
+                        _ if held => HELD_CYCLE_MOVES,
+                        HistoryQuantity::Penetration => CYCLE_MOVES,
+                        _ => LOADED_CYCLE_MOVES,
+                    };
+                    cycle * leg.cycles().min(repeated)
                 }
                 None if leg.quantity == HistoryQuantity::Force => LOADED_MOVES,
                 None => MOVES,
             })
             .sum();
-        let moves = if self.indentation.energies { moves * LEDGER } else { moves };
         (moves, moves * updates)
     }
 
@@ -158,19 +148,15 @@ impl IndentationPlan {
         let times = self.material.relaxation_terms().iter().map(|term| term.relaxation_time);
         let (shortest, longest) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
         let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };
-        let adhesion = if self.indentation.adhesion.is_some() { 1.0 } else { ADHESIVELESS };
-        let balances = (HISTORY + INSTANT * self.timeline.legs.len() as f64)
-            * (1.0 + DECADE * decades)
-            * (1e-3 / self.accuracy).powf(ORDER)
-            * adhesion;
+        let balances =
+            (HISTORY + INSTANT * self.timeline.legs.len() as f64) * (1.0 + DECADE * decades) * (1e-3 / self.accuracy).powf(ORDER);
         // More than any march may do; a product with the states of a sweep must stay a number.
         let balances = balances.min(MOST);
         let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));
-        let each = UPDATES * if by_load { LOADED } else { 1.0 } * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
+        let each = UPDATES * if by_load { LOADED } else { 1.0 };
         // A rim that holds the edge leaves no layers.
         let punch = matches!(self.indentation.shape, IndentationShape::FlatPunch { .. });
-        let held = HELD_HISTORY_UPDATES * if self.indentation.adhesion.is_some() { 1.0 } else { NARROW };
-        let (each, layers) = if punch { (held, 0.0) } else { (each, LAYERS) };
+        let (each, layers) = if punch { (HELD_HISTORY_UPDATES, 0.0) } else { (each, LAYERS) };
         let updates = (balances * each * (1.0 + layers * decades * decades)).min(MOST);
         let (cycle_balances, cycle_updates) = self.work_of_cycles();
         (balances + cycle_balances, updates + cycle_updates)
