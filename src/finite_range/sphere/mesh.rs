@@ -91,28 +91,44 @@ impl Mesh {
         self.cells.last().map_or(0.0, |cell| cell.interval().1)
     }
 
-    /// out = A q.
+    /// out = A q, in the widest vectors of the machine.
     pub(super) fn apply(&self, q: &[f64], out: &mut [f64]) {
-        let n = self.nodes();
-        out.fill(0.0);
-        let mut columns = self.matrix.chunks_exact(4 * n);
-        let mut values = q.chunks_exact(4);
-        for (four, q) in columns.by_ref().zip(values.by_ref()) {
-            let (a, rest) = four.split_at(n);
-            let (b, rest) = rest.split_at(n);
-            let (c, d) = rest.split_at(n);
-            for ((((out, a), b), c), d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                *out += (a * q[0] + b * q[1]) + (c * q[2] + d * q[3]);
-            }
-        }
-        for (column, q) in columns.remainder().chunks_exact(n).zip(values.remainder()) {
-            out.iter_mut().zip(column).for_each(|(out, a)| *out += a * q);
-        }
+        pulp::Arch::new().dispatch(Product { matrix: &self.matrix, q, out });
     }
 
     /// ∫ f dA.
     pub(super) fn integral(&self, f: impl Fn(usize) -> f64) -> f64 {
         (0..self.nodes()).map(|i| self.area[i] * f(i)).sum()
+    }
+}
+
+/// A matrix by columns times a vector.
+struct Product<'a> {
+    matrix: &'a [f64],
+    q: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Product<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let n = self.out.len();
+        self.out.fill(0.0);
+        let mut columns = self.matrix.chunks_exact(4 * n);
+        let mut values = self.q.chunks_exact(4);
+        for (four, q) in columns.by_ref().zip(values.by_ref()) {
+            let (a, rest) = four.split_at(n);
+            let (b, rest) = rest.split_at(n);
+            let (c, d) = rest.split_at(n);
+            for ((((out, a), b), c), d) in self.out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *out += (a * q[0] + b * q[1]) + (c * q[2] + d * q[3]);
+            }
+        }
+        for (column, q) in columns.remainder().chunks_exact(n).zip(values.remainder()) {
+            self.out.iter_mut().zip(column).for_each(|(out, a)| *out += a * q);
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::kernel::legendre_nodes;
+use super::kernel::unit_rule;
 use super::problem::Shape;
 use crate::finite_range::law::{Attraction, Law};
 use crate::refusal::Refusal;
@@ -41,9 +41,7 @@ impl Surface {
                 reason: "a law with a hard wall is not implemented for it".to_owned(),
             });
         }
-        let (nodes, weights) = legendre_nodes(TAIL_POINTS);
-        let tail = nodes.iter().zip(&weights).map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w)).collect();
-        Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail })
+        Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail: unit_rule(TAIL_POINTS) })
     }
 
     /// The gap over the undeformed plane at penetration zero.
