@@ -42,18 +42,22 @@ impl Drive {
     }
 }
 
-/// ∫ F dΔ over a step by the weights of the method, and its error estimate. The control says which of the two rates is known.
+/// ∫ F dΔ over a step by the weights of the method, and its error estimate. The rate of the imposed quantity is known: it stands for that of
+/// the penetration or, where a frame takes up most of the travel, for that of the force.
 pub(super) fn work(drive: &Drive, from: &State, depths: &[f64; STAGES], forces: &[f64; STAGES], h: f64) -> (f64, f64) {
     let row = drive.row(from.time);
-    let last = STAGES - 1;
+    let [moved, loaded] = [depths, forces].map(|values| values.map(|value| value - values[0]));
+    let (travel, load) = (moved[STAGES - 1], loaded[STAGES - 1]);
     let sum = |weights: &[f64; STAGES], values: &[f64; STAGES]| {
         (0..STAGES).map(|i| weights[i] * values[i] * drive.rate(from.time + TIMES[i] * h)).sum::<f64>() * h
     };
-    if row.penetration == 0.0 {
-        let whole = forces[last] * depths[last] - forces[0] * depths[0] - sum(&WEIGHTS, depths) / row.force;
-        (whole, sum(&error_weights(), depths).abs() / row.force)
+    if row.force * load.abs() > row.penetration * travel.abs() {
+        let complement = (sum(&WEIGHTS, &moved) - 0.5 * row.penetration * travel * travel) / row.force;
+        (forces[STAGES - 1] * travel - complement, sum(&error_weights(), &moved).abs() / row.force)
+    } else if row.penetration > 0.0 {
+        let rise = (sum(&WEIGHTS, &loaded) - 0.5 * row.force * load * load) / row.penetration;
+        (forces[0] * travel + rise, sum(&error_weights(), &loaded).abs() / row.penetration)
     } else {
-        let spring = 0.5 * row.force * (forces[last].powi(2) - forces[0].powi(2));
-        ((sum(&WEIGHTS, forces) - spring) / row.penetration, sum(&error_weights(), forces).abs() / row.penetration)
+        (forces[0] * travel, 0.0)
     }
 }

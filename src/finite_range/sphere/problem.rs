@@ -47,7 +47,7 @@ pub struct Creep {
 /// Where a run begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// Relaxed equilibrium in contact at this penetration.
+    /// Relaxed equilibrium at this penetration: in contact, where a contact exists (below zero penetration the surfaces could also be apart).
     Relaxed(f64),
     /// A body without creep strain at this penetration (a negative one, where the surfaces hardly attract).
     Unstrained(f64),
@@ -207,7 +207,7 @@ impl Problem {
     }
 }
 
-/// Tolerances of one run; [`Control`] of the mesh, the steps and Newton's method.
+/// Tolerances of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {
     /// Nodes of an element, 4 to 16.

@@ -51,3 +51,26 @@ impl Creep {
         Ok(Self { stiffening: material.stiffening_ratio(), fractions, times })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::finite_range::law::Law;
+    use crate::material::CreepTerm;
+
+    #[test]
+    fn a_glass_bead_on_soft_rubber() {
+        // R 10 um, E0* 1 MPa, E∞* 10 MPa, 50 mJ/m², 1 nm: m = √R Δγ/(E0* h0^{3/2}).
+        let terms = [0.3, 0.6].map(|part| CreepTerm { compliance: 1e-6 * part, retardation_time: part });
+        let material = Material::from_creep(1e7, &terms, None).unwrap();
+        let attraction = Attraction::new(Law::LennardJones, 0.05, 1e-9).unwrap();
+        let scales = Scales::new(1e-5, &attraction, &material).unwrap();
+        let coupling = 1e-5_f64.sqrt() * 0.05 / (1e6 * 1e-9_f64.powf(1.5));
+        assert!((scales.tabor.powf(1.5) / coupling - 1.0).abs() < 1e-12);
+        assert!((scales.force / 5e-7 - 1.0).abs() < 1e-12 && (scales.pressure / 5e7 - 1.0).abs() < 1e-12);
+        let creep = Creep::of(&material).unwrap();
+        assert!((creep.stiffening - 10.0).abs() < 1e-12 && (creep.fractions.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+        assert!(creep.times[0] > creep.times[1] && (creep.fractions[0] / creep.fractions[1] - 2.0).abs() < 1e-12);
+        assert!(Creep::of(&Material::from_creep(1e7, &terms, Some(1.0)).unwrap()).is_err());
+    }
+}
