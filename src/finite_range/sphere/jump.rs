@@ -18,12 +18,16 @@ const SOFTEST: f64 = 1e-9;
 const PARTED: f64 = 4.0;
 /// A change of the gap (in h₀) that makes a step a jump.
 const JUMPED: f64 = 0.05;
+/// It must also be so many times what the last rate of the gap foretold.
+const UNEXPECTED: f64 = 10.0;
 
 /// An implicit Euler step over a jump.
 pub(super) struct Landing {
     pub(super) state: State,
     /// Energy lost in it.
     pub(super) released: f64,
+    /// Whether the gap changed more than time explains; else Newton's method had given up before a fold, and this is a step.
+    pub(super) jumped: bool,
 }
 
 impl Solver<'_> {
@@ -126,7 +130,10 @@ impl Solver<'_> {
             let change =
                 landed.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
             if change > JUMPED || from.time + h >= end {
-                return Some(self.booked(from, &old, landed, h));
+                let fastest = from.rate.as_ref().map_or(0.0, |(rate, _)| rate.iter().fold(0.0_f64, |most, rate| most.max(rate.abs())));
+                let mut landing = self.booked(from, &old, landed, h);
+                landing.jumped = change > JUMPED.max(UNEXPECTED * fastest * h);
+                return Some(landing);
             }
             h *= 3.0;
         }
@@ -146,6 +153,6 @@ impl Solver<'_> {
         landed.work = from.work + work;
         landed.viscous = from.viscous + viscous;
         landed.released = from.released + released;
-        Landing { state: landed, released }
+        Landing { state: landed, released, jumped: true }
     }
 }

@@ -189,15 +189,17 @@ impl March<'_> {
         self.state = landing.state;
         let row = self.book.record(&self.solver, &self.state);
         self.book.rows.push(row);
-        self.book.jumps.push(Jump {
-            time: row.time,
-            penetration: before.penetration,
-            force_before: before.force,
-            force_after: row.force,
-            penetration_after: row.penetration,
-            radius_after: row.contact_radius,
-            released: landing.released,
-        });
+        if landing.jumped {
+            self.book.jumps.push(Jump {
+                time: row.time,
+                penetration: before.penetration,
+                force_before: before.force,
+                force_after: row.force,
+                penetration_after: row.penetration,
+                radius_after: row.contact_radius,
+                released: landing.released,
+            });
+        }
         if before.force > 0.0 && row.force <= 0.0 {
             window.zero = Some(self.state.clone());
         }
