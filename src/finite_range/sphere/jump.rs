@@ -18,8 +18,8 @@ const SOFTEST: f64 = 1e-9;
 const PARTED: f64 = 4.0;
 /// A change of the gap (in h₀) that makes a step a jump.
 const JUMPED: f64 = 0.05;
-/// It must also be so many times what the last rate of the gap foretold.
-const UNEXPECTED: f64 = 10.0;
+/// After a third of the step changed less than that, a steady state changes less than so many times it.
+const STEADY: f64 = 4.0;
 
 /// An implicit Euler step over a jump.
 pub(super) struct Landing {
@@ -122,7 +122,7 @@ impl Solver<'_> {
 
     /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped.
     pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
-        for _ in 0..20 {
+        for growth in 0..20 {
             h = h.min(end - from.time);
             let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| h / tau).collect();
             let landed = self.settle(from, &z, drive.row(from.time + h))?;
@@ -130,9 +130,8 @@ impl Solver<'_> {
             let change =
                 landed.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
             if change > JUMPED || from.time + h >= end {
-                let fastest = from.rate.as_ref().map_or(0.0, |(rate, _)| rate.iter().fold(0.0_f64, |most, rate| most.max(rate.abs())));
                 let mut landing = self.booked(from, &old, landed, h);
-                landing.jumped = change > JUMPED.max(UNEXPECTED * fastest * h);
+                landing.jumped = change > if growth == 0 { JUMPED } else { STEADY * JUMPED };
                 return Some(landing);
             }
             h *= 3.0;
