@@ -1,7 +1,8 @@
 //! The sphere with a law of attraction of finite range, in time.
 //!
 //! Source: `reference_data/finite_sphere.json`, eight histories computed by an independent prototype in another language with the same equations
-//! (its own mesh and step errors beside every value); Johnson, Kendall & Roberts (1971) and Bradley (1932) for the elastic limits; the energy balance.
+//! (its own mesh and step errors beside every value); Johnson, Kendall & Roberts (1971) and Bradley (1932) for the elastic limits; the energy
+//! balance.
 //! Goal: pull-off forces, works, forces at instants, jumps and detachment; limits; energy identity; a second integrator; refusals.
 //! Parameters: Tabor numbers 0.01 to 4, stiffening 1 to 30, up to 3 creep terms, every control.
 //! Oracle: as under Source.

@@ -16,7 +16,8 @@ use crate::refusal::Refusal;
 const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
 const WORK_SCALE: f64 = 3.0;
-/// A correction of the gap that does not fall any more is rounding if it is smaller than this times the square of the outer radius, the scale of the gap there.
+/// A correction of the gap that does not fall any more is rounding if it is smaller than this times the square of the outer radius,
+/// the scale of the gap there.
 const ROUNDING: f64 = 1e-13;
 
 /// A step that was solved, with its errors over their tolerances (not yet accepted).
