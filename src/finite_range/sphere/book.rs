@@ -1,0 +1,115 @@
+//! The record of a run while it is made.
+
+use super::mesh::Mesher;
+use super::problem::{Accuracy, Control, Motion, Problem, Start};
+use super::result::{Certificate, Jump, LegSummary, Record, Run};
+use super::state::{Energies, State};
+use super::step::Solver;
+use crate::refusal::Refusal;
+
+/// The contact must stay within this part of the mesh.
+const INSIDE: f64 = 0.9;
+
+/// Rows, events and counts.
+pub(super) struct Book {
+    initial: Energies,
+    pub(super) instants: Vec<f64>,
+    pub(super) rows: Vec<Record>,
+    pub(super) legs: Vec<LegSummary>,
+    pub(super) jumps: Vec<Jump>,
+    pub(super) steps: usize,
+    pub(super) rejected: usize,
+    pub(super) failed: usize,
+    pub(super) refined: usize,
+    nodes: usize,
+    largest: f64,
+}
+
+impl Book {
+    /// Checks a problem and finds its first state.
+    pub(super) fn open<'m>(problem: &Problem, accuracy: Accuracy, mesher: &'m mut Mesher) -> Result<(Solver<'m>, State, Self), Refusal> {
+        problem.check()?;
+        accuracy.check(mesher.order())?;
+        let mut solver = Solver::new(problem, accuracy, mesher)?;
+        let state = solver.start(problem, deepest(problem))?;
+        let initial = state.energies(&solver.surface, &solver.chain, solver.coupling);
+        let mut instants = problem.instants.clone();
+        instants.sort_by(f64::total_cmp);
+        let (rows, legs, jumps) = (Vec::new(), Vec::new(), Vec::new());
+        let mut book = Self { initial, instants, rows, legs, jumps, steps: 0, rejected: 0, failed: 0, refined: 0, nodes: 0, largest: 0.0 };
+        book.rows.push(book.record(&solver, &state));
+        Ok((solver, state, book))
+    }
+
+    /// Attempted steps.
+    pub(super) fn attempts(&self) -> usize {
+        self.steps + self.rejected + self.failed + self.refined
+    }
+
+    /// A state as a row.
+    pub(super) fn record(&self, solver: &Solver, state: &State) -> Record {
+        let energies = state.energies(&solver.surface, &solver.chain, solver.coupling);
+        let change = energies.instant - self.initial.instant + energies.interface - self.initial.interface;
+        Record {
+            time: state.time,
+            penetration: state.penetration,
+            force: state.force,
+            contact_radius: state.radius_at_gap(solver.surface.peak_gap()),
+            tension_radius: state.tension_radius(),
+            energies,
+            work: state.work,
+            dissipated: state.viscous - (energies.delayed - self.initial.delayed),
+            released: state.released,
+            residual: state.work - change - state.viscous - state.released,
+        }
+    }
+
+    /// Books an accepted step.
+    pub(super) fn row(&mut self, solver: &Solver, state: &State) -> Result<(), Refusal> {
+        self.steps += 1;
+        self.nodes = self.nodes.max(state.mesh.nodes());
+        let row = self.record(solver, state);
+        if !row.residual.is_finite() || row.contact_radius > INSIDE * state.mesh.radius() {
+            return Err(Refusal::out_of_range("contact radius", row.contact_radius, "well inside the mesh"));
+        }
+        self.rows.push(row);
+        let energies = [row.work, row.energies.instant, row.energies.delayed];
+        self.largest = energies.iter().fold(self.largest, |most, e| most.max(e.abs()));
+        Ok(())
+    }
+
+    /// The finished run.
+    pub(super) fn close(self, solver: &Solver, detachment: Option<Record>) -> Run {
+        let certificate = Certificate {
+            energy_residual: self.rows.iter().fold(0.0_f64, |most, row| most.max(row.residual.abs())),
+            energy_scale: self.largest,
+            nodes: self.nodes,
+            steps: self.steps,
+            rejected: self.rejected,
+            failed: self.failed,
+            refined: self.refined,
+            factorisations: solver.newton.factorisations,
+            iterations: solver.newton.iterations,
+            newton_residual: solver.newton.last_correction,
+            accuracy: solver.accuracy,
+        };
+        Run { rows: self.rows, legs: self.legs, jumps: self.jumps, detachment, certificate }
+    }
+}
+
+/// An upper estimate of the penetrations of the history.
+fn deepest(problem: &Problem) -> f64 {
+    let (Start::Relaxed(mut now) | Start::Unstrained(mut now)) = problem.start;
+    let mut most = now;
+    for leg in &problem.history {
+        let value = match leg.motion {
+            Motion::Ramp { to, .. } => to,
+            Motion::Hold(_) => continue,
+            Motion::Oscillation { amplitude, .. } => amplitude.abs(),
+        };
+        let depth = if leg.control == Control::Force { (0.75 * problem.tabor.powf(1.5) * value.max(0.0)).powf(2.0 / 3.0) } else { value };
+        now = if matches!(leg.motion, Motion::Oscillation { .. }) { most + depth } else { depth };
+        most = most.max(now);
+    }
+    most
+}

@@ -1,0 +1,157 @@
+//! Equilibria that Newton's method does not reach: starts, and jumps past a fold.
+//!
+//! The state slides down its instantaneous energy in the metric A⁻¹, by implicit steps of pseudo-time 1/λ, the mesh following the edge;
+//! physically one more uniform Kelvin–Voigt element of vanishing time. The landing does not depend on how λ is chosen.
+
+use super::drive::Drive;
+use super::newton::Row;
+use super::state::State;
+use super::step::Solver;
+
+/// Steps of pseudo-time after which the search is given up.
+const DESCENT_STEPS: usize = 1000;
+/// λ at which the search is given up.
+const STIFFEST: f64 = 1e7;
+/// The least λ.
+const SOFTEST: f64 = 1e-9;
+/// The surfaces count as parted for good when the smallest gap is this far past the largest tension.
+const PARTED: f64 = 4.0;
+/// A change of the gap (in h₀) that makes a step a jump.
+const JUMPED: f64 = 0.05;
+/// After a third of the step changed less than that, a steady state changes less than so many times it.
+const STEADY: f64 = 4.0;
+
+/// An implicit Euler step over a jump.
+pub(super) struct Landing {
+    pub(super) state: State,
+    /// Energy lost in it.
+    pub(super) released: f64,
+    /// Whether the gap changed more than time explains; else Newton's method had given up before a fold, and this is a step.
+    pub(super) jumped: bool,
+}
+
+impl Solver<'_> {
+    /// The equilibrium below a state: strains go to (v_j + z_j J_j p)/(1 + z_j). Nothing if there is none.
+    pub(super) fn settle(&mut self, start: &State, z: &[f64], row: Row) -> Option<State> {
+        let mut state = start.clone();
+        state.rate = None;
+        let (mut lambda, mut still) = (1.0, 0);
+        let mut plain = true;
+        for turn in 0..DESCENT_STEPS {
+            let strains = state.strains.clone();
+            if plain || still >= 3 {
+                if let Some(found) = self.contact(&state, &strains, z, row, None, (&state.u, state.penetration)) {
+                    (state.u, state.p, state.penetration, state.force) = (found.u, found.p, found.penetration, found.force);
+                    let flags = self.unresolved(&state);
+                    let finer = self.refined_if(&state, &flags);
+                    let Some(finer) = finer else {
+                        return Some(self.lean(self.strained(state, z)));
+                    };
+                    state = finer;
+                    continue;
+                }
+                (plain, still) = (false, 0);
+            }
+            let old: Vec<f64> = state.u.iter().map(|&u| self.surface.gap(u)).collect();
+            // A penetration that is free has a damper too: the frame and the weight fall no faster than the surfaces part.
+            let damper = lambda * row.force * 2.0 / self.coupling;
+            let damped = Row { penetration: row.penetration + damper, value: row.value + damper * state.penetration, ..row };
+            let Some(found) = self.contact(&state, &strains, z, damped, Some((lambda, &old)), (&state.u, state.penetration)) else {
+                lambda *= 4.0;
+                if lambda > STIFFEST {
+                    return None;
+                }
+                continue;
+            };
+            let moved = |&(&u, &old): &(&f64, &f64)| (self.surface.gap(u) - old).abs() / (0.5 * old).max(1.0);
+            let change = found.u.iter().zip(&old).map(|pair| moved(&pair)).fold(0.0, f64::max);
+            (state.u, state.p, state.penetration, state.force) = (found.u, found.p, found.penetration, found.force);
+            if row.penetration == 0.0 && row.value < 0.0 && self.parted(&state) {
+                return None;
+            }
+            still = if change < 0.01 { still + 1 } else { 0 };
+            lambda = (lambda
+                / if change < 0.01 {
+                    10.0
+                } else if change < 0.15 {
+                    3.0
+                } else {
+                    1.0
+                })
+            .max(SOFTEST);
+            let flags = self.unresolved(&state);
+            if let Some(finer) = self.refined_if(&state, &flags) {
+                state = finer;
+            } else if turn % 3 == 2
+                && let Some(coarser) = self.coarsened(&state)
+            {
+                state = coarser;
+            }
+        }
+        None
+    }
+
+    /// The state on a finer mesh, if an element is flagged that can still be halved.
+    pub(super) fn refined_if(&mut self, state: &State, flags: &[bool]) -> Option<State> {
+        if !flags.contains(&true) {
+            return None;
+        }
+        let finer = self.refined(state, flags);
+        (finer.mesh.cells != state.mesh.cells).then_some(finer)
+    }
+
+    /// The state without needless elements.
+    fn lean(&mut self, mut state: State) -> State {
+        while let Some(coarser) = self.coarsened(&state) {
+            state = coarser;
+        }
+        state
+    }
+
+    fn parted(&self, state: &State) -> bool {
+        state.u.iter().all(|&u| self.surface.gap(u) > self.surface.peak_gap() + PARTED)
+    }
+
+    /// The state with its strains advanced.
+    pub(super) fn strained(&self, mut state: State, z: &[f64]) -> State {
+        for ((v, &z), &(j, _)) in state.strains.iter_mut().zip(z).zip(&self.chain.terms) {
+            v.iter_mut().zip(&state.p).for_each(|(v, p)| *v = (*v + z * j * p) / (1.0 + z));
+        }
+        state
+    }
+
+    /// An implicit Euler step of length h and then, if it is no jump, of growing length, until the state has jumped.
+    pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
+        for growth in 0..20 {
+            h = h.min(end - from.time);
+            let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| h / tau).collect();
+            let landed = self.settle(from, &z, drive.row(from.time + h))?;
+            let old = from.on(&landed.mesh, self.mesher, &self.surface);
+            let change =
+                landed.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));
+            if change > JUMPED || from.time + h >= end {
+                let mut landing = self.booked(from, &old, landed, h);
+                landing.jumped = change > if growth == 0 { JUMPED } else { STEADY * JUMPED };
+                return Some(landing);
+            }
+            h *= 3.0;
+        }
+        None
+    }
+
+    /// Time, work and energies of a landing.
+    fn booked(&self, from: &State, old: &State, mut landed: State, h: f64) -> Landing {
+        let work = 0.5 * (landed.force + from.force) * (landed.penetration - from.penetration);
+        let mut image = vec![0.0; landed.mesh.nodes()];
+        landed.mesh.apply(&landed.p, &mut image);
+        let crept = |i: usize| landed.strains.iter().zip(&old.strains).map(|(new, old)| new[i] - old[i]).sum::<f64>();
+        let viscous = self.coupling * landed.mesh.integral(|i| crept(i) * image[i]);
+        let energy = |state: &State| state.instantaneous(&self.surface, &self.chain, self.coupling);
+        let released = work - viscous - (energy(&landed) - energy(from));
+        landed.time = from.time + h;
+        landed.work = from.work + work;
+        landed.viscous = from.viscous + viscous;
+        landed.released = from.released + released;
+        Landing { state: landed, released, jumped: true }
+    }
+}

@@ -1,0 +1,221 @@
+//! Integration through the history: step control, mesh, events.
+
+use super::book::Book;
+use super::drive::Drive;
+use super::mesh::Mesher;
+use super::problem::{Accuracy, Control, Leg, Problem};
+use super::result::{Jump, LegSummary, Run};
+use super::state::State;
+use super::step::Solver;
+use crate::refusal::Refusal;
+
+/// Travel of the first step of a leg, in h₀, and its part of the duration where nothing travels.
+const FIRST_TRAVEL: f64 = 1e-3;
+const FIRST_PART: f64 = 1e-4;
+/// Safety factor and largest growth of a step; growth for some steps after Newton's method failed.
+const SAFETY: f64 = 0.85;
+const GROWTH: f64 = 2.5;
+const CAREFUL_GROWTH: f64 = 1.25;
+const CAREFUL_STEPS: usize = 6;
+/// Without a solution at this part of the usual step there is a fold (under force control: a smaller one).
+const FOLD: f64 = 1e-3;
+const FOLD_PER_ACCURACY: f64 = 100.0;
+const FOLD_OF_FORCE: f64 = 1e-7;
+/// The first jump step over the step that failed at last.
+const JUMP_STEP: f64 = 4.0;
+/// Under force control the surfaces are lost to each other at this gap, in h₀.
+const LOST: f64 = 30.0;
+/// Meshes tried for one step.
+const REMESHES: usize = 60;
+/// Steps between attempts to coarsen.
+const COARSEN_EVERY: usize = 3;
+
+/// Runs a problem.
+///
+/// # Errors
+/// [`Refusal`] for a number that is not allowed, a start or a landing that was not found, or an exhausted budget of steps.
+pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Run, Refusal> {
+    let (solver, state, book) = Book::open(problem, accuracy, mesher)?;
+    let mut march = March { solver, state, book };
+    for leg in &problem.history {
+        if march.leg(leg)? {
+            let detachment = march.book.rows.last().copied();
+            return Ok(march.book.close(&march.solver, detachment));
+        }
+    }
+    Ok(march.book.close(&march.solver, None))
+}
+
+struct March<'m> {
+    solver: Solver<'m>,
+    state: State,
+    book: Book,
+}
+
+/// The states of a leg that the search for its events needs.
+struct Window {
+    before: Option<State>,
+    best: State,
+    zero: Option<State>,
+}
+
+impl March<'_> {
+    /// One leg; true if the surfaces came apart under force control.
+    fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
+        let drive = Drive::new(*leg, &self.state);
+        let end = drive.begin + leg.motion.duration();
+        self.state.rate = None;
+        let mut window = Window { before: None, best: self.state.clone(), zero: None };
+        let first = self.book.record(&self.solver, &self.state);
+        let (mut h, mut careful) = (first_step(&drive, end), 0);
+        let mut usual = h;
+        let mut remeshed = 0;
+        let mut detached = false;
+        while self.state.time < end {
+            if self.book.attempts() >= self.solver.accuracy.budget {
+                return Err(Refusal::NotConverged {
+                    what: "the integration in time",
+                    detail: format!("the budget of {} steps is used up at time {}", self.solver.accuracy.budget, self.state.time),
+                });
+            }
+            let (step, next) = self.bounded(h, end);
+            let Some(trial) = self.solver.step(&self.state, &drive, step) else {
+                self.book.failed += 1;
+                (h, careful) = (0.25 * step, CAREFUL_STEPS);
+                let fold =
+                    if leg.control == Control::Force { FOLD_OF_FORCE } else { FOLD.min(FOLD_PER_ACCURACY * self.solver.accuracy.step) };
+                if h < fold * usual || self.state.time + h <= self.state.time {
+                    if !self.jump(&drive, JUMP_STEP * h, end, &mut window)? {
+                        detached = true;
+                        break;
+                    }
+                    (h, usual) = (JUMP_STEP * FOLD * usual, 0.1 * usual);
+                }
+                continue;
+            };
+            let factor = SAFETY * trial.error.max(1e-8).powf(-0.25);
+            if trial.error > 1.0 {
+                self.book.rejected += 1;
+                h = step * factor.clamp(0.1, 0.9);
+                continue;
+            }
+            let flags = self.solver.unresolved(&trial.state);
+            if remeshed < REMESHES
+                && flags.contains(&true)
+                && let Some(finer) = self.solver.refined_if(&self.state, &flags)
+            {
+                (self.book.refined, remeshed) = (self.book.refined + 1, remeshed + 1);
+                self.state = finer;
+                continue;
+            }
+            remeshed = 0;
+            let mut new = trial.state;
+            new.time = next.unwrap_or(new.time);
+            self.accepted(new, &drive, &mut window)?;
+            let growth = if careful > 0 { CAREFUL_GROWTH } else { GROWTH };
+            careful = careful.saturating_sub(1);
+            // A step cut short by an instant says nothing about the next one.
+            h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 });
+            usual = step.max(0.9 * usual);
+        }
+        let summary = LegSummary {
+            begin: first,
+            largest_tension: self.book.record(&self.solver, &window.best),
+            zero_of_force: window.zero.as_ref().map(|state| self.book.record(&self.solver, state)),
+            end: self.book.record(&self.solver, &self.state),
+        };
+        self.book.legs.push(summary);
+        Ok(detached)
+    }
+
+    /// The step cut or stretched to the next instant or the end of the leg, and the time to land on.
+    fn bounded(&self, h: f64, end: f64) -> (f64, Option<f64>) {
+        let now = self.state.time;
+        let stop = self.book.instants.iter().copied().find(|&t| t > now * (1.0 + 1e-14) && t < end).unwrap_or(end);
+        let left = stop - now;
+        if h * 1.001 >= left {
+            (left, Some(stop))
+        } else if 2.0 * h > left {
+            (0.5 * left, None)
+        } else {
+            (h, None)
+        }
+    }
+
+    /// Books a step: row, events, coarser mesh.
+    fn accepted(&mut self, new: State, drive: &Drive, window: &mut Window) -> Result<(), Refusal> {
+        let old = std::mem::replace(&mut self.state, new);
+        self.book.row(&self.solver, &self.state)?;
+        if drive.control == Control::Force && self.state.u.iter().all(|&u| self.solver.surface.gap(u) > LOST) {
+            let reason = "the force goes to zero and the surfaces part without limit".to_owned();
+            return Err(Refusal::NoSuchState { reason, limit_name: "time", limit: self.state.time });
+        }
+        if self.state.force < window.best.force {
+            window.best = self.state.clone();
+        }
+        if let Some(before) = &window.before
+            && old.force <= before.force
+            && old.force < self.state.force
+            && old.force < window.best.force + 0.02 * window.best.force.abs()
+        {
+            let found = self.solver.largest_tension([before, &old, &self.state], drive);
+            if found.force < window.best.force {
+                window.best = found;
+            }
+        }
+        if old.force > 0.0 && self.state.force <= 0.0 {
+            window.zero = Some(self.solver.zero_of_force(&old, &self.state, drive));
+        }
+        window.before = Some(old);
+        if self.book.steps.is_multiple_of(COARSEN_EVERY)
+            && let Some(coarser) = self.solver.coarsened(&self.state)
+        {
+            self.state = coarser;
+        }
+        Ok(())
+    }
+
+    /// Passes a fold; false if there is no equilibrium beyond it.
+    fn jump(&mut self, drive: &Drive, h: f64, end: f64, window: &mut Window) -> Result<bool, Refusal> {
+        let before = self.state.clone();
+        let landing = self.solver.jump(&before, drive, h.max(1e-12 * before.time), end);
+        let Some(landing) = landing else {
+            if drive.control == Control::Force && drive.row(before.time).value < 0.0 {
+                return Ok(false);
+            }
+            let detail = format!("no equilibrium was found beyond the fold at penetration {}, force {}", before.penetration, before.force);
+            return Err(Refusal::NotConverged { what: "the landing of a jump", detail });
+        };
+        self.state = landing.state;
+        let row = self.book.record(&self.solver, &self.state);
+        self.book.rows.push(row);
+        if landing.jumped {
+            self.book.jumps.push(Jump {
+                time: row.time,
+                penetration: before.penetration,
+                force_before: before.force,
+                force_after: row.force,
+                penetration_after: row.penetration,
+                radius_after: row.contact_radius,
+                released: landing.released,
+            });
+        }
+        if before.force > 0.0 && row.force <= 0.0 {
+            window.zero = Some(self.state.clone());
+        }
+        if row.force < window.best.force {
+            window.best = self.state.clone();
+        }
+        window.before = None;
+        Ok(true)
+    }
+}
+
+/// The first step of a leg.
+fn first_step(drive: &Drive, end: f64) -> f64 {
+    let (rate, duration) = (drive.rate(drive.begin).abs(), end - drive.begin);
+    match drive.control {
+        Control::Penetration | Control::Frame(_) if rate > 0.0 => (FIRST_TRAVEL / rate).min(0.1 * duration),
+        _ => FIRST_PART * duration,
+    }
+}

@@ -1,0 +1,262 @@
+//! Spectral elements in the radius on a dyadic mesh, and the influence matrix on them.
+//!
+//! Pressure and creep strains are polynomials on every element, without continuity between elements. A block of the influence matrix
+//! depends only on the two intervals, so blocks are kept: a new mesh computes only the pairs that never met before.
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::kernel::Quadrature;
+
+/// Lengths of neighbours differ by this factor at most.
+pub(super) const GRADING: f64 = 4.0;
+/// No element is halved more often: the shortest is 1e-9 of its root.
+const DEEPEST: u32 = 30;
+/// Blocks kept before the store is emptied (100 MB at ten nodes).
+const STORE: usize = 125_000;
+
+/// A dyadic piece of a root interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Cell {
+    root: u32,
+    level: u32,
+    index: u64,
+}
+
+impl Cell {
+    /// The roots [0, 4], [4, 8], [8, 16], [16, 64], [64, 128], … up to a radius.
+    fn roots(radius: f64) -> Vec<Self> {
+        let count = (0..).find(|&root| root_interval(root).1 >= radius).unwrap_or(3);
+        (0..=count.max(3)).map(|root| Self { root, level: 0, index: 0 }).collect()
+    }
+
+    /// Its ends.
+    pub(super) fn interval(self) -> (f64, f64) {
+        let (a, b) = root_interval(self.root);
+        let length = (b - a) / (1_u64 << self.level) as f64;
+        (a + length * self.index as f64, a + length * (self.index + 1) as f64)
+    }
+
+    pub(super) fn length(self) -> f64 {
+        let (a, b) = self.interval();
+        b - a
+    }
+
+    fn halves(self) -> [Self; 2] {
+        [0, 1].map(|side| Self { root: self.root, level: self.level + 1, index: 2 * self.index + side })
+    }
+
+    /// The parent, if this is its left half and `next` its right one.
+    pub(super) fn parent_with(self, next: Self) -> Option<Self> {
+        let siblings = self.level > 0
+            && self.root == next.root
+            && self.level == next.level
+            && self.index.is_multiple_of(2)
+            && next.index == self.index + 1;
+        siblings.then(|| Self { root: self.root, level: self.level - 1, index: self.index / 2 })
+    }
+}
+
+fn root_interval(root: u32) -> (f64, f64) {
+    match root {
+        0 => (0.0, 4.0),
+        1 => (4.0, 8.0),
+        2 => (8.0, 16.0),
+        3 => (16.0, 64.0),
+        _ => (64.0 * 2_f64.powi(root as i32 - 4), 64.0 * 2_f64.powi(root as i32 - 3)),
+    }
+}
+
+/// Elements, nodes and the influence matrix.
+pub(super) struct Mesh {
+    pub(super) cells: Vec<Cell>,
+    /// Radii of the nodes.
+    pub(super) x: Vec<f64>,
+    /// 2πx·weight: the area of a node.
+    pub(super) area: Vec<f64>,
+    /// w = A q, by columns.
+    pub(super) matrix: Vec<f64>,
+    /// A number that no other mesh has.
+    pub(super) serial: u64,
+}
+
+impl Mesh {
+    pub(super) fn nodes(&self) -> usize {
+        self.x.len()
+    }
+
+    /// The outer radius.
+    pub(super) fn radius(&self) -> f64 {
+        self.cells.last().map_or(0.0, |cell| cell.interval().1)
+    }
+
+    /// out = A q, in the widest vectors of the machine.
+    pub(super) fn apply(&self, q: &[f64], out: &mut [f64]) {
+        pulp::Arch::new().dispatch(Product { matrix: &self.matrix, q, out });
+    }
+
+    /// ∫ f dA.
+    pub(super) fn integral(&self, f: impl Fn(usize) -> f64) -> f64 {
+        (0..self.nodes()).map(|i| self.area[i] * f(i)).sum()
+    }
+}
+
+/// A matrix by columns times a vector.
+struct Product<'a> {
+    matrix: &'a [f64],
+    q: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Product<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let n = self.out.len();
+        self.out.fill(0.0);
+        let mut columns = self.matrix.chunks_exact(4 * n);
+        let mut values = self.q.chunks_exact(4);
+        for (four, q) in columns.by_ref().zip(values.by_ref()) {
+            let (a, rest) = four.split_at(n);
+            let (b, rest) = rest.split_at(n);
+            let (c, d) = rest.split_at(n);
+            for ((((out, a), b), c), d) in self.out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *out += (a * q[0] + b * q[1]) + (c * q[2] + d * q[3]);
+            }
+        }
+        for (column, q) in columns.remainder().chunks_exact(n).zip(values.remainder()) {
+            self.out.iter_mut().zip(column).for_each(|(out, a)| *out += a * q);
+        }
+    }
+}
+
+/// Makes meshes of one order; owns the blocks of all of them.
+pub struct Mesher {
+    pub(super) quadrature: Quadrature,
+    blocks: HashMap<(Cell, Cell), Arc<[f64]>>,
+    made: u64,
+}
+
+impl Mesher {
+    /// With this many nodes an element (10 is a good choice).
+    #[must_use]
+    pub fn new(order: usize) -> Self {
+        Self { quadrature: Quadrature::new(order), blocks: HashMap::new(), made: 0 }
+    }
+
+    /// Nodes of an element.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.quadrature.rule.nodes.len()
+    }
+
+    /// The coarsest mesh that reaches a radius.
+    pub(super) fn coarsest(&mut self, radius: f64) -> Arc<Mesh> {
+        self.build(Cell::roots(radius))
+    }
+
+    /// The mesh of these elements.
+    pub(super) fn build(&mut self, cells: Vec<Cell>) -> Arc<Mesh> {
+        let order = self.order();
+        let n = cells.len() * order;
+        let (mut x, mut area) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for cell in &cells {
+            let (a, b) = cell.interval();
+            for (node, weight) in self.quadrature.rule.nodes.iter().zip(&self.quadrature.rule.weights) {
+                let radius = 0.5 * (a + b) + 0.5 * (b - a) * node;
+                x.push(radius);
+                area.push(PI * (b - a) * weight * radius);
+            }
+        }
+        let mut matrix = vec![0.0; n * n];
+        if self.blocks.len() > STORE {
+            self.blocks.clear();
+        }
+        for (j, &source) in cells.iter().enumerate() {
+            for (i, &target) in cells.iter().enumerate() {
+                let block = self.block(target, source);
+                for (k, column) in block.chunks_exact(order).enumerate() {
+                    let start = (j * order + k) * n + i * order;
+                    matrix[start..start + order].copy_from_slice(column);
+                }
+            }
+        }
+        self.made += 1;
+        Arc::new(Mesh { cells, x, area, matrix, serial: self.made })
+    }
+
+    /// The block of a pair, by columns.
+    fn block(&mut self, target: Cell, source: Cell) -> Arc<[f64]> {
+        if let Some(block) = self.blocks.get(&(target, source)) {
+            return Arc::clone(block);
+        }
+        let order = self.order();
+        let rule = &self.quadrature.rule;
+        let ((a, b), ends) = (target.interval(), source.interval());
+        let at = |(a, b): (f64, f64), k: usize| 0.5 * (a + b) + 0.5 * (b - a) * rule.nodes[k];
+        let (mut row, mut block, mut all_far) = (vec![0.0; order], vec![0.0; order * order], true);
+        for i in 0..order {
+            let x = at((a, b), i);
+            all_far &= self.quadrature.is_far(x, ends) && self.quadrature.is_far(at(ends, i), (a, b));
+            self.quadrature.row(x, ends, &mut row);
+            (0..order).for_each(|k| block[k * order + i] = row[k]);
+        }
+        if all_far {
+            // Both ways by the plain rule: the transpose is known, because area·A is symmetric.
+            let (half, half_back) = (0.5 * (ends.1 - ends.0), 0.5 * (b - a));
+            let mut back = vec![0.0; order * order];
+            for i in 0..order {
+                for k in 0..order {
+                    let (there, here) = (half * rule.weights[k] * at(ends, k), half_back * rule.weights[i] * at((a, b), i));
+                    back[i * order + k] = block[k * order + i] * here / there;
+                }
+            }
+            self.blocks.insert((source, target), back.into());
+        }
+        let block: Arc<[f64]> = block.into();
+        self.blocks.insert((target, source), Arc::clone(&block));
+        block
+    }
+
+    /// Halves the flagged elements, and others until neighbours differ by the allowed factor.
+    pub(super) fn split(&mut self, mesh: &Mesh, flagged: &[bool]) -> Arc<Mesh> {
+        let mut cells: Vec<Cell> = Vec::with_capacity(2 * mesh.cells.len());
+        for (&cell, &flag) in mesh.cells.iter().zip(flagged) {
+            if flag && cell.level < DEEPEST { cells.extend(cell.halves()) } else { cells.push(cell) }
+        }
+        loop {
+            let long = |i: usize, j: usize| cells[i].length() > GRADING * 1.001 * cells[j].length();
+            let found = (0..cells.len()).find(|&i| (i > 0 && long(i, i - 1)) || (i + 1 < cells.len() && long(i, i + 1)));
+            let Some(i) = found else { break };
+            let halves = cells[i].halves();
+            cells.splice(i..=i, halves);
+        }
+        self.build(cells)
+    }
+
+    /// Carries fields from one mesh to another of the same radius.
+    pub(super) fn carry(&self, from: &Mesh, to: &Mesh, fields: &mut [&mut Vec<f64>]) {
+        let order = self.order();
+        let mut basis = vec![0.0; order];
+        let mut new: Vec<Vec<f64>> = fields.iter().map(|_| vec![0.0; to.nodes()]).collect();
+        let mut e = 0;
+        for (i, &x) in to.x.iter().enumerate() {
+            while e + 1 < from.cells.len() && from.cells[e].interval().1 < x {
+                e += 1;
+            }
+            if from.cells[e] == to.cells[i / order] {
+                let k = e * order + i % order;
+                new.iter_mut().zip(fields.iter()).for_each(|(new, old)| new[i] = old[k]);
+                continue;
+            }
+            let (a, b) = from.cells[e].interval();
+            self.quadrature.rule.basis((2.0 * x - a - b) / (b - a), &mut basis);
+            for (new, old) in new.iter_mut().zip(fields.iter()) {
+                new[i] = basis.iter().zip(&old[e * order..(e + 1) * order]).map(|(b, v)| b * v).sum();
+            }
+        }
+        fields.iter_mut().zip(new).for_each(|(old, new)| **old = new);
+    }
+}

@@ -1,0 +1,55 @@
+//! An axisymmetric tip on a viscoelastic half-space that attract each other at a distance, in time.
+//!
+//! ```text
+//! gap        g = g₀(x) − Δ + m A(p/β + Σ v_j)        m = μ^{3/2}, μ the relaxed Tabor number
+//! creep      τ_j v̇_j = J_j p − v_j                   Voigt strains, carried as pressures
+//! law        p = s(g)                                 positive in compression
+//! control    a Δ + b F = c(t)                         penetration, force, or a frame in between
+//! ```
+//! A is the influence of a ring of pressure on a half-space of unit modulus. No edge is tracked: a mesh follows the front.
+//!
+//! | file | what |
+//! |---|---|
+//! | `problem`, `scales` | what is asked, in which units |
+//! | `surface` | the law on the tip |
+//! | `kernel`, `mesh`, `refine` | the influence of a ring; elements with kept blocks; where they are too long or too short |
+//! | `chain`, `drive`, `step` | creep, control, one implicit step and its errors |
+//! | `newton` | one elastic adhesive contact |
+//! | `start`, `jump`, `search` | first state; passing a fold; largest tension and zero force |
+//! | `march`, `book`, `result`, `assess` | the run, its record, its error bounds |
+//! | `exponential` | a second integrator, as a check |
+//!
+//! Sources: Greenwood (1997) and Feng (2000) for the elastic sphere; Maghami, Wang, Tricarico, Ciavarella, Li & Papangelo (2024) for the
+//! viscoelastic one; Kennedy & Carpenter (2003) for the step.
+//!
+//! Not yet here: laws with a hard wall (refused), inertia, contacts whose range is far below the zone (elastic Tabor numbers above about
+//! 10 take thousands of steps), start at an imposed force, the tip that is not axisymmetric.
+
+mod assess;
+mod book;
+mod chain;
+mod drive;
+mod exponential;
+mod jump;
+mod kernel;
+mod march;
+mod mesh;
+mod newton;
+mod problem;
+mod refine;
+mod result;
+mod scales;
+mod search;
+mod start;
+mod state;
+mod step;
+mod surface;
+
+pub use assess::{Assessed, Bounds, InstantBounds, assessed};
+pub use exponential::run_by_exponentials;
+pub use march::run;
+pub use mesh::Mesher;
+pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Shape, Start};
+pub use result::{Certificate, Jump, LegSummary, Record, Run};
+pub use scales::Scales;
+pub use state::Energies;

@@ -1,0 +1,228 @@
+//! One elastic adhesive contact: Newton's method on the gap with a kept factorisation and active columns.
+//!
+//! Unknown are u at the nodes and the penetration Δ:
+//!   (1 + λ) g(u) − λ g_old = g₀ − Δ + m A (C p(u) + H),   a Δ + b F = c,
+//! g₀ the undeformed gap, H the creep strains of the stage, λ the pseudo-time of a jump (0 otherwise), and the last equation the control.
+//! Where the law is flat (far outside) a column of the Jacobian is that of the unit matrix: those nodes are eliminated.
+
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{Mat, MatMut};
+
+use super::mesh::Mesh;
+use super::surface::Surface;
+
+/// A correction must fall by this factor, or the Jacobian is made anew.
+const CONTRACTION: f64 = 0.3;
+/// Factorisations after which the stage is given up.
+const FACTORISATIONS: usize = 8;
+/// The same for a law with a hard wall.
+const WALL_FACTORISATIONS: usize = 30;
+/// Iterations after which the stage is given up.
+const ITERATIONS: usize = 80;
+/// A kept factorisation serves compliances within this ratio.
+const NEAR_COMPLIANCE: f64 = 0.2;
+/// Columns whose entries would sum to less than this are left out of the Jacobian.
+const FLAT: f64 = 0.02;
+
+/// a·penetration + b·force = c.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Row {
+    pub(super) penetration: f64,
+    pub(super) force: f64,
+    pub(super) value: f64,
+}
+
+/// The equations of a contact.
+pub(super) struct Equation<'a> {
+    pub(super) mesh: &'a Mesh,
+    /// g₀.
+    pub(super) undeformed: &'a [f64],
+    /// m.
+    pub(super) coupling: f64,
+    /// C.
+    pub(super) compliance: f64,
+    /// H.
+    pub(super) history: &'a [f64],
+    /// λ and g_old.
+    pub(super) pseudo: Option<(f64, &'a [f64])>,
+    pub(super) row: Row,
+    pub(super) tolerance: f64,
+    /// A correction below this that does not fall any more is rounding.
+    pub(super) rounding: f64,
+}
+
+/// A solved contact.
+#[derive(Debug, Clone)]
+pub(super) struct Contact {
+    pub(super) u: Vec<f64>,
+    pub(super) p: Vec<f64>,
+    pub(super) penetration: f64,
+    pub(super) force: f64,
+}
+
+/// What Newton's method keeps between calls, and how much it did.
+#[derive(Default)]
+pub(super) struct Newton {
+    kept: Option<Factor>,
+    pub(super) factorisations: usize,
+    pub(super) iterations: usize,
+    pub(super) last_correction: f64,
+}
+
+struct Factor {
+    serial: u64,
+    compliance: f64,
+    scale: f64,
+    active: Vec<usize>,
+    passive: Vec<usize>,
+    lu: PartialPivLu<f64>,
+    /// −(rows of passive nodes, columns of active ones), by columns.
+    border: Vec<f64>,
+    /// The response of u to Δ.
+    unit: Vec<f64>,
+    /// Area times slope of the pressure.
+    force: Vec<f64>,
+}
+
+impl Newton {
+    /// Solves from a first guess; nothing if it does not converge.
+    pub(super) fn solve(&mut self, surface: &Surface, equation: &Equation, guess: &[f64], mut penetration: f64) -> Option<Contact> {
+        let Equation { mesh, row, .. } = *equation;
+        let n = mesh.nodes();
+        let scale = 1.0 + equation.pseudo.map_or(0.0, |(lambda, _)| lambda);
+        let (mut u, mut p, mut q, mut image, mut residual) = (guess.to_vec(), vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        if row.force == 0.0 {
+            penetration = row.value / row.penetration;
+        }
+        let (mut previous, mut made) = (f64::INFINITY, 0);
+        let most = if surface.has_wall() { WALL_FACTORISATIONS } else { FACTORISATIONS };
+        for _ in 0..ITERATIONS {
+            self.iterations += 1;
+            (0..n).for_each(|i| p[i] = surface.pressure(u[i]));
+            (0..n).for_each(|i| q[i] = equation.compliance * p[i] + equation.history[i]);
+            mesh.apply(&q, &mut image);
+            for i in 0..n {
+                let pull = equation.pseudo.map_or(0.0, |(lambda, old)| lambda * old[i]);
+                residual[i] = scale * surface.gap(u[i]) - pull - equation.undeformed[i] + penetration - equation.coupling * image[i];
+            }
+            let outside = surface.outside(mesh.radius(), penetration);
+            let force = mesh.integral(|i| p[i]) + outside.0;
+            let off = row.penetration * penetration + row.force * force - row.value;
+            let usable = self.kept.as_ref().is_some_and(|kept| kept.serves(equation, scale));
+            if !usable {
+                self.renew(surface, equation, &u, scale)?;
+                made += 1;
+            }
+            let mut correction = self.correct(&residual, off, row, outside.1)?;
+            let size = |c: &(Vec<f64>, f64)| c.0.iter().fold(c.1.abs(), |most, value| most.max(value.abs()));
+            let allowed = (CONTRACTION * previous).max(equation.tolerance);
+            if usable && (size(&correction) > allowed || !correction.1.is_finite()) {
+                if made >= most {
+                    return None;
+                }
+                self.renew(surface, equation, &u, scale)?;
+                made += 1;
+                correction = self.correct(&residual, off, row, outside.1)?;
+            }
+            let size = size(&correction);
+            if !size.is_finite() {
+                self.kept = None;
+                return None;
+            }
+            let fraction = (0..n).fold(1.0_f64, |least, i| least.min(surface.reach(u[i]) / correction.0[i].abs().max(1e-300)));
+            (0..n).for_each(|i| u[i] += fraction * correction.0[i]);
+            penetration += fraction * correction.1;
+            if fraction < 1.0 {
+                if made >= most {
+                    return None;
+                }
+                self.kept = None;
+                previous = f64::INFINITY;
+                continue;
+            }
+            let converged = size <= equation.tolerance || (size <= equation.rounding && size > CONTRACTION * previous);
+            previous = size;
+            if converged {
+                self.last_correction = size;
+                (0..n).for_each(|i| p[i] = surface.pressure(u[i]));
+                let force = mesh.integral(|i| p[i]) + surface.outside(mesh.radius(), penetration).0;
+                let finite = force.is_finite() && penetration.is_finite() && u.iter().all(|u| u.is_finite());
+                return finite.then_some(Contact { u, p, penetration, force });
+            }
+        }
+        None
+    }
+
+    /// Factors the Jacobian at u.
+    fn renew(&mut self, surface: &Surface, equation: &Equation, u: &[f64], scale: f64) -> Option<()> {
+        self.factorisations += 1;
+        self.kept = None;
+        let mesh = equation.mesh;
+        let n = mesh.nodes();
+        let local: Vec<_> = u.iter().map(|&u| surface.at(u)).collect();
+        let strength = equation.coupling * equation.compliance;
+        let flat = FLAT * scale / (strength * 4.0);
+        let (active, passive): (Vec<usize>, Vec<usize>) =
+            (0..n).partition(|&i| local[i].gap_slope == 0.0 || local[i].pressure_slope.abs() > flat);
+        let column = |j: usize| (strength * local[j].pressure_slope, &mesh.matrix[j * n..(j + 1) * n]);
+        let mut jacobian = Mat::<f64>::zeros(active.len(), active.len());
+        let mut border = Vec::with_capacity(active.len() * passive.len());
+        for (k, &j) in active.iter().enumerate() {
+            let (factor, influence) = column(j);
+            active.iter().enumerate().for_each(|(l, &i)| jacobian[(l, k)] = -factor * influence[i]);
+            jacobian[(k, k)] += scale * local[j].gap_slope;
+            border.extend(passive.iter().map(|&i| factor * influence[i] / scale));
+        }
+        let lu = jacobian.partial_piv_lu();
+        let force = (0..n).map(|i| mesh.area[i] * local[i].pressure_slope).collect();
+        let mut factor = Factor { serial: mesh.serial, compliance: strength, scale, active, passive, lu, border, unit: Vec::new(), force };
+        let unit = factor.apply(&vec![1.0; n]);
+        factor.unit = unit;
+        self.kept = factor.unit.iter().all(|value| value.is_finite()).then_some(factor);
+        self.kept.as_ref().map(|_| ())
+    }
+
+    /// The corrections of u and Δ.
+    fn correct(&self, residual: &[f64], off: f64, row: Row, outside_slope: f64) -> Option<(Vec<f64>, f64)> {
+        let kept = self.kept.as_ref()?;
+        let mut correction = kept.apply(residual);
+        let mut penetration = 0.0;
+        if row.force == 0.0 {
+            correction.iter_mut().for_each(|value| *value = -*value);
+        } else {
+            let along = |v: &[f64]| kept.force.iter().zip(v).map(|(f, v)| f * v).sum::<f64>();
+            let slope = row.penetration + row.force * (outside_slope - along(&kept.unit));
+            penetration = (row.force * along(&correction) - off) / slope;
+            correction.iter_mut().zip(&kept.unit).for_each(|(value, unit)| *value = -*value - unit * penetration);
+        }
+        Some((correction, penetration))
+    }
+}
+
+impl Factor {
+    fn serves(&self, equation: &Equation, scale: f64) -> bool {
+        let strength = equation.coupling * equation.compliance;
+        self.serial == equation.mesh.serial
+            && (strength / self.compliance - 1.0).abs() <= NEAR_COMPLIANCE
+            && (scale / self.scale - 1.0).abs() <= NEAR_COMPLIANCE
+    }
+
+    /// J⁻¹ r.
+    fn apply(&self, right: &[f64]) -> Vec<f64> {
+        let mut solution = vec![0.0; right.len()];
+        let mut active: Vec<f64> = self.active.iter().map(|&i| right[i]).collect();
+        let count = active.len();
+        if count > 0 {
+            self.lu.solve_in_place(MatMut::from_column_major_slice_mut(&mut active, count, 1));
+        }
+        let mut passive: Vec<f64> = self.passive.iter().map(|&i| right[i] / self.scale).collect();
+        if !passive.is_empty() {
+            for (value, column) in active.iter().zip(self.border.chunks_exact(passive.len())) {
+                passive.iter_mut().zip(column).for_each(|(p, c)| *p += c * value);
+            }
+        }
+        self.active.iter().zip(&active).for_each(|(&i, &value)| solution[i] = value);
+        self.passive.iter().zip(&passive).for_each(|(&i, &value)| solution[i] = value);
+        solution
+    }
+}

@@ -1,0 +1,255 @@
+//! What is asked: the bodies, the law of attraction, the history, the accuracy.
+//!
+//! Everything is in reduced units. With the range h₀ and the work of adhesion Δγ of the law, the radius R of the tip and the relaxed
+//! modulus E₀*: gaps and penetrations in h₀, radii in √(R h₀), pressures in Δγ/h₀, forces in RΔγ (JKR pull-off 3π/2), works and energies
+//! in RΔγh₀, times in the unit of the retardation times. Force and penetration are positive in compression and into the body.
+//! Penetration zero: the apex of the undeformed tip lies one range above the undeformed plane (at the wall, if the law has one).
+
+use crate::finite_range::law::Law;
+use crate::refusal::{Refusal, require_finite, require_positive};
+
+/// The undeformed tip: its height f(x) over the apex, in h₀, at radius x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// f = x²/2, the paraboloid that stands for a sphere.
+    Paraboloid,
+    /// f = coefficient·x^exponent with exponent ≥ 1 (R is then any length that scales the radii).
+    Power {
+        /// The height at x = 1, > 0.
+        coefficient: f64,
+        /// From 1 (a cone) upward.
+        exponent: f64,
+    },
+}
+
+impl Shape {
+    /// f(x).
+    #[must_use]
+    pub fn height(self, x: f64) -> f64 {
+        match self {
+            Self::Paraboloid => 0.5 * x * x,
+            Self::Power { coefficient, exponent } => coefficient * x.powf(exponent),
+        }
+    }
+}
+
+/// The viscoelastic half-space, relative to its relaxed modulus: creep compliance 1/β + Σ f_j (1 − 1/β)(1 − e^{−t/τ_j}).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Creep {
+    /// β = E∞/E₀ ≥ 1.
+    pub stiffening: f64,
+    /// f_j > 0, of sum one; empty for an elastic body.
+    pub fractions: Vec<f64>,
+    /// τ_j > 0, retardation times.
+    pub times: Vec<f64>,
+}
+
+/// Where a run begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// Relaxed equilibrium at this penetration: in contact, where a contact exists (below zero penetration the surfaces could also be apart).
+    Relaxed(f64),
+    /// A body without creep strain at this penetration (a negative one, where the surfaces hardly attract).
+    Unstrained(f64),
+}
+
+/// What a leg of the history imposes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// The penetration.
+    Penetration,
+    /// The force.
+    Force,
+    /// The travel of a frame of this stiffness (in RΔγ/h₀, > 0): penetration + force/stiffness.
+    Frame(f64),
+}
+
+/// How the imposed quantity moves during a leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Motion {
+    /// At constant rate to a value within a duration > 0.
+    Ramp {
+        /// The value at the end.
+        to: f64,
+        /// The time it takes.
+        duration: f64,
+    },
+    /// It stays as it is for a duration > 0.
+    Hold(f64),
+    /// Sine about its present value.
+    Oscillation {
+        /// Its amplitude.
+        amplitude: f64,
+        /// The period, > 0.
+        period: f64,
+        /// How many periods, > 0.
+        cycles: f64,
+    },
+}
+
+impl Motion {
+    /// How long it takes.
+    #[must_use]
+    pub fn duration(self) -> f64 {
+        match self {
+            Self::Ramp { duration, .. } | Self::Hold(duration) => duration,
+            Self::Oscillation { period, cycles, .. } => period * cycles,
+        }
+    }
+
+    /// The imposed value and its rate at a time since the beginning of the leg, where the value was `from`.
+    #[must_use]
+    pub fn at(self, since: f64, from: f64) -> (f64, f64) {
+        match self {
+            Self::Ramp { to, duration } => (from + (to - from) * since / duration, (to - from) / duration),
+            Self::Hold(_) => (from, 0.0),
+            Self::Oscillation { amplitude, period, .. } => {
+                let frequency = std::f64::consts::TAU / period;
+                let (sine, cosine) = (frequency * since).sin_cos();
+                (from + amplitude * sine, amplitude * frequency * cosine)
+            }
+        }
+    }
+}
+
+/// One piece of the history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// What is imposed.
+    pub control: Control,
+    /// How it moves.
+    pub motion: Motion,
+}
+
+/// A run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// The shape of the law; its work and range are the units.
+    pub law: Law,
+    /// The relaxed Tabor number (RΔγ²/(E₀*² h₀³))^{1/3}, > 0.
+    pub tabor: f64,
+    /// The undeformed tip.
+    pub shape: Shape,
+    /// The body.
+    pub creep: Creep,
+    /// Where it begins.
+    pub start: Start,
+    /// The legs, one after the other.
+    pub history: Vec<Leg>,
+    /// Times at which a row is wanted (besides those of the integrator).
+    pub instants: Vec<f64>,
+}
+
+impl Problem {
+    /// The glassy Tabor number.
+    #[must_use]
+    pub fn glassy_tabor(&self) -> f64 {
+        self.tabor * self.creep.stiffening.powf(-2.0 / 3.0)
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] with the first that is not allowed.
+    pub fn check(&self) -> Result<(), Refusal> {
+        require_positive("tabor", self.tabor)?;
+        let creep = &self.creep;
+        if !(creep.stiffening >= 1.0 && creep.stiffening.is_finite()) {
+            return Err(Refusal::out_of_range("stiffening", creep.stiffening, "one or more"));
+        }
+        if creep.fractions.len() != creep.times.len() {
+            return Err(Refusal::out_of_range("fractions", creep.fractions.len() as f64, "as many as retardation times"));
+        }
+        for &value in &creep.fractions {
+            require_positive("fractions", value)?;
+        }
+        for &time in &creep.times {
+            require_positive("times", time)?;
+        }
+        let sum: f64 = creep.fractions.iter().sum();
+        if !creep.fractions.is_empty() && (sum - 1.0).abs() > 1e-9 {
+            return Err(Refusal::out_of_range("fractions", sum, "of sum one"));
+        }
+        if creep.fractions.is_empty() && creep.stiffening > 1.0 {
+            return Err(Refusal::out_of_range("stiffening", creep.stiffening, "one for a body without creep terms"));
+        }
+        if let Shape::Power { coefficient, exponent } = self.shape {
+            require_positive("coefficient", coefficient)?;
+            if !(1.0..=20.0).contains(&exponent) {
+                return Err(Refusal::out_of_range("exponent", exponent, "between 1 and 20"));
+            }
+        }
+        let (Start::Relaxed(penetration) | Start::Unstrained(penetration)) = self.start;
+        require_finite("start penetration", penetration)?;
+        for leg in &self.history {
+            if let Control::Frame(stiffness) = leg.control {
+                require_positive("frame stiffness", stiffness)?;
+            }
+            match leg.motion {
+                Motion::Ramp { to, duration } => {
+                    require_finite("ramp target", to)?;
+                    require_positive("duration", duration)?;
+                }
+                Motion::Hold(duration) => {
+                    require_positive("duration", duration)?;
+                }
+                Motion::Oscillation { amplitude, period, cycles } => {
+                    require_finite("amplitude", amplitude)?;
+                    require_positive("period", period)?;
+                    require_positive("cycles", cycles)?;
+                }
+            }
+        }
+        for &instant in &self.instants {
+            require_finite("instant", instant)?;
+        }
+        Ok(())
+    }
+}
+
+/// Tolerances of one run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    /// Nodes of an element, 4 to 16.
+    pub order: usize,
+    /// Largest tail of the pressure on an element, and of the gap that a creep strain makes.
+    pub mesh: f64,
+    /// Largest error of the gap in a step, in h₀.
+    pub step: f64,
+    /// Largest disagreement of the stage forces in a step, relative to max(5, |F|).
+    pub force: f64,
+    /// Newton's last correction of the gap over `step`.
+    pub newton: f64,
+    /// Attempted steps after which the run ends with a refusal.
+    pub budget: usize,
+}
+
+impl Accuracy {
+    /// The tolerances that give about this relative error of the pull-off force (1e-3 to 1e-8).
+    #[must_use]
+    pub fn new(relative: f64) -> Self {
+        let relative = relative.clamp(1e-8, 1e-2);
+        let force = (1e-2 * (relative / 1e-5).powf(0.7)).clamp(2e-4, 5e-2);
+        let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
+        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000 }
+    }
+
+    /// Checks every tolerance, and the order against that of the mesher.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] with the first that is not allowed.
+    pub fn check(&self, order: usize) -> Result<(), Refusal> {
+        require_positive("mesh tolerance", self.mesh)?;
+        require_positive("step tolerance", self.step)?;
+        require_positive("force tolerance", self.force)?;
+        require_positive("newton tolerance", self.newton)?;
+        let allowed = self.order == order && (4..=16).contains(&order);
+        if allowed { Ok(()) } else { Err(Refusal::out_of_range("order", self.order as f64, "that of the mesher, 4 to 16")) }
+    }
+
+    /// The tolerances of the run that assesses this one.
+    #[must_use]
+    pub fn tightened(self) -> Self {
+        Self { mesh: 0.1 * self.mesh, step: 0.1 * self.step, force: 0.2 * self.force, ..self }
+    }
+}

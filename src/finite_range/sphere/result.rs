@@ -1,0 +1,135 @@
+//! What a run gives: rows, events, and the evidence for them. Units as in [`super::problem`].
+
+use super::problem::Accuracy;
+use super::state::Energies;
+
+/// The state at the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Record {
+    /// Since the start.
+    pub time: f64,
+    /// Positive into the body.
+    pub penetration: f64,
+    /// Positive in compression.
+    pub force: f64,
+    /// Where the gap passes that of the law's largest tension; zero if the surfaces are farther apart.
+    pub contact_radius: f64,
+    /// Where the tension is largest; zero at the centre.
+    pub tension_radius: f64,
+    /// Stored energies.
+    pub energies: Energies,
+    /// ∫ F dΔ since the start: what was put in.
+    pub work: f64,
+    /// Lost in the Voigt elements since the start.
+    pub dissipated: f64,
+    /// Lost in jumps since the start.
+    pub released: f64,
+    /// Work − change of the energies − losses: zero but for the errors of the method.
+    pub residual: f64,
+}
+
+/// A sudden change to the next equilibrium down the energy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jump {
+    /// When it was over.
+    pub time: f64,
+    /// Before it; known to about 1e-5.
+    pub penetration: f64,
+    /// Before it. Soft: near a fold it varies by up to 3e-3 with the tolerances.
+    pub force_before: f64,
+    /// After it.
+    pub force_after: f64,
+    /// After it; differs from the one before where the penetration is not imposed.
+    pub penetration_after: f64,
+    /// The contact radius it lands on (0: apart).
+    pub radius_after: f64,
+    /// Energy lost in it.
+    pub released: f64,
+}
+
+/// What happened in one leg of the history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LegSummary {
+    /// The first state.
+    pub begin: Record,
+    /// The largest tension (the most negative force) of the leg.
+    pub largest_tension: Record,
+    /// The last instant at which the force went from compression to tension, if it did.
+    pub zero_of_force: Option<Record>,
+    /// The last state.
+    pub end: Record,
+}
+
+impl LegSummary {
+    /// Work of the puller from the zero of force (or from the beginning, if the force is not positive there) to the end.
+    #[must_use]
+    pub fn work_of_separation(&self) -> f64 {
+        self.end.work - self.tension_begins().work
+    }
+
+    /// The same, to the largest tension only.
+    #[must_use]
+    pub fn work_to_pull_off(&self) -> f64 {
+        self.largest_tension.work - self.tension_begins().work
+    }
+
+    fn tension_begins(&self) -> &Record {
+        self.zero_of_force.as_ref().unwrap_or(&self.begin)
+    }
+}
+
+/// Evidence of one run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// The largest energy residual of a row, in RΔγh₀.
+    pub energy_residual: f64,
+    /// The largest energy or work of a row: the scale of the residual.
+    pub energy_scale: f64,
+    /// The largest number of nodes.
+    pub nodes: usize,
+    /// Accepted steps.
+    pub steps: usize,
+    /// Steps repeated because of their error.
+    pub rejected: usize,
+    /// Steps given up because Newton's method found no solution.
+    pub failed: usize,
+    /// Steps repeated on a finer mesh.
+    pub refined: usize,
+    /// Jacobians factored.
+    pub factorisations: usize,
+    /// Iterations of Newton's method.
+    pub iterations: usize,
+    /// The last correction of the gap of the last contact, in h₀.
+    pub newton_residual: f64,
+    /// The tolerances of the run.
+    pub accuracy: Accuracy,
+}
+
+/// A run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Every accepted step, the start and the landings of jumps.
+    pub rows: Vec<Record>,
+    /// One for each leg that ended.
+    pub legs: Vec<LegSummary>,
+    /// In the order of time.
+    pub jumps: Vec<Jump>,
+    /// Under force control: the last state before no equilibrium exists any more. The run ends there.
+    pub detachment: Option<Record>,
+    /// Evidence.
+    pub certificate: Certificate,
+}
+
+impl Run {
+    /// The largest tension of the last leg, positive.
+    #[must_use]
+    pub fn pull_off_force(&self) -> f64 {
+        self.legs.last().map_or(0.0, |leg| -leg.largest_tension.force)
+    }
+
+    /// The row at a time, if there is one.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Option<&Record> {
+        self.rows.iter().find(|row| (row.time - time).abs() <= 1e-9 * time.abs())
+    }
+}

@@ -1,0 +1,107 @@
+//! A state of the run, and the energies in it.
+
+use std::sync::Arc;
+
+use super::chain::Chain;
+use super::mesh::{Mesh, Mesher};
+use super::surface::Surface;
+
+/// Everything a run needs to go on from an instant. Each state keeps its own mesh.
+#[derive(Clone)]
+pub(super) struct State {
+    pub(super) mesh: Arc<Mesh>,
+    /// The gap over the undeformed plane at penetration zero.
+    pub(super) undeformed: Arc<[f64]>,
+    pub(super) time: f64,
+    pub(super) penetration: f64,
+    pub(super) force: f64,
+    /// The unknown of [`Surface`] at the nodes.
+    pub(super) u: Vec<f64>,
+    pub(super) p: Vec<f64>,
+    /// Creep strains v_j.
+    pub(super) strains: Vec<Vec<f64>>,
+    /// Rates of u and of the penetration at the end of the last step; empty after a start or a jump.
+    pub(super) rate: Option<(Vec<f64>, f64)>,
+    /// ∫ F dΔ since the start.
+    pub(super) work: f64,
+    /// m ∫ Σ v̇_j·A p dt since the start: what went into the Voigt elements, stored or lost.
+    pub(super) viscous: f64,
+    /// Energy lost in jumps since the start.
+    pub(super) released: f64,
+}
+
+/// Energies of a state, in RΔγh₀.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energies {
+    /// In the instant springs.
+    pub instant: f64,
+    /// In the springs of the Voigt elements.
+    pub delayed: f64,
+    /// Of the attraction (zero when far apart).
+    pub interface: f64,
+}
+
+/// a·A b, weighted by area.
+fn product(mesh: &Mesh, a: &[f64], b: &[f64], image: &mut [f64]) -> f64 {
+    mesh.apply(b, image);
+    mesh.integral(|i| a[i] * image[i])
+}
+
+impl State {
+    /// The energies.
+    pub(super) fn energies(&self, surface: &Surface, chain: &Chain, coupling: f64) -> Energies {
+        let mut image = vec![0.0; self.mesh.nodes()];
+        let instant = 0.5 * coupling * chain.instant * product(&self.mesh, &self.p, &self.p, &mut image);
+        let delayed =
+            chain.terms.iter().zip(&self.strains).map(|(&(j, _), v)| 0.5 * coupling / j * product(&self.mesh, v, v, &mut image)).sum();
+        Energies { instant, delayed, interface: self.interface(surface) }
+    }
+
+    /// The energy of the attraction.
+    pub(super) fn interface(&self, surface: &Surface) -> f64 {
+        self.mesh.integral(|i| surface.interface(self.u[i])) + surface.outside(self.mesh.radius(), self.penetration).2
+    }
+
+    /// The energy that can change at once: instant springs and attraction, and the work of the instant strains on the frozen ones.
+    pub(super) fn instantaneous(&self, surface: &Surface, chain: &Chain, coupling: f64) -> f64 {
+        let mut image = vec![0.0; self.mesh.nodes()];
+        0.5 * coupling * chain.instant * product(&self.mesh, &self.p, &self.p, &mut image) + self.interface(surface)
+    }
+
+    /// The same state on another mesh: polynomials are carried as they are, the unknown less its undeformed part.
+    pub(super) fn on(&self, mesh: &Arc<Mesh>, mesher: &Mesher, surface: &Surface) -> Self {
+        let mut new = self.clone();
+        new.mesh = Arc::clone(mesh);
+        new.undeformed = mesh.x.iter().map(|&x| surface.undeformed(x)).collect();
+        new.u.iter_mut().zip(self.undeformed.iter()).for_each(|(u, flat)| *u -= flat);
+        let mut fields: Vec<&mut Vec<f64>> = vec![&mut new.u, &mut new.p];
+        fields.extend(new.strains.iter_mut());
+        fields.extend(new.rate.iter_mut().map(|rate| &mut rate.0));
+        mesher.carry(&self.mesh, mesh, &mut fields);
+        // A polynomial may overshoot below every gap there was, where the law is without bound.
+        let least = self.u.iter().fold(f64::INFINITY, |least, &u| least.min(u));
+        new.u.iter_mut().zip(new.undeformed.iter()).for_each(|(u, flat)| *u = (*u + flat).max(least));
+        new
+    }
+
+    /// The radius where the tension is largest, by a parabola through its neighbours; zero if that is at the centre.
+    pub(super) fn tension_radius(&self) -> f64 {
+        let (p, x) = (&self.p, &self.mesh.x);
+        let least = (0..p.len()).min_by(|&i, &k| p[i].total_cmp(&p[k])).unwrap_or(0);
+        if least == 0 || least + 1 == p.len() {
+            return if least == 0 { 0.0 } else { x[least] };
+        }
+        let (left, right) = (x[least] - x[least - 1], x[least + 1] - x[least]);
+        let (down, up) = ((p[least] - p[least - 1]) / left, (p[least + 1] - p[least]) / right);
+        let curvature = (up - down) / (0.5 * (left + right));
+        let slope = (down * right + up * left) / (left + right);
+        if curvature > 0.0 { (x[least] - slope / curvature).clamp(x[least - 1], x[least + 1]) } else { x[least] }
+    }
+
+    /// The innermost radius where the gap passes a value; zero if the gap is larger everywhere.
+    pub(super) fn radius_at_gap(&self, gap: f64) -> f64 {
+        let (u, x) = (&self.u, &self.mesh.x);
+        let Some(i) = (0..u.len()).find(|&i| u[i] > gap) else { return self.mesh.radius() };
+        if i == 0 { 0.0 } else { x[i - 1] + (x[i] - x[i - 1]) * (gap - u[i - 1]) / (u[i] - u[i - 1]) }
+    }
+}

@@ -1,0 +1,217 @@
+//! One step in time: the stages, their error, and the mesh that they need.
+
+use std::sync::Arc;
+
+use super::chain::{Chain, DIAGONAL, ROWS, STAGES, TIMES, WEIGHTS, dot, error_weights, extrapolation};
+use super::drive::{Drive, work};
+use super::mesh::{Mesh, Mesher};
+use super::newton::{Contact, Equation, Newton, Row};
+use super::problem::{Accuracy, Problem};
+use super::refine::Watched;
+use super::state::State;
+use super::surface::Surface;
+use crate::refusal::Refusal;
+
+/// Forces smaller than this (in RΔγ) are no scale for the error of a force.
+const FORCE_SCALE: f64 = 5.0;
+/// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
+const WORK_SCALE: f64 = 3.0;
+/// A correction of the gap that does not fall any more is rounding if it is smaller than this times the square of the outer radius,
+/// the scale of the gap there.
+const ROUNDING: f64 = 1e-13;
+
+/// A step that was solved, with its errors over their tolerances (not yet accepted).
+pub(super) struct Trial {
+    pub(super) state: State,
+    pub(super) error: f64,
+}
+
+/// The solver of one run.
+pub(super) struct Solver<'m> {
+    pub(super) mesher: &'m mut Mesher,
+    pub(super) surface: Surface,
+    pub(super) chain: Chain,
+    /// m = (Tabor number)^{3/2}.
+    pub(super) coupling: f64,
+    pub(super) accuracy: Accuracy,
+    pub(super) newton: Newton,
+    /// Factor on Newton's tolerance: less than one while an extremum is searched, which noise would shift.
+    pub(super) sharpness: f64,
+}
+
+impl<'m> Solver<'m> {
+    pub(super) fn new(problem: &Problem, accuracy: Accuracy, mesher: &'m mut Mesher) -> Result<Self, Refusal> {
+        let surface = Surface::new(problem.law.clone(), problem.shape)?;
+        let coupling = problem.tabor.powf(1.5);
+        Ok(Self { mesher, surface, chain: Chain::new(&problem.creep), coupling, accuracy, newton: Newton::default(), sharpness: 1.0 })
+    }
+
+    /// A contact whose creep strains are (a_j + z_j J_j p)/(1 + z_j).
+    pub(super) fn contact(
+        &mut self,
+        state: &State,
+        forced: &[Vec<f64>],
+        z: &[f64],
+        row: Row,
+        pseudo: Option<(f64, &[f64])>,
+        guess: (&[f64], f64),
+    ) -> Option<Contact> {
+        let mut history = vec![0.0; state.mesh.nodes()];
+        let mut compliance = self.chain.instant;
+        for ((a, &z), &(j, _)) in forced.iter().zip(z).zip(&self.chain.terms) {
+            history.iter_mut().zip(a).for_each(|(sum, a)| *sum += a / (1.0 + z));
+            compliance += j * z / (1.0 + z);
+        }
+        let (mesh, undeformed) = (&*state.mesh, &*state.undeformed);
+        let rounding = ROUNDING * state.mesh.radius().powi(2);
+        let tolerance = self.sharpness * self.accuracy.newton * self.accuracy.step;
+        let equation =
+            Equation { mesh, undeformed, coupling: self.coupling, compliance, history: &history, pseudo, row, tolerance, rounding };
+        let mut contact = self.newton.solve(&self.surface, &equation, guess.0, guess.1)?;
+        if row.penetration == 0.0 {
+            contact.force = row.value / row.force;
+        }
+        Some(contact)
+    }
+
+    /// One step of length h; nothing if a stage has no solution that Newton's method finds.
+    pub(super) fn step(&mut self, from: &State, drive: &Drive, h: f64) -> Option<Trial> {
+        let (n, terms) = (from.mesh.nodes(), self.chain.terms.clone());
+        let z: Vec<f64> = terms.iter().map(|&(_, tau)| DIAGONAL * h / tau).collect();
+        let relax = |p: &[f64], v: &[f64], (j, tau): (f64, f64)| p.iter().zip(v).map(|(p, v)| h * (j * p - v) / tau).collect::<Vec<f64>>();
+        // h·dv_j/dt at the stages known so far.
+        let mut slopes: Vec<Vec<Vec<f64>>> = vec![terms.iter().zip(&from.strains).map(|(&term, v)| relax(&from.p, v, term)).collect()];
+        let (mut gaps, mut depths, mut forces) = (vec![from.u.clone()], [from.penetration; STAGES], [from.force; STAGES]);
+        let mut strains = from.strains.clone();
+        let mut p = from.p.clone();
+        let mut image = vec![0.0; n];
+        let mut viscous = [0.0; STAGES];
+        viscous[0] = self.viscous_rate(&from.mesh, &slopes[0], &p, &mut image);
+        for stage in 1..STAGES {
+            let mut forced = from.strains.clone();
+            for (k, slope) in slopes.iter().enumerate().filter(|&(k, _)| ROWS[stage][k] != 0.0) {
+                for (a, s) in forced.iter_mut().zip(slope) {
+                    a.iter_mut().zip(s).for_each(|(a, s)| *a += ROWS[stage][k] * s);
+                }
+            }
+            let (guess, depth) = self.guess(from, &gaps, &depths, stage, h);
+            let row = drive.row(from.time + TIMES[stage] * h);
+            let contact = self.contact(from, &forced, &z, row, None, (&guess, depth))?;
+            for (((v, a), &z), &(j, _)) in strains.iter_mut().zip(&forced).zip(&z).zip(&terms) {
+                (0..n).for_each(|i| v[i] = (a[i] + z * j * contact.p[i]) / (1.0 + z));
+            }
+            slopes.push(terms.iter().zip(&strains).map(|(&term, v)| relax(&contact.p, v, term)).collect());
+            (depths[stage], forces[stage]) = (contact.penetration, contact.force);
+            viscous[stage] = self.viscous_rate(&from.mesh, &slopes[stage], &contact.p, &mut image);
+            gaps.push(contact.u);
+            p = contact.p;
+        }
+        let gap_error = self.gap_error(&from.mesh, &slopes, &z, &mut image);
+        let (work, work_error) = work(drive, from, &depths, &forces, h);
+        let missing = |values: &[f64; STAGES]| {
+            let weights = extrapolation(STAGES - 1, 1.0);
+            (dot(&weights, values) - values[STAGES - 1]).abs()
+        };
+        let tolerance = self.accuracy;
+        let scale = (forces[STAGES - 1].abs() / FORCE_SCALE).max(1.0);
+        let row = drive.row(from.time);
+        let seen = if row.penetration == 0.0 { missing(&depths) } else { missing(&forces) / (FORCE_SCALE * scale) };
+        let energy_error = work_error.max(dot(&error_weights(), &viscous).abs());
+        let error = (gap_error / tolerance.step).max(seen / tolerance.force).max(energy_error / (WORK_SCALE * scale * tolerance.step));
+        let rate: Vec<f64> = (0..n).map(|i| (gaps[STAGES - 1][i] - gaps[STAGES - 2][i]) / ((1.0 - TIMES[STAGES - 2]) * h)).collect();
+        let depth_rate = (depths[STAGES - 1] - depths[STAGES - 2]) / ((1.0 - TIMES[STAGES - 2]) * h);
+        let state = State {
+            mesh: Arc::clone(&from.mesh),
+            undeformed: Arc::clone(&from.undeformed),
+            time: from.time + h,
+            penetration: depths[STAGES - 1],
+            force: forces[STAGES - 1],
+            u: gaps.pop()?,
+            p,
+            strains,
+            rate: Some((rate, depth_rate)),
+            work: from.work + work,
+            viscous: from.viscous + dot(&WEIGHTS, &viscous),
+            released: from.released,
+        };
+        error.is_finite().then_some(Trial { state, error })
+    }
+
+    /// h·m Σ_j v̇_j·A p.
+    fn viscous_rate(&self, mesh: &Mesh, slopes: &[Vec<f64>], p: &[f64], image: &mut [f64]) -> f64 {
+        if slopes.is_empty() {
+            return 0.0;
+        }
+        mesh.apply(p, image);
+        self.coupling * slopes.iter().map(|slope| mesh.integral(|i| slope[i] * image[i])).sum::<f64>()
+    }
+
+    /// The largest error of the gap, filtered as usual for stiff terms.
+    fn gap_error(&self, mesh: &Mesh, slopes: &[Vec<Vec<f64>>], z: &[f64], image: &mut [f64]) -> f64 {
+        if z.is_empty() {
+            return 0.0;
+        }
+        let weights = error_weights();
+        let mut sum = vec![0.0; mesh.nodes()];
+        for (slope, weight) in slopes.iter().zip(weights) {
+            for (s, z) in slope.iter().zip(z) {
+                sum.iter_mut().zip(s).for_each(|(sum, s)| *sum += weight / (1.0 + z) * s);
+            }
+        }
+        mesh.apply(&sum, image);
+        self.coupling * image.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+    }
+
+    /// The first guess of a stage: along the last rate, then through the stages before.
+    fn guess(&self, from: &State, gaps: &[Vec<f64>], depths: &[f64; STAGES], stage: usize, h: f64) -> (Vec<f64>, f64) {
+        let (mut guess, mut depth) = (from.u.clone(), from.penetration);
+        if stage == 1 {
+            if let Some((rate, depth_rate)) = &from.rate {
+                guess.iter_mut().zip(rate).for_each(|(u, rate)| *u += TIMES[1] * h * rate);
+                depth += TIMES[1] * h * depth_rate;
+            }
+        } else {
+            let weights = extrapolation(stage, TIMES[stage]);
+            guess.fill(0.0);
+            depth = 0.0;
+            for (k, gap) in gaps.iter().enumerate() {
+                guess.iter_mut().zip(gap).for_each(|(u, gap)| *u += weights[k] * gap);
+                depth += weights[k] * depths[k];
+            }
+        }
+        for (guess, u) in guess.iter_mut().zip(&gaps[stage - 1]) {
+            let reach = self.surface.reach(*u);
+            if reach.is_finite() {
+                *guess = guess.clamp(u - reach, u + reach);
+            }
+        }
+        (guess, depth)
+    }
+
+    /// What the mesh must resolve: the pressure, and every creep strain by the gap that it makes.
+    fn watched<'a>(&self, state: &'a State) -> Vec<Watched<'a>> {
+        let largest = state.p.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
+        let mut fields = vec![Watched { values: &state.p, tolerance: self.accuracy.mesh * (0.1 * largest).max(1.0), by_length: false }];
+        let tolerance = self.accuracy.mesh / self.coupling;
+        fields.extend(state.strains.iter().map(|values| Watched { values, tolerance, by_length: true }));
+        fields
+    }
+
+    /// Elements on which a state is not resolved.
+    pub(super) fn unresolved(&self, state: &State) -> Vec<bool> {
+        self.mesher.unresolved(&state.mesh, &self.watched(state))
+    }
+
+    /// The state on a mesh without needless elements; nothing if there are none.
+    pub(super) fn coarsened(&mut self, state: &State) -> Option<State> {
+        let fields = self.watched(state);
+        let mesh = self.mesher.merge(&state.mesh, &fields)?;
+        Some(state.on(&mesh, self.mesher, &self.surface))
+    }
+
+    /// The state with the flagged elements halved.
+    pub(super) fn refined(&mut self, state: &State, flags: &[bool]) -> State {
+        let mesh = self.mesher.split(&state.mesh, flags);
+        state.on(&mesh, self.mesher, &self.surface)
+    }
+}

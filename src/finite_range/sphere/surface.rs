@@ -1,0 +1,124 @@
+//! The law of attraction on the tip: pressure, its slope and its work at a node, and what lies outside the mesh.
+
+use std::f64::consts::TAU;
+
+use super::kernel::unit_rule;
+use super::problem::Shape;
+use crate::finite_range::law::{Attraction, Law};
+use crate::refusal::Refusal;
+
+/// Points of the rule for the attraction outside the mesh.
+const TAIL_POINTS: usize = 16;
+
+/// Gap and pressure as functions of one unknown u. Without a hard wall u is the gap. With one u − wall is the gap where it is positive
+/// and minus the excess of pressure where it is negative: both gap and pressure are single-valued in u, so contact needs no search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Local {
+    pub(super) gap: f64,
+    pub(super) gap_slope: f64,
+    pub(super) pressure: f64,
+    pub(super) pressure_slope: f64,
+}
+
+/// The law with the shape of the tip.
+pub(super) struct Surface {
+    law: Attraction,
+    shape: Shape,
+    wall: Option<f64>,
+    /// The gap at the apex at penetration zero.
+    rest: f64,
+    /// Places s = radius of the mesh / x with their weights.
+    tail: Vec<(f64, f64)>,
+}
+
+impl Surface {
+    pub(super) fn new(law: Law, shape: Shape) -> Result<Self, Refusal> {
+        let law = Attraction::new(law, 1.0, 1.0)?;
+        let wall = law.wall();
+        if wall.is_some() {
+            return Err(Refusal::Undefined {
+                quantity: "the sphere",
+                reason: "a law with a hard wall is not implemented for it".to_owned(),
+            });
+        }
+        Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail: unit_rule(TAIL_POINTS) })
+    }
+
+    /// The gap over the undeformed plane at penetration zero.
+    pub(super) fn undeformed(&self, x: f64) -> f64 {
+        self.rest + self.shape.height(x)
+    }
+
+    /// Gap, pressure and slopes at a value of the unknown.
+    pub(super) fn at(&self, u: f64) -> Local {
+        match self.wall {
+            Some(wall) if u < wall => {
+                Local { gap: wall, gap_slope: 0.0, pressure: self.law.stress(wall) + (wall - u), pressure_slope: -1.0 }
+            }
+            _ => Local { gap: u, gap_slope: 1.0, pressure: self.law.stress(u), pressure_slope: self.law.slope(u) },
+        }
+    }
+
+    pub(super) fn gap(&self, u: f64) -> f64 {
+        self.wall.map_or(u, |wall| u.max(wall))
+    }
+
+    pub(super) fn pressure(&self, u: f64) -> f64 {
+        match self.wall {
+            Some(wall) if u < wall => self.law.stress(wall) + (wall - u),
+            _ => self.law.stress(u),
+        }
+    }
+
+    /// The unknown at which the surface carries this compressive pressure (for first guesses).
+    pub(super) fn compressed(&self, pressure: f64) -> f64 {
+        match (&self.law.law, self.wall) {
+            (_, Some(wall)) => wall - pressure + self.law.stress(wall),
+            (Law::LennardJones, _) => (1.0 + 0.375 * pressure.max(0.0)).powf(-1.0 / 9.0),
+            _ => pressure / self.law.slope(-1e-9).min(-1e-3),
+        }
+    }
+
+    /// How far u may move in one correction.
+    pub(super) fn reach(&self, u: f64) -> f64 {
+        match self.law.law {
+            Law::LennardJones => 0.3 * u,
+            _ if self.wall.is_some() => f64::INFINITY,
+            _ => 0.3 * u.abs().max(1.0),
+        }
+    }
+
+    /// Whether contact is an inequality: its nodes change sides one Jacobian at a time.
+    pub(super) fn has_wall(&self) -> bool {
+        self.wall.is_some()
+    }
+
+    /// The energy of the attraction per area at a gap: minus the work left.
+    pub(super) fn interface(&self, u: f64) -> f64 {
+        -self.law.work_left(self.gap(u))
+    }
+
+    /// The gap of the largest tension, by the law's own shape.
+    pub(super) fn peak_gap(&self) -> f64 {
+        match self.law.law {
+            Law::LennardJones => 3_f64.powf(1.0 / 6.0),
+            Law::Cosine => 0.5,
+            _ => self.rest,
+        }
+    }
+
+    /// Outside a radius, where the body is not deformed: force, its derivative with respect to the penetration, interface energy.
+    pub(super) fn outside(&self, radius: f64, penetration: f64) -> (f64, f64, f64) {
+        let mut sums = (0.0, 0.0, 0.0);
+        for &(s, weight) in &self.tail {
+            let gap = self.undeformed(radius / s) - penetration;
+            if gap > self.rest {
+                let measure = weight * TAU * radius * radius / (s * s * s);
+                sums.0 += measure * self.law.stress(gap);
+                sums.1 -= measure * self.law.slope(gap);
+                sums.2 -= measure * self.law.work_left(gap);
+            }
+        }
+        sums
+    }
+}
