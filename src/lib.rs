@@ -7,6 +7,7 @@ pub mod crack;
 pub mod elastic;
 pub mod estimate;
 pub mod figures;
+pub mod finite_range;
 pub mod indentation;
 pub mod material;
 pub mod outcome;

@@ -34,7 +34,8 @@ fn assert_free_of(rooms: &[&str], forbidden: &[&str]) {
     }
 }
 
-const PHYSICS: [&str; 9] = ["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "rivals"];
+const PHYSICS: [&str; 10] =
+    ["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "finite_range", "rivals"];
 
 #[test]
 fn physics_knows_nothing_of_files_scenes_or_plots() {
@@ -66,6 +67,7 @@ fn no_plan_picks_a_rival() {
             "crack",
             "sliding",
             "indentation",
+            "finite_range",
             "scene",
             "plan",
             "outcome",
