@@ -91,13 +91,13 @@ fn of_state(state: &Value) -> Problem {
 }
 
 /// The three frictions: the last two are one number up to the residual; the first differs by the discretisation.
-fn assert_certified(what: &str, state: &SteadyState) {
+fn assert_certified(what: &str, problem: &Problem, state: &SteadyState) {
     let c = &state.certificate;
     let scale = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure.abs();
     assert!((c.friction_by_loss - c.friction_by_surface).abs() <= 1e-9 * scale.max(1e-3), "{what}: {c:?}");
     let discretisation = 2e-3 * scale + 10.0 * state.errors.friction_stress;
     assert!((c.friction_by_profile - c.friction_by_surface).abs() <= discretisation, "{what}: {c:?}");
-    assert!(c.least_contact_pressure >= -1e-6 && c.least_gap >= 0.0, "{what}: {c:?}");
+    assert!(c.least_contact_pressure >= -1e-6 && (c.least_gap >= 0.0 || problem.attraction.wall().is_none()), "{what}: {c:?}");
     let balance = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure - state.numbers.mean_pressure;
     assert!(balance.abs() <= 1e-8 + 10.0 * c.residual, "{what}: mean pressure off by {balance:e}");
 }
@@ -110,7 +110,8 @@ fn assert_within(what: &str, got: f64, want: f64, bound: f64) {
 fn fifteen_states_of_an_independent_program_are_met_within_their_bounds() {
     for state in reference()["states"].as_array().unwrap() {
         let name = state["name"].as_str().unwrap();
-        let solved = solve(&of_state(state), &Request { accuracy: 2e-5, least_nodes: 1024, most_nodes: 1 << 15 }).unwrap();
+        let problem = of_state(state);
+        let solved = solve(&problem, &Request { accuracy: 2e-5, least_nodes: 1024, most_nodes: 1 << 15 }).unwrap();
         let (values, errors) = (&solved.numbers, &solved.errors);
         let own = |key: &str| Some((state["values"][key]["value"].as_f64()?, state["values"][key]["error"].as_f64()?));
         let meets = |key: &str, got: f64, bound: f64, largest: f64| {
@@ -118,12 +119,12 @@ fn fifteen_states_of_an_independent_program_are_met_within_their_bounds() {
             assert_within(&format!("{name}, {key}"), got, want, bound + error);
             assert!(bound <= largest, "{name}, {key}: the bound {bound:e} is too wide to mean anything");
         };
-        meets("friction_stress", values.friction_stress, errors.friction_stress, 1e-4 * values.friction_stress.abs().max(1e-4));
+        meets("friction_stress", values.friction_stress, errors.friction_stress, 1e-4 * values.friction_stress.abs().max(5e-3));
         meets("mean_gap", values.mean_gap, errors.mean_gap, 1e-4);
         meets("mean_pressure", values.mean_pressure, errors.mean_pressure, 1e-4);
         meets("half_width", PI * values.contact_fraction, PI * errors.contact_fraction, 2e-3);
         assert_eq!(solved.patches as u64, if name.contains("Lennard") { 1 } else { state["patches"].as_u64().unwrap() }, "{name}");
-        assert_certified(name, &solved);
+        assert_certified(name, &problem, &solved);
     }
 }
 
@@ -151,7 +152,7 @@ fn contmech_is_met_within_one_percent() {
         // The last value is printed with two digits.
         let allowed = if speed > 5.0 { 0.02 } else { 0.01 };
         assert_within(&format!("speed {speed}, range {range}"), solved.numbers.friction_stress, friction, allowed * friction);
-        assert_certified("contMech", &solved);
+        assert_certified("contMech", &problem, &solved);
     }
 }
 
@@ -205,7 +206,7 @@ fn a_thick_layer_is_the_half_space_and_a_thin_one_is_stiff_or_soft() {
 fn an_extruded_surface_is_the_line_and_ridges_slide_without_friction() {
     let of = |speed: f64, profile: Profile| {
         let problem = Problem { profile, ..usual(speed, 0.008, 0.1, Control::MeanPressure(0.15)) };
-        solve(&problem, &Request { accuracy: 1e-2, least_nodes: 128, most_nodes: 128 }).unwrap()
+        solve(&problem, &Request { accuracy: 1e-2, least_nodes: 256, most_nodes: 256 }).unwrap()
     };
     let height = |i: usize| (TAU * i as f64 / 16.0).cos();
     let surface = |along_x: bool| {
@@ -292,7 +293,7 @@ fn random_scenes_agree_with_finer_grids_or_are_refused() {
             }
             Ok(coarse) => {
                 assert!(coarse.numbers.friction_stress.is_finite() && coarse.numbers.mean_gap.is_finite(), "{what}");
-                assert_certified(&what, &coarse);
+                assert_certified(&what, &problem, &coarse);
                 let nodes = 4 * coarse.fields.nx;
                 let Ok(fine) = solve(&problem, &Request { accuracy: 1e-9, least_nodes: nodes, most_nodes: nodes }) else { continue };
                 let same = |by: ReachedBy| by == ReachedBy::FullContact;

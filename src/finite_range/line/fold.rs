@@ -49,13 +49,22 @@ pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
     let mut state = rough.state.clone();
     let mut found: Vec<[f64; 7]> = Vec::new();
     let mut misfit = [f64::INFINITY; 7];
+    let mut lost = None;
     for grid in 0..GRIDS {
         if grid > 0 {
             (equations, state) = reach::refined(&control, &equations, &state, place);
         }
         // The middle follows the fold and the samples close up while that improves the fit; above the noise of the grid it does.
         for _ in 0..10 {
-            let samples = sample(&control, &mut equations, &mut state, middle, step, by_gap)?;
+            // Samples beyond the end of the branch are no states: closer ones are taken.
+            let samples = match sample(&control, &mut equations, &mut state, middle, step, by_gap) {
+                Ok(samples) => samples,
+                Err(refusal) => {
+                    lost = Some(refusal);
+                    step *= 0.5;
+                    continue;
+                }
+            };
             let (at, values) = extremum(&samples, turning);
             middle += at.clamp(-1.0, 1.0) * f64::from(SIDE) * step;
             if at.abs() > 0.7 {
@@ -78,7 +87,10 @@ pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
         }
     }
     let [a, b, c] = found.as_slice() else {
-        return Err(Refusal::NotConverged { what: "the place of the fold", detail: format!("it leaves the samples around {middle:.6}") });
+        return Err(lost.unwrap_or_else(|| Refusal::NotConverged {
+            what: "the place of the fold",
+            detail: format!("it leaves the samples around {middle:.6}"),
+        }));
     };
     let errors = std::array::from_fn(|i| (c[i] - b[i]).abs().max((b[i] - a[i]).abs()) + misfit[i]);
     Ok(Fold { kind: rough.kind, numbers: Numbers::from_list(*c), errors: Numbers::from_list(errors), nodes: equations.grid.nx() })

@@ -11,13 +11,19 @@ use std::sync::Arc;
 /// Fields with fewer values than this are transformed on one core: starting a thread costs as much as the work.
 const PARALLEL_FROM: usize = 1 << 15;
 
+/// The transforms along y.
+struct Columns {
+    forward: Arc<dyn Fft<f64>>,
+    inverse: Arc<dyn Fft<f64>>,
+}
+
 /// The transforms of one grid, with their work space.
 pub(super) struct Transform {
     nx: usize,
     ny: usize,
     real_forward: Arc<dyn RealToComplex<f64>>,
     real_inverse: Arc<dyn ComplexToReal<f64>>,
-    columns: Option<(Arc<dyn Fft<f64>>, Arc<dyn Fft<f64>>)>,
+    columns: Option<Columns>,
     rows: Vec<Complex64>,
     spectrum: Vec<Complex64>,
     field: Vec<f64>,
@@ -32,7 +38,7 @@ impl Transform {
         let (real_forward, real_inverse) = (real.plan_fft_forward(nx), real.plan_fft_inverse(nx));
         let columns = (ny > 1).then(|| {
             let mut complex = FftPlanner::new();
-            (complex.plan_fft_forward(ny), complex.plan_fft_inverse(ny))
+            Columns { forward: complex.plan_fft_forward(ny), inverse: complex.plan_fft_inverse(ny) }
         });
         let size = (nx / 2 + 1) * ny;
         let scratch = real_forward.get_scratch_len().max(real_inverse.get_scratch_len());
@@ -76,7 +82,7 @@ impl Transform {
     pub(super) fn forward(&mut self, input: &[f64]) -> &mut [Complex64] {
         self.field.copy_from_slice(input);
         let half = self.nx / 2 + 1;
-        let Some((columns, _)) = &self.columns else {
+        let Some(Columns { forward: columns, .. }) = &self.columns else {
             // The lengths are those of the plan, so the transform cannot fail.
             let _ = self.real_forward.process_with_scratch(&mut self.field, &mut self.spectrum, &mut self.scratch);
             return &mut self.spectrum;
@@ -101,7 +107,7 @@ impl Transform {
     /// The field of the spectrum that [`Transform::forward`] returned (and the caller changed), not normalised.
     pub(super) fn inverse(&mut self, output: &mut [f64]) {
         let half = self.nx / 2 + 1;
-        let Some((_, columns)) = &self.columns else {
+        let Some(Columns { inverse: columns, .. }) = &self.columns else {
             real_ends(&mut self.spectrum);
             let _ = self.real_inverse.process_with_scratch(&mut self.spectrum, output, &mut self.scratch);
             return;

@@ -166,7 +166,7 @@ fn move_contact(equations: &Equations, state: &mut State, pressure: &[f64], firs
     released.into_iter().for_each(|i| state.contact[i] = false);
     enters.into_iter().for_each(|i| state.contact[i] = true);
     for (gap, contact) in state.gap.iter_mut().zip(&state.contact) {
-        if *contact && (*gap < wall || *gap > wall) {
+        if *contact && (*gap - wall).abs() > 0.0 {
             *gap = wall;
             changed = true;
         }

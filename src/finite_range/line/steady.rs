@@ -12,10 +12,14 @@ use crate::refusal::{Refusal, require_positive};
 /// Nodes in the relaxed zone of the law on the grid of the cold start; the finer ones are tried where the coarse one leads astray.
 const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
 
+/// Friction below this part of pressure times slope is asked for absolutely.
+const SMALL_FRICTION: f64 = 1e-3;
+
 /// How exact a state must be and what it may cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// Allowed relative error of the friction stress, and error of the gap and pressure relative to the profile's height and the stress.
+    /// Allowed relative error of the friction stress (of a thousandth of pressure × slope where it is smaller than that), and error of
+    /// the gap and pressure relative to the profile's height and the stress.
     pub accuracy: f64,
     /// Nodes along x of the first grid that may be the answer; the finer ones follow by doubling.
     pub least_nodes: usize,
@@ -136,9 +140,9 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let mut errors = three_grids(&history, problem.attraction.wall().is_some(), report.mean_residual);
         let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
         share(&mut errors, problem.control, stress, half_height);
-        let floor = 1e-9 * stress * half_height;
+        let floor = SMALL_FRICTION * stress * half_height;
         let worst = [
-            errors[2] / (numbers.friction_stress.abs() + floor / request.accuracy),
+            errors[2] / numbers.friction_stress.abs().max(floor),
             errors[1] / (numbers.mean_gap.abs().max(half_height)),
             errors[0] / stress,
         ]
