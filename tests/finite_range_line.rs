@@ -22,8 +22,8 @@ use std::sync::Arc;
 use viscotack::Material;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
-    Control, Direction, FoldKind, Harmonic, Modulus, Problem, Profile, ReachedBy, Request, SteadyState, full_contact, locate, modulus_of,
-    solve, trace,
+    Control, Direction, FoldKind, Harmonic, Modulus, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact, locate,
+    modulus_of, solve, trace,
 };
 use viscotack::material::CreepTerm;
 use viscotack::sliding::layer::{Backing, Layer};
@@ -232,6 +232,24 @@ fn a_gap_and_a_frame_lead_to_the_state_of_the_same_load() {
         assert_within("friction", other.numbers.friction_stress, by_load.numbers.friction_stress, bound);
         assert_within("pressure", other.numbers.mean_pressure, 0.2, bound + other.errors.mean_pressure);
     }
+}
+
+#[test]
+fn sweeps_of_load_and_speed_meet_the_states_of_cold_starts() {
+    let request = Request { least_nodes: 2048, most_nodes: 2048, ..Request::default() };
+    let start = solve(&usual(1.0, 0.008, 0.05, Control::MeanPressure(0.1)), &request).unwrap();
+    let loads = [0.12, 0.16, 0.2, 0.16, 0.12].map(|p| usual(1.0, 0.008, 0.05, Control::MeanPressure(p)));
+    let speeds = [1.3, 1.7, 2.2, 3.0].map(|v| usual(v, 0.008, 0.05, Control::MeanPressure(0.12)));
+    let mut last = start;
+    for problem in loads.iter().chain(&speeds) {
+        last = follow(problem, &last, &request).unwrap();
+        assert_eq!(last.reached_by, ReachedBy::Continuation);
+        let cold = solve(problem, &request).unwrap();
+        assert_within("friction", last.numbers.friction_stress, cold.numbers.friction_stress, 1e-9);
+        assert_within("gap", last.numbers.mean_gap, cold.numbers.mean_gap, 1e-9);
+    }
+    // A step over the branch's end is refused, not answered by another branch.
+    assert!(follow(&usual(3.0, 0.008, 0.05, Control::MeanPressure(-0.3)), &last, &request).is_err());
 }
 
 #[test]

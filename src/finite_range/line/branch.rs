@@ -15,6 +15,8 @@ const LONGEST: f64 = 0.08;
 const SHORTEST: f64 = 2e-4;
 /// Newton steps after which the next arc step is not made longer.
 const EASY: usize = 8;
+/// Largest change of the contact fraction in one step: near full contact a jump hardly changes gap and pressure.
+const SPREAD: f64 = 0.1;
 /// Least cosine between two successive steps of one branch.
 const STRAIGHT: f64 = 0.7;
 
@@ -119,7 +121,7 @@ impl<'a> Tracer<'a> {
     }
 
     fn keep(&mut self, report: newton::Report) {
-        let (numbers, ..) = solution::evaluate(self.problem, &mut self.equations, &self.state, report);
+        let (numbers, ..) = solution::evaluate(&mut self.equations, &self.state, report);
         self.points.push(numbers);
         self.states.push(self.state.clone());
         // Only the last three states are needed, for the secant and the folds.
@@ -193,8 +195,10 @@ impl<'a> Tracer<'a> {
                 let way = [there[0] - here[0], there[1] - here[1]];
                 let size = way[0].hypot(way[1]);
                 // The first step has no direction to compare with.
+                let spread = before.contact.iter().zip(&self.state.contact).filter(|(a, b)| a != b).count();
+                let near = spread as f64 <= SPREAD * before.contact.len() as f64;
                 let straight = if self.points.len() == 1 { -1.0 } else { STRAIGHT };
-                if size > 0.0 && (way[0] * tangent[0] + way[1] * tangent[1]) / size >= straight {
+                if near && size > 0.0 && (way[0] * tangent[0] + way[1] * tangent[1]) / size >= straight {
                     *tangent = [way[0] / size, way[1] / size];
                     if report.steps <= EASY {
                         *length = (1.3 * *length).min(LONGEST);

@@ -57,7 +57,7 @@ pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
         // The middle follows the fold and the samples close up while that improves the fit; above the noise of the grid it does.
         for _ in 0..10 {
             // Samples beyond the end of the branch are no states: closer ones are taken.
-            let samples = match sample(&control, &mut equations, &mut state, middle, step, by_gap) {
+            let samples = match sample(&mut equations, &mut state, middle, step, by_gap) {
                 Ok(samples) => samples,
                 Err(refusal) => {
                     lost = Some(refusal);
@@ -97,14 +97,7 @@ pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
 }
 
 /// The numbers at equal steps around the middle; `state` ends at the middle.
-fn sample(
-    problem: &Problem,
-    equations: &mut Equations,
-    state: &mut State,
-    middle: f64,
-    step: f64,
-    by_gap: bool,
-) -> Result<Vec<[f64; 7]>, Refusal> {
+fn sample(equations: &mut Equations, state: &mut State, middle: f64, step: f64, by_gap: bool) -> Result<Vec<[f64; 7]>, Refusal> {
     let mut samples = vec![[0.0; 7]; 2 * SIDE as usize + 1];
     let mut centre = None;
     for side in [1, -1] {
@@ -116,7 +109,7 @@ fn sample(
                 what: "a state near the fold",
                 detail: format!("residual {:.1e} on {} nodes at {value:.6}", stalled.residual, equations.grid.nx()),
             })?;
-            samples[(SIDE + side * index) as usize] = solution::evaluate(problem, equations, &here, report).0.list();
+            samples[(SIDE + side * index) as usize] = solution::evaluate(equations, &here, report).0.list();
             if index == 0 {
                 centre = Some(here.clone());
             }

@@ -40,7 +40,7 @@ pub fn full_contact(problem: &Problem, request: &Request) -> Result<SteadyState,
         return Err(Refusal::NoSuchState { reason, limit_name: "least mean pressure of full contact", limit: least });
     }
     let report = Report { steps: 0, products: 1, residual: 0.0, mean_residual: 0.0, least_contact_pressure: state.mean_pressure - least };
-    let (numbers, certificate, fields) = solution::evaluate(problem, &mut equations, &state, report);
+    let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
     let rounding = 16.0 * f64::EPSILON * equations.stiffest * problem.profile.half_height();
     let errors = Numbers::from_list(numbers.list().map(|v| 64.0 * f64::EPSILON * v.abs() + rounding));
     Ok(SteadyState {

@@ -8,7 +8,7 @@
 //! ```
 //! One state costs some ten to a hundred products with A, each two fast Fourier transforms, whatever the material.
 //!
-//! [`solve`] gives one state with error bounds from three grids, [`full_contact`] the closed form, [`trace`] a branch through its folds,
+//! [`solve`] gives one state with error bounds from three grids, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
 //! [`locate`] a fold with its error. Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came.
 //!
 //! | file | idea |
@@ -38,4 +38,4 @@ pub use full::full_contact;
 pub use problem::{Control, Harmonic, Modulus, Problem, Profile, Scales, modulus_of};
 pub use reach::Path;
 pub use solution::{Certificate, Fields, Numbers};
-pub use steady::{ReachedBy, Request, SteadyState, solve};
+pub use steady::{ReachedBy, Request, SteadyState, follow, solve};

@@ -2,7 +2,6 @@
 
 use super::grid::{Equations, State, mean};
 use super::newton::Report;
-use super::problem::Problem;
 use rustfft::num_complex::Complex64;
 
 /// The numbers of a state (units of [`super::problem`]).
@@ -92,7 +91,7 @@ pub struct Fields {
 }
 
 /// All numbers, checks and fields of a state on its grid.
-pub(super) fn evaluate(problem: &Problem, equations: &mut Equations, state: &State, report: Report) -> (Numbers, Certificate, Fields) {
+pub(super) fn evaluate(equations: &mut Equations, state: &State, report: Report) -> (Numbers, Certificate, Fields) {
     let n = equations.len();
     let nodes = n as f64;
     let (nx, ny) = (equations.grid.nx(), equations.grid.ny());
@@ -121,7 +120,7 @@ pub(super) fn evaluate(problem: &Problem, equations: &mut Equations, state: &Sta
     };
     let friction_by_profile = -mean_product(&pressure, &derivative(equations, |e| e.heights.clone()));
     let friction_by_surface = -mean_product(&pressure, &derivative(equations, |_| surface.clone()));
-    let friction_by_loss = loss(problem, equations, &pressure);
+    let friction_by_loss = loss(equations, &pressure);
     numbers.friction_stress = friction_by_profile;
     let certificate = Certificate {
         friction_by_profile,
@@ -180,16 +179,16 @@ fn derivative(equations: &mut Equations, field: impl Fn(&Equations) -> Vec<f64>)
 }
 
 /// Σ n Im K |p|² over all waves, K = 1/A.
-fn loss(problem: &Problem, equations: &mut Equations, pressure: &[f64]) -> f64 {
-    let symbol = problem.stiffness(&equations.grid, 1.0);
-    let grid = &mut equations.grid;
+fn loss(equations: &mut Equations, pressure: &[f64]) -> f64 {
+    let Equations { grid, stiffness, .. } = equations;
     let (nx, ny, nodes) = (grid.nx(), grid.ny(), grid.len() as f64);
     let spectrum = grid.forward(pressure);
     let mut sum = 0.0;
-    for (entry, (p, a)) in spectrum.iter().zip(&symbol).enumerate() {
+    for (entry, (p, a)) in spectrum.iter().zip(stiffness.iter()).enumerate() {
         let number = entry / ny;
         if number > 0 && 2 * number < nx {
-            sum += 2.0 * number as f64 * a.inv().im * p.norm_sqr() / (nodes * nodes);
+            // The stored stiffness is A over the number of nodes.
+            sum += 2.0 * number as f64 * a.inv().im * p.norm_sqr() / nodes.powi(3);
         }
     }
     sum

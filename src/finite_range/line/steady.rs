@@ -3,6 +3,7 @@
 //! A contact edge falls between nodes, so the error of a number changes sign from grid to grid and no extrapolation helps. The
 //! error is the larger of the last two differences between grids (N/4, N/2, N), plus the effect of the residual.
 
+use super::grid::{Equations, State};
 use super::newton;
 use super::problem::{Control, Problem};
 use super::reach::{self, Place, Reached};
@@ -126,6 +127,39 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
     }
 }
 
+/// The state next to a given one: another load, speed, range or material, the same profile. This is the way to go along a curve, to
+/// stay on one of several branches, and to load and unload.
+///
+/// # Errors
+/// As [`solve`]; [`Refusal::OutOfRange`] for a state of another kind of profile; [`Refusal::NotConverged`] if the step is too long or the
+/// branch ends.
+pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Result<SteadyState, Refusal> {
+    problem.check()?;
+    require_positive("accuracy", request.accuracy)?;
+    let old = &from.fields;
+    // Two grids coarser, so that the given grid is the third one of the error; every fourth node is a node there.
+    let stride = if old.nx >= 256 && (old.ny == 1 || old.ny.is_multiple_of(8)) { 4 } else { 1 };
+    let mut equations = Equations::new(problem, old.nx / stride, 1.0, problem.attraction.range);
+    let stride_y = if old.ny == 1 { 1 } else { stride };
+    if equations.grid.ny() * stride_y != old.ny {
+        return Err(Refusal::out_of_range("rows of the state", old.ny as f64, "those of the profile"));
+    }
+    let nodes = (0..old.ny).step_by(stride_y).flat_map(|y| (0..old.nx).step_by(stride).map(move |x| y * old.nx + x));
+    let has_wall = problem.attraction.wall().is_some();
+    let (gap, contact) = nodes.map(|node| (old.gap[node], has_wall && old.contact[node])).unzip();
+    let before = State { gap, contact, mean_pressure: from.numbers.mean_pressure };
+    let mut state = before.clone();
+    let lost = |detail: String| Refusal::NotConverged { what: "the step to the next state", detail };
+    let report = newton::solve(&mut equations, &mut state, newton::FINE, 6000)
+        .map_err(|stalled| lost(format!("residual {:.1e} on {} nodes", stalled.residual, old.nx / stride)))?;
+    if reach::is_jump(problem, &before, &state) {
+        let (old_gap, new_gap) = (before.mean_gap(), state.mean_gap());
+        return Err(lost(format!("it jumps from mean gap {old_gap:.5} to {new_gap:.5}: take a shorter step, or the branch ends here")));
+    }
+    let reached = Reached { equations, state, report, products: report.products, path: reach::Path::Range };
+    refine(problem, request, reached, ReachedBy::Continuation)
+}
+
 /// Doubles the grid until the last three grids agree.
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
     let Reached { mut equations, mut state, mut report, mut products, .. } = reached;
@@ -133,7 +167,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
     loop {
-        let (numbers, certificate, fields) = solution::evaluate(problem, &mut equations, &state, report);
+        let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
         products += std::mem::take(&mut equations.products);
         history.push(numbers.list());
         let nx = equations.grid.nx();
