@@ -24,7 +24,7 @@ const COARSEST: usize = 64;
 /// Products that one solve may take.
 const SOLVE_BUDGET: usize = 3000;
 /// Products times nodes that one whole search may take.
-const SEARCH_BUDGET: usize = 400_000_000;
+const SEARCH_BUDGET: usize = 150_000_000;
 
 /// A state with the equations it solves and the work it took.
 pub(super) struct Reached {
