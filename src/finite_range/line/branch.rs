@@ -1,0 +1,267 @@
+//! A branch of steady states followed through its folds, by pseudo-arclength in mean gap and mean pressure.
+//!
+//! A fold in the pressure is where contact is lost (or jumps to full contact) under a dead load; a fold in the gap is where it snaps
+//! under an imposed gap. Both are read off the branch and then located on three grids ([`super::fold`]).
+
+use super::grid::{Equations, State};
+use super::newton;
+use super::problem::Problem;
+use super::reach::{self, Place};
+use super::solution::{self, Numbers};
+use crate::refusal::{Refusal, require_positive};
+
+/// Longest and shortest step (gap over half height and pressure over the stiffness of one wave, together).
+const LONGEST: f64 = 0.08;
+const SHORTEST: f64 = 2e-4;
+/// Newton steps after which the next arc step is not made longer.
+const EASY: usize = 8;
+/// Largest change of the contact fraction in one step: near full contact a jump hardly changes gap and pressure.
+const SPREAD: f64 = 0.1;
+/// Least cosine between two successive steps of one branch.
+const STRAIGHT: f64 = 0.7;
+
+/// The way along the branch from the start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Towards larger pressure at first.
+    Loading,
+    /// Towards smaller pressure at first.
+    Unloading,
+}
+
+/// Why a trace ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum End {
+    /// The contact has covered everything.
+    FullContact,
+    /// Nothing touches (laws with a wall: no node in contact) and the gap exceeds the highest point by ten ranges.
+    Separated,
+    /// The number of points that was asked for.
+    Points,
+    /// The step became too short; the sentence says where.
+    Lost(String),
+}
+
+/// What turns at a fold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FoldKind {
+    /// Least mean pressure: pull-off under a dead load.
+    LeastPressure,
+    /// Largest mean pressure of a partial contact.
+    LargestPressure,
+    /// Largest mean gap: separation under an imposed gap.
+    LargestGap,
+    /// Least mean gap: snap-in under an imposed gap.
+    LeastGap,
+}
+
+/// A turning point between two points of the branch, and a state near it.
+#[derive(Debug, Clone)]
+pub struct RoughFold {
+    /// What turns.
+    pub kind: FoldKind,
+    /// The nearest point of the branch.
+    pub point: Numbers,
+    pub(super) state: State,
+    /// Nodes along x of that state.
+    pub nodes: usize,
+    /// Steps in gap and pressure next to the point.
+    pub(super) spacing: [f64; 2],
+}
+
+/// A branch on one grid.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    /// Nodes along x at the end (a small contact makes the grid finer on the way).
+    pub nodes: usize,
+    /// The states in order.
+    pub points: Vec<Numbers>,
+    /// Where gap or pressure turn.
+    pub folds: Vec<RoughFold>,
+    /// Why it ended.
+    pub end: End,
+}
+
+/// Follows the branch of the cold-started state of `problem` on `nodes` nodes along x.
+///
+/// # Errors
+/// [`Refusal`] for a problem without meaning, or where the start cannot be reached.
+pub fn trace(problem: &Problem, nodes: usize, direction: Direction, points: usize) -> Result<Branch, Refusal> {
+    problem.check()?;
+    require_positive("points", points as f64)?;
+    let reached = reach::cold(problem, nodes, 0.5)?;
+    let (mut equations, mut state) = (reached.equations, reached.state);
+    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    while equations.grid.nx() < nodes {
+        (equations, state) = reach::refined(problem, &equations, &state, place);
+        newton::solve(&mut equations, &mut state, newton::COARSE, 3000).map_err(|stalled| Refusal::NotConverged {
+            what: "the start of the branch",
+            detail: format!("lost on {} nodes, residual {:.1e}", equations.grid.nx(), stalled.residual),
+        })?;
+    }
+    Ok(Tracer::new(problem, equations, state).run(direction, points))
+}
+
+struct Tracer<'a> {
+    problem: &'a Problem,
+    equations: Equations,
+    state: State,
+    /// Units of gap and pressure.
+    units: [f64; 2],
+    points: Vec<Numbers>,
+    states: Vec<State>,
+}
+
+impl<'a> Tracer<'a> {
+    fn new(problem: &'a Problem, equations: Equations, state: State) -> Self {
+        let half_height = problem.profile.half_height();
+        let one_wave = equations.grid.ny();
+        let stiffness = equations.stiffness[one_wave].norm() * equations.len() as f64;
+        Self { problem, equations, state, units: [half_height, half_height * stiffness], points: Vec::new(), states: Vec::new() }
+    }
+
+    fn keep(&mut self, report: newton::Report) {
+        let (numbers, ..) = solution::evaluate(&mut self.equations, &self.state, report);
+        self.points.push(numbers);
+        self.states.push(self.state.clone());
+        // Only the last three states are needed, for the secant and the folds.
+        if self.states.len() > 3 {
+            self.states.remove(0);
+        }
+    }
+
+    fn place(&self, point: &Numbers) -> [f64; 2] {
+        [point.mean_gap / self.units[0], point.mean_pressure / self.units[1]]
+    }
+
+    fn run(mut self, direction: Direction, wanted: usize) -> Branch {
+        let mut folds = Vec::new();
+        let mut tangent = if direction == Direction::Loading { [0.0, 1.0] } else { [0.0, -1.0] };
+        let mut length = 0.25 * LONGEST;
+        let nodes = self.equations.grid.nx();
+        let mut end = End::Points;
+        self.equations.row = [0.0, 1.0, self.state.mean_pressure];
+        match newton::solve(&mut self.equations, &mut self.state, newton::COARSE, 3000) {
+            Ok(report) => self.keep(report),
+            Err(stalled) => end = End::Lost(format!("the start has the residual {:.1e}", stalled.residual)),
+        }
+        while !self.points.is_empty() && self.points.len() < wanted {
+            match self.step(&mut tangent, &mut length) {
+                Ok(()) => {}
+                // A contact of few nodes needs a finer grid to go on.
+                Err(_) if self.refine(nodes) => length = 0.1 * LONGEST,
+                Err(reason) => {
+                    end = End::Lost(reason);
+                    break;
+                }
+            }
+            folds.extend(self.fold());
+            if let Some(reason) = self.finished() {
+                end = reason;
+                break;
+            }
+        }
+        Branch { nodes: self.equations.grid.nx(), points: self.points, folds, end }
+    }
+
+    /// Goes to the grid twice as fine at the present place, as long as it is at most eight times finer than at the start.
+    fn refine(&mut self, start: usize) -> bool {
+        if self.equations.grid.nx() >= 8 * start {
+            return false;
+        }
+        let place = Place { range: self.problem.attraction.range, stiffening: 1.0 };
+        let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
+        equations.row = [1.0 / self.units[0], 0.0, self.state.mean_gap() / self.units[0]];
+        let solved = newton::solve(&mut equations, &mut state, newton::COARSE, 3000).is_ok();
+        if solved {
+            (self.equations, self.state) = (equations, state);
+            self.states = vec![self.state.clone()];
+        }
+        solved
+    }
+
+    /// One step along the branch, shortened until it holds.
+    fn step(&mut self, tangent: &mut [f64; 2], length: &mut f64) -> Result<(), String> {
+        let Some(last) = self.points.last().copied() else { return Err("no start".to_owned()) };
+        let here = self.place(&last);
+        let before = self.state.clone();
+        loop {
+            let aim = [here[0] + *length * tangent[0], here[1] + *length * tangent[1]];
+            self.equations.row = [tangent[0] / self.units[0], tangent[1] / self.units[1], tangent[0] * aim[0] + tangent[1] * aim[1]];
+            self.predict(*length, here);
+            let solved = newton::solve(&mut self.equations, &mut self.state, newton::COARSE, 3000);
+            if let Ok(report) = solved {
+                let there = [self.state.mean_gap() / self.units[0], self.state.mean_pressure / self.units[1]];
+                let way = [there[0] - here[0], there[1] - here[1]];
+                let size = way[0].hypot(way[1]);
+                // The first step has no direction to compare with.
+                let spread = before.contact.iter().zip(&self.state.contact).filter(|(a, b)| a != b).count();
+                let near = spread as f64 <= SPREAD * before.contact.len() as f64;
+                let straight = if self.points.len() == 1 { -1.0 } else { STRAIGHT };
+                if near && size > 0.0 && (way[0] * tangent[0] + way[1] * tangent[1]) / size >= straight {
+                    *tangent = [way[0] / size, way[1] / size];
+                    if report.steps <= EASY {
+                        *length = (1.3 * *length).min(LONGEST);
+                    }
+                    self.keep(report);
+                    return Ok(());
+                }
+            }
+            self.state.clone_from(&before);
+            *length *= 0.5;
+            if *length < SHORTEST {
+                return Err(format!("no further state beyond mean gap {:.5}, mean pressure {:.5}", last.mean_gap, last.mean_pressure));
+            }
+        }
+    }
+
+    /// The secant through the last two states, for the gap off contact.
+    fn predict(&mut self, length: f64, here: [f64; 2]) {
+        let count = self.points.len();
+        if count < 2 || self.states.len() < 2 {
+            return;
+        }
+        let back = self.place(&self.points[count - 2]);
+        let size = (here[0] - back[0]).hypot(here[1] - back[1]);
+        let factor = if size > 0.0 { (length / size).min(2.0) } else { 0.0 };
+        let (old, new) = (&self.states[self.states.len() - 2], &self.states[self.states.len() - 1]);
+        let wall = self.equations.wall();
+        let floor = if wall.is_finite() { wall } else { 0.0 };
+        for (i, gap) in self.state.gap.iter_mut().enumerate() {
+            let extrapolated = new.gap[i] + factor * (new.gap[i] - old.gap[i]);
+            if !new.contact[i] && extrapolated > floor {
+                *gap = extrapolated;
+            }
+        }
+        self.state.mean_pressure = new.mean_pressure + factor * (new.mean_pressure - old.mean_pressure);
+    }
+
+    /// The fold at the last but one point, if gap or pressure turn there.
+    fn fold(&self) -> Vec<RoughFold> {
+        let [.., a, b, c] = self.points.as_slice() else { return Vec::new() };
+        let [.., state, _] = self.states.as_slice() else { return Vec::new() };
+        let spacing = [
+            0.5 * (b.mean_gap - a.mean_gap).abs().max((c.mean_gap - b.mean_gap).abs()),
+            0.5 * (b.mean_pressure - a.mean_pressure).abs().max((c.mean_pressure - b.mean_pressure).abs()),
+        ];
+        let turns = |x: f64, y: f64, z: f64| (y - x) * (z - y) < 0.0;
+        let rough = |kind| RoughFold { kind, point: *b, state: state.clone(), nodes: self.equations.grid.nx(), spacing };
+        let mut found = Vec::new();
+        if turns(a.mean_pressure, b.mean_pressure, c.mean_pressure) {
+            found.push(rough(if b.mean_pressure < a.mean_pressure { FoldKind::LeastPressure } else { FoldKind::LargestPressure }));
+        }
+        if turns(a.mean_gap, b.mean_gap, c.mean_gap) {
+            found.push(rough(if b.mean_gap < a.mean_gap { FoldKind::LeastGap } else { FoldKind::LargestGap }));
+        }
+        found
+    }
+
+    fn finished(&self) -> Option<End> {
+        let highest = self.equations.heights.iter().copied().fold(0.0, f64::max);
+        if self.state.contact.iter().all(|c| *c) {
+            return Some(End::FullContact);
+        }
+        let touches = self.state.contact.iter().any(|c| *c);
+        (!touches && self.state.mean_gap() > highest + 10.0 * self.problem.attraction.range).then_some(End::Separated)
+    }
+}

@@ -1,0 +1,159 @@
+//! GMRES with right preconditioning (Saad & Schultz, 1986): solves a linear system that is known only by its products.
+//!
+//! The residual that it reports is the true one, because the preconditioner stands on the right.
+
+/// A square linear system and an approximate inverse.
+pub(super) trait LinearSystem {
+    /// `output` = matrix × `input`.
+    fn multiply(&mut self, input: &[f64], output: &mut [f64]);
+    /// `output` ≈ matrix⁻¹ × `input`; must be linear.
+    fn precondition(&mut self, input: &[f64], output: &mut [f64]);
+}
+
+/// What a solve took and reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Outcome {
+    /// Products with the matrix.
+    pub(super) products: usize,
+    /// Norm of the residual over that of the right-hand side.
+    pub(super) residual: f64,
+}
+
+/// Adds to `x` (which starts at zero) the solution of matrix × x = `rhs`, until the residual falls below `tolerance` times the
+/// right-hand side, or `budget` products are spent. At most `restart` vectors are kept.
+pub(super) fn solve(system: &mut impl LinearSystem, rhs: &[f64], x: &mut [f64], tolerance: f64, restart: usize, budget: usize) -> Outcome {
+    let n = rhs.len();
+    let scale = norm(rhs);
+    let mut products = 0;
+    if scale == 0.0 || !scale.is_finite() {
+        return Outcome { products, residual: scale };
+    }
+    let mut residual = rhs.to_vec();
+    let (mut z, mut w) = (vec![0.0; n], vec![0.0; n]);
+    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(restart + 1);
+    loop {
+        let start = norm(&residual);
+        if start <= tolerance * scale || products >= budget || !start.is_finite() {
+            return Outcome { products, residual: start / scale };
+        }
+        basis.clear();
+        basis.push(residual.iter().map(|r| r / start).collect());
+        let mut triangle = Triangle::new(start);
+        while triangle.columns() < restart && products < budget && triangle.residual() > tolerance * scale {
+            let k = triangle.columns();
+            system.precondition(&basis[k], &mut z);
+            system.multiply(&z, &mut w);
+            products += 1;
+            let mut column: Vec<f64> = Vec::with_capacity(k + 2);
+            for v in &basis {
+                let h = dot(v, &w);
+                add(&mut w, -h, v);
+                column.push(h);
+            }
+            let length = norm(&w);
+            column.push(length);
+            triangle.push(column);
+            if length <= 1e-14 * scale || !length.is_finite() {
+                break;
+            }
+            basis.push(w.iter().map(|v| v / length).collect());
+        }
+        // x += P⁻¹ V y, then the true residual for the next cycle.
+        w.fill(0.0);
+        for (v, y) in basis.iter().zip(triangle.solution()) {
+            add(&mut w, y, v);
+        }
+        system.precondition(&w, &mut z);
+        add(x, 1.0, &z);
+        let (before, expected) = (start, triangle.residual());
+        if expected <= tolerance * scale {
+            return Outcome { products, residual: expected / scale };
+        }
+        system.multiply(x, &mut w);
+        products += 1;
+        for i in 0..n {
+            residual[i] = rhs[i] - w[i];
+        }
+        // A cycle that gains nothing will not gain in the next one.
+        if norm(&residual) > 0.999 * before {
+            return Outcome { products, residual: norm(&residual) / scale };
+        }
+    }
+}
+
+/// The Hessenberg matrix of the cycle, made triangular by Givens rotations as it grows.
+struct Triangle {
+    columns: Vec<Vec<f64>>,
+    rotations: Vec<(f64, f64)>,
+    rhs: Vec<f64>,
+}
+
+impl Triangle {
+    fn new(start: f64) -> Self {
+        Self { columns: Vec::new(), rotations: Vec::new(), rhs: vec![start] }
+    }
+
+    fn columns(&self) -> usize {
+        self.columns.len()
+    }
+
+    fn residual(&self) -> f64 {
+        self.rhs[self.columns()].abs()
+    }
+
+    fn push(&mut self, mut column: Vec<f64>) {
+        for (i, &(c, s)) in self.rotations.iter().enumerate() {
+            let (a, b) = (column[i], column[i + 1]);
+            column[i] = c * a + s * b;
+            column[i + 1] = c * b - s * a;
+        }
+        let k = self.columns();
+        let length = column[k].hypot(column[k + 1]);
+        let (c, s) = if length > 0.0 { (column[k] / length, column[k + 1] / length) } else { (1.0, 0.0) };
+        column[k] = length;
+        column.truncate(k + 1);
+        let old = self.rhs[k];
+        self.rhs[k] = c * old;
+        self.rhs.push(-s * old);
+        self.rotations.push((c, s));
+        self.columns.push(column);
+    }
+
+    /// The coefficients of the basis; a column without length gets none.
+    fn solution(&self) -> Vec<f64> {
+        let k = self.columns();
+        let mut y = self.rhs[..k].to_vec();
+        for i in (0..k).rev() {
+            let pivot = self.columns[i][i];
+            y[i] = if pivot > 0.0 { y[i] / pivot } else { 0.0 };
+            let value = y[i];
+            for (row, entry) in self.columns[i][..i].iter().enumerate() {
+                y[row] -= entry * value;
+            }
+        }
+        y
+    }
+}
+
+/// Sums in eight lanes, so that the compiler can use wide instructions.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
+            lanes[i] += x[i] * y[i];
+        }
+    }
+    lanes.iter().sum::<f64>() + tail
+}
+
+fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+fn add(to: &mut [f64], factor: f64, from: &[f64]) {
+    for (t, f) in to.iter_mut().zip(from) {
+        *t += factor * f;
+    }
+}

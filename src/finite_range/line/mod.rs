@@ -1,0 +1,41 @@
+//! Steady sliding of a periodic line or surface on a viscoelastic body that it attracts at a distance.
+//!
+//! In the frame of the profile everything is steady, so each wave of the pressure meets the body's modulus at one frequency:
+//! ```text
+//! A(n) = |n| conj(E(n_x kv)/E0)/S(|n|kd)        pressure over displacement of the wave n; S: compliance factor of a layer, 1 without one
+//! p = A(g + h) + P                               A removes the mean; P is the mean pressure
+//! friction stress = −⟨p h′⟩ = −⟨p w′⟩ = Σ n_x Im A⁻¹ |p_n|²
+//! ```
+//! One state costs some ten to a hundred products with A, each two fast Fourier transforms, whatever the material.
+//!
+//! [`solve`] gives one state with error bounds from three grids, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
+//! [`locate`] a fold with its error. Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `problem` | profile, modulus, layer, control; units |
+//! | `fourier`, `gmres` | transforms; linear solver |
+//! | `grid`, `newton` | the equations on one grid; contact set and Newton |
+//! | `reach` | from nothing to the state: range, modulus, grid |
+//! | `solution`, `steady`, `full` | numbers and identities; error from three grids; full contact |
+//! | `branch`, `fold` | pseudo-arclength; place of a fold |
+
+mod branch;
+mod fold;
+mod fourier;
+mod full;
+mod gmres;
+mod grid;
+mod newton;
+mod problem;
+mod reach;
+mod solution;
+mod steady;
+
+pub use branch::{Branch, Direction, End, FoldKind, RoughFold, trace};
+pub use fold::{Fold, locate};
+pub use full::full_contact;
+pub use problem::{Control, Harmonic, Modulus, Problem, Profile, Scales, modulus_of};
+pub use reach::Path;
+pub use solution::{Certificate, Fields, Numbers};
+pub use steady::{ReachedBy, Request, SteadyState, follow, solve};

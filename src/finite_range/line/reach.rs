@@ -1,0 +1,245 @@
+//! How a state is reached from nothing: a long range on a coarse grid first, then the real range, the real modulus and finer grids.
+//!
+//! At a long range the equations are nearly convex and few nodes tell everything; every later solve starts next to its solution.
+//! Two paths are tried: with the real modulus all the way, then from the relaxed elastic body with E^t, t from 0 to 1.
+
+use super::grid::{Equations, State};
+use super::newton::{self, Report, Stalled};
+use super::problem::{Control, Problem};
+use crate::refusal::Refusal;
+
+/// First guesses: the profile lifted by these parts of its highest point, cut at the wall.
+const LIFTS: [f64; 5] = [0.3, 0.6, 0.1, 1.0, 1.5];
+/// A lift below the deepest point closes the gap everywhere.
+const CLOSED: f64 = -100.0;
+/// The range at which a cold start begins, over half of the peak-to-valley height.
+const LONG_RANGE: f64 = 0.2;
+/// Largest step in ln(range) and in the power of the modulus times ln(stiffening).
+const LONGEST_STEP: f64 = 0.41;
+const SHORTEST_STEP: f64 = 4e-3;
+/// A change of the mean gap by more than this part of the half height in one step is a jump to another state.
+const JUMP: f64 = 0.15;
+/// Coarsest grid.
+const COARSEST: usize = 64;
+/// Products that one solve may take.
+const SOLVE_BUDGET: usize = 3000;
+/// Products times nodes that one whole search may take.
+const SEARCH_BUDGET: usize = 150_000_000;
+
+/// A state with the equations it solves and the work it took.
+pub(super) struct Reached {
+    pub(super) equations: Equations,
+    pub(super) state: State,
+    pub(super) report: Report,
+    /// Products in the whole search.
+    pub(super) products: usize,
+    pub(super) path: Path,
+}
+
+/// The path by which a cold start succeeded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Path {
+    /// From a long range, with the real modulus.
+    Range,
+    /// From the relaxed elastic body at a long range, then the modulus, then the range.
+    ModulusThenRange,
+    /// From the relaxed elastic body at a long range, then the range, then the modulus.
+    RangeThenModulus,
+    /// From a closed gap at the real range and modulus (laws without a hard wall; with one, full contact has a closed form).
+    Closed,
+}
+
+/// Nodes along x that resolve the zone of the law at an edge: its relaxed length is a₀ = 2W/(π peak²).
+pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
+    let mut law = problem.attraction.clone();
+    law.range = range;
+    let zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);
+    let nodes = (std::f64::consts::TAU * cells / zone).min(1e9) as usize;
+    nodes.next_power_of_two().max(COARSEST)
+}
+
+/// A state from nothing, on the grid that puts `cells` nodes into the zone of the law, but no finer than `largest` nodes along x.
+pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reached, Refusal> {
+    let mut search = Search { problem, largest, cells, products: 0, work: 0, last: String::from("no start converged") };
+    for path in [Path::Range, Path::ModulusThenRange, Path::RangeThenModulus, Path::Closed] {
+        let closed_form = path == Path::Closed && problem.attraction.wall().is_some();
+        for lift in if path == Path::Closed { vec![CLOSED] } else { search.lifts() } {
+            if closed_form || (search.work > SEARCH_BUDGET && path != Path::Closed) {
+                break;
+            }
+            if let Some((equations, state, report)) = search.follow(path, lift) {
+                return Ok(Reached { equations, state, report, products: search.products, path });
+            }
+        }
+    }
+    Err(Refusal::NotConverged { what: "the cold start of the steady state", detail: search.last })
+}
+
+struct Search<'a> {
+    problem: &'a Problem,
+    largest: usize,
+    cells: f64,
+    products: usize,
+    work: usize,
+    last: String,
+}
+
+impl Search<'_> {
+    fn lifts(&self) -> Vec<f64> {
+        match self.problem.control {
+            Control::MeanGap(gap) => vec![gap / self.problem.profile.half_height(), 0.3, 1.0],
+            _ => LIFTS.to_vec(),
+        }
+    }
+
+    fn follow(&mut self, path: Path, lift: f64) -> Option<(Equations, State, Report)> {
+        let problem = self.problem;
+        let half_height = problem.profile.half_height();
+        let target = problem.attraction.range;
+        let long = if path == Path::Closed { target } else { target.max(LONG_RANGE * half_height) };
+        let mut place = Place { range: long, stiffening: if matches!(path, Path::Range | Path::Closed) { 1.0 } else { 0.0 } };
+        let mut equations = Equations::new(problem, COARSEST.min(self.largest), place.stiffening, long);
+        let floor = if equations.wall().is_finite() { equations.wall() } else { 0.8 * long.min(target * 10.0) };
+        let top = lift * half_height;
+        let gap: Vec<f64> = equations.heights.iter().map(|h| (top - h).max(0.0) + floor).collect();
+        let contact = equations.heights.iter().map(|&h| equations.wall().is_finite() && h >= top).collect();
+        let mean_pressure = if let Control::MeanPressure(p) = problem.control { p } else { 0.0 };
+        let mut state = State { gap, contact, mean_pressure };
+        let mut report = self.note(newton::solve(&mut equations, &mut state, newton::COARSE, SOLVE_BUDGET), &mut equations, place)?;
+        let legs: &[Leg] = match path {
+            Path::Range | Path::Closed => &[Leg::Range],
+            Path::ModulusThenRange => &[Leg::Modulus, Leg::Range],
+            Path::RangeThenModulus => &[Leg::Range, Leg::Modulus],
+        };
+        for &leg in legs {
+            self.refine_to(nodes_for(problem, place.range, self.cells), &mut equations, &mut state, &mut report, place)?;
+            self.walk(leg, &mut place, &mut equations, &mut state, &mut report)?;
+        }
+        Some((equations, state, report))
+    }
+
+    /// Goes along one leg in steps that adapt; false steps and jumps halve the step.
+    fn walk(&mut self, leg: Leg, place: &mut Place, equations: &mut Equations, state: &mut State, report: &mut Report) -> Option<()> {
+        let problem = self.problem;
+        let stiffening = (problem.modulus)(problem.speed * 1e6).norm().max(1.5).ln();
+        let mut step = LONGEST_STEP;
+        loop {
+            let left = match leg {
+                Leg::Range => (place.range / problem.attraction.range).ln(),
+                Leg::Modulus => (1.0 - place.stiffening) * stiffening,
+            };
+            if left <= 1e-12 {
+                return Some(());
+            }
+            let last = step >= left;
+            let mut next = *place;
+            match leg {
+                Leg::Range => next.range = if last { problem.attraction.range } else { place.range * (-step).exp() },
+                Leg::Modulus => next.stiffening = if last { 1.0 } else { place.stiffening + step / stiffening },
+            }
+            let before = state.clone();
+            if leg == Leg::Range {
+                self.refine_to(nodes_for(problem, next.range, self.cells), equations, state, report, *place)?;
+            } else {
+                equations.set_stiffness(problem, next.stiffening);
+            }
+            let kept = state.clone();
+            equations.set_range(next.range);
+            let solved = self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, next);
+            if let Some(found) = solved.filter(|_| !is_jump(problem, &before, state)) {
+                *report = found;
+                *place = next;
+                step = (1.5 * step).min(LONGEST_STEP);
+            } else {
+                *state = kept;
+                equations.set_range(place.range);
+                if leg == Leg::Modulus {
+                    equations.set_stiffness(problem, place.stiffening);
+                }
+                step *= 0.5;
+                if step < SHORTEST_STEP || self.work > SEARCH_BUDGET {
+                    return None;
+                }
+            }
+        }
+    }
+
+    fn refine_to(&mut self, nx: usize, equations: &mut Equations, state: &mut State, report: &mut Report, place: Place) -> Option<()> {
+        let nx = nx.min(self.largest);
+        while equations.grid.nx() < nx {
+            let (finer, start) = refined(self.problem, equations, state, place);
+            *equations = finer;
+            *state = start;
+            *report = self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, place)?;
+        }
+        Some(())
+    }
+
+    fn note(&mut self, solved: Result<Report, Stalled>, equations: &mut Equations, place: Place) -> Option<Report> {
+        let products = std::mem::take(&mut equations.products);
+        self.products += products;
+        self.work += products * equations.len();
+        match solved {
+            Ok(report) => Some(report),
+            Err(stalled) => {
+                self.last = format!(
+                    "lost at range {:.4e}, modulus to the power {:.3}, on {} nodes: residual {:.1e} after {} Newton steps",
+                    place.range,
+                    place.stiffening,
+                    equations.grid.nx(),
+                    stalled.residual,
+                    stalled.steps
+                );
+                None
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Leg {
+    Range,
+    Modulus,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) range: f64,
+    pub(super) stiffening: f64,
+}
+
+/// Whether two states are too far apart to be neighbours on one branch.
+pub(super) fn is_jump(problem: &Problem, before: &State, after: &State) -> bool {
+    let change = match problem.control {
+        Control::MeanGap(_) => 0.3 * (after.mean_pressure - before.mean_pressure).abs() / before.mean_pressure.abs().max(1.0),
+        _ => (after.mean_gap() - before.mean_gap()).abs() / problem.profile.half_height(),
+    };
+    change.is_nan() || change > JUMP
+}
+
+/// The equations on the grid with half the spacing, and the state interpolated to it.
+pub(super) fn refined(problem: &Problem, equations: &Equations, state: &State, place: Place) -> (Equations, State) {
+    let finer = Equations::new(problem, 2 * equations.grid.nx(), place.stiffening, place.range);
+    let (nx, ny) = (equations.grid.nx(), equations.grid.ny());
+    let (fine_nx, fine_ny) = (finer.grid.nx(), finer.grid.ny());
+    let mut gap = Vec::with_capacity(fine_nx * fine_ny);
+    let mut contact = Vec::with_capacity(fine_nx * fine_ny);
+    for j in 0..fine_ny {
+        let (y0, y1) = parents(j, ny, fine_ny);
+        for i in 0..fine_nx {
+            let (x0, x1) = parents(i, nx, fine_nx);
+            let corners = [y0 * nx + x0, y0 * nx + x1, y1 * nx + x0, y1 * nx + x1];
+            gap.push(0.25 * corners.iter().map(|&c| state.gap[c]).sum::<f64>());
+            contact.push(corners.iter().all(|&c| state.contact[c]));
+        }
+    }
+    (finer, State { gap, contact, mean_pressure: state.mean_pressure })
+}
+
+/// The two coarse nodes around a fine one (twice the same one if they coincide).
+const fn parents(fine: usize, coarse_count: usize, fine_count: usize) -> (usize, usize) {
+    if fine_count == coarse_count {
+        return (fine, fine);
+    }
+    (fine / 2 % coarse_count, fine.div_ceil(2) % coarse_count)
+}

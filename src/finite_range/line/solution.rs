@@ -1,0 +1,222 @@
+//! The numbers of a state on one grid, with the identities that a right state meets.
+
+use super::grid::{Equations, State, mean};
+use super::newton::Report;
+use rustfft::num_complex::Complex64;
+
+/// The numbers of a state (units of [`super::problem`]).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Numbers {
+    /// Mean pressure, compression positive.
+    pub mean_pressure: f64,
+    /// Mean gap.
+    pub mean_gap: f64,
+    /// Mean of −p h′: the resistance per area to sliding, positive when it opposes the motion.
+    pub friction_stress: f64,
+    /// Part of the area in contact: with the hard wall, or under repulsion where the law has no wall. Edges lie between nodes (lines).
+    pub contact_fraction: f64,
+    /// Mean of the tension (a negative number).
+    pub adhesive_pressure: f64,
+    /// Mean of the contact pressure or repulsion (zero or more).
+    pub repulsive_pressure: f64,
+    /// Energy per area of the interface, −∫tension from the gap to infinity (pressure unit × Λ).
+    pub interface_energy: f64,
+}
+
+impl Numbers {
+    /// The values in a fixed order, for differences between grids.
+    pub(super) const fn list(&self) -> [f64; 7] {
+        [
+            self.mean_pressure,
+            self.mean_gap,
+            self.friction_stress,
+            self.contact_fraction,
+            self.adhesive_pressure,
+            self.repulsive_pressure,
+            self.interface_energy,
+        ]
+    }
+
+    pub(super) const fn from_list(v: [f64; 7]) -> Self {
+        Self {
+            mean_pressure: v[0],
+            mean_gap: v[1],
+            friction_stress: v[2],
+            contact_fraction: v[3],
+            adhesive_pressure: v[4],
+            repulsive_pressure: v[5],
+            interface_energy: v[6],
+        }
+    }
+}
+
+/// How well one grid's state meets its equations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// Friction from the pressure and the slope of the profile, −⟨p h′⟩.
+    pub friction_by_profile: f64,
+    /// Friction from the pressure and the slope of the displaced surface, −⟨p w′⟩; differs by the discretisation of the gap.
+    pub friction_by_surface: f64,
+    /// Friction from the loss of each wave of the pressure, Σ n Im K |p|².
+    pub friction_by_loss: f64,
+    /// Largest residual of the pressure.
+    pub residual: f64,
+    /// Least contact pressure with the wall; not below minus the residual.
+    pub least_contact_pressure: f64,
+    /// Least gap over the wall off contact (zero or more), or the least gap.
+    pub least_gap: f64,
+    /// Newton steps of the last solve.
+    pub newton_steps: usize,
+    /// Products with the matrix in the last solve.
+    pub products: usize,
+}
+
+/// The fields of a state, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fields {
+    /// Nodes along x.
+    pub nx: usize,
+    /// Nodes along y.
+    pub ny: usize,
+    /// Pressure between the bodies, compression positive.
+    pub pressure: Vec<f64>,
+    /// Gap.
+    pub gap: Vec<f64>,
+    /// Heights of the profile.
+    pub profile: Vec<f64>,
+    /// Displacement of the body's surface about its mean.
+    pub surface: Vec<f64>,
+    /// Nodes in contact (see [`Numbers::contact_fraction`]).
+    pub contact: Vec<bool>,
+}
+
+/// All numbers, checks and fields of a state on its grid.
+pub(super) fn evaluate(equations: &mut Equations, state: &State, report: Report) -> (Numbers, Certificate, Fields) {
+    let n = equations.len();
+    let nodes = n as f64;
+    let (nx, ny) = (equations.grid.nx(), equations.grid.ny());
+    let mut pressure = vec![0.0; n];
+    equations.pressure(state, &mut pressure);
+    let wall = equations.wall();
+    let mut numbers = Numbers { mean_pressure: mean(&pressure), mean_gap: state.mean_gap(), ..Numbers::default() };
+    let (mut excess, mut contact, mut least_gap) = (vec![0.0; n], vec![false; n], f64::INFINITY);
+    for i in 0..n {
+        let stress = equations.law.stress(state.gap[i]);
+        let (tension, push) = if state.contact[i] { (stress, pressure[i] - stress) } else { (stress.min(0.0), stress.max(0.0)) };
+        contact[i] = state.contact[i] || push > 0.0;
+        excess[i] = push;
+        numbers.adhesive_pressure += tension / nodes;
+        numbers.repulsive_pressure += push / nodes;
+        numbers.interface_energy -= equations.law.work_left(state.gap[i]) / nodes;
+        if !state.contact[i] {
+            least_gap = least_gap.min(state.gap[i] - if wall.is_finite() { wall } else { 0.0 });
+        }
+    }
+    let bare = contact.iter().filter(|c| **c).count() as f64 / nodes;
+    numbers.contact_fraction = if ny == 1 && wall.is_finite() { line_contact(&excess, &contact) } else { bare };
+    let surface: Vec<f64> = {
+        let mean_gap = numbers.mean_gap;
+        state.gap.iter().zip(&equations.heights).map(|(g, h)| g + h - mean_gap).collect()
+    };
+    let friction_by_profile = -mean_product(&pressure, &derivative(equations, |e| e.heights.clone()));
+    let friction_by_surface = -mean_product(&pressure, &derivative(equations, |_| surface.clone()));
+    let friction_by_loss = loss(equations, &pressure);
+    numbers.friction_stress = friction_by_profile;
+    let certificate = Certificate {
+        friction_by_profile,
+        friction_by_surface,
+        friction_by_loss,
+        residual: report.residual,
+        least_contact_pressure: report.least_contact_pressure,
+        least_gap: if least_gap.is_finite() { least_gap } else { 0.0 },
+        newton_steps: report.steps,
+        products: report.products,
+    };
+    let fields = Fields { nx, ny, pressure, gap: state.gap.clone(), profile: equations.heights.clone(), surface, contact };
+    (numbers, certificate, fields)
+}
+
+/// The contact fraction of a line: towards an edge the square of the contact pressure falls linearly to zero.
+fn line_contact(push: &[f64], contact: &[bool]) -> f64 {
+    let n = push.len();
+    let mut length = contact.iter().filter(|c| **c).count() as f64;
+    for i in 0..n {
+        if !contact[i] {
+            continue;
+        }
+        for side in [1, n - 1] {
+            let inward = n - side;
+            let (outside, second, third) = ((i + side) % n, (i + inward) % n, (i + 2 * inward) % n);
+            if contact[outside] {
+                continue;
+            }
+            // Nodes second and third from the edge; the first one carries the error of the edge. A count of nodes has half a cell beyond each end.
+            let (near, far) = (push[second].powi(2), push[third].powi(2));
+            let usable = contact[second] && contact[third] && far > near;
+            let beyond = if usable { near / (far - near) - 1.0 } else { 0.5 };
+            length += beyond.clamp(-0.5, 1.5) - 0.5;
+        }
+    }
+    (length / n as f64).clamp(0.0, 1.0)
+}
+
+fn mean_product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>() / a.len() as f64
+}
+
+/// ∂/∂x of a field; the highest wave number has no derivative on the grid.
+fn derivative(equations: &mut Equations, field: impl Fn(&Equations) -> Vec<f64>) -> Vec<f64> {
+    let field = field(equations);
+    let grid = &mut equations.grid;
+    let (nx, ny, nodes) = (grid.nx(), grid.ny(), grid.len() as f64);
+    let mut out = vec![0.0; field.len()];
+    for (entry, value) in grid.forward(&field).iter_mut().enumerate() {
+        let number = entry / ny;
+        *value *= Complex64::new(0.0, if 2 * number == nx { 0.0 } else { number as f64 / nodes });
+    }
+    grid.inverse(&mut out);
+    out
+}
+
+/// Σ n Im K |p|² over all waves, K = 1/A.
+fn loss(equations: &mut Equations, pressure: &[f64]) -> f64 {
+    let Equations { grid, stiffness, .. } = equations;
+    let (nx, ny, nodes) = (grid.nx(), grid.ny(), grid.len() as f64);
+    let spectrum = grid.forward(pressure);
+    let mut sum = 0.0;
+    for (entry, (p, a)) in spectrum.iter().zip(stiffness.iter()).enumerate() {
+        let number = entry / ny;
+        if number > 0 && 2 * number < nx {
+            // The stored stiffness is A over the number of nodes.
+            sum += 2.0 * number as f64 * a.inv().im * p.norm_sqr() / nodes.powi(3);
+        }
+    }
+    sum
+}
+
+/// Patches of contact: connected sets of nodes on the periodic grid (neighbours along x and y).
+pub(super) fn patches(fields: &Fields) -> usize {
+    let (nx, ny) = (fields.nx, fields.ny);
+    let mut seen: Vec<bool> = fields.contact.iter().map(|c| !c).collect();
+    let mut count = 0;
+    let mut queue = Vec::new();
+    for start in 0..seen.len() {
+        if seen[start] {
+            continue;
+        }
+        count += 1;
+        seen[start] = true;
+        queue.push(start);
+        while let Some(node) = queue.pop() {
+            let (x, y) = (node % nx, node / nx);
+            let neighbours = [y * nx + (x + 1) % nx, y * nx + (x + nx - 1) % nx, (y + 1) % ny * nx + x, (y + ny - 1) % ny * nx + x];
+            for next in neighbours {
+                if !seen[next] {
+                    seen[next] = true;
+                    queue.push(next);
+                }
+            }
+        }
+    }
+    count
+}

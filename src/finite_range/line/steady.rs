@@ -1,0 +1,264 @@
+//! A steady state with the error of every number from three grids.
+//!
+//! A contact edge falls between nodes, so the error of a number changes sign from grid to grid and no extrapolation helps. The
+//! error is the larger of the last two differences between grids (N/4, N/2, N), plus the effect of the residual.
+
+use super::grid::{Equations, State};
+use super::newton;
+use super::problem::{Control, Problem};
+use super::reach::{self, Place, Reached};
+use super::solution::{self, Certificate, Fields, Numbers};
+use crate::refusal::{Refusal, require_positive};
+
+/// Nodes in the relaxed zone of the law on the grid of the cold start; the finer ones are tried where the coarse one leads astray.
+const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
+
+/// Friction below this part of pressure times slope is asked for absolutely.
+const SMALL_FRICTION: f64 = 1e-3;
+
+/// How exact a state must be and what it may cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Allowed relative error of the friction stress (of a thousandth of pressure × slope where it is smaller than that), and error of
+    /// the gap and pressure relative to the profile's height and the stress.
+    pub accuracy: f64,
+    /// Nodes along x of the first grid that may be the answer; the finer ones follow by doubling.
+    pub least_nodes: usize,
+    /// Nodes along x of the finest grid.
+    pub most_nodes: usize,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self { accuracy: 1e-4, least_nodes: 512, most_nodes: 1 << 16 }
+    }
+}
+
+/// From where a state was reached; other states may exist at the same input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ReachedBy {
+    /// From a long range of the law at the same control (see [`reach::Path`]).
+    ColdStart(reach::Path),
+    /// Followed from a neighbouring state.
+    Continuation,
+    /// The closed form of full contact.
+    FullContact,
+}
+
+/// A steady state.
+#[derive(Debug, Clone)]
+pub struct SteadyState {
+    /// The numbers on the finest grid.
+    pub numbers: Numbers,
+    /// The error of each number (same units).
+    pub errors: Numbers,
+    /// Patches of contact.
+    pub patches: usize,
+    /// The identities and residual.
+    pub certificate: Certificate,
+    /// Pressure, gap, surface.
+    pub fields: Fields,
+    /// From where it was reached.
+    pub reached_by: ReachedBy,
+    /// Whether the accuracy was met; otherwise `nodes_needed` says what grid it would take.
+    pub accuracy_met: bool,
+    /// Nodes along x that the accuracy is expected to take (error ∝ N^−1.5).
+    pub nodes_needed: usize,
+    /// Products with the stiffness in the whole search.
+    pub products: usize,
+}
+
+impl SteadyState {
+    /// Friction stress over mean pressure, in units of the slope kΛ; none where the mean pressure is not positive.
+    #[must_use]
+    pub fn friction_coefficient(&self) -> Option<f64> {
+        (self.numbers.mean_pressure > 0.0).then(|| self.numbers.friction_stress / self.numbers.mean_pressure)
+    }
+
+    /// Power dissipated per area, friction stress × kv (unit E0*kΛ²/2 × the unit of kv).
+    #[must_use]
+    pub fn dissipated_power(&self, problem: &Problem) -> f64 {
+        self.numbers.friction_stress * problem.speed
+    }
+}
+
+/// Reaches the steady state of a problem from nothing and refines it until the accuracy is met.
+///
+/// # Errors
+/// [`Refusal`] for a problem without meaning ([`Problem::check`]) or one whose cold start is lost; it says where.
+pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusal> {
+    problem.check()?;
+    require_positive("accuracy", request.accuracy)?;
+    if request.most_nodes < 64 || request.most_nodes > 1 << 22 || !request.most_nodes.is_power_of_two() {
+        return Err(Refusal::out_of_range("most_nodes", request.most_nodes as f64, "a power of two between 64 and 4194304"));
+    }
+    let (mut lost, mut lost_on_a_grid) = (None, None);
+    for cells in CELLS {
+        // Two doublings more are needed for the error.
+        if 4 * reach::nodes_for(problem, problem.attraction.range, cells) > request.most_nodes {
+            break;
+        }
+        match reach::cold(problem, request.most_nodes / 4, cells) {
+            Ok(reached) => {
+                let path = ReachedBy::ColdStart(reached.path);
+                match refine(problem, request, reached, path) {
+                    Ok(state) => return Ok(state),
+                    Err(refusal) => lost_on_a_grid = Some(refusal),
+                }
+            }
+            Err(refusal) => lost = Some(refusal),
+        }
+    }
+    // A state that a coarse grid has and a finer one loses may exist: full contact is no answer then.
+    if let Some(refusal) = lost_on_a_grid {
+        return Err(refusal);
+    }
+    // A search that found no partial contact leaves the full one; a search that was never made leaves nothing.
+    match lost {
+        Some(refusal) => super::full::full_contact(problem, request).map_err(|_| refusal),
+        None => Err(Refusal::NotConverged {
+            what: "the steady state",
+            detail: format!(
+                "the range needs {} nodes, but at most {} are allowed",
+                4 * reach::nodes_for(problem, problem.attraction.range, CELLS[0]),
+                request.most_nodes
+            ),
+        }),
+    }
+}
+
+/// The state next to a given one: another load, speed, range or material, the same profile. This is the way to go along a curve, to
+/// stay on one of several branches, and to load and unload.
+///
+/// # Errors
+/// As [`solve`]; [`Refusal::OutOfRange`] for a state of another kind of profile; [`Refusal::NotConverged`] if the step is too long or the
+/// branch ends.
+pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Result<SteadyState, Refusal> {
+    problem.check()?;
+    require_positive("accuracy", request.accuracy)?;
+    let old = &from.fields;
+    // Two grids coarser, so that the given grid is the third one of the error; every fourth node is a node there.
+    let stride = if old.nx >= 256 && (old.ny == 1 || old.ny.is_multiple_of(8)) { 4 } else { 1 };
+    let mut equations = Equations::new(problem, old.nx / stride, 1.0, problem.attraction.range);
+    let stride_y = if old.ny == 1 { 1 } else { stride };
+    if equations.grid.ny() * stride_y != old.ny {
+        return Err(Refusal::out_of_range("rows of the state", old.ny as f64, "those of the profile"));
+    }
+    let nodes = (0..old.ny).step_by(stride_y).flat_map(|y| (0..old.nx).step_by(stride).map(move |x| y * old.nx + x));
+    let has_wall = problem.attraction.wall().is_some();
+    let (gap, contact) = nodes.map(|node| (old.gap[node], has_wall && old.contact[node])).unzip();
+    let before = State { gap, contact, mean_pressure: from.numbers.mean_pressure };
+    let mut state = before.clone();
+    let lost = |detail: String| Refusal::NotConverged { what: "the step to the next state", detail };
+    let report = newton::solve(&mut equations, &mut state, newton::FINE, 6000)
+        .map_err(|stalled| lost(format!("residual {:.1e} on {} nodes", stalled.residual, old.nx / stride)))?;
+    if reach::is_jump(problem, &before, &state) {
+        let (old_gap, new_gap) = (before.mean_gap(), state.mean_gap());
+        return Err(lost(format!("it jumps from mean gap {old_gap:.5} to {new_gap:.5}: take a shorter step, or the branch ends here")));
+    }
+    let reached = Reached { equations, state, report, products: report.products, path: reach::Path::Range };
+    refine(problem, request, reached, ReachedBy::Continuation)
+}
+
+/// Doubles the grid until the last three grids agree.
+pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
+    let Reached { mut equations, mut state, mut report, mut products, .. } = reached;
+    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let half_height = problem.profile.half_height();
+    let mut history: Vec<[f64; 7]> = Vec::new();
+    loop {
+        let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
+        products += std::mem::take(&mut equations.products);
+        history.push(numbers.list());
+        let nx = equations.grid.nx();
+        let mut errors = three_grids(&history, problem.attraction.wall().is_some(), report.mean_residual);
+        let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
+        share(&mut errors, problem.control, stress, half_height);
+        let floor = SMALL_FRICTION * stress * half_height;
+        let worst = [
+            errors[2] / numbers.friction_stress.abs().max(floor),
+            errors[1] / (numbers.mean_gap.abs().max(half_height)),
+            errors[0] / stress,
+        ]
+        .into_iter()
+        .fold(0.0, f64::max)
+            / request.accuracy;
+        let met = history.len() >= 3 && worst <= 1.0 && nx >= request.least_nodes;
+        let growth = worst.max(1.0).powf(1.0 / 1.5).min(1e6);
+        let finish = |met: bool, fields: Fields, products: usize| SteadyState {
+            numbers,
+            errors: Numbers::from_list(errors),
+            patches: solution::patches(&fields),
+            certificate,
+            fields,
+            reached_by,
+            accuracy_met: met,
+            nodes_needed: ((nx as f64 * growth) as usize).next_power_of_two(),
+            products,
+        };
+        if met || 2 * nx > request.most_nodes {
+            if history.len() < 3 {
+                return Err(Refusal::NotConverged {
+                    what: "the refinement of the grid",
+                    detail: format!(
+                        "the range needs {nx} nodes and its error two doublings more, but at most {} are allowed",
+                        request.most_nodes
+                    ),
+                });
+            }
+            return Ok(finish(met, fields, products));
+        }
+        let (mut finer, start) = reach::refined(problem, &equations, &state, place);
+        let mut next = start.clone();
+        match newton::solve(&mut finer, &mut next, newton::FINE, 6000) {
+            Ok(found) if !reach::is_jump(problem, &state, &next) => {
+                report = found;
+                equations = finer;
+                state = next;
+            }
+            Ok(_) => {
+                return Err(Refusal::NotConverged {
+                    what: "the refinement of the grid",
+                    detail: format!("the state on {nx} nodes is not the one on {}: the grid was too coarse for this range", 2 * nx),
+                });
+            }
+            Err(stalled) => {
+                return Err(Refusal::NotConverged {
+                    what: "the refinement of the grid",
+                    detail: format!("lost from {nx} to {} nodes, residual {:.1e}", 2 * nx, stalled.residual),
+                });
+            }
+        }
+    }
+}
+
+/// Pressure, gap and friction come from one discrete edge: where one of them differs little between three grids by chance, a quarter
+/// of the largest relative error of the three counts. What is imposed is exact.
+fn share(errors: &mut [f64; 7], control: Control, stress: f64, half_height: f64) {
+    let scales = [stress, half_height, stress * half_height];
+    let largest = (0..3).map(|i| errors[i] / scales[i]).fold(0.0, f64::max);
+    for (i, scale) in scales.into_iter().enumerate() {
+        let imposed = matches!((i, control), (0, Control::MeanPressure(_)) | (1, Control::MeanGap(_)));
+        if !imposed {
+            errors[i] = errors[i].max(0.25 * largest * scale);
+        }
+    }
+}
+
+/// The larger of the last two differences of each number, plus ten residuals. Where edges lie between nodes, two differences may be
+/// small by chance: then the earlier ones count too, with the decay N^−1.5 that such errors have.
+fn three_grids(history: &[[f64; 7]], has_edges: bool, residual: f64) -> [f64; 7] {
+    if history.len() < 3 {
+        return [f64::INFINITY; 7];
+    }
+    std::array::from_fn(|i| {
+        let mut bound = 10.0 * residual;
+        for (age, pair) in history.windows(2).rev().enumerate() {
+            let decay = 2.0_f64.powf(-1.5 * age.saturating_sub(1) as f64);
+            if age < 2 || has_edges {
+                bound = bound.max(10.0 * residual + decay * (pair[1][i] - pair[0][i]).abs());
+            }
+        }
+        bound
+    })
+}
