@@ -231,6 +231,7 @@ fn ramp_place(u: f64, ramp: f64) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::needless_range_loop)]
 mod tests {
     use super::*;
 

@@ -53,6 +53,7 @@ impl Creep {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::needless_range_loop)]
 mod tests {
     use super::*;
     use crate::finite_range::law::Law;
