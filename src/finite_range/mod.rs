@@ -10,7 +10,7 @@
 //! | room | what |
 //! |---|---|
 //! | [`law`] | laws of attraction: stress, slope, work left, kinks, wall |
-//! | [`line`] | steady sliding of periodic lines and surfaces on a half-space or a layer |
+//! | [`mod@line`] | steady sliding of periodic lines and surfaces on a half-space or a layer |
 //! | [`sphere`] | an axisymmetric tip on a half-space, in time |
 //!
 //! Sources: Greenwood (1997) and Feng (2000) for spheres of finite range; Hintermüller, Ito & Kunisch (2002) for the active set; theory

@@ -4,7 +4,7 @@ use super::grid::{Equations, State, mean};
 use super::newton::Report;
 use rustfft::num_complex::Complex64;
 
-/// The numbers of a state (units of [`super::problem`]).
+/// The numbers of a state (units of [`Problem`](super::Problem)).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Numbers {
     /// Mean pressure, compression positive.
