@@ -40,7 +40,7 @@ SCRIPTS = {
 }
 # The elastic references know no subset: only the full run.
 FULL_ONLY = {"elastic"}
-HELPERS = {"common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check", "ting_graham"}
+HELPERS = {"spring_bed", "common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check", "ting_graham"}
 
 
 def run(script):
