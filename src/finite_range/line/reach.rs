@@ -208,7 +208,7 @@ pub(super) struct Place {
     pub(super) stiffening: f64,
 }
 
-/// Whether two states are too far apart to be neighbours on one branch.
+/// Whether two states differ by too much to be neighbours on one branch.
 pub(super) fn is_jump(problem: &Problem, before: &State, after: &State) -> bool {
     let change = match problem.control {
         Control::MeanGap(_) => 0.3 * (after.mean_pressure - before.mean_pressure).abs() / before.mean_pressure.abs().max(1.0),

@@ -46,7 +46,7 @@ pub struct Assessed {
     pub legs: Vec<Bounds>,
     /// One for each instant that was reached.
     pub instants: Vec<InstantBounds>,
-    /// Of the time at which the surfaces come apart under force control.
+    /// Of the time at which contact ends under force control.
     pub detachment_time: Option<f64>,
     /// Whether both runs have the same jumps and the same end: without that the bounds mean nothing.
     pub consistent: bool,

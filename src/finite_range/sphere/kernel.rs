@@ -21,7 +21,7 @@ fn agm(mut a: f64, mut b: f64) -> f64 {
     0.5 * (a + b)
 }
 
-/// G(x, y) from x, y and their distance (given apart, because it may be far smaller than both).
+/// G(x, y) from x, y and their distance (given by itself, because it may be far smaller than both).
 fn influence(x: f64, y: f64, distance: f64) -> f64 {
     2.0 * y / agm(x.max(y), (distance * (x + y)).sqrt())
 }

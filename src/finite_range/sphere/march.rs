@@ -60,7 +60,7 @@ struct Window {
 }
 
 impl March<'_> {
-    /// One leg; true if the surfaces came apart under force control.
+    /// One leg; true if contact ended under force control.
     fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         let drive = Drive::new(*leg, &self.state);
         let end = drive.begin + leg.motion.duration();
