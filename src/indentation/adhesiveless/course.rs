@@ -133,7 +133,8 @@ impl<'a> Course<'a> {
     fn present(&self, controlled: Controlled) -> f64 {
         match controlled {
             Controlled::Penetration => self.line.penetration,
-            Controlled::Force => self.line.force(),
+            // Below zero it is rounding: what has relaxed pulls nothing.
+            Controlled::Force => self.line.force().max(0.0),
             Controlled::ContactRadius => self.line.radius(),
             Controlled::Frame => self.line.penetration + self.problem.frame_stiffness.map_or(0.0, |k| self.line.force() / k),
         }
@@ -241,7 +242,7 @@ impl<'a> Course<'a> {
         self.record.last_cycle(self.meter.take());
         self.pace = segment.oscillation.is_none().then_some((segment.controlled, rate));
         self.origin += duration;
-        self.time = 0.0;
+        (self.time, self.look_at) = (0.0, 0.0);
         Ok(duration)
     }
 

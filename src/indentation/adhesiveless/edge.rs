@@ -33,6 +33,8 @@ pub(super) enum Ended {
     Lost,
     /// It was found.
     Touched,
+    /// What presses is less than what the panel leaves: whether the contact is lost is not known, and nothing was passed.
+    Faint,
 }
 
 /// How far, which way (none at rest), and why no further.
@@ -194,6 +196,9 @@ impl Line<'_> {
                 continue;
             }
             if place.is_none() {
+                if known.is_some_and(|(_, left)| self.hardly_lost(drive, left)) {
+                    return Ok((0.0, None, Ended::Faint));
+                }
                 // The axis is the last to lose contact.
                 let lost = self.lost_at(drive, time);
                 if lost < drive.duration {
@@ -215,6 +220,16 @@ impl Line<'_> {
             None => self.pass_nothing(drive),
         }
         Ok((drive.duration, way, Ended::Whole))
+    }
+
+    /// Whether S on the axis never falls clearly below zero along a panel, which leaves so much of Δ: a load that has relaxed is positive, however small.
+    fn hardly_lost(&self, drive: &Drive, left: f64) -> bool {
+        let Some(stretch) = self.contact.first() else { return false };
+        let mut moment = Moment::default();
+        evenly(drive.duration).all(|time| {
+            moment.set(self.chain, drive, time);
+            self.pressed(stretch, &moment)[0] >= -left
+        })
     }
 
     /// When the chain on the axis leaves contact, at most at a time.

@@ -149,12 +149,15 @@ impl Course<'_> {
                 }
                 self.line.everywhere += left.min(own * MOST_NOISE);
             }
-            let points: Vec<(f64, f64)> = places().into_iter().zip(rises).collect();
-            let drive = Drive::through(start, length, &points);
+            let through = |depths: &Row| {
+                let points: Vec<(f64, f64)> = places().into_iter().zip(depths.map(|depth| depth - start)).collect();
+                Drive::through(start, length, &points)
+            };
+            let mut drive = through(&met.depths);
             self.left = allowed;
             let before = self.before();
             let edge = matches!(asked, Asked::Radius).then_some(Edge { given, since: at });
-            let (passed, way, ended) = if edge.is_some() {
+            let mut went = if edge.is_some() {
                 self.line.pass(&drive, met.way, edge.as_ref())?;
                 (length, Some(met.way), Ended::Whole)
             } else if met.rests {
@@ -163,6 +166,12 @@ impl Course<'_> {
             } else {
                 self.line.follow(&drive, met.way, allowed)?
             };
+            if went.2 == Ended::Faint {
+                drive = through(&Law::new(&self.line, &self.fresh, length).resting().depths);
+                self.line.pass_nothing(&drive);
+                went = (length, None, Ended::Whole);
+            }
+            let (passed, way, ended) = went;
             if let Some(before) = before.filter(|_| passed > 0.0) {
                 let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
                 let of_frame = |time: f64| stiffness * (given.value(at + time) - drive.value(time));
@@ -181,8 +190,8 @@ impl Course<'_> {
             self.time += passed;
             // A panel may end just where the edge reaches the axis.
             match ended {
-                Ended::Whole | Ended::Touched if self.line.radius() > 0.0 => {}
-                Ended::Whole | Ended::Touched | Ended::Lost => self.lost(),
+                Ended::Whole | Ended::Touched | Ended::Faint if self.line.radius() > 0.0 => {}
+                Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(),
                 Ended::Turned => self.turned(),
             }
             // Turned at once: rounding, for a panel knows its way.

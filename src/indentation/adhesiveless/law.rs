@@ -124,17 +124,21 @@ impl<'l, 'a> Law<'l, 'a> {
             let excess: Row = std::array::from_fn(|k| target[k] - of_force * areas[k] - of_depth * depths[k]);
             let size = target.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
-            let Some(excess) = clear.filter(|_| !punch) else {
-                if !punch {
-                    return Ok(Some(Met { way: Way::Inwards, depths, places: [a; DEGREE], rests: true, noise: 0.0 }));
-                }
-                return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
-            };
-            if *excess < 0.0 {
+            let Some(excess) = clear else { return Ok(Some(self.staying(&stays))) };
+            if punch || *excess < 0.0 {
                 return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
             }
         }
         self.outwards(&outside(), (of_force, of_depth), target)
+    }
+
+    /// Δ that keeps S at the edge at zero: the edge rests, and a punch presses nothing.
+    pub(super) fn resting(&self) -> Met {
+        self.staying(&std::array::from_fn(|k| self.line.holding(&self.kept[k]).last().unwrap_or(0.0)))
+    }
+
+    fn staying(&self, stays: &Row) -> Met {
+        Met { way: Way::Inwards, depths: self.depths_of(stays), places: [self.line.radius(); DEGREE], rests: true, noise: 0.0 }
     }
 
     fn inwards(&self, inside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {

@@ -70,7 +70,7 @@ impl Course<'_> {
                     self.record.new_piece();
                     self.corner();
                 }
-                Ended::Turned => self.turned(),
+                Ended::Turned | Ended::Faint => self.turned(),
                 Ended::Lost => self.lost(),
             }
             if rest <= 4.0 * f64::EPSILON * drive.duration {
