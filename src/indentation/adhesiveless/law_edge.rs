@@ -26,7 +26,7 @@ impl Law<'_, '_> {
                 }
                 outside[k].value(own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
             } else {
-                inside[k].value(own[k].min(a)).unwrap_or(0.0)
+                inside[k].value(own[k].min(a)).or(inside[k].last()).unwrap_or(0.0)
             };
         }
         Ok(Met {

@@ -5,6 +5,8 @@ use super::line::Line;
 
 struct Piece {
     low: f64,
+    /// Not low + width, which may be less by rounding.
+    high: f64,
     width: f64,
     values: Nodal,
     /// ∫p ds up to it.
@@ -31,8 +33,9 @@ pub(super) struct Reached {
 impl Rising {
     fn new(start: f64, stretches: impl Iterator<Item = (f64, f64, Nodal)>) -> Self {
         let mut rising = Self { start, pieces: Vec::new(), whole: 0.0 };
-        for (low, width, values) in stretches {
-            rising.pieces.push(Piece { low, width, values, before: rising.whole });
+        for (low, high, values) in stretches {
+            let width = high - low;
+            rising.pieces.push(Piece { low, high, width, values, before: rising.whole });
             rising.whole += width * GRID.integral(&values);
         }
         rising
@@ -47,7 +50,7 @@ impl Rising {
     }
 
     pub(super) fn end(&self) -> f64 {
-        self.pieces.last().map_or(self.start, |piece| piece.low + piece.width)
+        self.pieces.last().map_or(self.start, |piece| piece.high)
     }
 
     /// The whole area between a level and all pieces, above or below.
@@ -70,15 +73,15 @@ impl Rising {
 
     /// p at a place; none beyond the last piece.
     pub(super) fn value(&self, place: f64) -> Option<f64> {
-        let piece = self.pieces.iter().find(|piece| place <= piece.low + piece.width)?;
-        Some(dot(&GRID.at(place - piece.low, piece.low + piece.width - place), &piece.values))
+        let piece = self.pieces.iter().find(|piece| place <= piece.high)?;
+        Some(dot(&GRID.at(place - piece.low, piece.high - place), &piece.values))
     }
 
     /// Places between two at which pieces meet.
     pub(super) fn borders(&self, one: f64, other: f64) -> impl Iterator<Item = f64> {
         let (low, high) = (one.min(other), one.max(other));
         let clear = 1e-9 * high;
-        let ends = self.pieces.iter().flat_map(|piece| [piece.low, piece.low + piece.width]);
+        let ends = self.pieces.iter().flat_map(|piece| [piece.low, piece.high]);
         ends.filter(move |place| *place > low + clear && *place < high - clear)
     }
 }
@@ -89,11 +92,11 @@ impl Line<'_> {
         let soft = self.chain.relaxed / self.chain.glassy;
         let weights: Vec<f64> =
             self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect();
-        Rising::new(0.0, self.contact.iter().map(|stretch| (stretch.low, stretch.width(), stretch.weighted(soft, &weights))))
+        Rising::new(0.0, self.contact.iter().map(|stretch| (stretch.low, stretch.high, stretch.weighted(soft, &weights))))
     }
 
     /// What Δ must exceed for a free place to be touched: f + Σe_j e^{−t/τ_j}.
     pub(super) fn surfaces(&self, recovered: &[f64]) -> Rising {
-        Rising::new(self.radius(), self.free.iter().map(|stretch| (stretch.low, stretch.width(), stretch.weighted(1.0, recovered))))
+        Rising::new(self.radius(), self.free.iter().map(|stretch| (stretch.low, stretch.high, stretch.weighted(1.0, recovered))))
     }
 }
