@@ -25,6 +25,14 @@ pub(super) struct Fineness {
     pub(super) sums: f64,
 }
 
+/// What is not known of a course.
+pub(super) struct Unknown {
+    /// Of any strain (m).
+    pub(super) strain: f64,
+    /// How steeply S falls at the edge, at each kept instant: what the edge makes of it.
+    pub(super) slopes: Vec<f64>,
+}
+
 /// A course under way.
 pub(super) struct Course<'a> {
     pub(super) chain: &'a Chain,
@@ -43,6 +51,8 @@ pub(super) struct Course<'a> {
     pub(super) left: f64,
     pace: Option<(Controlled, f64)>,
     pub(super) evaluations: u64,
+    /// How steeply S falls at the edge, at each kept instant.
+    slopes: Vec<f64>,
     /// How long the next panel may be; 0 after a corner.
     pub(super) panel_length: f64,
     watch: Option<(&'a dyn Watch, u32)>,
@@ -69,6 +79,7 @@ impl<'a> Course<'a> {
             left: 0.0,
             pace: None,
             evaluations: 0,
+            slopes: Vec::new(),
             panel_length: 0.0,
             watch: None,
             stop: None,
@@ -82,8 +93,8 @@ impl<'a> Course<'a> {
         self
     }
 
-    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course tells (m).
-    pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<(Trace, f64), Refusal> {
+    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course tells.
+    pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<(Trace, Unknown), Refusal> {
         self.record.trace.shortened = stops.to_vec();
         self.run()?;
         let mut trace = self.record.finished();
@@ -91,7 +102,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, self.line.everywhere + self.line.joined))
+        Ok((trace, Unknown { strain: self.line.everywhere + self.line.joined, slopes: self.slopes }))
     }
 
     /// The line at a time of the history.
@@ -118,7 +129,7 @@ impl<'a> Course<'a> {
             let duration = if segment.duration == 0.0 {
                 self.at_once(segment.controlled, segment.end)?;
                 self.pace = None;
-                self.record.keep();
+                self.keep();
                 0.0
             } else {
                 self.stretch(index, &stretch)?
@@ -127,6 +138,12 @@ impl<'a> Course<'a> {
             self.observe(index, None);
         }
         Ok(())
+    }
+
+    /// Keeps the last point as an instant.
+    fn keep(&mut self) {
+        self.record.keep();
+        self.slopes.push(self.line.slope_at_edge());
     }
 
     /// What a quantity is now.
@@ -161,7 +178,7 @@ impl<'a> Course<'a> {
             Start::Relaxed => self.relaxed(history.controlled, history.start)?,
         }
         self.point(false);
-        self.record.keep();
+        self.keep();
         Ok(())
     }
 
@@ -235,7 +252,7 @@ impl<'a> Course<'a> {
                 cycle += skipped;
             }
             if self.time >= next_instant || self.time >= duration {
-                self.record.keep();
+                self.keep();
                 instant += 1;
             }
         }

@@ -1,7 +1,7 @@
 //! The penetration within a stretch of time, Δ(x) = Δ₀ + Σ w_k (x/T)^k + A(sin(φ + ωx) − sin φ), 0 ≤ x ≤ T, and what it does to a point in contact.
 
 /// Highest power of the time.
-pub(super) const DEGREE: usize = 8;
+pub(super) const DEGREE: usize = 16;
 
 /// An oscillation of one frequency upon a polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,15 +83,29 @@ impl Drive {
         slope / self.duration + self.wave.map_or(0.0, |w| w.amplitude * w.pace * (w.phase + w.pace * x).cos())
     }
 
-    /// What a slow term gains, as powers of the time: u′ = Δ′ − (T/ρ)u.
-    pub(super) fn series(&self, rho: f64) -> Option<Series> {
+    /// What a slow or a fast term gains, as powers of the time: u′ = Δ′ − (T/ρ)u, from u = 0. A fast one follows Δ′ with a lag, which the rest forgets.
+    pub(super) fn series(&self, rho: f64) -> Option<Gain> {
         let z = self.duration / rho;
-        if self.used == 1 || self.wave.is_some() || z > SLOW {
+        if self.wave.is_some() {
             return None;
         }
-        let (mut powers, mut last) = ([0.0; LONGEST_SERIES], 0.0);
+        let mut powers = [0.0; LONGEST_SERIES];
+        if z >= (FAST * self.used as f64).max(SLOW) {
+            // zP_k = (k + 1)(w_{k+1} − P_{k+1}), downwards, where it shrinks.
+            let (mut above, over) = (0.0, z.recip());
+            for k in (0..self.used).rev() {
+                if let Some(power) = powers.get_mut(k) {
+                    *power = above;
+                }
+                above = (k as f64 + 1.0) * over * (self.powers[k] - above);
+            }
+            return Some(Gain { powers, used: self.used, lag: above });
+        }
+        if z > SLOW {
+            return None;
+        }
+        let (mut last, mut used) = (0.0, LONGEST_SERIES);
         let largest = self.powers[..self.used].iter().fold(0.0, |most: f64, power| most.max(power.abs()));
-        let mut used = LONGEST_SERIES;
         for (k, power) in powers.iter_mut().enumerate() {
             let order = (k + 1) as f64;
             last = self.powers.get(k).copied().unwrap_or(0.0) - z * last / order;
@@ -101,7 +115,7 @@ impl Drive {
                 break;
             }
         }
-        Some((powers, used))
+        Some(Gain { powers, used, lag: 0.0 })
     }
 
     pub(super) fn end(&self) -> f64 {
@@ -133,9 +147,9 @@ impl Drive {
     pub(super) fn gained(&self, rho: f64, x: f64, kept: f64) -> f64 {
         let z = x / rho;
         let y = x / self.duration;
-        let lost = -(-z).exp_m1();
+        let lost = || -(-z).exp_m1();
         let mut gained = if self.used == 1 {
-            self.powers[0] * y * if z > 0.0 { lost / z } else { 1.0 }
+            self.powers[0] * y * if z > 0.0 { lost() / z } else { 1.0 }
         } else {
             let factors = means(z, kept);
             self.powers[..self.used].iter().zip(factors).rev().fold(0.0, |sum, (power, factor)| (sum + power * factor) * y)
@@ -145,7 +159,7 @@ impl Drive {
             let a = w.pace * rho;
             let (real, imaginary) = (a / (1.0 / a + a), 1.0 / (1.0 / a + a));
             let half = (0.5 * w.pace * x).sin();
-            let (along, across) = (-2.0 * half * half + lost, (w.pace * x).sin());
+            let (along, across) = (-2.0 * half * half + lost(), (w.pace * x).sin());
             let (first, second) = (real * along - imaginary * across, real * across + imaginary * along);
             gained += w.amplitude * (first * w.phase.sin() + second * w.phase.cos());
         }
@@ -166,37 +180,70 @@ fn shift(powers: &[f64], part: f64, left: f64, shifted: &mut [f64; DEGREE]) {
     }
 }
 
-/// What a term gains along a polynomial, as powers 1… of the time.
-pub(super) type Series = ([f64; LONGEST_SERIES], usize);
-pub(super) const LONGEST_SERIES: usize = 36;
-/// Longest drive, over the time of a term, of which a series is of use.
-const SLOW: f64 = 2.0;
+/// What a term gains along a polynomial: lag·(1 − e^{−x/ρ}) and powers 1… of the time.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Gain {
+    powers: [f64; LONGEST_SERIES],
+    used: usize,
+    lag: f64,
+}
 
-/// 1/(DEGREE + m), m = 1…: divisions would take most of the time of a drive.
-const RECIPROCALS: [f64; 60] = {
-    let mut values = [0.0; 60];
-    let mut m = 0;
-    while m < 60 {
-        values[m] = 1.0 / (DEGREE + 1 + m) as f64;
-        m += 1;
+impl Gain {
+    pub(super) const NONE: Self = Self { powers: [0.0; LONGEST_SERIES], used: 0, lag: 0.0 };
+
+    pub(super) const fn lag(&self) -> f64 {
+        self.lag
+    }
+
+    /// All but what decays, at a part of the time.
+    pub(super) fn steady(&self, y: f64) -> f64 {
+        self.lag + self.powers.iter().take(self.used).rev().fold(0.0, |sum, power| (sum + power) * y)
+    }
+
+    pub(super) fn add(&mut self, weight: f64, other: &Self) {
+        self.used = self.used.max(other.used);
+        self.lag += weight * other.lag;
+        for (own, power) in self.powers.iter_mut().zip(&other.powers).take(other.used) {
+            *own += weight * power;
+        }
+    }
+}
+
+pub(super) const LONGEST_SERIES: usize = DEGREE + 28;
+/// Longest drive, over the time of a term, of which a slow term's series is of use, and shortest one, over that and the powers of Δ, of a fast one.
+const SLOW: f64 = 2.0;
+const FAST: f64 = 0.5;
+
+/// e^{−z}: what has decayed below all digits takes no time.
+pub(super) fn decayed(z: f64) -> f64 {
+    if z > 740.0 { 0.0 } else { (-z).exp() }
+}
+
+/// 1/k, k = 1…: divisions would take most of the time of a drive.
+const RECIPROCALS: [f64; DEGREE + 60] = {
+    let mut values = [0.0; DEGREE + 60];
+    let mut k = 0;
+    while k < values.len() {
+        values[k] = 1.0 / (k + 1) as f64;
+        k += 1;
     }
     values
 };
 
-/// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards for large z, downwards from a series for small z.
+/// χ_k(z) = ∫₀¹ k s^{k−1}e^{−z(1−s)}ds: χ_k = (k/z)(1 − χ_{k−1}), upwards while k < z, and downwards from a series to there: errors shrink both ways.
 pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
     let mut values = [0.0; DEGREE];
-    let top = DEGREE as f64;
-    if z > top {
-        let mut last = kept;
-        for (k, value) in values.iter_mut().enumerate() {
-            last = (k as f64 + 1.0) / z * (1.0 - last);
-            *value = last;
-        }
+    let turn = (z as usize).min(DEGREE);
+    let (mut last, over) = (kept, z.recip());
+    for (k, value) in values.iter_mut().take(turn).enumerate() {
+        last = (k as f64 + 1.0) * over * (1.0 - last);
+        *value = last;
+    }
+    if turn == DEGREE {
         return values;
     }
     let (mut term, mut sum): (f64, f64) = (1.0, 0.0);
-    for over in RECIPROCALS {
+    for over in RECIPROCALS.iter().skip(DEGREE) {
         let next = sum + term;
         if next.to_bits() == sum.to_bits() {
             break;
@@ -204,9 +251,9 @@ pub(super) fn means(z: f64, kept: f64) -> [f64; DEGREE] {
         sum = next;
         term *= -z * over;
     }
-    for k in (0..DEGREE).rev() {
-        values[k] = sum;
-        sum = 1.0 - z * sum / (k as f64 + 1.0);
+    for (value, over) in values.iter_mut().zip(&RECIPROCALS).skip(turn).rev() {
+        *value = sum;
+        sum = 1.0 - z * sum * over;
     }
     values
 }

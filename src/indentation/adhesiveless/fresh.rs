@@ -1,7 +1,7 @@
 //! The elastic contact on a surface that nothing has touched: Φ(a) = a f(a) − ∫₀^a f ds, with F = 2E*Φ and Δ = f(a).
 
-use super::grid::{GRID, NODES};
-use super::line::place_of;
+use super::grid::{GRID, NODES, Nodal, dot};
+use super::line::{Line, place_of};
 use crate::indentation::profile::Profile;
 use crate::refusal::Refusal;
 
@@ -16,23 +16,40 @@ pub(super) struct Fresh<'a> {
     rim: f64,
     /// Of a table: its points and ∫f ds up to each.
     running: Vec<(f64, f64)>,
+    /// The same between its points, as series.
+    parts: Vec<Part>,
 }
+
+/// A part of the line of a table, as fine as one series keeps.
+#[derive(Debug, Clone)]
+struct Part {
+    low: f64,
+    high: f64,
+    /// f at its end.
+    top: f64,
+    /// ∫f ds from the axis to each place.
+    sums: Nodal,
+}
+
+/// What a series of a part leaves, over f at its end, and halvings of a part.
+const LEFT: f64 = 1e-14;
+const MOST_HALVINGS: u32 = 40;
 
 impl<'a> Fresh<'a> {
     pub(super) fn of(profile: &'a Profile) -> Self {
         let rim = profile.rim();
         let profile = profile.face();
-        let mut running = Vec::new();
+        let (mut running, mut parts) = (Vec::new(), Vec::new());
         if let Profile::Table(shape) = profile {
             let mut sum = 0.0;
             let knots = profile.breaks(shape.reach());
             running.push((0.0, 0.0));
             for pair in knots.windows(2) {
-                sum += stretch(profile, pair[0], pair[1]);
+                sum = cut(profile, (pair[0], pair[1]), sum, MOST_HALVINGS, &mut parts);
                 running.push((pair[1], sum));
             }
         }
-        Self { profile, rim, running }
+        Self { profile, rim, running, parts }
     }
 
     /// Φ(a) (m²) at a place a, with Δ = f(a).
@@ -49,10 +66,23 @@ impl<'a> Fresh<'a> {
             Profile::PowerLaw { exponent, .. } => cylinder / (exponent + 1.0),
             Profile::FlatPunch { .. } | Profile::Rimmed { .. } => 0.0,
             Profile::Table(_) => {
-                let next = self.running.partition_point(|(place, _)| *place <= a).max(1);
-                let (place, sum) = self.running.get(next - 1).copied().unwrap_or_default();
-                sum + stretch(self.profile, place, a)
+                let Some(part) = self.parts.get(self.parts.partition_point(|part| part.high < a)) else {
+                    let (place, sum) = self.running.last().copied().unwrap_or_default();
+                    return sum + stretch(self.profile, place, a);
+                };
+                dot(&GRID.at(a - part.low, part.high - a), &part.sums)
             }
+        }
+    }
+
+    /// Where the undeformed surface lies at a depth, as [`Line::virgin_edge`]: a table is looked up.
+    pub(super) fn edge(&self, line: &Line<'_>, depth: f64, from: f64) -> Result<f64, Refusal> {
+        match self.parts.get(self.parts.partition_point(|part| part.top < depth)) {
+            Some(part) if part.high > from && part.high <= self.rim => {
+                let low = part.low.max(from);
+                Ok(if self.profile.line(low) >= depth { low } else { self.profile.inverse_coordinate(depth, low, part.high) })
+            }
+            _ => line.virgin_edge(depth, from),
         }
     }
 
@@ -112,6 +142,20 @@ impl<'a> Fresh<'a> {
         }
         Ok(profile.line(place))
     }
+}
+
+/// The parts between two places without a point of a table between them, with ∫f ds up to the first; up to the last one.
+fn cut(profile: &Profile, (low, high): (f64, f64), before: f64, halvings: u32, parts: &mut Vec<Part>) -> f64 {
+    let heights: Nodal = std::array::from_fn(|k| profile.line(place_of(low, high, k)));
+    let top = heights[NODES - 1];
+    if GRID.tail(&heights) > LEFT * top && halvings > 0 {
+        let middle = 0.5 * (low + high);
+        let there = cut(profile, (low, middle), before, halvings - 1, parts);
+        return cut(profile, (middle, high), there, halvings - 1, parts);
+    }
+    let sums = GRID.running(&heights).map(|sum| before + (high - low) * sum);
+    parts.push(Part { low, high, top, sums });
+    sums[NODES - 1]
 }
 
 /// ∫f ds between two places without a point of a table between them.

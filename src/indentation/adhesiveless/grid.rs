@@ -108,6 +108,11 @@ impl Grid {
         (0.25 * PI * (1.0 + xi)).sin().powi(2)
     }
 
+    /// ∫ of values over the width from the low end to each place.
+    pub(super) fn running(&self, values: &Nodal) -> Nodal {
+        self.running.map(|row| dot(&row, values))
+    }
+
     /// ∫ of values over the width from the low end on.
     pub(super) fn integral_to(&self, xi: f64, values: &Nodal) -> f64 {
         basis(&self.xi, xi).iter().zip(&self.running).map(|(weight, row)| weight * dot(row, values)).sum()
@@ -125,14 +130,16 @@ impl Grid {
 }
 
 pub(super) fn dot(weights: &Nodal, values: &[f64]) -> f64 {
-    // Three sums at a time: one waits for itself.
-    let mut sums = [0.0; 3];
-    for (weights, values) in weights.chunks_exact(3).zip(values.chunks_exact(3)) {
-        for ((sum, weight), value) in sums.iter_mut().zip(weights).zip(values) {
-            *sum += weight * value;
+    let Ok(values) = <&Nodal>::try_from(values) else { return 0.0 };
+    // Four sums at a time: one waits for itself.
+    let mut sums = [0.0; 4];
+    for k in 0..NODES / 4 {
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            *sum += weights[4 * k + lane] * values[4 * k + lane];
         }
     }
-    sums[0] + sums[1] + sums[2]
+    let rest = weights[NODES - 1] * values[NODES - 1];
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 /// Weights of the barycentric formula of Chebyshev's points with both ends.

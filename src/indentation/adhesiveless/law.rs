@@ -9,14 +9,15 @@
 //!
 //! where c_F F/2E∞* + c_Δ Δ is imposed: convex in y, so that Newton's steps from above go straight down. A duration of zero makes ℛ one: a step.
 
-use super::drive::{DEGREE, means};
+use super::drive::{DEGREE, decayed, means};
 use super::edge::Way;
 use super::fresh::Fresh;
 use super::line::Line;
-use super::linear::{Row, Square, solved};
+use super::linear::{Row, Square, eliminated, solved, transposed};
 use super::rising::{Reached, Rising};
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 const MOST_ITERATIONS: u32 = 200;
 /// An excess over what is imposed that tells the way of the edge.
@@ -52,9 +53,14 @@ pub(super) struct Met {
     pub(super) noise: f64,
 }
 
+static PLACES: LazyLock<Row> =
+    LazyLock::new(|| std::array::from_fn(|k| if k + 1 == DEGREE { 1.0 } else { 0.5 - 0.5 * (PI * (k as f64 + 1.0) / DEGREE as f64).cos() }));
+/// Powers 1… of the parts of a duration, node after node.
+static POWERS: LazyLock<Square> = LazyLock::new(|| places().map(|node| std::array::from_fn(|l| node.powi(l as i32 + 1))));
+
 /// Parts of a duration at which its nodes lie.
 pub(super) fn places() -> Row {
-    std::array::from_fn(|k| if k + 1 == DEGREE { 1.0 } else { 0.5 - 0.5 * (PI * (k as f64 + 1.0) / DEGREE as f64).cos() })
+    *PLACES
 }
 
 pub(super) struct Law<'l, 'a> {
@@ -70,28 +76,29 @@ impl<'l, 'a> Law<'l, 'a> {
     pub(super) fn new(line: &'l Line<'a>, fresh: &'l Fresh<'a>, duration: f64) -> Self {
         let chain = line.chain;
         let nodes = places();
-        let kept = nodes.map(|node| chain.maxwell.iter().map(|(_, rho)| (-node * duration / rho).exp()).collect::<Vec<f64>>());
-        let recovered = nodes.map(|node| chain.voigt.iter().map(|(rate, _)| (-node * duration * rate).exp()).collect());
+        let kept = nodes.map(|node| chain.maxwell.iter().map(|(_, rho)| decayed(node * duration / rho)).collect::<Vec<f64>>());
+        let recovered = nodes.map(|node| chain.voigt.iter().map(|(rate, _)| decayed(node * duration * rate)).collect());
         let soft = chain.relaxed / chain.glassy;
         // ℛ of the powers of the time, then of values at the nodes.
         let mut of_powers: Square = [[0.0; DEGREE]; DEGREE];
-        for ((row, node), kept) in of_powers.iter_mut().zip(nodes).zip(&kept) {
+        let powers: &Square = &POWERS;
+        for (((row, node), kept), powers) in of_powers.iter_mut().zip(nodes).zip(&kept).zip(powers) {
             let mut factors = [soft; DEGREE];
             for ((modulus, rho), kept) in chain.maxwell.iter().zip(kept) {
                 for (factor, mean) in factors.iter_mut().zip(means(node * duration / rho, *kept)) {
                     *factor += modulus / chain.glassy * mean;
                 }
             }
-            let mut power = 1.0;
-            for (value, factor) in row.iter_mut().zip(factors) {
-                power *= node;
+            for ((value, factor), power) in row.iter_mut().zip(factors).zip(powers) {
                 *value = factor * power;
             }
         }
-        let powers: Square = nodes.map(|node| std::array::from_fn(|l| node.powi(l as i32 + 1)));
-        // ℛ = (of powers)(powers)⁻¹: ℛ⁻¹ = (powers)(of powers)⁻¹, row by row from the transposed system.
-        let transposed: Square = std::array::from_fn(|k| std::array::from_fn(|l| of_powers[l][k]));
-        let inverse = powers.map(|row| solved(transposed, row));
+        // ℛ = (of powers)(powers)⁻¹: ℛ⁻¹ = (powers)(of powers)⁻¹, from the transposed system. What goes on at once jumps, which powers tell badly: ℛ is one.
+        let inverse = if duration == 0.0 {
+            std::array::from_fn(|k| std::array::from_fn(|l| if k == l { 1.0 } else { 0.0 }))
+        } else {
+            transposed(&eliminated(transposed(&of_powers), transposed(powers)))
+        };
         Self { line, fresh, soft, inverse, kept, recovered }
     }
 
@@ -109,8 +116,8 @@ impl<'l, 'a> Law<'l, 'a> {
     pub(super) fn met(&self, asked: Asked, target: &Row) -> Result<Option<Met>, Refusal> {
         let line = self.line;
         let a = line.radius();
-        let inside: Vec<Rising> = self.kept.iter().map(|kept| line.holding(kept)).collect();
-        let outside = || self.recovered.iter().map(|recovered| line.surfaces(recovered)).collect::<Vec<Rising>>();
+        let inside = line.holding(&self.kept);
+        let outside = || line.surfaces(&self.recovered);
         let (of_force, of_depth) = match asked {
             Asked::Radius => return self.met_radius(&inside, &outside(), target).map(Some),
             Asked::Load { of_force, of_depth } => (of_force, of_depth),
@@ -134,14 +141,15 @@ impl<'l, 'a> Law<'l, 'a> {
 
     /// Δ that keeps S at the edge at zero: the edge rests, and a punch presses nothing.
     pub(super) fn resting(&self) -> Met {
-        self.staying(&std::array::from_fn(|k| self.line.holding(&self.kept[k]).last().unwrap_or(0.0)))
+        let inside = self.line.holding(&self.kept);
+        self.staying(&std::array::from_fn(|k| inside[k].last().unwrap_or(0.0)))
     }
 
     fn staying(&self, stays: &Row) -> Met {
         Met { way: Way::Inwards, depths: self.depths_of(stays), places: [self.line.radius(); DEGREE], rests: true, noise: 0.0 }
     }
 
-    fn inwards(&self, inside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
+    fn inwards(&self, inside: &[Rising<'_>], (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
         let (line, start) = (self.line, self.line.penetration);
         let (a, rim) = (line.radius(), line.profile.rim());
         let base = self.undone(&[self.soft * start; DEGREE]);
@@ -155,7 +163,7 @@ impl<'l, 'a> Law<'l, 'a> {
         Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
-    fn outwards(&self, outside: &[Rising], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
+    fn outwards(&self, outside: &[Rising<'_>], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
         let (line, chain) = (self.line, self.line.chain);
         let a = line.radius();
         let strains = line.free_strains();
@@ -175,7 +183,7 @@ impl<'l, 'a> Law<'l, 'a> {
             let known = level.min(top);
             let mut reached = outside[k].reached(known);
             if reached.beyond && reached.place < line.profile.rim() {
-                let (from, to) = (reached.place, line.virgin_edge(known, reached.place)?);
+                let (from, to) = (reached.place, self.fresh.edge(line, known, reached.place)?);
                 let beyond = known * (to - from) - (self.fresh.integral(to) - self.fresh.integral(from));
                 reached = Reached { area: reached.area + beyond, place: to, beyond: false };
             }
@@ -217,7 +225,7 @@ impl<'l, 'a> Law<'l, 'a> {
         // Levels that are not too low.
         let mut above = level;
         for _ in 0..MOST_ITERATIONS {
-            let along = self.undone(&level);
+            let along = if of_depth == 0.0 { level } else { self.undone(&level) };
             let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
             for k in 0..DEGREE {
                 let there = reached(k, level[k])?;

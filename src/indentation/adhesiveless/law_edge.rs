@@ -8,7 +8,7 @@ use super::rising::Rising;
 use crate::refusal::Refusal;
 
 impl Law<'_, '_> {
-    pub(super) fn met_radius(&self, inside: &[Rising], outside: &[Rising], radii: &Row) -> Result<Met, Refusal> {
+    pub(super) fn met_radius(&self, inside: &[Rising<'_>], outside: &[Rising<'_>], radii: &Row) -> Result<Met, Refusal> {
         let line = self.line;
         let a = line.radius();
         let rising = radii[DEGREE - 1] > a || a == 0.0;
@@ -42,11 +42,10 @@ impl Law<'_, '_> {
     pub(super) fn passes(&self, met: &Met) -> Option<f64> {
         let a = self.line.radius();
         let end = met.places[DEGREE - 1];
-        let (inside, outside) = (self.line.holding(&self.kept[0]), self.line.surfaces(&self.recovered[0]));
         let knots = self.fresh.knots(a, end);
-        let first = inside
+        let first = self
+            .line
             .borders(a, end)
-            .chain(outside.borders(a, end))
             .chain(knots)
             .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
         let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();

@@ -1,7 +1,7 @@
 //! What a time along a drive does to all points alike.
 
 use super::chain::Chain;
-use super::drive::{Drive, LONGEST_SERIES, Series};
+use super::drive::{Drive, Gain, decayed};
 
 /// Everything that a time since the start of a drive does, to all points alike.
 #[derive(Debug, Clone)]
@@ -15,11 +15,11 @@ pub(super) struct Moment {
     pub(super) gained: Vec<f64>,
     /// e^{−x/τ_j}.
     pub(super) recovered: Vec<f64>,
-    /// The drive that it is of, and what slow terms gain along it as powers of the time; none of other terms.
+    /// The drive that it is of, and what slow and fast terms gain along it; none of other terms.
     pub(super) of: Option<Drive>,
-    pub(super) series: Vec<Option<Series>>,
+    pub(super) series: Vec<Option<Gain>>,
     /// Their sums by what they weigh in S and in what S loses a second.
-    pub(super) sums: [Series; 2],
+    pub(super) sums: [Gain; 2],
 }
 
 impl Default for Moment {
@@ -34,13 +34,9 @@ impl Default for Moment {
             recovered,
             of: None,
             series: Vec::new(),
-            sums: [([0.0; LONGEST_SERIES], 0); 2],
+            sums: [Gain::NONE; 2],
         }
     }
-}
-
-fn of_series((powers, used): &Series, y: f64) -> f64 {
-    powers.iter().take(*used).rev().fold(0.0, |sum, power| (sum + power) * y)
 }
 
 impl Moment {
@@ -55,7 +51,7 @@ impl Moment {
     pub(super) fn set_free(&mut self, chain: &Chain, drive: &Drive, x: f64) {
         (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
         self.recovered.clear();
-        self.recovered.extend(chain.voigt.iter().map(|&(rate, _)| (-rate * x).exp()));
+        self.recovered.extend(chain.voigt.iter().map(|&(rate, _)| decayed(rate * x)));
     }
 
     /// What is the same at all times of a drive.
@@ -66,15 +62,12 @@ impl Moment {
         self.of = Some(*drive);
         self.series.clear();
         self.series.extend(chain.maxwell.iter().map(|&(_, rho)| drive.series(rho)));
-        self.sums = [([0.0; LONGEST_SERIES], 0); 2];
+        self.sums = [Gain::NONE; 2];
         for (&(modulus, rho), series) in chain.maxwell.iter().zip(&self.series) {
-            let Some((powers, used)) = series else { continue };
+            let Some(series) = series else { continue };
             let share = modulus / chain.glassy;
-            for ((sum, longest), weight) in self.sums.iter_mut().zip([share, share / rho]) {
-                *longest = (*longest).max(*used);
-                for (sum, power) in sum.iter_mut().zip(powers).take(*used) {
-                    *sum += weight * power;
-                }
+            for (sum, weight) in self.sums.iter_mut().zip([share, share / rho]) {
+                sum.add(weight, series);
             }
         }
     }
@@ -83,13 +76,16 @@ impl Moment {
     pub(super) fn pressing(&mut self, chain: &Chain, drive: &Drive, height: f64, state: &[f64], x: f64) -> (f64, f64) {
         self.prepare(chain, drive);
         let y = x / drive.duration;
-        let [gained, losing] = self.sums.map(|series| of_series(&series, y));
+        let [gained, losing] = self.sums.each_ref().map(|sum| sum.steady(y));
         let mut value = chain.relaxed / chain.glassy * (drive.value(x) - height) + gained;
         let mut slope = drive.rate(x) - losing;
         for ((&(modulus, rho), u), series) in chain.maxwell.iter().zip(state).zip(&self.series) {
-            let kept = (-x / rho).exp();
-            let own = if series.is_some() { 0.0 } else { drive.gained(rho, x, kept) };
-            let share = modulus / chain.glassy * (u * kept + own);
+            let kept = decayed(x / rho);
+            let own = match series {
+                Some(series) => (u - series.lag()) * kept,
+                None => u * kept + drive.gained(rho, x, kept),
+            };
+            let share = modulus / chain.glassy * own;
             value += share;
             slope -= share / rho;
         }
@@ -104,10 +100,10 @@ impl Moment {
         self.gained.clear();
         let y = x / drive.duration;
         for (&(_, rho), series) in chain.maxwell.iter().zip(&self.series) {
-            let kept = (-x / rho).exp();
+            let kept = decayed(x / rho);
             self.kept.push(kept);
             self.gained.push(match series {
-                Some(series) => of_series(series, y),
+                Some(series) => series.steady(y) - series.lag() * kept,
                 None => drive.gained(rho, x, kept),
             });
         }

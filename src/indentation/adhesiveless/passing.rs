@@ -1,11 +1,11 @@
 //! What the edge does to the chains that it passes: each at its own time.
 
-use super::drive::Drive;
+use super::drive::{Drive, decayed};
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
 use super::line::{Line, NARROWEST, Stretch};
 use super::moment::Moment;
-use super::times::{leaving, touching};
+use super::times::{Guesses, leaving, touching};
 use crate::refusal::Refusal;
 
 /// Where the edge is imposed to be: a quantity that goes one way, from a time of it on.
@@ -59,7 +59,7 @@ impl Line<'_> {
         let end = Moment::new(self.chain, drive, drive.duration);
         let this = self.without_stretches();
         let to = edge.map(|edge| edge.place(drive.duration));
-        let (mut moment, mut scratch, mut guess) = (Moment::default(), Vec::new(), 0.0);
+        let (mut moment, mut scratch, mut guesses) = (Moment::default(), Vec::new(), Guesses::default());
         match way {
             Way::Inwards => self.recede(&end, to, &mut |place, height, state| {
                 let time = if let Some(edge) = edge {
@@ -67,15 +67,15 @@ impl Line<'_> {
                     moment.set(this.chain, drive, time);
                     time
                 } else {
-                    leaving(&this, drive, height, state, drive.duration, guess, &mut moment)
+                    leaving(&this, drive, height, state, drive.duration, guesses.next(place), &mut moment)
                 };
-                guess = time;
+                guesses.found(time);
                 for ((u, kept), gained) in state.iter_mut().zip(&moment.kept).zip(&moment.gained) {
                     *u = *u * kept + gained;
                 }
                 this.chain.released(moment.depth - height, state, &mut scratch);
                 for (e, &(rate, _)) in state.iter_mut().zip(&this.chain.voigt) {
-                    *e *= (-rate * (drive.duration - time)).exp();
+                    *e *= decayed(rate * (drive.duration - time));
                 }
             }),
             Way::Outwards => self.advance(&end, to, &mut |place, height, state| {
@@ -84,9 +84,9 @@ impl Line<'_> {
                     moment.set_free(this.chain, drive, time);
                     time
                 } else {
-                    touching(&this, drive, height, state, guess, &mut moment)
+                    touching(&this, drive, height, state, guesses.next(place), &mut moment)
                 };
-                guess = time;
+                guesses.found(time);
                 for (e, kept) in state.iter_mut().zip(&moment.recovered) {
                     *e *= kept;
                 }
@@ -94,7 +94,7 @@ impl Line<'_> {
                 moment.set(this.chain, drive, time);
                 let passed = moment.gained.iter().zip(&this.chain.maxwell).zip(&end.gained);
                 for (u, ((gained, &(_, rho)), whole)) in state.iter_mut().zip(passed) {
-                    let kept = (-(drive.duration - time) / rho).exp();
+                    let kept = decayed((drive.duration - time) / rho);
                     *u = *u * kept + (whole - gained * kept);
                 }
             })?,

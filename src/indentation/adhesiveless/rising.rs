@@ -1,23 +1,20 @@
 //! A function that rises along the line from a place on, and how far and how much a level is above it: ∫(y − p)₊ ds.
 
-use super::grid::{GRID, NODES, Nodal, dot};
-use super::line::Line;
+use super::drive::DEGREE;
+use super::grid::{GRID, NODES, dot};
+use super::line::{Line, Stretch};
 
-struct Piece {
-    low: f64,
-    /// Not low + width, which may be less by rounding.
-    high: f64,
-    width: f64,
-    values: Nodal,
-    /// ∫p ds up to it.
-    before: f64,
-}
-
-/// p(s).
-pub(super) struct Rising {
+/// p(s): a share of the heights and one of each term, stretch after stretch. Its values within a stretch are added up where they are asked for.
+pub(super) struct Rising<'l> {
     start: f64,
-    pieces: Vec<Piece>,
-    /// ∫p ds over all pieces.
+    stretches: &'l [Stretch],
+    of_heights: f64,
+    of_terms: Vec<f64>,
+    /// p where the first stretch starts, and where each one ends.
+    first: Option<f64>,
+    ends: Vec<f64>,
+    /// ∫p ds up to each stretch, and over all.
+    before: Vec<f64>,
     whole: f64,
 }
 
@@ -26,77 +23,99 @@ pub(super) struct Rising {
 pub(super) struct Reached {
     pub(super) area: f64,
     pub(super) place: f64,
-    /// Whether it is above the last piece too.
+    /// Whether it is above the last stretch too.
     pub(super) beyond: bool,
 }
 
-impl Rising {
-    fn new(start: f64, stretches: impl Iterator<Item = (f64, f64, Nodal)>) -> Self {
-        let mut rising = Self { start, pieces: Vec::new(), whole: 0.0 };
-        for (low, high, values) in stretches {
-            let width = high - low;
-            rising.pieces.push(Piece { low, high, width, values, before: rising.whole });
-            rising.whole += width * GRID.integral(&values);
-        }
-        rising
+/// ∫ds of the heights of a stretch and of each of its terms.
+fn integrals(stretch: &Stretch, terms: usize) -> impl Iterator<Item = f64> {
+    let of_terms = (0..terms).map(|index| dot(&GRID.weights, stretch.term(index)));
+    std::iter::once(GRID.integral(&stretch.heights)).chain(of_terms).map(|sum| stretch.width() * sum)
+}
+
+impl<'l> Rising<'l> {
+    /// One for each node of a panel, with its shares.
+    fn all(start: f64, stretches: &'l [Stretch], of_heights: f64, shares: [Vec<f64>; DEGREE]) -> [Self; DEGREE] {
+        let terms = shares[0].len();
+        let sums: Vec<f64> = stretches.iter().flat_map(|stretch| integrals(stretch, terms)).collect();
+        shares.map(|of_terms| {
+            let at = |stretch: &Stretch, k: usize| {
+                let terms = of_terms.iter().enumerate().map(|(index, share)| share * stretch.term(index).get(k).copied().unwrap_or(0.0));
+                of_heights * stretch.heights[k] + terms.sum::<f64>()
+            };
+            let first = stretches.first().map(|stretch| at(stretch, 0));
+            let ends = stretches.iter().map(|stretch| at(stretch, NODES - 1)).collect();
+            let mut whole = 0.0;
+            let mut before = Vec::with_capacity(stretches.len());
+            for sums in sums.chunks_exact(terms + 1) {
+                before.push(whole);
+                let terms = of_terms.iter().zip(sums.iter().skip(1)).map(|(share, sum)| share * sum);
+                whole += of_heights * sums.first().copied().unwrap_or(0.0) + terms.sum::<f64>();
+            }
+            Self { start, stretches, of_heights, of_terms, first, ends, before, whole }
+        })
     }
 
-    pub(super) fn first(&self) -> Option<f64> {
-        self.pieces.first().map(|piece| piece.values[0])
+    pub(super) const fn first(&self) -> Option<f64> {
+        self.first
     }
 
     pub(super) fn last(&self) -> Option<f64> {
-        self.pieces.last().map(|piece| piece.values[NODES - 1])
+        self.ends.last().copied()
     }
 
     pub(super) fn end(&self) -> f64 {
-        self.pieces.last().map_or(self.start, |piece| piece.high)
+        self.stretches.last().map_or(self.start, |stretch| stretch.high)
     }
 
-    /// The whole area between a level and all pieces, above or below.
+    /// The whole area between a level and all stretches, above or below.
     pub(super) fn under(&self, level: f64) -> f64 {
         level * (self.end() - self.start) - self.whole
     }
 
     pub(super) fn reached(&self, level: f64) -> Reached {
-        if self.first().is_some_and(|first| level <= first) {
+        if self.first.is_some_and(|first| level <= first) {
             return Reached { area: 0.0, place: self.start, beyond: false };
         }
-        let Some(piece) = self.pieces.get(self.pieces.partition_point(|piece| piece.values[NODES - 1] < level)) else {
+        let index = self.ends.partition_point(|end| *end < level);
+        let (Some(stretch), Some(before)) = (self.stretches.get(index), self.before.get(index)) else {
             return Reached { area: self.under(level), place: self.end(), beyond: true };
         };
-        let xi = GRID.falling_zero(&piece.values.map(|value| level - value));
-        let place = piece.low + piece.width * GRID.part(xi);
-        let own = piece.width * GRID.integral_to(xi, &piece.values);
-        Reached { area: level * (place - self.start) - (piece.before + own), place, beyond: false }
+        let values = stretch.weighted(self.of_heights, &self.of_terms);
+        let xi = GRID.falling_zero(&values.map(|value| level - value));
+        let place = stretch.low + stretch.width() * GRID.part(xi);
+        let own = stretch.width() * GRID.integral_to(xi, &values);
+        Reached { area: level * (place - self.start) - (before + own), place, beyond: false }
     }
 
-    /// p at a place; none beyond the last piece.
+    /// p at a place; none beyond the last stretch.
     pub(super) fn value(&self, place: f64) -> Option<f64> {
-        let piece = self.pieces.iter().find(|piece| place <= piece.high)?;
-        Some(dot(&GRID.at(place - piece.low, piece.high - place), &piece.values))
-    }
-
-    /// Places between two at which pieces meet.
-    pub(super) fn borders(&self, one: f64, other: f64) -> impl Iterator<Item = f64> {
-        let (low, high) = (one.min(other), one.max(other));
-        let clear = 1e-9 * high;
-        let ends = self.pieces.iter().flat_map(|piece| [piece.low, piece.high]);
-        ends.filter(move |place| *place > low + clear && *place < high - clear)
+        let stretch = self.stretches.iter().find(|stretch| place <= stretch.high)?;
+        let values = stretch.weighted(self.of_heights, &self.of_terms);
+        Some(dot(&GRID.at(place - stretch.low, stretch.high - place), &values))
     }
 }
 
 impl Line<'_> {
     /// What κ = ΣE_i(all that Δ has done)/E∞* must exceed for a place in contact to press: E0/E∞*·f − ΣE_i/E∞* u_i e^{−t/ρ_i}.
-    pub(super) fn holding(&self, kept: &[f64]) -> Rising {
+    pub(super) fn holding(&self, kept: &[Vec<f64>; DEGREE]) -> [Rising<'_>; DEGREE] {
         let soft = self.chain.relaxed / self.chain.glassy;
-        let weights: Vec<f64> =
-            self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect();
-        Rising::new(0.0, self.contact.iter().map(|stretch| (stretch.low, stretch.high, stretch.weighted(soft, &weights))))
+        let shares = kept.each_ref().map(|kept| {
+            self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect()
+        });
+        Rising::all(0.0, &self.contact, soft, shares)
     }
 
     /// What Δ must exceed for a free place to be touched: f + Σe_j e^{−t/τ_j}.
-    pub(super) fn surfaces(&self, recovered: &[f64]) -> Rising {
-        Rising::new(self.radius(), self.free.iter().map(|stretch| (stretch.low, stretch.high, stretch.weighted(1.0, recovered))))
+    pub(super) fn surfaces(&self, recovered: &[Vec<f64>; DEGREE]) -> [Rising<'_>; DEGREE] {
+        Rising::all(self.radius(), &self.free, 1.0, recovered.clone())
+    }
+
+    /// Places between two at which stretches meet.
+    pub(super) fn borders(&self, one: f64, other: f64) -> impl Iterator<Item = f64> {
+        let (low, high) = (one.min(other), one.max(other));
+        let clear = 1e-9 * high;
+        let ends = self.contact.iter().chain(&self.free).flat_map(|stretch| [stretch.low, stretch.high]);
+        ends.filter(move |place| *place > low + clear && *place < high - clear)
     }
 }

@@ -1,7 +1,7 @@
 //! A contact without adhesion with errors: a course, judged by a coarser one.
 
 use super::chain::Chain;
-use super::course::{Course, Fineness};
+use super::course::{Course, Fineness, Unknown};
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::fields::SurfaceFields;
@@ -44,7 +44,7 @@ pub(in crate::indentation) fn solve(
 ) -> Result<IndentationSolution, Refusal> {
     let chain = Chain::new(material)?;
     let mut work = IndentationWork::default();
-    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, f64), Refusal> {
+    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, Unknown), Refusal> {
         Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
     };
     let (mut coarse, _) = course(0, &[])?;
@@ -61,7 +61,7 @@ pub(in crate::indentation) fn solve(
     let mut solution = verdict.solution(work);
     // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
     solution.largest_tension = None;
-    widen(&mut solution, &chain, problem, unknown);
+    widen(&mut solution, &chain, problem, &unknown);
     Ok(solution)
 }
 
@@ -75,17 +75,19 @@ pub(in crate::indentation) fn course(material: &Material, problem: &IndentationP
 }
 
 /// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
-/// is f′ in a fresh contact and at least f′/β.
-fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, unknown: f64) {
+/// is f′ in a fresh contact and at least f′/β: it is known at the instants.
+fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown) {
+    let unknown = not_known.strain;
     let given = !problem.history.controls(Controlled::Force);
     let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
     let of_depth = if given { 0.0 } else { unknown };
     let of_force = |a: f64| 2.0 * a * chain.glassy * unknown;
-    let of_edge = |a: f64| {
-        let slope = problem.profile.line_slope(a);
+    let of_edge = |a: f64, own: Option<f64>| {
+        let least = problem.profile.line_slope(a) / softest;
+        let slope = own.unwrap_or(0.0).max(least);
         // An edge is known no worse than the whole contact.
-        if a > 0.0 && slope > 0.0 { (softest * unknown / slope).min(a) } else { 0.0 }
+        if a > 0.0 && slope > 0.0 { (unknown / slope).min(a) } else { 0.0 }
     };
     // What is imposed at each instant: an edge that is imposed is known.
     let kept = |segment: &Segment| {
@@ -95,18 +97,19 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     let first = std::iter::once((problem.history.controlled, 1));
     let imposed =
         first.chain(problem.history.segments.iter().map(kept)).flat_map(|(controlled, times)| std::iter::repeat_n(controlled, times));
-    for (instant, controlled) in solution.instants.iter_mut().zip(imposed) {
+    let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
+    for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth);
         wider(&mut instant.force, of_force(a));
-        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a) });
+        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
     }
     for cycle in &mut solution.cycles {
         for k in 0..2 {
             let a = cycle.contact_radius[k].value;
             wider(&mut cycle.penetration[k], of_depth);
             wider(&mut cycle.force[k], of_force(a));
-            wider(&mut cycle.contact_radius[k], of_edge(a));
+            wider(&mut cycle.contact_radius[k], of_edge(a, None));
         }
     }
     let depth = solution.march.summary.scales[0];

@@ -76,6 +76,21 @@ impl Line<'_> {
         (least, at_edge / depth)
     }
 
+    /// How steeply S falls at the edge, on the side where it falls less.
+    pub(super) fn slope_at_edge(&self) -> f64 {
+        let falls = |values: [f64; 2], places: [f64; 2]| (values[0] - values[1]) / (places[1] - places[0]);
+        let virgin = self.profile.line_slope(self.radius());
+        let inside = self.contact.last().map_or(virgin, |stretch| {
+            let load = self.load(stretch).map(|load| load / self.chain.glassy);
+            falls([load[NODES - 2], load[NODES - 1]], [stretch.place(NODES - 2), stretch.high])
+        });
+        let outside = self.free.first().map_or(virgin, |stretch| {
+            let surface = stretch.weighted(-1.0, &vec![-1.0; self.chain.terms()]);
+            falls([surface[0], surface[1]], [stretch.low, stretch.place(1)])
+        });
+        inside.min(outside)
+    }
+
     /// The largest difference of two lines in any strain of a dashpot (m).
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let terms = self.chain.terms();

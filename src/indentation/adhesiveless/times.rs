@@ -1,11 +1,13 @@
 //! When a chain leaves contact or is touched, as the zero of its own S.
 
-use super::drive::Drive;
+use super::drive::{Drive, decayed};
 use super::line::Line;
 use super::moment::Moment;
 
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
+/// A step over the time that is told from none, with a margin.
+const SETTLED: f64 = 0.01 * f64::EPSILON;
 
 /// When a chain in contact with u_i (now) leaves: `moment` is then set to it.
 pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
@@ -26,7 +28,7 @@ pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64
         for (&(rate, _), e) in chain.voigt.iter().zip(state) {
             // What has recovered counts no more.
             if *e != 0.0 {
-                let left = e * (-rate * time).exp();
+                let left = e * decayed(rate * time);
                 value -= left;
                 slope += rate * left;
             }
@@ -37,11 +39,43 @@ pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64
     time
 }
 
+/// Times of chain after chain along a stretch, each of which is guessed from those before it: they are smooth from place to place of its grid.
+#[derive(Default)]
+pub(super) struct Guesses {
+    place: f64,
+    /// The latest first.
+    times: [f64; 4],
+    known: usize,
+}
+
+impl Guesses {
+    pub(super) fn next(&mut self, place: f64) -> f64 {
+        // Places fall, or stand still, where another stretch begins.
+        if place <= self.place {
+            self.known = self.known.min(1);
+        }
+        self.place = place;
+        let [last, second, third, fourth] = self.times;
+        match self.known {
+            0 | 1 => last,
+            2 => 2.0 * last - second,
+            3 => 3.0 * (last - second) + third,
+            _ => 4.0 * (last + third) - 6.0 * second - fourth,
+        }
+    }
+
+    pub(super) fn found(&mut self, time: f64) {
+        let [last, second, third, _] = self.times;
+        self.times = [time, last, second, third];
+        self.known += 1;
+    }
+}
+
 /// The time of 0…`by` at which a function rises through zero, by Newton's steps within a bracket.
 fn rising_zero(by: f64, guess: f64, function: &mut dyn FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (0.0, by);
     let mut time = if guess > 0.0 && guess < by { guess } else { by };
-    let (mut step, mut last_step) = (by, by);
+    let (mut step, mut last_step, mut newtons) = (by, by, false);
     for _ in 0..MOST_ITERATIONS {
         let (value, slope) = function(time);
         if value == 0.0 {
@@ -76,6 +110,11 @@ fn rising_zero(by: f64, guess: f64, function: &mut dyn FnMut(f64) -> (f64, f64))
             break;
         }
         time = next;
+        // Newton's next step would be as much smaller as the square of this one's part of the last one.
+        if fine && newtons && step * (step / last_step).powi(2) <= SETTLED * time {
+            break;
+        }
+        newtons = fine;
         if high <= 1e-25 * by {
             return 0.0;
         }

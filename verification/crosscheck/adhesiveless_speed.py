@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""How many times faster one program solves indentation without adhesion than another one: both in one run, one after the other, again and again.
+
+    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS]
+
+`whole`: wall-clock time of `viscotack run`, the least of all repeats. `solver`: the same without that of `viscotack --version` of the same binary.
+Both programs must give the same values, within the error bounds of both; a scene that one of them does not solve has no ratio.
+"""
+
+import argparse
+import json
+import math
+import os
+import subprocess
+import tempfile
+import time
+
+SHAPES = {
+    "sphere": "sphere = {}",
+    "cone": "cone = { slope = 0.1 }",
+    "power": "power_law = { exponent = 4.0 }",
+    "table": 'profile = "shape.csv"',
+}
+CONTROLS = {
+    # Approach, hold, partial retraction, approach again.
+    "penetration": ("penetration", [(0.01, 1.0), (None, 3.0), (0.005, 0.5), (0.012, 2.0)]),
+    "force": ("force", [(1.0, 1.0), (None, 10.0), (0.3, 2.0), (1.2, 3.0)]),
+    "frame": ("frame", [(0.02, 1.0), (None, 10.0), (0.008, 2.0), (0.025, 3.0)]),
+}
+# A force that presses each shape as deep as the other controls do.
+FORCES = {"sphere": 1e-3, "cone": 1e-3, "power": 3e-3, "table": 1e-3}
+
+
+def material(terms):
+    """Terms a decade apart that stiffen tenfold together."""
+    series = ", ".join(f"{{ fraction = {1.0 / terms!r}, relaxation_time = {10.0 ** (k - terms // 2)!r} }}" for k in range(terms))
+    return f"[material]\npoisson_ratio = 0.5\nglassy_modulus = 10.0\nrelaxation = [{series}]\n"
+
+
+def scene(shape, terms, control, accuracy):
+    quantity, legs = CONTROLS[control]
+    lines = ['units = "reduced"', f"accuracy = {accuracy!r}", material(terms), "[indentation]", SHAPES[shape], "instants = 4"]
+    if control == "frame":
+        lines.append("frame_stiffness = 0.1")
+    scale = FORCES[shape] if control == "force" else 1.0
+    for end, duration in legs:
+        lines += ["[[history]]", f"hold = {duration!r}" if end is None else f"{quantity} = {end * scale!r}\nduration = {duration!r}"]
+    return "\n".join(lines) + "\n"
+
+
+def table():
+    """A paraboloid with a blunt tip, to a radius of 0.5."""
+    rows = [f"{r!r},{0.5 * r * r / (1.0 + (0.01 / max(r, 1e-6)) ** 2)!r}" for r in (0.5 * k / 100 for k in range(101))]
+    return "r, z\n" + "\n".join(rows) + "\n"
+
+
+def timed(command, folder):
+    start = time.perf_counter()
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    return time.perf_counter() - start, done
+
+
+def values(done):
+    """Rows at instants, or none where the program has not solved the scene."""
+    try:
+        rows = json.loads(done.stdout)["results"]
+    except ValueError:
+        return None
+    if done.returncode != 0:
+        return None
+    return [row["values"] for row in rows if row["row"] == "instant"]
+
+
+def apart(old, new):
+    """The largest difference of both programs over the bounds of both, and over the largest value."""
+    if len(old) != len(new):
+        return math.inf, math.inf
+    most, over_scale = 0.0, 0.0
+    for name in ("penetration", "force", "contact_radius"):
+        scale = max(abs(row[name]["value"]) for row in new)
+        for one, other in zip(old, new):
+            one, other = one[name], other[name]
+            difference = abs(one["value"] - other["value"])
+            most = max(most, difference / (one["error"] + other["error"] + 1e-12 * scale))
+            over_scale = max(over_scale, difference / scale)
+    return most, over_scale
+
+
+def compared(binaries, name, text, repeats):
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "shape.csv"), "w", encoding="utf-8") as file:
+            file.write(table())
+        with open(os.path.join(folder, "scene.toml"), "w", encoding="utf-8") as file:
+            file.write(text)
+        least = {key: [math.inf, math.inf] for key in binaries}
+        found = {}
+        for key, binary in binaries.items():
+            found[key] = values(timed([binary, "run", "scene.toml", "--json"], folder)[1])
+        if any(rows is None for rows in found.values()):
+            print(f"{name:28} not solved by: {', '.join(key for key, rows in found.items() if rows is None)}")
+            return None
+        for _ in range(repeats):
+            for key, binary in binaries.items():
+                for index, arguments in enumerate((["run", "scene.toml"], ["--version"])):
+                    least[key][index] = min(least[key][index], timed([binary, *arguments], folder)[0])
+    (old, old_start), (new, new_start) = least["old"], least["new"]
+    # What is below a tenth of a millisecond is scatter of the start.
+    whole, solver = old / new, (old - old_start) / max(new - new_start, 1e-4)
+    bounds, scale = apart(found["old"], found["new"])
+    print(f"{name:28} old {old * 1e3:9.2f} ms  new {new * 1e3:7.2f} ms (start {new_start * 1e3:.2f})  whole {whole:7.1f}  solver {solver:7.1f}"
+          f"  apart {scale:.1e} ({bounds:.2g} of both bounds)", flush=True)
+    return whole, solver
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--old", required=True)
+    parser.add_argument("--new", required=True)
+    parser.add_argument("--accuracy", type=float, default=1e-6)
+    parser.add_argument("--repeats", type=int, default=15)
+    parser.add_argument("--only", nargs="*", default=[], help="words that the name of a scene must hold")
+    options = parser.parse_args()
+    binaries = {"old": os.path.abspath(options.old), "new": os.path.abspath(options.new)}
+    ratios = []
+    for control in CONTROLS:
+        for shape in SHAPES:
+            for terms in (1, 4, 12):
+                name = f"{control} {shape} {terms}"
+                if all(word in name.split() for word in options.only):
+                    ratios.append((name, compared(binaries, name, scene(shape, terms, control, options.accuracy), options.repeats)))
+    for index, word in enumerate(("whole", "solver")):
+        known = sorted((ratio[index], name) for name, ratio in ratios if ratio)
+        if known:
+            print(f"{word}: least {known[0][0]:.1f} ({known[0][1]}), median {known[len(known) // 2][0]:.1f}, "
+                  f"{sum(ratio >= 20.0 for ratio, _ in known)} of {len(known)} at least 20")
+
+
+if __name__ == "__main__":
+    main()
