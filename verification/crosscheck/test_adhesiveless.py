@@ -13,8 +13,6 @@ import pytest
 import tools
 
 ROUNDING = 2e-13
-# A Maxwell liquid under a frame that is held for 1e5 relaxation times: the contact whose load is below every digit is told to be lost (named_gaps.md).
-KNOWN = {(5, 10)}
 
 
 @pytest.fixture(scope="module")
@@ -80,8 +78,7 @@ def test_random_scenes(binary, need):
     of = study()
     results, seconds = of.study(40, 5, binary, jobs=2, truths=of.BLUNT)
     text, failed = of.report(results, seconds)
-    wrong = {(r["seed"], r["number"]) for r in results if r["wrong"] or r["skipped"]}
-    assert wrong == KNOWN and failed == len(KNOWN), text + "\n" + "\n".join(f"{r['seed']} {r['number']}: {r['wrong'] or r['skipped']}" for r in results if r["wrong"] or r["skipped"])
+    assert failed == 0, text + "\n" + "\n".join(f"{r['seed']} {r['number']}: {r['wrong'] or r['skipped']}" for r in results if r["wrong"] or r["skipped"])
     assert sum(len(r["compared"]) for r in results) > 2000, text
 
 

@@ -148,7 +148,11 @@ impl Line<'_> {
         let mut way: Option<Way> = known.map(|(way, _)| way);
         let noise = known.map_or(0.0, |(_, left)| left).max(self.noise());
         let mut before = 0.0;
-        for time in times {
+        for mut time in times {
+            if way.is_none() && self.radius() == 0.0 {
+                // A surface that recovers may touch an indenter that goes away, and let go again before it is looked at.
+                time = self.nearest(drive, (before, time), &mut moment);
+            }
             moment.set(self.chain, drive, time);
             moment.set_free(self.chain, drive, time);
             if way.is_none() {
@@ -160,7 +164,7 @@ impl Line<'_> {
                 }
                 way = Some(if inwards > outwards { Way::Inwards } else { Way::Outwards });
                 if self.radius() == 0.0 && !touched {
-                    let touch = self.touched_at(drive, &mut moment);
+                    let touch = self.touched_at(drive, time, &mut moment);
                     if touch > AT_ONCE * drive.duration {
                         self.pass_nothing(&drive.until(touch));
                         return Ok((touch, None, Ended::Touched));
@@ -194,6 +198,12 @@ impl Line<'_> {
                 way = Some(if heading == Way::Inwards { Way::Outwards } else { Way::Inwards });
                 before = time;
                 continue;
+            }
+            let whole = place.is_some_and(|place| place >= self.profile.rim()) && self.radius() < self.profile.rim();
+            if whole && known.is_none() && heading == Way::Outwards && time < drive.duration {
+                // All is touched: from now on it is what presses that tells.
+                self.pass(&drive.until(time), heading, None)?;
+                return Ok((time, way, Ended::Turned));
             }
             if place.is_none() {
                 if known.is_some_and(|(_, left)| self.hardly_lost(drive, left)) {
@@ -232,6 +242,27 @@ impl Line<'_> {
         })
     }
 
+    /// The time of an interval at which the surface and an open indenter that went towards each other part again; its end if they do not.
+    fn nearest(&self, drive: &Drive, (from, to): (f64, f64), moment: &mut Moment) -> f64 {
+        let mut closing = |time: f64| {
+            moment.set_free(self.chain, drive, time);
+            self.rate_at(0.0, moment, Way::Outwards) > 0.0
+        };
+        if !closing(from) || closing(to) {
+            return to;
+        }
+        let (mut low, mut high) = (from, to);
+        for _ in 0..MOST_ITERATIONS {
+            let middle = 0.5 * (low + high);
+            if high - low <= f64::EPSILON * high || middle <= low || middle >= high {
+                break;
+            }
+            if closing(middle) { low = middle } else { high = middle }
+        }
+        moment.set_free(self.chain, drive, low);
+        if self.at_edge(moment).1.unwrap_or(0.0) > self.noise() { low } else { to }
+    }
+
     /// When the chain on the axis leaves contact, at most at a time.
     fn lost_at(&self, drive: &Drive, by: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
@@ -241,13 +272,13 @@ impl Line<'_> {
         leaving(self, drive, stretch.heights[0], &state, by, by, &mut moment)
     }
 
-    /// When the chain on the axis is touched.
-    fn touched_at(&self, drive: &Drive, moment: &mut Moment) -> f64 {
+    /// When the chain on the axis is touched, at most at a time.
+    fn touched_at(&self, drive: &Drive, by: f64, moment: &mut Moment) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
         if let Some(stretch) = self.free.first() {
             stretch.at(0.0, &mut state);
         }
-        touching(self, drive, self.profile.line(0.0), &state, 0.0, moment)
+        touching(self, drive, self.profile.line(0.0), &state, by, 0.0, moment)
     }
 
     /// When, between two times, the edge turns: where dS/dt at the edge vanishes.

@@ -53,8 +53,9 @@ pub(super) struct Met {
     pub(super) noise: f64,
 }
 
-static PLACES: LazyLock<Row> =
-    LazyLock::new(|| std::array::from_fn(|k| if k + 1 == DEGREE { 1.0 } else { 0.5 - 0.5 * (PI * (k as f64 + 1.0) / DEGREE as f64).cos() }));
+static PLACES: LazyLock<Row> = LazyLock::new(|| {
+    std::array::from_fn(|k| if k + 1 == DEGREE { 1.0 } else { 0.5 - 0.5 * (PI * (k as f64 + 1.0) / DEGREE as f64).cos() })
+});
 /// Powers 1… of the parts of a duration, node after node.
 static POWERS: LazyLock<Square> = LazyLock::new(|| places().map(|node| std::array::from_fn(|l| node.powi(l as i32 + 1))));
 

@@ -43,11 +43,7 @@ impl Law<'_, '_> {
         let a = self.line.radius();
         let end = met.places[DEGREE - 1];
         let knots = self.fresh.knots(a, end);
-        let first = self
-            .line
-            .borders(a, end)
-            .chain(knots)
-            .min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
+        let first = self.line.borders(a, end).chain(knots).min_by(|one, other| (one - a).abs().total_cmp(&(other - a).abs()))?;
         let points: Vec<(f64, f64)> = places().into_iter().zip(met.places.map(|place| place - a)).collect();
         let way = Drive::through(a, 1.0, &points);
         let (mut low, mut high) = (0.0, 1.0);

@@ -25,17 +25,7 @@ pub(super) struct Moment {
 impl Default for Moment {
     fn default() -> Self {
         let [kept, gained, recovered] = [const { Vec::new() }; 3];
-        Self {
-            time: 0.0,
-            depth: 0.0,
-            rate: 0.0,
-            kept,
-            gained,
-            recovered,
-            of: None,
-            series: Vec::new(),
-            sums: [Gain::NONE; 2],
-        }
+        Self { time: 0.0, depth: 0.0, rate: 0.0, kept, gained, recovered, of: None, series: Vec::new(), sums: [Gain::NONE; 2] }
     }
 }
 

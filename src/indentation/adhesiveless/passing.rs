@@ -84,7 +84,7 @@ impl Line<'_> {
                     moment.set_free(this.chain, drive, time);
                     time
                 } else {
-                    touching(&this, drive, height, state, guesses.next(place), &mut moment)
+                    touching(&this, drive, height, state, drive.duration, guesses.next(place), &mut moment)
                 };
                 guesses.found(time);
                 for (e, kept) in state.iter_mut().zip(&moment.recovered) {

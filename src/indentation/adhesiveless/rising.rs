@@ -100,9 +100,9 @@ impl Line<'_> {
     /// What κ = ΣE_i(all that Δ has done)/E∞* must exceed for a place in contact to press: E0/E∞*·f − ΣE_i/E∞* u_i e^{−t/ρ_i}.
     pub(super) fn holding(&self, kept: &[Vec<f64>; DEGREE]) -> [Rising<'_>; DEGREE] {
         let soft = self.chain.relaxed / self.chain.glassy;
-        let shares = kept.each_ref().map(|kept| {
-            self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect()
-        });
+        let shares = kept
+            .each_ref()
+            .map(|kept| self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect());
         Rising::all(0.0, &self.contact, soft, shares)
     }
 

@@ -20,10 +20,10 @@ pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64]
     time
 }
 
-/// When a free chain with e_j (now) touches: `moment` is then set to it.
-pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], guess: f64, moment: &mut Moment) -> f64 {
+/// When a free chain with e_j (now) touches, at most at a time: `moment` is then set to it.
+pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let time = rising_zero(drive.duration, guess, &mut |time| {
+    let time = rising_zero(by, guess, &mut |time| {
         let (mut value, mut slope) = (drive.value(time) - height, drive.rate(time));
         for (&(rate, _), e) in chain.voigt.iter().zip(state) {
             // What has recovered counts no more.
