@@ -99,6 +99,10 @@ def compared(binaries, name, text, repeats):
         if any(rows is None for rows in found.values()):
             print(f"{name:28} not solved by: {', '.join(key for key, rows in found.items() if rows is None)}")
             return None
+        bounds, scale = apart(found["old"], found["new"])
+        if bounds > 1.0:
+            print(f"{name:28} they differ by {scale:.1e} of the largest value, {bounds:.2g} of both bounds: no ratio")
+            return None
         for _ in range(repeats):
             for key, binary in binaries.items():
                 for index, arguments in enumerate((["run", "scene.toml"], ["--version"])):
@@ -106,7 +110,6 @@ def compared(binaries, name, text, repeats):
     (old, old_start), (new, new_start) = least["old"], least["new"]
     # What is below a tenth of a millisecond is scatter of the start.
     whole, solver = old / new, (old - old_start) / max(new - new_start, 1e-4)
-    bounds, scale = apart(found["old"], found["new"])
     print(f"{name:28} old {old * 1e3:9.2f} ms  new {new * 1e3:7.2f} ms (start {new_start * 1e3:.2f})  whole {whole:7.1f}  solver {solver:7.1f}"
           f"  apart {scale:.1e} ({bounds:.2g} of both bounds)", flush=True)
     return whole, solver
