@@ -38,8 +38,9 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
         run(&studies, effort, &plain_progress())
     };
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
-    folder::write_whole(out, force, &files)?;
+    // What was found is not lost with a folder that somebody else has made meanwhile.
     print(&report.table())?;
+    folder::write_whole(out, force, &files)?;
     print(&format!("wrote {}: report.html, summary.json and {} tables\n", out.display(), files.len() - 2))?;
     Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
 }

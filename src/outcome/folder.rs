@@ -7,6 +7,7 @@ use super::checkpoints::Checkpoints;
 use super::journal::{Found, Journal, JournalHeader, is_held, read};
 use super::row::Row;
 use super::{Outcome, csv_table, plot, summary};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -139,15 +140,17 @@ impl RunFolder {
             write("fields.csv", &fields)?;
         }
         write("scene.toml", scene.as_bytes())?;
-        for (stem, figure) in &outcome.figures {
-            let drawn = |error: plot::PlotError| FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() };
-            match plot::svg(figure) {
-                Ok(svg) => {
+        // A picture takes longer than many states: side by side.
+        let pictures: Vec<_> =
+            outcome.figures.par_iter().map(|(stem, figure)| (stem, plot::svg(figure).and_then(|svg| Ok((svg, plot::png(figure)?))))).collect();
+        for (stem, picture) in pictures {
+            match picture {
+                Ok((svg, png)) => {
                     write(&format!("{stem}.svg"), svg.as_bytes())?;
-                    write(&format!("{stem}.png"), &plot::png(figure).map_err(drawn)?)?;
+                    write(&format!("{stem}.png"), &png)?;
                 }
                 Err(plot::PlotError::NotBuilt) => {}
-                Err(error) => return Err(drawn(error)),
+                Err(error) => return Err(FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() }),
             }
         }
         // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a spare file.

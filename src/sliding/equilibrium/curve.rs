@@ -59,19 +59,8 @@ impl EquilibriumCurve {
     /// # Errors
     /// Those of the contacts.
     pub(in crate::sliding) fn new(balance: EdgeBalance, size: f64) -> Self {
-        let (indenter, adhesion) = (balance.indenter(), balance.adhesion());
-        let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
-        // Without a load a glassy contact has a³ = 32Γ/β, and no contact is pulled off before it is some tenths of that.
-        let work = adhesion.map_or(0.0, |adhesion| adhesion.trailing_work.min(adhesion.leading_work));
-        let unloaded = (32.0 * work / balance.memory().stiffening_ratio()).cbrt();
-        let narrow = (WIDTH_IN_ZONES * zone).max(WIDTH_IN_UNLOADED * unloaded);
-        // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
-        let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
-        let (narrowest, widest) = match indenter {
-            Indenter::Wave => (narrow.clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)),
-            Indenter::Parabola => (if adhesion.is_some() { narrow } else { RANGE[0] * size }, RANGE[1] * (size + zone)),
-        };
-        Self::within(ContactsOfWidth::new(balance), [narrowest, widest])
+        let range = half_widths(&balance, size);
+        Self::within(ContactsOfWidth::new(balance), range)
     }
 
     /// The contacts of a range of half-widths.
@@ -116,6 +105,22 @@ impl EquilibriumCurve {
     /// Evaluations of both conditions that the curve and the checks since the last call count as: the same for each of the contacts that share it.
     pub(in crate::sliding) fn evaluations(&self) -> u64 {
         2 * self.formed + self.every.evaluations()
+    }
+}
+
+/// The half-widths among which contacts are looked for; `size`: of a cylinder the one around which.
+pub(in crate::sliding) fn half_widths(balance: &EdgeBalance, size: f64) -> [f64; 2] {
+    let (indenter, adhesion) = (balance.indenter(), balance.adhesion());
+    let zone = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone.max(adhesion.leading_zone));
+    // Without a load a glassy contact has a³ = 32Γ/β, and no contact is pulled off before it is some tenths of that.
+    let work = adhesion.map_or(0.0, |adhesion| adhesion.trailing_work.min(adhesion.leading_work));
+    let unloaded = (32.0 * work / balance.memory().stiffening_ratio()).cbrt();
+    let narrow = (WIDTH_IN_ZONES * zone).max(WIDTH_IN_UNLOADED * unloaded);
+    // In a narrower gap the zones of both edges overlap, and the works of closing have turns of their own.
+    let narrowest_gap = adhesion.map_or(0.0, |adhesion| adhesion.trailing_zone + adhesion.leading_zone + zone);
+    match indenter {
+        Indenter::Wave => [narrow.clamp(NARROWEST, 1.0), PI - (0.5 * narrowest_gap).clamp(NARROWEST, 1.0)],
+        Indenter::Parabola => [if adhesion.is_some() { narrow } else { RANGE[0] * size }, RANGE[1] * (size + zone)],
     }
 }
 

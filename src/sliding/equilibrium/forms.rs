@@ -16,6 +16,8 @@ use std::f64::consts::PI;
 
 /// Steps of false position between two arguments of opposite signs.
 const STEPS: usize = 60;
+/// Roots of polynomials are found to this: those of the conditions are polished, and at the roots of a derivative only signs count.
+const ROOT: f64 = 1e-9;
 /// Newton steps at a point where both conics meet.
 const POLISHES: usize = 4;
 /// Largest residual of a condition at such a point.
@@ -234,8 +236,8 @@ impl Conditions {
     }
 }
 
-/// A root between two arguments of opposite signs: false position with the Illinois halving, to the last digits.
-pub(super) fn between(mut low: f64, mut high: f64, function: &impl Fn(f64) -> f64) -> f64 {
+/// A root between two arguments of opposite signs: false position with the Illinois halving.
+fn between(mut low: f64, mut high: f64, function: &impl Fn(f64) -> f64) -> f64 {
     let (mut at_low, mut at_high) = (function(low), function(high));
     if at_high == 0.0 {
         return high;
@@ -246,7 +248,7 @@ pub(super) fn between(mut low: f64, mut high: f64, function: &impl Fn(f64) -> f6
         // Every fourth step halves, whatever the shape.
         let next = if step % 4 == 3 || !part.is_finite() { 0.5 * (low + high) } else { low + part * (high - low) };
         let value = function(next);
-        if value == 0.0 || (high - low).abs() <= 4.0 * f64::EPSILON * (1.0 + next.abs()) {
+        if value == 0.0 || (high - low).abs() <= ROOT {
             return next;
         }
         if (value < 0.0) == (at_low < 0.0) {

@@ -20,9 +20,10 @@ mod held;
 mod point;
 mod table;
 mod width;
+mod without_adhesion;
 mod works;
 
-pub(in crate::sliding) use curve::EquilibriumCurve;
+pub(in crate::sliding) use curve::{EquilibriumCurve, half_widths};
 pub(in crate::sliding) use existence::{Place, WhyNot};
 pub(in crate::sliding) use held::{Crossing, End, Stretch, StretchEnd};
 pub(in crate::sliding) use point::HeldQuantity;

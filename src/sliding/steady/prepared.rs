@@ -74,7 +74,12 @@ impl Prepared {
 
     /// The contacts of any half-width.
     pub(super) fn contacts_of_width(&self) -> ContactsOfWidth {
-        ContactsOfWidth::new(self.balance(SlidingControl::MeanPressure(0.0), CURVE))
+        ContactsOfWidth::new(self.curve_balance())
+    }
+
+    /// The conditions of the curve, whatever is held.
+    pub(super) fn curve_balance(&self) -> EdgeBalance {
+        self.balance(SlidingControl::MeanPressure(0.0), CURVE)
     }
 
     /// The equilibrium curve; of a cylinder around a half-width.
@@ -84,7 +89,7 @@ impl Prepared {
         {
             return Rc::clone(curve);
         }
-        let curve = Rc::new(EquilibriumCurve::new(self.balance(SlidingControl::MeanPressure(0.0), CURVE), size));
+        let curve = Rc::new(EquilibriumCurve::new(self.curve_balance(), size));
         *self.curve.borrow_mut() = Some((size, Rc::clone(&curve)));
         curve
     }

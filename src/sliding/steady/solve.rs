@@ -18,7 +18,7 @@ use crate::refusal::Refusal;
 use crate::sliding::branch::{SecondVariations, Stability};
 use crate::sliding::contact::{Indenter, Resolution, WaveContact};
 use crate::sliding::edge_balance::SlidingControl;
-use crate::sliding::equilibrium::{Crossing, HeldQuantity};
+use crate::sliding::equilibrium::{Crossing, HeldQuantity, half_widths};
 use std::f64::consts::PI;
 
 /// The resolution of second variations: signs are told to five digits.
@@ -133,6 +133,11 @@ fn searched(
             _ => {}
         }
     }
+    if problem.adhesion.is_none()
+        && let Some(contact) = without_adhesion(problem, prepared, held, work)
+    {
+        return Ok(Searched::Outcome(SlidingOutcome::Partial(Box::new(contact))));
+    }
     let curve = prepared.curve(size_of(problem));
     let found = curve.held(held.0, held.1);
     let mut candidates: Vec<Crossing> = found.iter().copied().filter(|crossing| crossing.stable).collect();
@@ -164,6 +169,23 @@ fn searched(
         (None, Some(refusal)) => Err(refusal),
         (None, None) => Ok(Searched::Nothing(Nothing::Held { held, found, refused, reached_by })),
     }
+}
+
+/// The contact without adhesion, of which there is one; none where it is not found, which the curve then explains.
+fn without_adhesion(
+    problem: &SlidingProblem<'_>,
+    prepared: &Prepared,
+    (quantity, value): (HeldQuantity, f64),
+    work: &mut SlidingWork,
+) -> Option<PartialContact> {
+    let every = prepared.contacts_of_width();
+    let crossing = every.only_contact(quantity, value, half_widths(&prepared.curve_balance(), size_of(problem)));
+    let evaluations = every.evaluations();
+    work.half_widths += evaluations.div_ceil(2);
+    work.closure_evaluations += evaluations;
+    work.contacts += evaluations;
+    let contact = accepted(prepared, problem, &crossing?, quantity, work).ok()?;
+    Some(PartialContact { work: *work, ..contact })
 }
 
 /// The contact near a crossing, with its stability.
