@@ -379,6 +379,7 @@ fn text_leaves_ink_level_and_turned() {
         let with_more = ink(&figure(&format!("abc{more}"), "abc")).1;
         assert!(with_more > level + 20.0, "{more}: {level}, {with_more}");
     }
+    assert_ne!(plot::png(&figure("$v$", "")), plot::png(&figure("v", "")), "symbols are slanted");
     let bare = ink(&figure(r"$a$", "abc")).1;
     for accent in ["\u{302}", "\u{323}"] {
         assert!(ink(&figure(&format!("$a{accent}$"), "abc")).1 > bare + 3.0);

@@ -147,11 +147,12 @@ impl OutlineBuilder for Pen {
     }
 }
 
-/// The image with its resolution, without row filters, which make drawings of flat colours larger. Means of the gallery of `examples/plot_gallery.rs`:
+/// The image with its resolution, without row filters, which make drawings of flat colours larger. Means over twelve
+/// pictures of `examples/plot_gallery.rs` on a shared core:
 ///
 /// | colours, level | time | size |
 /// |---|---|---|
-/// | indexed (9 of 12 pictures), 1 / 4 / 6 | 5 / 8 / 13 ms | 37 / 23 / 22 kB |
+/// | indexed (nine of the twelve), 1 / 4 / 6 | 5 / 8 / 13 ms | 37 / 23 / 22 kB |
 /// | red, green and blue, 1 / 4 / 6 | 9 / 23 / 31 ms | 114 / 64 / 61 kB |
 /// | red, green and blue, the default of the library | 54 ms | 74 kB |
 fn encoded(sheet: &Pixmap) -> Result<Vec<u8>, PlotError> {
