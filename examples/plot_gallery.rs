@@ -2,7 +2,7 @@
 
 use std::{error::Error, fs, path::Path};
 
-use viscotack::outcome::plot::{self, Axis, Curve, Figure, Line, Marker, Width};
+use viscotack::outcome::plot::{self, Axis, Curve, Figure, Inset, LegendPlace, Line, Marker, Width};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let directory = std::env::args().nth(1).unwrap_or_else(|| "plot_gallery".to_owned());
@@ -30,6 +30,8 @@ fn gallery() -> Vec<(&'static str, Figure)> {
         ("one_decade", one_decade()),
         ("huge_range", huge_range()),
         ("nothing", nothing()),
+        ("inset", inset()),
+        ("characters", characters()),
     ]
 }
 
@@ -169,4 +171,39 @@ fn huge_range() -> Figure {
 fn nothing() -> Figure {
     Figure::new(Axis::logarithmic("$v$ (m/s)"), Axis::logarithmic("$G$ (J/m²)"))
         .with_curve(Curve::new("all negative", vec![(-1.0, 1.0), (-2.0, 2.0)]))
+}
+
+fn inset() -> Figure {
+    let gap = |x: f64| (x * x - 1.0).max(0.0).sqrt() * x - (x + (x * x - 1.0).max(0.0).sqrt()).ln();
+    let grid: Vec<f64> = (0..=300).map(|i| 1.0 + f64::from(i) * 0.01).collect();
+    let near = Curve::new("", sample(&grid[..30], gap)).with_line(Line::Solid);
+    let mut figure = Figure::new(Axis::linear(r"$x/a$"), Axis::linear(r"$\pi g/\hat{g}_\infty$"))
+        .with_curve(Curve::new(r"gap behind the edge, $\Delta\gamma \gg 0$", sample(&grid, gap)).with_sparse_marker(Marker::OpenSquare));
+    figure.inset = Some(Box::new(Inset {
+        horizontal: Axis::linear("$x/a$"),
+        vertical: Axis::linear(r"$\dot{g}^2_0$"),
+        curves: vec![near],
+        place: LegendPlace::TopLeft,
+    }));
+    figure
+}
+
+/// Every character that a label may well contain, accents over letters of any height, and two that the typeface of the PNG does not have.
+fn characters() -> Figure {
+    let lines = [
+        "AaBbCcDdEeFfGgHhIiJjKkLlMmNnOoPpQqRrSsTtUuVvWwXxYyZz 0123456789",
+        r#"!#"%&'()*+,-./:;<=>?@[\]^_`{|}~ §©«®°±²³µ¶·¹»¼½¾¿×÷ –—‘’“”†•…‰"#,
+        "ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÐÑÒÓÔÕÖØÙÚÛÜÝÞß àáâãäåæçèéêëìíîïðñòóôõöøùúûüýþÿ čřšžąęłőűğış",
+        "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ αβγδεζηθικλμνξοπρστυφχψω ϑϕϵ ЖЯжя",
+        "$ABCDEFGHIJKLMNOPQRSTUVWXYZ abcdefghijklmnopqrstuvwxyz αβγδεζηθικλμνξοπρστυφχψω ϑϕϵℓ∂$",
+        "→∂∇∑−∘√∝∞∥∫∼≃≈≠≤≥≪≫⊥⋅⟨⟩ℏℓ′″←↔⇒∈∠≅≡≲≳",
+        r"$\hat{a}\hat{d}\hat{E}\hat{\sigma}\hat{\gamma}\hat{\lambda}\hat{i}$, $\bar{a}\bar{p}\bar{P}\bar{u}\bar{\omega}\bar{W}$, $\dot{a}\dot{\epsilon}\dot{h}\dot{V}$, $\tilde{r}\tilde{\Delta}\tilde{E}\tilde{t}$, $\mathrm{\hat{x}\hat{L}}$",
+        r"$K_\mathrm{I}^{2}/E'_{0}$, $x^{y^{z}}$, $a_{0_{1}}$, $\sqrt{2\pi a}$, $10^{-12}$; 漢 and 😀 are boxes",
+    ];
+    let axis = || Axis::linear(r"turned and level: $\hat{\sigma}_\infty^{2}(\tilde{x})\,/\,\dot{\epsilon}$ (µm·s⁻¹)").with_range(0.0, 1.0);
+    let figure = Figure::new(axis(), axis()).with_width(Width::TwoColumns).with_legend(LegendPlace::Below);
+    lines.iter().enumerate().fold(figure, |figure, (index, line)| {
+        let height = 0.1 + 0.1 * index as f64;
+        figure.with_curve(Curve::new(*line, vec![(0.0, height), (1.0, height + 0.01 * index as f64)]))
+    })
 }

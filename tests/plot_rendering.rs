@@ -298,14 +298,103 @@ fn labels_are_escaped_and_typeset() {
     assert!(plot::png(&figure).is_ok());
 }
 
+/// An image of a PNG file in red, green and blue, with the pixels in a metre.
+struct Image {
+    width: usize,
+    height: usize,
+    per_metre: u32,
+    pixels: Vec<[u8; 3]>,
+}
+
+fn read(file: &[u8]) -> Image {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let density = reader.info().pixel_dims.unwrap();
+    assert!(density.xppu == density.yppu && density.unit == png::Unit::Meter);
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgb, png::BitDepth::Eight));
+    let pixels = bytes.chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    Image { width: info.width as usize, height: info.height as usize, per_metre: density.xppu, pixels }
+}
+
+impl Image {
+    /// How black the part of the image is, in whole pixels: columns and rows from, to, in tenths of a point.
+    fn ink(&self, columns: [f64; 2], rows: [f64; 2]) -> f64 {
+        let pixel = |units: f64| (units / 720.0 * 400.0).round() as usize;
+        let row = |y: usize| &self.pixels[y * self.width..(y + 1) * self.width];
+        let inside =
+            (pixel(rows[0])..pixel(rows[1]).min(self.height)).flat_map(|y| &row(y)[pixel(columns[0])..pixel(columns[1]).min(self.width)]);
+        inside.map(|[red, green, blue]| 1.0 - (f64::from(*red) + f64::from(*green) + f64::from(*blue)) / 765.0).sum()
+    }
+}
+
 #[test]
-fn a_png_is_an_image_of_the_announced_width() {
-    // 88 mm and 180 mm at 400 dots per inch.
-    for (width, pixels) in [(Width::OneColumn, 1385_u32), (Width::TwoColumns, 2834)] {
-        let image = plot::png(&family().with_width(width)).unwrap();
-        assert_eq!(&image[..8], b"\x89PNG\r\n\x1a\n");
-        let announced = u32::from_be_bytes(image[16..20].try_into().unwrap());
-        assert!(announced.abs_diff(pixels) <= 1, "{announced}");
+fn a_picture_has_the_announced_size_and_density() {
+    // 88 mm and 180 mm at 400 dots per inch, 15748 in a metre; the last, incomplete pixel does not count.
+    let few = both(Scale::Linear).with_curve(Curve::new("", vec![(0.0, 0.0), (1.0, 1.0)]));
+    for figure in [family(), few] {
+        for (width, across) in [(Width::OneColumn, 1385), (Width::TwoColumns, 2834)] {
+            let figure = figure.clone().with_width(width);
+            let image = read(&plot::png(&figure).unwrap());
+            let svg = plot::svg(&figure).unwrap();
+            let tall: f64 = attributes(&svg, "viewBox")[0].split(' ').next_back().unwrap().parse().unwrap();
+            assert_eq!((image.width, image.per_metre), (across, 15748));
+            assert!((image.height as f64 - tall / 720.0 * 400.0).abs() < 1.0, "{} pixels for {tall} units", image.height);
+        }
+    }
+}
+
+#[test]
+fn pixels_lie_where_the_vectors_do() {
+    let axis = || Axis::linear("").with_range(0.0, 1.0);
+    let figure = Figure::new(axis(), axis()).with_curve(Curve::new("", vec![(0.0, 0.5), (1.0, 0.5)]).with_line(Line::Solid).with_colour(2));
+    let image = read(&plot::png(&figure).unwrap());
+    let [left, top, right, bottom] = frame(&plot::svg(&figure).unwrap());
+    let (middle, inner) = (0.5 * (top + bottom), [left + 100.0, right - 100.0]);
+    // A stroke 1.2 points or 6.7 pixels wide along the middle, its edges drawn to a quarter of a pixel, and nothing beside it.
+    let expected = (inner[1] - inner[0]) * 12.0 * (400.0_f64 / 720.0).powi(2);
+    assert!((image.ink(inner, [middle - 20.0, middle + 20.0]) / expected - 1.0).abs() < 0.04);
+    assert_eq!(image.ink(inner, [top + 60.0, middle - 20.0]) + image.ink(inner, [middle + 20.0, bottom - 60.0]), 0.0);
+}
+
+#[test]
+fn text_leaves_ink_level_and_turned() {
+    let figure = |across: &str, up: &str| {
+        let axis = |label: &str| Axis::linear(label).with_range(0.0, 1.0);
+        Figure::new(axis(across), axis(up)).with_curve(Curve::new("", vec![(0.0, 0.0), (1.0, 1.0)]))
+    };
+    let ink = |figure: &Figure| {
+        let image = read(&plot::png(figure).unwrap());
+        let [left, top, _, bottom] = frame(&plot::svg(figure).unwrap());
+        let (width, height) = (image.width as f64 * 1.8, image.height as f64 * 1.8);
+        // Left of the numbers of the vertical axis, and below those of the horizontal one.
+        (image.ink([0.0, left - 180.0], [top, bottom]), image.ink([left, width], [bottom + 120.0, height]))
+    };
+    let (turned, level) = ink(&figure("abc", "abc"));
+    assert!(level > 200.0 && (turned / level - 1.0).abs() < 0.02, "{level} level, {turned} turned");
+    // Letters, Greek, accents and indices each add to it; so does a box for a character that the font does not have.
+    for more in [r"$\gamma$", r"$E_\infty$", "$x^2$", r"$\dot{a}$", "č", "ж", "\u{4e2d}", "\u{1f600}"] {
+        let with_more = ink(&figure(&format!("abc{more}"), "abc")).1;
+        assert!(with_more > level + 20.0, "{more}: {level}, {with_more}");
+    }
+    assert_ne!(plot::png(&figure("$v$", "")), plot::png(&figure("v", "")), "symbols are slanted");
+    let bare = ink(&figure(r"$a$", "abc")).1;
+    for accent in ["\u{302}", "\u{323}"] {
+        assert!(ink(&figure(&format!("$a{accent}$"), "abc")).1 > bare + 3.0);
+    }
+}
+
+#[test]
+fn unknown_characters_and_lone_accents_are_drawn() {
+    for label in
+        ["\u{4e2d}\u{6587}", "\u{1f600}", "\u{301}", "$\u{302}$", "\u{36f}a\u{36f}", "a\u{200b}b", "\u{5d0}\u{10ffff}", " \u{303} "]
+    {
+        let figure = Figure::new(Axis::linear(label), Axis::logarithmic(label)).with_title(label);
+        let figure = figure.with_curve(Curve::new(label, vec![(1.0, 1.0), (2.0, 2.0)]));
+        assert!(plot::png(&figure).is_ok(), "{label}");
+        assert_sound(&plot::svg(&figure).unwrap());
     }
 }
 
@@ -328,5 +417,16 @@ proptest! {
         if let Ok(svg) = plot::svg(&figure) {
             assert_sound(&svg);
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn no_label_panics(label in r"(\PC|[$^_{}\\]){0,12}") {
+        let curve = Curve::new(label.clone(), vec![(-1.0, 2.0), (3.0, 1e3)]).with_sparse_marker(Marker::OpenCircle).with_line(Line::DashDotted);
+        let figure = Figure::new(Axis::linear(format!("${label}$")), Axis::linear(label.clone())).with_curve(curve);
+        prop_assert!(plot::png(&figure).is_ok());
     }
 }

@@ -158,7 +158,7 @@ fn push(runs: &mut Vec<Run>, character: char, slanted: bool, look: Look) {
     }
 }
 
-/// Control characters, which XML forbids, and the private characters the SVG writer marks its places with, do not pass.
+/// Control characters, which XML forbids, and private characters, which look different in every typeface, do not pass.
 fn printable(character: char) -> Option<char> {
     match character {
         '\t' | '\n' | '\r' => Some(' '),

@@ -54,6 +54,8 @@ mod style;
 mod ticks;
 #[cfg(feature = "plots")]
 mod typeface;
+#[cfg(feature = "plots")]
+mod vector;
 
 pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Marker, MarkerSpacing, Scale, Width};
 
@@ -77,10 +79,10 @@ pub enum PlotError {
         /// What is wrong, in words.
         reason: &'static str,
     },
-    /// The drawing library refused the picture.
+    /// The image could not be made.
     #[error("the picture could not be written: {detail}")]
     NotWritten {
-        /// What the library said.
+        /// What the reason is.
         detail: String,
     },
 }

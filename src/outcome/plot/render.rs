@@ -1,17 +1,17 @@
 //! From the data of a figure to a picture: the frame is measured, the curves are traced into it, the legend finds its place.
 //!
-//! kuva's own axes are not used: its logarithmic ones cannot thin their labels for 24 decades, raise exponents or break a line at a gap. The picture is
-//! laid out here, in points, and put down through [`Canvas`].
+//! The picture is laid out here, in points, and put down on a [`Canvas`]; [`vector`] and [`raster`] draw the same page.
 
 use super::{
     PlotError,
-    canvas::{Anchor, Area, Canvas, Point, Target},
+    canvas::{Anchor, Area, Canvas, Page, Point},
     figure::{Axis, Curve, Figure, Marker, MarkerSpacing},
     inset,
     interval::{Interval, has_place},
     label::{self, Run},
-    legend, style,
+    legend, raster, style,
     ticks::{self, Direction, Ticks},
+    vector,
 };
 
 /// From the frame to the text at the ticks.
@@ -25,14 +25,12 @@ const FINEST: f64 = 0.06;
 
 /// The figure as an SVG document.
 pub(super) fn svg(figure: &Figure) -> Result<String, PlotError> {
-    let (canvas, width, height) = compose(figure, Target::Vector)?;
-    Ok(canvas.into_svg(width, height, figure.title.as_deref()))
+    Ok(vector::svg(&compose(figure)?, figure.title.as_deref()))
 }
 
 /// The figure as a PNG image.
 pub(super) fn png(figure: &Figure) -> Result<Vec<u8>, PlotError> {
-    let (canvas, width, height) = compose(figure, Target::Pixels)?;
-    canvas.into_png(width, height)
+    raster::png(&compose(figure)?)
 }
 
 /// An axis with everything about it decided.
@@ -79,7 +77,7 @@ pub(super) struct Trace {
     signs: Vec<Point>,
 }
 
-fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotError> {
+fn compose(figure: &Figure) -> Result<Page, PlotError> {
     let (page_width, frame_height) = style::page(figure.width);
     let (horizontal, vertical) = intervals(figure)?;
     let vertical = Measured::new(&figure.vertical, vertical, frame_height, Direction::Vertical);
@@ -103,7 +101,7 @@ fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotEr
     let horizontal = measured;
     let frame = Area { left, top, right, bottom: top + frame_height };
 
-    let mut canvas = Canvas::new(target);
+    let mut canvas = Canvas::default();
     draw_title(&mut canvas, &title, page_width);
     draw_frame(&mut canvas, frame);
     draw_ticks(&mut canvas, frame, (&horizontal, &vertical));
@@ -125,7 +123,7 @@ fn compose(figure: &Figure, target: Target) -> Result<(Canvas, f64, f64), PlotEr
     let signs: Vec<Point> = traces.iter().flat_map(|trace| trace.signs.iter().chain(&trace.lonely).copied()).collect();
     let obstacles = legend::Obstacles { strokes: &strokes, signs: &signs };
     bottom += legend::draw(&mut canvas, &legend_entries(figure, &traces), figure.legend, frame, (page_width, bottom), &obstacles);
-    Ok((canvas, page_width, bottom + style::PAGE_MARGIN))
+    Ok(canvas.into_page(page_width, bottom + style::PAGE_MARGIN))
 }
 
 /// The two intervals shown; `None` where there is nothing to show and no range given.

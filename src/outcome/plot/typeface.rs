@@ -1,84 +1,95 @@
-//! How wide a character is: the advance widths of DejaVu Sans, in 2048ths of the text size.
+//! The typeface: how wide a character is and what its outline looks like, read from the font files in the program.
 //!
-//! kuva carries the typeface and draws with it, and keeps its widths private; these are the same numbers (its `text_metrics/data.rs`, version 0.6.0) for the
-//! characters a physics label needs. The slanted face has the same widths for all of them but χ (2 % wider). A character that is not listed counts one em,
-//! which reserves too much room rather than too little. Arial and Helvetica, which an SVG viewer may use instead, are narrower.
+//! `font/` holds DejaVu Sans and DejaVu Sans Oblique 2.37 (the licence lies beside them), without hinting and reduced with the tool `pyftsubset` of
+//! fonttools 4 to the characters below. Arial and Helvetica, which an SVG viewer may use instead, are narrower.
+//!
+//! | face | characters |
+//! |---|---|
+//! | upright | U+0020-007E, 00A0-017F, 0300-030C, 0323, 0327, 0328, 0391-03C9, 03D1, 03D5, 03F5, 0400-045F, 2009, 200A, 2010-2015, 2018-201E, 2020-2022, 2026, 2030, 2032, 2033, 2070-208E, 210F, 2113, 2190-2194, 21D2, 21D4, 2200-222B, 2234, 223C, 2243, 2245, 2248, 2260-2265, 226A, 226B, 2272, 2273, 22A5, 22C5, 27E8, 27E9 |
+//! | oblique | U+0041-005A, 0061-007A, 0300-030C, 0391-03C9, 03D1, 03D5, 03F5, 2113, 2202 |
+//!
+//! A character without an outline is drawn as a box and counts one em, which reserves too much room rather than too little.
 
-/// Units in one em.
-const UNITS_PER_EM: f64 = 2048.0;
-/// From U+0020 on.
-const ASCII: [u16; 95] = [
-    651, 821, 942, 1716, 1303, 1946, 1597, 563, 799, 799, 1024, 1716, 651, 739, 651, 690, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303,
-    1303, 1303, 690, 690, 1716, 1716, 1716, 1087, 2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604, 604, 1343, 1141, 1767, 1532,
-    1612, 1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799, 690, 799, 1716, 1024, 1024, 1255, 1300, 1126, 1300, 1260,
-    721, 1300, 1298, 569, 569, 1186, 569, 1995, 1298, 1253, 1300, 1300, 842, 1067, 803, 1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,
-    1303, 1716,
-];
-/// From U+00A0 on.
-const LATIN: [u16; 96] = [
-    651, 821, 1303, 1303, 1303, 1303, 690, 1024, 1024, 2048, 965, 1253, 1716, 739, 2048, 1024, 1024, 1716, 821, 821, 1024, 1303, 1303, 651,
-    1024, 821, 965, 1253, 1985, 1985, 1985, 1087, 1401, 1401, 1401, 1401, 1401, 1401, 1995, 1430, 1294, 1294, 1294, 1294, 604, 604, 604,
-    604, 1587, 1532, 1612, 1612, 1612, 1612, 1612, 1716, 1612, 1499, 1499, 1499, 1499, 1251, 1239, 1290, 1255, 1255, 1255, 1255, 1255,
-    1255, 2011, 1126, 1260, 1260, 1260, 1260, 569, 569, 569, 569, 1253, 1298, 1253, 1253, 1253, 1253, 1253, 1716, 1253, 1298, 1298, 1298,
-    1298, 1212, 1300, 1212,
-];
-/// From U+0391 on.
-const GREEK: [u16; 57] = [
-    1401, 1405, 1141, 1401, 1294, 1403, 1540, 1612, 604, 1343, 1401, 1767, 1532, 1294, 1612, 1540, 1235, 0, 1294, 1251, 1251, 1612, 1403,
-    1612, 1565, 604, 1251, 1350, 1107, 1298, 693, 1185, 1350, 1307, 1212, 1253, 1107, 1114, 1298, 1253, 693, 1207, 1212, 1303, 1144, 1142,
-    1253, 1233, 1300, 1202, 1298, 1233, 1185, 1351, 1183, 1351, 1715,
-];
-/// Signs of mathematics and typography.
-const SIGNS: [(char, u16); 36] = [
-    ('\u{2009}', 409),
-    ('\u{200a}', 204),
-    ('\u{2013}', 1024),
-    ('\u{2014}', 2048),
-    ('\u{2019}', 651),
-    ('\u{2020}', 1024),
-    ('\u{2026}', 2048),
-    ('\u{2032}', 465),
-    ('\u{210f}', 1298),
-    ('\u{2113}', 846),
-    ('\u{2192}', 1716),
-    ('\u{2202}', 1059),
-    ('\u{2207}', 1370),
-    ('\u{2211}', 1380),
-    ('\u{2212}', 1716),
-    ('\u{2218}', 1282),
-    ('\u{221a}', 1305),
-    ('\u{221d}', 1463),
-    ('\u{221e}', 1706),
-    ('\u{2225}', 1024),
-    ('\u{222b}', 1067),
-    ('\u{223c}', 1716),
-    ('\u{2243}', 1716),
-    ('\u{2248}', 1716),
-    ('\u{2260}', 1716),
-    ('\u{2264}', 1716),
-    ('\u{2265}', 1716),
-    ('\u{226a}', 2144),
-    ('\u{226b}', 2144),
-    ('\u{22a5}', 1784),
-    ('\u{22c5}', 651),
-    ('\u{27e8}', 799),
-    ('\u{27e9}', 799),
-    ('\u{3d1}', 1268),
-    ('\u{3d5}', 1351),
-    ('\u{3f5}', 1260),
-];
+use std::sync::LazyLock;
 
-/// The advance width of a character at text size 1.
+use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
+
+static UPRIGHT: LazyLock<Option<Face<'static>>> = LazyLock::new(|| Face::parse(include_bytes!("font/DejaVuSans.ttf"), 0).ok());
+static OBLIQUE: LazyLock<Option<Face<'static>>> = LazyLock::new(|| Face::parse(include_bytes!("font/DejaVuSans-Oblique.ttf"), 0).ok());
+/// The glyph that every font has for characters it does not know: a box.
+const BOX: GlyphId = GlyphId(0);
+
+/// The advance width of a character at text size 1, slanted or not: the slanted face differs for χ only, which is 2 % wider.
 pub(super) fn advance(character: char) -> f64 {
-    let code = character as usize;
-    let listed = |table: &[u16], first: usize| code.checked_sub(first).and_then(|index| table.get(index)).copied();
-    let units = match code {
-        0x0300..=0x036f => 0, // accents stand on the character before them
-        _ => listed(&ASCII, 0x20)
-            .or_else(|| listed(&LATIN, 0xa0))
-            .or_else(|| listed(&GREEK, 0x391))
-            .or_else(|| SIGNS.iter().find(|(sign, _)| *sign == character).map(|(_, units)| *units))
-            .unwrap_or(2048),
-    };
-    f64::from(units) / UNITS_PER_EM
+    if is_accent(character) {
+        return 0.0;
+    }
+    let units = UPRIGHT.as_ref().and_then(|face| Some(ems(face, face.glyph_hor_advance(face.glyph_index(character)?)?)));
+    units.unwrap_or(1.0)
+}
+
+/// The outline of one character and where it stands, in text sizes from the beginning of the line.
+pub(super) struct Glyph {
+    face: &'static Face<'static>,
+    id: GlyphId,
+    pub(super) right: f64,
+    pub(super) up: f64,
+}
+
+impl Glyph {
+    /// Draws the outline in units of the font; [`Self::scale`] of them are one text size.
+    pub(super) fn outline(&self, pen: &mut dyn OutlineBuilder) {
+        self.face.outline_glyph(self.id, pen);
+    }
+
+    /// The part of the text size that a unit of the outline is.
+    pub(super) fn scale(&self) -> f64 {
+        ems(self.face, 1_u16)
+    }
+}
+
+/// The outlines of a line of text.
+pub(super) fn glyphs(text: &str, slanted: bool) -> Vec<Glyph> {
+    let mut glyphs: Vec<Glyph> = Vec::new();
+    let mut right = 0.0;
+    for character in text.chars() {
+        let Some((face, id)) = find(character, slanted) else { continue };
+        let mut glyph = Glyph { face, id, right, up: 0.0 };
+        if let (true, Some(base)) = (is_accent(character), glyphs.last()) {
+            (glyph.right, glyph.up) = above(base, &glyph).unwrap_or((right, 0.0));
+        }
+        glyphs.push(glyph);
+        right += advance(character);
+    }
+    glyphs
+}
+
+/// The outline of a character: a slanted one that only the upright face has stays upright; none for an accent that no face has.
+fn find(character: char, slanted: bool) -> Option<(&'static Face<'static>, GlyphId)> {
+    let upright = UPRIGHT.as_ref()?;
+    let oblique = OBLIQUE.as_ref().filter(|_| slanted);
+    let known = oblique.into_iter().chain([upright]).find_map(|face| Some((face, face.glyph_index(character)?)));
+    known.or_else(|| (!is_accent(character)).then_some((upright, BOX)))
+}
+
+/// Accents stand on the character before them.
+fn is_accent(character: char) -> bool {
+    matches!(character, '\u{300}'..='\u{36f}')
+}
+
+/// Where an accent stands: over the middle of the character before it, along its slant, and higher on a character taller than an x.
+fn above(base: &Glyph, accent: &Glyph) -> Option<(f64, f64)> {
+    let box_of = |glyph: &Glyph| glyph.face.glyph_bounding_box(glyph.id);
+    let (below, mark) = (box_of(base)?, box_of(accent)?);
+    let height_of_x = base.face.glyph_bounding_box(base.face.glyph_index('x')?)?.y_max;
+    let raise = if mark.y_min > 0 { f64::from((below.y_max - height_of_x).max(0)) } else { 0.0 };
+    let middle = |area: Rect| (0.5 * f64::from(area.x_min + area.x_max), 0.5 * f64::from(area.y_min + area.y_max));
+    let (under, over) = (middle(below), middle(mark));
+    let slant = f64::from(-base.face.italic_angle()).to_radians().tan();
+    let right = under.0 + slant * (over.1 + raise - under.1) - over.0;
+    Some((base.right + base.scale() * right, base.scale() * raise))
+}
+
+fn ems(face: &Face<'_>, units: u16) -> f64 {
+    f64::from(units) / f64::from(face.units_per_em())
 }
