@@ -284,10 +284,14 @@ fn what_it_does_not_solve_is_refused_with_the_reason() {
     let mut asked = problem(state, History::force(0.0).hold(1.0)).relaxed();
     asked.adhesion = None;
     let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
-    assert!(refusal.contains("a force without adhesion"), "{refusal}");
+    assert!(refusal.contains("a force or a sudden step without adhesion"), "{refusal}");
     asked.history = History::penetration(0.02).step(0.01).hold(1.0);
     let refusal = march_by_panels(&material, &asked, USUAL, &[]).unwrap_err().to_string();
-    assert!(refusal.contains("sudden steps of the penetration"), "{refusal}");
+    assert!(refusal.contains("a force or a sudden step without adhesion"), "{refusal}");
+    let rimmed = Profile::FlatPunch { radius: 0.1 };
+    let refusal =
+        march_by_panels(&material, &IndentationProblem { profile: rimmed, ..retraction(state) }, USUAL, &[]).unwrap_err().to_string();
+    assert!(refusal.contains("shapes with a rim"), "{refusal}");
     let lifted = problem(state, History::penetration(-0.5).hold(1.0)).relaxed();
     assert!(march_by_panels(&material, &lifted, USUAL, &[]).is_err());
 }

@@ -80,14 +80,65 @@ fn scene(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
     (name, material, IndentationProblem { instants_per_segment: 4, ..if relaxed { problem.relaxed() } else { problem } })
 }
 
+/// A shape of about the depth 0.02 at a radius of 0.14.
+fn shape(draw: &mut Draw) -> Profile {
+    match (draw.unit() * 4.0) as usize {
+        0 => Profile::Cone { slope: draw.between(0.08, 0.12) },
+        1 => {
+            let exponent = draw.between(1.3, 4.0);
+            Profile::PowerLaw { coefficient: 0.02 / 0.14_f64.powf(exponent), exponent }
+        }
+        2 => {
+            // A sphere with a wave upon it, by few or by many points.
+            let (points, waves) = (8.0 + 32.0 * draw.unit(), draw.between(4.0, 12.0));
+            let at = |radius: f64| (radius, 0.5 * radius * radius * (1.0 + 0.08 * (waves * radius).sin()));
+            Profile::table(&(0..=points as u32).map(|k| at(f64::from(k) / points.floor() * 0.9)).collect::<Vec<_>>()).unwrap()
+        }
+        _ => Profile::Paraboloid { radius: 1.0 },
+    }
+}
+
+/// The same solids under histories of which each stretch gives penetration, force or frame, or changes the penetration at once.
+fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
+    let (_, material, problem) = scene(draw);
+    let profile = shape(draw);
+    let depth = draw.between(0.02, 0.035);
+    let slowest = material.longest_retardation_time().unwrap();
+    let force = depth * 0.14 * 2.0;
+    let frame = force / depth * draw.ratio(0.1, 10.0);
+    let mut history = History::penetration(depth);
+    for _ in 0..3 {
+        let duration = draw.ratio(0.03, 2.0) * slowest;
+        history = match (draw.unit() * 4.0) as usize {
+            0 => history.then(Controlled::Penetration, depth * draw.between(0.8, 1.3), duration),
+            1 => history.then(Controlled::Force, force * draw.between(0.2, 1.3), duration),
+            2 => history.then(Controlled::Frame, (depth + force / frame) * draw.between(0.7, 1.3), duration),
+            _ => {
+                let end = depth * draw.between(0.97, 1.2);
+                history.then(Controlled::Penetration, end, 0.0).then(Controlled::Penetration, end, duration)
+            }
+        };
+    }
+    let frame_stiffness = history.controls(Controlled::Frame).then_some(frame);
+    ("changing", material, IndentationProblem { profile, history, frame_stiffness, ..problem.relaxed() })
+}
+
 #[test]
 fn panels_and_march_agree_within_their_bounds() {
-    let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(20);
-    let mut draw = Draw(20_261_125);
+    compared(20, &mut Draw(20_261_125), scene);
+}
+
+#[test]
+fn panels_and_march_agree_on_every_shape_under_controls_that_change() {
+    compared(12, &mut Draw(20_261_126), changing);
+}
+
+fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'static str, Material, IndentationProblem)) {
+    let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual);
     let (mut ratios, mut failures, mut values) = (Vec::new(), Vec::new(), 0_u32);
     let mut furthest = (0.0_f64, String::new());
     for number in 0..scenes {
-        let (name, material, problem) = scene(&mut draw);
+        let (name, material, problem) = scene(draw);
         let clock = Instant::now();
         let marched = match run(&material, &problem) {
             Ok(marched) => marched,

@@ -51,7 +51,16 @@ pub(super) fn checked(
     let way = nodes.iter().map(|&x| panel.segment.place_at(x).0.abs()).fold(0.0, f64::max);
     let target = start_residual * (1.0 - 0.5 * fades * (1.0 + nodes[1]));
     let noise = WITHIN * tolerance * panel.stiffness;
-    let first = first_root(points, window, setting, panel, noise, &mut |window, segment, theta| at(window, segment, theta) - target);
+    let mut now = Instant::default();
+    let mut sudden = |window: &mut Window, segment: &Segment| {
+        setting.along(&segment.times, &segment.depths, 1.0, &mut now);
+        let way = Some(Way { panel: segment, advances: setting.advances, theta: 1.0 });
+        // A penetration that follows goes its way, and at the end at once to where its control wants it.
+        let shift = setting.imbalance(way, &now);
+        setting.shift(&mut now, shift);
+        setting.excess(window, way, &now, false).value - target
+    };
+    let first = first_root(points, window, setting, panel, noise, &mut sudden);
     Checked { defect, way, first }
 }
 
@@ -61,7 +70,7 @@ pub(super) fn first_root(
     setting: &Setting<'_>,
     panel: &Panel,
     noise: f64,
-    at: &mut impl FnMut(&mut Window, &Segment, f64) -> f64,
+    at: &mut impl FnMut(&mut Window, &Segment) -> f64,
 ) -> bool {
     let theta = points.nodes[1];
     let (way, time) = (panel.segment.place_at(theta).0, panel.segment.time_at(theta));
@@ -82,19 +91,19 @@ pub(super) fn first_root(
             })
             .collect()
     };
-    // Δ with it, if it follows.
-    let depths = |part: f64| -> Vec<f64> {
-        let start = series(&panel.segment.depths, -1.0).0;
-        let at = |x: f64| start + part * (series(&panel.segment.depths, -1.0 + 0.5 * (x + 1.0) * (theta + 1.0)).0 - start);
-        if panel.segment.depths.is_empty() { Vec::new() } else { points.nodes.iter().map(|&x| at(x)).collect() }
+    // Δ as it is, if it follows.
+    let depths: Vec<f64> = if panel.segment.depths.is_empty() {
+        Vec::new()
+    } else {
+        points.nodes.iter().map(|&x| series(&panel.segment.depths, -1.0 + 0.5 * (x + 1.0) * (theta + 1.0)).0).collect()
     };
     let span = if of_time { way } else { time };
     // Too little work ahead of the edge in place, too much in time: of the sign below until the root.
     let expected = if of_time { sign } else { -sign };
     let mut residual = |window: &mut Window, part: f64| {
         let part = if of_time { part } else { part.max(1e-9) };
-        let segment = passed(points, setting, panel.chart, span, &values(part), &depths(part));
-        expected * at(window, &segment, 1.0)
+        let segment = passed(points, setting, panel.chart, span, &values(part), &depths);
+        expected * at(window, &segment)
     };
     let found: Vec<f64> = PARTS.iter().map(|&part| residual(window, part)).collect();
     let noise = noise.max(SIGN_NOISE * found[0].abs());

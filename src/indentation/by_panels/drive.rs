@@ -1,4 +1,5 @@
-//! What is imposed: the penetration as a chain of branches, each a straight way with an oscillation upon it.
+//! What is imposed: a chain of stretches of the penetration, or of a force or frame, each a straight way with an oscillation upon it. A stretch becomes a branch
+//! when it begins, from the value that its quantity has by then.
 //!
 //! | symbol | name |
 //! |---|---|
@@ -14,6 +15,8 @@ use super::followed::Control;
 /// One branch.
 #[derive(Debug, Clone)]
 pub(super) struct Branch {
+    /// What it is the value of, if not Δ.
+    pub(super) control: Option<Control>,
     pub(super) start: f64,
     pub(super) end: f64,
     pub(super) level: f64,
@@ -44,6 +47,11 @@ impl Branch {
     pub(super) fn oscillation(&self, u: f64) -> (f64, f64) {
         let angle = self.omega * u + self.phase;
         (self.amplitude * (angle.sin() - self.phase.sin()), self.amplitude * self.omega * angle.cos())
+    }
+
+    /// Whether it takes no time.
+    pub(super) fn is_sudden(&self) -> bool {
+        self.end <= self.start
     }
 
     /// Whether Δ does not change.
@@ -82,57 +90,33 @@ impl Branch {
     }
 }
 
+/// What is asked of a stretch of the history.
+#[derive(Debug, Clone)]
+pub(super) struct Stretch {
+    /// What is given, if not Δ.
+    pub(super) control: Option<Control>,
+    /// Its value at the end, reached along a straight way from the present one; at once if there is no duration.
+    pub(super) end: f64,
+    pub(super) duration: f64,
+    /// Amplitude and ω of an oscillation upon the straight way.
+    pub(super) oscillation: Option<(f64, f64)>,
+}
+
 /// The whole history.
 #[derive(Debug, Clone)]
 pub(super) struct Drive {
-    /// What the branches give, if not Δ.
-    pub(super) control: Option<Control>,
-    pub(super) branches: Vec<Branch>,
-    /// The value after a step that no branch follows yet.
-    stepped: Option<f64>,
+    pub(super) stretches: Vec<Stretch>,
 }
 
-impl Drive {
-    /// From a penetration; relaxed (P = 0 for ever before) or untouched alike.
-    pub(super) fn from(level: f64) -> Self {
-        Self {
-            control: None,
-            stepped: None,
-            branches: vec![Branch { start: 0.0, end: 0.0, level, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory: Vec::new() }],
+impl Stretch {
+    /// As a branch from an instant and a value on.
+    pub(super) fn branch(&self, start: f64, value: f64, memory: Vec<f64>) -> Branch {
+        let (amplitude, omega) = self.oscillation.unwrap_or((0.0, 0.0));
+        let control = self.control;
+        if self.duration <= 0.0 {
+            return Branch { control, start, end: start, level: self.end, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory };
         }
-    }
-
-    pub(super) fn push(mut self, chain: &Chain, duration: f64, rate: f64, (amplitude, omega, phase): (f64, f64, f64)) -> Self {
-        let mut instant = Instant::default();
-        let (start, level, memory) = match self.branches.last() {
-            Some(last) if last.end > last.start => {
-                last.at(chain, last.end - last.start, &mut instant);
-                (last.end, instant.depth, instant.memory)
-            }
-            Some(last) => (last.end, last.level, vec![0.0; chain.terms()]),
-            None => (0.0, 0.0, vec![0.0; chain.terms()]),
-        };
-        let level = self.stepped.take().unwrap_or(level);
-        if self.branches.len() == 1 && self.branches[0].end <= self.branches[0].start {
-            self.branches.clear();
-        }
-        self.branches.push(Branch { start, end: start + duration, level, rate, amplitude, omega, phase, memory });
-        self
-    }
-
-    /// Followed by a sudden step of a value that is no penetration.
-    pub(super) fn step(mut self, value: f64) -> Self {
-        self.stepped = Some(value);
-        self
-    }
-
-    /// Followed by a ramp at a rate for a duration.
-    pub(super) fn ramp(self, chain: &Chain, rate: f64, duration: f64) -> Self {
-        self.push(chain, duration, rate, (0.0, 0.0, 0.0))
-    }
-
-    /// Followed by a ramp with an oscillation upon it, rate·u + amplitude·sin(ωu).
-    pub(super) fn oscillate(self, chain: &Chain, rate: f64, amplitude: f64, omega: f64, duration: f64) -> Self {
-        self.push(chain, duration, rate, (amplitude, omega, 0.0))
+        let rate = (self.end - value) / self.duration;
+        Branch { control, start, end: start + self.duration, level: value, rate, amplitude, omega, phase: 0.0, memory }
     }
 }

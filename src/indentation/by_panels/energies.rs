@@ -73,12 +73,16 @@ pub(super) fn energies(solid: (&Chain, &Profile), line: &Line, way: Option<Way<'
                     if !segment.blank && s.to_bits() == end.to_bits() { at_end } else { segment.theta_at(s) }
                 };
                 let range = (theta(low, segment.low, segment.theta_low), theta(high, segment.high, segment.theta_high));
-                scene.add(bonded, segment, range, MOST_CUTS, &mut sum);
+                for piece in line.pieces(segment, (low, high), range) {
+                    scene.add(bonded, segment, piece, MOST_CUTS, &mut sum);
+                }
             }
         }
         if let Some(way) = way.filter(|_| grows) {
-            let range = if bonded { (-1.0, way.theta) } else { (way.theta, -1.0) };
-            scene.add(bonded, way.panel, range, MOST_CUTS, &mut sum);
+            let (places, range) = if bonded { ((0.0, edge), (-1.0, way.theta)) } else { ((edge, 0.0), (way.theta, -1.0)) };
+            for piece in line.pieces(way.panel, places, range) {
+                scene.add(bonded, way.panel, piece, MOST_CUTS, &mut sum);
+            }
         }
     }
     sum

@@ -11,6 +11,7 @@
 
 use super::drive::Instant;
 use super::followed::State;
+use super::force::force;
 use super::line::series;
 use super::march::March;
 use super::newton::Panel;
@@ -56,7 +57,7 @@ impl March<'_> {
     pub(super) fn accept(&mut self, advances: bool, panel: Panel, factor: f64, floor: bool) -> Option<End> {
         let Panel { chart, segment, .. } = panel;
         let sign = if advances { 1.0 } else { -1.0 };
-        let left = self.problem.drive.branches[self.branch].end - self.line.time;
+        let left = self.branch.end - self.line.time;
         let corner = first_crossing(|x| segment.time_at(x) - left).filter(|&x| x < 1.0 || segment.time_at(1.0) >= left * (1.0 - 1e-14));
         let (kink, strong, steep) = self.next_kink(advances);
         let timed = chart == Chart::PlaceOfTime;
@@ -125,7 +126,7 @@ impl March<'_> {
         }
         if corner == Some(cut) {
             self.mark(false);
-            return self.next_branch();
+            return self.next_stretch();
         }
         if met && (strong || !self.goes_on(v)) {
             self.past = None;
@@ -140,17 +141,41 @@ impl March<'_> {
         self.line.waited(time);
         let after = self.row(None, 0.0);
         self.turn_over_at_once(&before, &after);
-        self.next_branch()
+        self.next_stretch()
     }
 
-    pub(super) fn next_branch(&mut self) -> Option<End> {
-        self.past = None;
-        self.branch += 1;
-        if self.branch == self.problem.drive.branches.len() {
-            self.branch -= 1;
+    /// The next stretch of the history.
+    pub(super) fn next_stretch(&mut self) -> Option<End> {
+        self.stretch += 1;
+        if self.stretch == self.problem.drive.stretches.len() {
             return Some(End::History);
         }
+        self.begins();
         None
+    }
+
+    /// Begins the stretch: its quantity goes on from where it is, or changes at once.
+    pub(super) fn begins(&mut self) {
+        self.past = None;
+        let Some(stretch) = self.problem.drive.stretches.get(self.stretch) else { return };
+        let chain = &self.problem.chain;
+        let (before, time) = (self.branch.control, self.line.time);
+        let mut now = Instant::default();
+        self.setting(false).still(&mut now);
+        let value = if before == stretch.control && self.stretch > 0 {
+            // As it was given to be, without the rounding of what followed it.
+            self.branch.value(self.branch.end - self.branch.start).0
+        } else {
+            stretch.control.map_or(now.depth, |control| {
+                control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
+            })
+        };
+        self.branch = stretch.branch(time, value, now.memory.clone());
+        self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
+        if stretch.control.is_none() && self.branch.is_sudden() {
+            let way = self.branch.level - now.depth;
+            self.branch.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * way);
+        }
     }
 
     /// Joins old segments where nothing is lost by it.

@@ -101,6 +101,8 @@ impl Memory<'_> {
 const MOST_ITERATIONS: u32 = 12;
 /// A difference, in parts of the unknown's own scale.
 const DIFFERENCE: f64 = 1e-6;
+/// Least scale of an unknown place, in process zones.
+const LEAST_REACH: f64 = 1e-3;
 
 /// A panel of edge and penetration, from values of both at the points; `target` at a time since the origin.
 pub(super) fn solved_with_depth(
@@ -134,7 +136,9 @@ pub(super) fn solved_with_depth(
     let (mut found, mut segment) = residuals(window, &values, &depths);
     let mut matrix: Vec<f64> = Vec::new();
     let mut last = f64::INFINITY;
-    let reach = values.iter().fold(0.0_f64, |far, value| far.max(value.abs())).max(1e-300);
+    // Differences over a way that is nothing would be rounding.
+    let least = if chart == Chart::PlaceOfTime { LEAST_REACH * window.zone } else { f64::MIN_POSITIVE };
+    let reach = values.iter().fold(least, |far, value| far.max(value.abs()));
     let sink = depths.iter().map(|depth| (depth - depths[0]).abs()).fold(1e-6 * depths[0].abs(), f64::max);
     let mut stiffness = setting.scale / window.zone;
     for _ in 0..MOST_ITERATIONS {

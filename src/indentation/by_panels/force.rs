@@ -38,10 +38,18 @@ impl<Of: Fn(Field) -> f64> Integral<'_, Of> {
             }
             let to = if segment.blank || high < segment.high { segment.theta_at(high) } else { segment.theta_high };
             let from = if segment.blank { segment.theta_at(segment.low) } else { segment.theta_low };
-            sum += self.part(segment, (from, to), MOST_CUTS);
+            sum += line
+                .pieces(segment, (segment.low, high), (from, to))
+                .into_iter()
+                .map(|piece| self.part(segment, piece, MOST_CUTS))
+                .sum::<f64>();
         }
         if let Some(way) = way.filter(|way| way.advances) {
-            sum += self.part(way.panel, (-1.0, way.theta), MOST_CUTS);
+            sum += line
+                .pieces(way.panel, (0.0, edge), (-1.0, way.theta))
+                .into_iter()
+                .map(|piece| self.part(way.panel, piece, MOST_CUTS))
+                .sum::<f64>();
         }
         2.0 * sum
     }

@@ -183,12 +183,33 @@ pub(super) struct Line {
     pub(super) rest: (f64, f64),
     pub(super) inside: Vec<Segment>,
     pub(super) outside: Vec<Segment>,
+    /// Places of no smooth continuation of the profile.
+    pub(super) breaks: Vec<f64>,
 }
 
 impl Line {
-    pub(super) fn new(edge: f64) -> Self {
+    /// Relaxed inside and untouched outside; `breaks`: radii at which the profile has no smooth continuation.
+    pub(super) fn new(edge: f64, breaks: &[f64]) -> Self {
         let (inside, outside) = (vec![Segment::blank(-edge, 0.0)], vec![Segment::blank(0.0, f64::INFINITY)]);
-        Self { edge, time: 0.0, rest: (0.0, 0.0), inside, outside }
+        let mut breaks: Vec<f64> = breaks.iter().map(|radius| radius - edge).collect();
+        breaks.sort_by(f64::total_cmp);
+        Self { edge, time: 0.0, rest: (0.0, 0.0), inside, outside, breaks }
+    }
+
+    /// Two places with the breaks of the profile between them, in their order.
+    pub(super) fn broken(&self, low: f64, high: f64) -> impl Iterator<Item = f64> {
+        let between = self.breaks.iter().copied().filter(move |place| *place > low && *place < high);
+        std::iter::once(low).chain(between).chain(std::iter::once(high))
+    }
+
+    /// The parameters of a segment from a place to another, in pieces on which the profile is smooth; `from`, `to`: the parameters there.
+    pub(super) fn pieces(&self, segment: &Segment, (low, high): (f64, f64), (from, to): (f64, f64)) -> Vec<(f64, f64)> {
+        let mut theta = from;
+        let next = |place: f64| {
+            let next = if place < high { segment.theta_at(place) } else { to };
+            (std::mem::replace(&mut theta, next), next)
+        };
+        self.broken(low, high).skip(1).map(next).collect()
     }
 
     pub(super) fn list(&self, inside: bool) -> &[Segment] {
@@ -233,6 +254,7 @@ impl Line {
             segment.place -= way;
             segment.time -= duration;
         }
+        self.breaks.iter_mut().for_each(|place| *place -= way);
         (self.edge, self.rest.0) = added(self.edge, self.rest.0, way);
         (self.time, self.rest.1) = added(self.time, self.rest.1, duration);
     }

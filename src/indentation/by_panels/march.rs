@@ -5,6 +5,7 @@
 
 use super::check::checked;
 use super::closure::Window;
+use super::drive::{Branch, Stretch};
 use super::events::{Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
@@ -12,7 +13,7 @@ use super::line::{Line, Segment, series};
 use super::newton::solved;
 use super::path::{Chart, Motion, Points, Setting, continued};
 use super::problem::{End, Outcome, Problem, Row};
-use super::start::glassy;
+use super::start::{breaks, glassy};
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
@@ -29,7 +30,9 @@ pub(super) struct March<'a> {
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
-    pub(super) branch: usize,
+    /// Which stretch of the history is under way, and its branch.
+    pub(super) stretch: usize,
+    pub(super) branch: Branch,
     /// Kinks of the line.
     pub(super) marks: Vec<Mark>,
     /// Whether the edge advances, and its path so far up to a parameter.
@@ -52,10 +55,12 @@ pub(super) struct March<'a> {
 
 impl<'a> March<'a> {
     pub(super) fn new(problem: &'a Problem, edge: f64, depth: f64) -> Self {
-        let mut line = Line::new(edge);
+        let mut line = Line::new(edge, &breaks(&problem.profile, edge));
         if !problem.relaxed {
-            line.inside[0] = glassy(problem, edge, depth);
+            glassy(problem, &mut line, depth);
         }
+        let still = Stretch { control: None, end: depth, duration: 0.0, oscillation: None };
+        let branch = still.branch(0.0, depth, vec![0.0; problem.chain.terms()]);
         let row = Row::default();
         let outcome = Outcome {
             start: row,
@@ -75,7 +80,8 @@ impl<'a> March<'a> {
             points: Points::new(problem.degree),
             window: Window::new(problem.zone, problem.tolerance),
             line,
-            branch: 0,
+            stretch: 0,
+            branch,
             marks: vec![Mark { place: 0.0, jump: true }],
             past: None,
             span: (Chart::TimeOfPlace, 0.0),
@@ -86,9 +92,10 @@ impl<'a> March<'a> {
             stiffness: 0.0,
             refusals: 0,
             flips: 0,
-            state: problem.drive.control.map(|_| State { depth, rate: 0.0, memory: vec![0.0; problem.chain.terms()] }),
+            state: None,
             outcome,
         };
+        march.begins();
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
         march.record_rest(0.0);
@@ -97,7 +104,7 @@ impl<'a> March<'a> {
 
     pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
         let problem = self.problem;
-        let motion = self.state.as_ref().map_or(Motion::Given(&problem.drive.branches[self.branch]), Motion::Followed);
+        let motion = self.state.as_ref().map_or(Motion::Given(&self.branch), |state| Motion::Followed(state, &self.branch));
         Setting {
             chain: &problem.chain,
             profile: &problem.profile,
@@ -148,17 +155,20 @@ impl<'a> March<'a> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
         if self.past.is_none() {
-            let left = self.problem.drive.branches[self.branch].end - self.line.time;
-            if self.state.is_some() {
+            let left = self.branch.end - self.line.time;
+            if self.state.is_some() || self.branch.is_sudden() {
                 self.balance();
                 let excess = self.sudden(0.0);
                 if (excess - self.start_residual).abs() > SUDDEN * self.scale() {
-                    // A control that changed at once has left equilibrium.
+                    // What changed at once has left equilibrium.
                     return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0);
                 }
             }
+            if self.branch.is_sudden() {
+                return self.next_stretch();
+            }
             let outset = self.sets_out();
-            let held = self.state.is_none() && self.problem.drive.branches[self.branch].is_held();
+            let held = self.state.is_none() && self.branch.is_held();
             if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance {
                 // Held, everything relaxes: an edge that would not leave its tolerance rests.
                 return self.rests(left);
@@ -222,7 +232,7 @@ impl<'a> March<'a> {
         let target = (self.start_residual, fades);
         let wanted = (5e-3 * tolerance).min(1e-3 * expected.max(1e-300));
         let points = &self.points;
-        let panel = match self.problem.drive.control {
+        let panel = match self.branch.control {
             None => solved(points, &mut window, &setting, (chart, span), guess, (target, wanted), firmness),
             Some(control) => {
                 let value = |time: f64| self.target(time).0;

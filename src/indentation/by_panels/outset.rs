@@ -8,7 +8,7 @@
 use super::closure::Way;
 use super::drive::Instant;
 use super::followed::State;
-use super::force::{force, force_rate};
+use super::force::force_rate;
 use super::line::Segment;
 use super::march::March;
 use super::path::{Chart, passed};
@@ -38,37 +38,24 @@ impl March<'_> {
         setting.still(&mut now);
         let panel = (way != 0.0).then(|| passed(&self.points, &setting, Chart::TimeOfPlace, way, &vec![0.0; self.points.p + 1], &[]));
         let way = panel.as_ref().map(|panel| Way { panel, advances, theta: 1.0 });
-        let shift = self.imbalance(way, &now);
-        let chain = &self.problem.chain;
-        now.depth += shift;
-        now.base += chain.glassy * shift;
-        now.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * shift);
+        let shift = setting.imbalance(way, &now);
+        setting.shift(&mut now, shift);
         let value = setting.excess(&mut window, way, &now, false).value;
         self.window = window;
         value
     }
 
-    /// The sudden change of Δ that brings a control to its value; 0 where Δ is given.
-    pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
-        let Some(control) = self.problem.drive.control else { return 0.0 };
-        let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
-        let force = force((&self.problem.chain, &self.problem.profile), &self.line, way, now);
-        let (target, _) = self.target(0.0);
-        (target - control.force * force - control.depth * now.depth)
-            / (control.force * 2.0 * self.problem.chain.glassy * edge + control.depth)
-    }
-
     /// The value that a control is to have at a time since the origin, and its rate.
     pub(super) fn target(&self, time: f64) -> (f64, f64) {
-        let branch = &self.problem.drive.branches[self.branch];
-        branch.value(self.line.time - branch.start + time)
+        self.branch.value(self.line.time - self.branch.start + time)
     }
 
     /// Δ as the control has it, the edge where it is.
     pub(super) fn balance(&mut self) {
         let mut now = Instant::default();
-        self.setting(false).still(&mut now);
-        let shift = self.imbalance(None, &now);
+        let setting = self.setting(false);
+        setting.still(&mut now);
+        let shift = setting.imbalance(None, &now);
         let chain = &self.problem.chain;
         if let Some(state) = &mut self.state {
             state.shift(chain, shift);
@@ -77,7 +64,7 @@ impl March<'_> {
 
     /// The rate of a Δ that follows, of an edge at rest.
     fn follow(&mut self) {
-        let (Some(control), Some(state)) = (self.problem.drive.control, &mut self.state) else { return };
+        let (Some(control), Some(state)) = (self.branch.control, &mut self.state) else { return };
         state.rate = 0.0;
         let chain = &self.problem.chain;
         let mut now = Instant::default();
@@ -135,7 +122,7 @@ impl March<'_> {
     /// An edge whose turn is not found rests: for the longest time up to `longest` in which what it leaves of the closure would move it, either way, by a part
     /// of the tolerance only. Then it sets out anew.
     pub(super) fn lingers(&mut self, longest: f64, tolerance: f64) -> bool {
-        let until_corner = self.problem.drive.branches[self.branch].end - self.line.time;
+        let until_corner = self.branch.end - self.line.time;
         if self.state.is_some() || longest > 0.5 * until_corner {
             return false;
         }

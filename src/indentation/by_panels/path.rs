@@ -11,6 +11,7 @@ use super::chain::Chain;
 use super::closure::{Closure, Way, Window};
 use super::drive::{Branch, Instant};
 use super::followed::State;
+use super::force::force;
 use super::gauss::{inverse, radau};
 use super::line::{Line, SERIES, Segment, chebyshev, field, series};
 use crate::indentation::Profile;
@@ -63,7 +64,8 @@ impl Points {
 #[derive(Clone, Copy)]
 pub(super) enum Motion<'a> {
     Given(&'a Branch),
-    Followed(&'a State),
+    /// With the branch of what is given instead.
+    Followed(&'a State, &'a Branch),
 }
 
 /// What does not change within a panel.
@@ -85,7 +87,7 @@ impl Setting<'_> {
     pub(super) fn still(&self, instant: &mut Instant) {
         match self.motion {
             Motion::Given(branch) => branch.at(self.chain, self.line.time - branch.start, instant),
-            Motion::Followed(state) => state.at(self.chain, instant),
+            Motion::Followed(state, _) => state.at(self.chain, instant),
         }
         instant.time = 0.0;
     }
@@ -95,9 +97,26 @@ impl Setting<'_> {
         let time = series(times, theta).0;
         match self.motion {
             Motion::Given(branch) => branch.at(self.chain, (self.line.time - branch.start) + time, instant),
-            Motion::Followed(state) => state.along(self.chain, times, depths, theta, instant),
+            Motion::Followed(state, _) => state.along(self.chain, times, depths, theta, instant),
         }
         instant.time = time;
+    }
+
+    /// The sudden change of Δ that brings a control to its value; 0 where Δ is given.
+    pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
+        let Motion::Followed(_, branch) = self.motion else { return 0.0 };
+        let Some(control) = branch.control else { return 0.0 };
+        let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
+        let force = force((self.chain, self.profile), self.line, way, now);
+        let (target, _) = branch.value((self.line.time - branch.start) + now.time);
+        (target - control.force * force - control.depth * now.depth) / (control.force * 2.0 * self.chain.glassy * edge + control.depth)
+    }
+
+    /// The drive after a sudden change of Δ.
+    pub(super) fn shift(&self, now: &mut Instant, way: f64) {
+        now.depth += way;
+        now.base += self.chain.glassy * way;
+        now.memory.iter_mut().zip(&self.chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * way);
     }
 
     /// C − Δγ, or its like without adhesion, on the way or at the origin.

@@ -1,11 +1,13 @@
 //! A problem of this crate in the terms of the room: its chain, its drive and its first contact; what is not solved yet is refused by name.
 
 use super::chain::Chain;
-use super::drive::Drive;
+use super::drive::{Drive, Stretch};
 use super::followed::Control;
+use super::gauss::Gauss;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
 use crate::material::Material;
 use crate::refusal::Refusal;
+use std::f64::consts::TAU;
 
 /// Strides down from a deep contact to the first crossing of a control's value, over the depth where they start; halvings of the last one.
 const STRIDES: f64 = 100.0;
@@ -21,19 +23,15 @@ pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
 /// What this room does not solve yet is refused by name.
 pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let history = &problem.history;
-    let first = history.segments.first().map_or(history.controlled, |segment| segment.controlled);
-    let mixed = history.segments.iter().any(|segment| segment.controlled != first);
+    let by_depth = history.controls(Controlled::Penetration)
+        && history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration && segment.duration > 0.0);
+    let given = |controlled: Controlled| controlled == Controlled::ContactRadius;
     let steady = |o: &Oscillation| o.frequency.to_bits() == o.end_frequency.to_bits() && !o.until_stationary;
-    let sudden = |segment: &Segment| segment.duration <= 0.0;
     let refusals = [
-        (!matches!(problem.profile, Profile::Paraboloid { .. } | Profile::Cone { .. }), "other shapes than spheres and cones"),
+        (problem.profile.rim().is_finite(), "shapes with a rim"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
-        (mixed, "controls that change after the first stretch"),
-        (first == Controlled::ContactRadius || history.controlled == Controlled::ContactRadius, "a given contact radius"),
-        (problem.adhesion.is_none() && (first != Controlled::Penetration || history.controlled != first), "a force without adhesion"),
-        (first == Controlled::Penetration && history.controlled != first, "a penetration after a start at a force"),
-        (first == Controlled::Penetration && history.segments.iter().any(sudden), "sudden steps of the penetration"),
-        (history.segments.last().is_some_and(sudden), "a step that ends the history"),
+        (given(history.controlled) || history.segments.iter().any(|segment| given(segment.controlled)), "a given contact radius"),
+        (problem.adhesion.is_none() && !by_depth, "a force or a sudden step without adhesion"),
         (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept or open-ended oscillations"),
     ];
     match refusals.iter().find(|(is, _)| *is) {
@@ -53,10 +51,13 @@ pub(super) fn control_of(controlled: Controlled, frame_stiffness: f64) -> Option
 
 /// c_F F + c_D Δ of an elastic contact.
 pub(super) fn imposed(profile: &Profile, modulus: f64, control: Control, edge: f64, depth: f64) -> f64 {
-    let volume: f64 = match profile {
-        Profile::Paraboloid { .. } => edge * profile.line(edge) / 3.0,
-        _ => edge * profile.line(edge) / 2.0,
+    let rule = Gauss::get();
+    let breaks = profile.breaks(edge);
+    let piece = |pair: &[f64]| -> f64 {
+        let (from, span) = (pair[0], pair[1] - pair[0]);
+        rule.nodes.iter().zip(rule.weights).map(|(x, weight)| weight * span * profile.line(from + span * x)).sum()
     };
+    let volume: f64 = breaks.windows(2).map(piece).sum();
     control.force * 2.0 * modulus * (edge * depth - volume) + control.depth * depth
 }
 
@@ -80,35 +81,30 @@ pub(super) fn started(profile: &Profile, modulus: f64, control: Control, value: 
     Some(0.5 * (low + high))
 }
 
-pub(super) fn drive_of(
-    chain: &Chain,
-    problem: &IndentationProblem,
-    control: Option<Control>,
-    first: &dyn Fn(Control) -> f64,
-) -> Result<Drive, Refusal> {
-    // A control that takes over starts from its value by then.
-    let mut value = control.filter(|_| problem.history.controlled == Controlled::Penetration).map_or(problem.history.start, first);
-    let mut drive = Drive::from(value);
-    drive.control = control;
-    for segment in &problem.history.segments {
-        if segment.duration <= 0.0 {
-            drive = drive.step(segment.end);
-        } else {
-            let rate = (segment.end - value) / segment.duration;
-            drive = match segment.oscillation {
-                None => drive.ramp(chain, rate, segment.duration),
-                Some(o) => drive.oscillate(chain, rate, o.amplitude, std::f64::consts::TAU * o.frequency, segment.duration),
-            };
-        }
-        value = segment.value(value, segment.duration);
-    }
-    Ok(drive)
+/// The stretches of the history.
+pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Drive {
+    let stretch = |segment: &Segment| Stretch {
+        control: control_of(segment.controlled, frame_stiffness),
+        end: segment.end,
+        duration: segment.duration,
+        oscillation: segment.oscillation.as_ref().map(|o| (o.amplitude, TAU * o.frequency)),
+    };
+    Drive { stretches: problem.history.segments.iter().map(stretch).collect() }
 }
 
 /// The radius at which f is a depth.
 pub(super) fn radius_of(profile: &Profile, depth: f64) -> f64 {
-    match profile {
-        Profile::Paraboloid { radius } => (radius * depth).sqrt(),
-        _ => depth / profile.line(1.0),
+    let mut high = 1.0;
+    while profile.line(high) < depth {
+        high *= 2.0;
     }
+    while high > 0.0 && profile.line(0.5 * high) > depth {
+        high *= 0.5;
+    }
+    let mut low = 0.5 * high;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if profile.line(middle) > depth { high = middle } else { low = middle }
+    }
+    high
 }

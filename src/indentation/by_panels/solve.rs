@@ -5,7 +5,7 @@
 
 use super::march::March;
 use super::problem::{End, Outcome, Problem, Row};
-use super::setup::{chain_of, control_of, drive_of, imposed, radius_of, started, supported};
+use super::setup::{chain_of, control_of, drive_of, started, supported};
 use super::start::elastic_start;
 use crate::indentation::{IndentationProblem, Start};
 use crate::material::Material;
@@ -94,14 +94,12 @@ pub fn march_by_panels(
             (None, FIRST_LENGTH * radius_of(&problem.profile, deepest), radius_of(&problem.profile, history.start), history.start)
         }
     };
-    let control = history.segments.first().and_then(|segment| control_of(segment.controlled, frame));
-    let drive = drive_of(&chain, problem, control, &|control| imposed(&problem.profile, modulus, control, edge, depth))?;
     let own = Problem {
         profile: problem.profile.clone(),
         chain,
         adhesion,
         zone,
-        drive,
+        drive: drive_of(problem, frame),
         relaxed,
         tolerance: options.tolerance,
         degree: options.degree,

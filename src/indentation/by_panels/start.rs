@@ -7,24 +7,38 @@ use super::line::{Line, Segment};
 use super::problem::Problem;
 use crate::indentation::Profile;
 
-/// The whole contact bonded at once, at time zero.
-pub(super) fn glassy(problem: &Problem, edge: f64, depth: f64) -> Segment {
-    let mut segment = Segment::blank(-edge, 0.0);
-    (segment.blank, segment.places, segment.times) = (false, vec![-0.5 * edge, 0.5 * edge], vec![0.0]);
-    let samples = 9;
+/// Radii at which a profile has no smooth continuation, of a contact of about a radius.
+pub(super) fn breaks(profile: &Profile, edge: f64) -> Vec<f64> {
+    match profile {
+        Profile::Table(shape) => profile.breaks(shape.reach()),
+        _ => profile.breaks(edge),
+    }
+}
+
+/// Samples of the state of a segment of the first contact.
+const SAMPLES: usize = 9;
+
+/// The contact bonded at once, at time zero: its segments, on which the profile is smooth.
+pub(super) fn glassy(problem: &Problem, line: &mut Line, depth: f64) {
     let n = problem.chain.terms();
-    segment.states = vec![0.0; samples * (n + 1)];
-    for q in 0..samples {
-        for k in 0..samples {
-            let angle = std::f64::consts::PI * (k as f64 + 0.5) / samples as f64;
-            let weight = if q == 0 { 1.0 } else { 2.0 } / samples as f64 * (q as f64 * angle).cos();
-            let depth = depth - problem.profile.line(0.5 * edge * (1.0 + angle.cos()));
-            for (i, term) in problem.chain.relaxation.iter().enumerate() {
-                segment.states[q * (n + 1) + i] += weight * term.0 * depth;
+    let borders: Vec<f64> = line.broken(-line.edge, 0.0).collect();
+    line.inside.clear();
+    for pair in borders.windows(2) {
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let mut segment = Segment { blank: false, places: vec![middle, half], times: vec![0.0], ..Segment::blank(pair[0], pair[1]) };
+        segment.states = vec![0.0; SAMPLES * (n + 1)];
+        for q in 0..SAMPLES {
+            for k in 0..SAMPLES {
+                let angle = std::f64::consts::PI * (k as f64 + 0.5) / SAMPLES as f64;
+                let weight = if q == 0 { 1.0 } else { 2.0 } / SAMPLES as f64 * (q as f64 * angle).cos();
+                let depth = depth - problem.profile.line(line.edge + middle + half * angle.cos());
+                for (i, term) in problem.chain.relaxation.iter().enumerate() {
+                    segment.states[q * (n + 1) + i] += weight * term.0 * depth;
+                }
             }
         }
+        line.inside.push(segment);
     }
-    segment
 }
 
 /// The larger radius in elastic equilibrium, modulus E*, under a penetration.
@@ -33,7 +47,7 @@ pub(super) fn elastic_start(profile: &Profile, modulus: f64, adhesion: f64, zone
     let mut window = Window::new(zone, 0.0);
     let now = Instant { depth, base: modulus * depth, ..Instant::default() };
     let mut excess = |edge: f64| {
-        let value = window.closure((&chain, profile), &Line::new(edge), None, &now, false).value;
+        let value = window.closure((&chain, profile), &Line::new(edge, &breaks(profile, edge)), None, &now, false).value;
         (if depth > profile.line(edge) { -value } else { value }) - adhesion
     };
     let mut high = 1.05 * zone;

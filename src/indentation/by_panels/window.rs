@@ -59,6 +59,12 @@ impl Window {
                 }
             }
         }
+        borders.extend(
+            line.breaks
+                .iter()
+                .flat_map(|place| [edge - place, zone - (place - edge)])
+                .filter(|y| *y > low + SLIVER * zone && *y < high - SLIVER * zone),
+        );
         borders.sort_by(f64::total_cmp);
         borders.dedup_by(|x, y| (*x - *y).abs() < SLIVER * zone);
         let mut theta = from;
@@ -87,6 +93,7 @@ impl Window {
                 }
             }
         }
+        borders.extend(line.breaks.iter().flat_map(|place| [edge - place, zone - (place - edge)]).filter(|y| *y > low && *y < high));
         borders.sort_by(f64::total_cmp);
         for pair in borders.windows(2) {
             let (from, to) = (pair[0], pair[1]);
