@@ -141,8 +141,11 @@ impl RunFolder {
         }
         write("scene.toml", scene.as_bytes())?;
         // A picture takes longer than many states: side by side.
-        let pictures: Vec<_> =
-            outcome.figures.par_iter().map(|(stem, figure)| (stem, plot::svg(figure).and_then(|svg| Ok((svg, plot::png(figure)?))))).collect();
+        let pictures: Vec<_> = outcome
+            .figures
+            .par_iter()
+            .map(|(stem, figure)| (stem, plot::svg(figure).and_then(|svg| Ok((svg, plot::png(figure)?)))))
+            .collect();
         for (stem, picture) in pictures {
             match picture {
                 Ok((svg, png)) => {

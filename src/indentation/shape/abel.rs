@@ -72,9 +72,10 @@ impl Piece {
             for g in 0..8 {
                 let x = self.nodes[g];
                 let root = ((from_low - x) * (s + self.low + x)).sqrt();
+                let second = self.weighted[1][g] / root;
                 sums[0] += self.weighted[0][g] / root;
-                sums[1] += self.weighted[1][g] / root;
-                sums[2] += self.weighted[1][g].abs() / root;
+                sums[1] += second;
+                sums[2] += second.abs();
             }
             return sums;
         }

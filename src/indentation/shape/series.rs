@@ -4,6 +4,7 @@ use super::super::row::Row;
 use super::abel::{Piece, line_profile};
 use crate::refusal::Refusal;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::sync::LazyLock;
 
 /// Terms of a series.
 const TERMS: usize = 24;
@@ -13,6 +14,10 @@ const SMALL: f64 = 2e-15;
 const DEEPEST: u32 = 40;
 /// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; a shape that asks for more is noise.
 const MOST_STRETCHES: usize = 3 * DEEPEST as usize;
+
+/// cos jθ_k of the places θ_k of a series, term after term.
+static COSINES: LazyLock<[[f64; TERMS]; TERMS]> =
+    LazyLock::new(|| std::array::from_fn(|j| std::array::from_fn(|k| (j as f64 * (PI * (k as f64 + 0.5) / TERMS as f64)).cos())));
 
 /// f and f′ over low ≤ s ≤ high.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,15 +146,15 @@ impl Stretch {
     /// The series through TERMS places that lie so far beyond a point, and whether they suffice.
     fn sampled(pieces: &[Piece], point: f64, [from, to]: [f64; 2], rooted: bool) -> (Self, bool) {
         let (low, high, width) = (point + from, point + to, to - from);
-        let angle = |k: usize| PI * (k as f64 + 0.5) / TERMS as f64;
+        let cosines = &*COSINES;
         let samples: [[f64; 3]; TERMS] = std::array::from_fn(|k| {
-            let x = 0.5 * (1.0 + angle(k).cos());
+            let x = 0.5 * (1.0 + cosines[1][k]);
             line_profile(pieces, point, from + width * if rooted { x * x } else { x })
         });
         let transformed = |which: usize| -> [f64; TERMS] {
             std::array::from_fn(|j| {
                 let factor = if j == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-                factor * samples.iter().enumerate().map(|(k, sample)| sample[which] * (j as f64 * angle(k)).cos()).sum::<f64>()
+                factor * samples.iter().zip(&cosines[j]).map(|(sample, cosine)| sample[which] * cosine).sum::<f64>()
             })
         };
         let [value, slope] = [transformed(0), transformed(1)];

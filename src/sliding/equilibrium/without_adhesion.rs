@@ -58,12 +58,6 @@ impl ContactsOfWidth {
                 kept = 1;
             }
         }
-        Some(Crossing {
-            place: nearest.place,
-            half_width: nearest.half_width,
-            eccentricity: nearest.eccentricity,
-            stable: true,
-            between,
-        })
+        Some(Crossing { place: nearest.place, half_width: nearest.half_width, eccentricity: nearest.eccentricity, stable: true, between })
     }
 }
