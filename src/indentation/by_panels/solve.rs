@@ -5,7 +5,7 @@
 
 use super::march::March;
 use super::problem::{End, Outcome, Problem, Row};
-use super::setup::{chain_of, control_of, drive_of, started, supported};
+use super::setup::{chain_of, control_of, drive_of, radius_of, started, supported};
 use super::start::elastic_start;
 use crate::indentation::{IndentationProblem, Start};
 use crate::material::Material;

@@ -5,8 +5,8 @@ use crate::outcome::Work;
 use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingColumns, SlidingContact, SlidingLoad, SlidingTask};
 use crate::sliding::branch::{Scan, beyond_both_ends};
 
-/// Balances of a contact of a load or penetration: the equilibrium curve, the contact and its stability. With adhesion, and without.
-const ON_CURVE: [f64; 2] = [165.0, 335.0];
+/// Balances of a contact of a load or penetration. With adhesion: the equilibrium curve, the contact and its stability. Without: the contact alone.
+const ON_CURVE: [f64; 2] = [133.0, 45.0];
 /// Balances of a contact of a given half-width.
 const OF_WIDTH: f64 = 21.0;
 /// Balances of the elastic companion.
