@@ -146,8 +146,7 @@ impl March<'_> {
 
     /// The next stretch of the history.
     pub(super) fn next_stretch(&mut self) -> Option<End> {
-        self.stretch += 1;
-        if self.stretch == self.problem.drive.stretches.len() {
+        if self.upcoming == self.problem.drive.stretches.len() {
             return Some(End::History);
         }
         self.begins();
@@ -157,12 +156,12 @@ impl March<'_> {
     /// Begins the stretch: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
         self.past = None;
-        let Some(stretch) = self.problem.drive.stretches.get(self.stretch) else { return };
+        let Some(stretch) = self.problem.drive.stretches.get(self.upcoming) else { return };
         let chain = &self.problem.chain;
         let (before, time) = (self.branch.control, self.line.time);
         let mut now = Instant::default();
         self.setting(false).still(&mut now);
-        let value = if before == stretch.control && self.stretch > 0 {
+        let value = if before == stretch.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
         } else {
@@ -170,6 +169,7 @@ impl March<'_> {
                 control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
             })
         };
+        self.upcoming += 1;
         self.branch = stretch.branch(time, value, now.memory.clone());
         self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
         if stretch.control.is_none() && self.branch.is_sudden() {

@@ -30,8 +30,8 @@ pub(super) struct March<'a> {
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
-    /// Which stretch of the history is under way, and its branch.
-    pub(super) stretch: usize,
+    /// Which stretch of the history comes next, and the branch of the one under way.
+    pub(super) upcoming: usize,
     pub(super) branch: Branch,
     /// Kinks of the line.
     pub(super) marks: Vec<Mark>,
@@ -80,7 +80,7 @@ impl<'a> March<'a> {
             points: Points::new(problem.degree),
             window: Window::new(problem.zone, problem.tolerance),
             line,
-            stretch: 0,
+            upcoming: 0,
             branch,
             marks: vec![Mark { place: 0.0, jump: true }],
             past: None,
@@ -95,10 +95,10 @@ impl<'a> March<'a> {
             state: None,
             outcome,
         };
-        march.begins();
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
         march.record_rest(0.0);
+        march.begins();
         march
     }
 
@@ -165,6 +165,7 @@ impl<'a> March<'a> {
                 }
             }
             if self.branch.is_sudden() {
+                self.record_rest(0.0);
                 return self.next_stretch();
             }
             let outset = self.sets_out();

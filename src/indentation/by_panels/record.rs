@@ -35,12 +35,20 @@ impl March<'_> {
         }
     }
 
+    /// The next wanted instant up to a time. One that is wanted twice is wanted before a sudden step and after it.
+    fn due(&self, end: f64) -> Option<f64> {
+        let next = self.outcome.wanted.len();
+        let wanted = *self.problem.instants.get(next)?;
+        let again = next > 0 && self.problem.instants.get(next - 1).is_some_and(|last| last.to_bits() == wanted.to_bits());
+        let steps = self.problem.drive.stretches.get(self.upcoming).is_some_and(|stretch| stretch.duration <= 0.0);
+        (wanted <= end + LATE * end && !(again && steps)).then_some(wanted)
+    }
+
     /// Rows of the panel: wanted instants, its end, the least force.
     pub(super) fn record(&mut self, advances: bool, segment: &Segment, cut: f64) {
         let at = |march: &Self, theta: f64| march.row(Some(Way { panel: segment, advances, theta }), segment.time_at(theta));
         let (start, end) = (self.line.time, self.line.time + segment.time_at(cut));
-        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end)
-        {
+        while let Some(wanted) = self.due(end) {
             let theta = first_crossing(|x| segment.time_at(x) - (wanted - start)).map_or(cut, |theta| theta.min(cut));
             let row = at(self, theta);
             self.outcome.wanted.push(row);
@@ -131,8 +139,7 @@ impl March<'_> {
     pub(super) fn record_rest(&mut self, time: f64) {
         let start = self.line.time;
         let end = start + time;
-        while let Some(wanted) = self.problem.instants.get(self.outcome.wanted.len()).copied().filter(|&wanted| wanted <= end + LATE * end)
-        {
+        while let Some(wanted) = self.due(end) {
             let row = self.row(None, wanted - start);
             self.outcome.wanted.push(row);
         }
