@@ -6,7 +6,7 @@
 use super::held::Crossing;
 use super::point::{HeldQuantity, Point};
 use super::width::ContactsOfWidth;
-use crate::sliding::contact::{ContactEdges, Indenter, WaveContact};
+use crate::sliding::contact::{ContactEdges, WaveContact};
 
 /// Steps of the search.
 const STEPS: usize = 60;
@@ -21,11 +21,8 @@ impl ContactsOfWidth {
             [point] => Some(point),
             _ => None,
         };
-        // Both rise like powers of the half-width while the contact is narrow.
-        let level = |held: f64| match (quantity, indenter) {
-            (HeldQuantity::Penetration, Indenter::Wave) => (1.0 + held).ln() - (-held).ln(),
-            _ => held.ln(),
-        };
+        // The load rises like a power of the half-width while the contact is narrow; a penetration may start below zero.
+        let level = |held: f64| if quantity == HeldQuantity::MeanPressure { held.ln() } else { held };
         let wanted = level(value);
         let off = |point: &Point| level(quantity.of(point)) - wanted;
         let [low, high] = half_widths.map(|half_width| ContactEdges::new(indenter, WaveContact { half_width, eccentricity: 0.0 }).place());
