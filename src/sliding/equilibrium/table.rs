@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// Degrees of the series that are tried on a panel before it is divided: the nodes of each are among those of the next.
 const DEGREES: [usize; 3] = [14, 28, 56];
 /// The longest panel: of longer ones hardly any is as smooth as the highest degree.
-const LONGEST: f64 = 5.0;
+const LONGEST: f64 = 6.0;
 /// A panel that is not divided, whatever is left out.
 const SHORTEST: f64 = 0.2;
 /// A panel that is left out if any of its half-widths is refused.
