@@ -292,6 +292,16 @@ fn what_it_does_not_solve_is_refused_with_the_reason() {
     let refusal =
         march_by_panels(&material, &IndentationProblem { profile: rimmed, ..retraction(state) }, USUAL, &[]).unwrap_err().to_string();
     assert!(refusal.contains("shapes with a rim"), "{refusal}");
+    // A sphere of which points are known up to 0.3: pressed to less than that, and beyond.
+    let points: Vec<(f64, f64)> = (0..=30).map(|k| f64::from(k) * 0.01).map(|radius| (radius, 0.5 * radius * radius)).collect();
+    let table = |depth: f64| {
+        let pressed = problem(state, History::penetration(0.02).ramp(depth, 1.0)).relaxed();
+        march_by_panels(&material, &IndentationProblem { profile: Profile::table(&points).unwrap(), ..pressed }, USUAL, &[])
+    };
+    let widest = table(0.022).unwrap().ends.iter().map(|row| row.contact_radius).fold(0.0, f64::max);
+    assert!(widest < 0.3, "{widest}");
+    let refusal = table(0.12).unwrap_err().to_string();
+    assert!(refusal.contains("the radius of its last point"), "{refusal}");
     let lifted = problem(state, History::penetration(-0.5).hold(1.0)).relaxed();
     assert!(march_by_panels(&material, &lifted, USUAL, &[]).is_err());
 }

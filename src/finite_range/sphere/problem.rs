@@ -47,7 +47,7 @@ pub struct Creep {
 /// Where a run begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
-    /// Relaxed equilibrium at this penetration: in contact, where a contact exists (below zero penetration the surfaces could also be apart).
+    /// Relaxed equilibrium at this penetration: in contact, where a contact exists (below zero penetration the surfaces could also be separated).
     Relaxed(f64),
     /// A body without creep strain at this penetration (a negative one, where the surfaces hardly attract).
     Unstrained(f64),

@@ -12,7 +12,7 @@ pub struct Record {
     pub penetration: f64,
     /// Positive in compression.
     pub force: f64,
-    /// Where the gap passes that of the law's largest tension; zero if the surfaces are farther apart.
+    /// Where the gap passes that of the law's largest tension; zero if the gap is wider everywhere.
     pub contact_radius: f64,
     /// Where the tension is largest; zero at the centre.
     pub tension_radius: f64,
@@ -41,7 +41,7 @@ pub struct Jump {
     pub force_after: f64,
     /// After it; differs from the one before where the penetration is not imposed.
     pub penetration_after: f64,
-    /// The contact radius it lands on (0: apart).
+    /// The contact radius it lands on (0: separated).
     pub radius_after: f64,
     /// Energy lost in it.
     pub released: f64,

@@ -70,9 +70,9 @@ impl Solver<'_> {
             return self.surface.compressed((FRAC_2_PI * root - opening / (PI * root)) / coupling);
         }
         let (angle, root) = ((a / x).acos(), (x * x - a * a).sqrt());
-        let apart =
+        let separation =
             if shape == Shape::Paraboloid { ((x * x - 2.0 * a * a) * angle + a * root) / PI } else { shape.height(x) - shape.height(a) };
-        self.surface.undeformed(0.0) + apart + FRAC_2_PI * opening * angle
+        self.surface.undeformed(0.0) + separation + FRAC_2_PI * opening * angle
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Energies {
     pub instant: f64,
     /// In the springs of the Voigt elements.
     pub delayed: f64,
-    /// Of the attraction (zero when far apart).
+    /// Of the attraction (zero across a wide gap).
     pub interface: f64,
 }
 

@@ -53,7 +53,8 @@ pub struct Bounded {
 /// One march of a history of penetration; rows at `instants`.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] for what this room does not solve yet, [`Refusal::NoSuchState`] without a first contact, [`Refusal::NotConverged`].
+/// [`Refusal::Undefined`] for what this room does not solve yet, [`Refusal::NoSuchState`] without a first contact and for one that reaches beyond a table,
+/// [`Refusal::NotConverged`].
 pub fn march_by_panels(
     material: &Material,
     problem: &IndentationProblem,
@@ -107,6 +108,10 @@ pub fn march_by_panels(
         energies: problem.energies,
     };
     let outcome = March::new(&own, edge, depth).run();
+    // The widest contacts are at ends of panels: an edge that turns back ends one.
+    for row in outcome.ends.iter().chain(&outcome.jumps).chain([&outcome.start]) {
+        problem.profile.holds(row.contact_radius, zone)?;
+    }
     if outcome.end == End::Failed {
         let last = outcome.ends.last().copied().unwrap_or(outcome.start);
         return Err(Refusal::NotConverged {
