@@ -15,7 +15,7 @@ const PARTS: u64 = 1000;
 pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, json: bool) -> Result<u8, Failure> {
     let source = SceneSource::load(arguments)?;
     // A number that the physics refuses is found before a folder is touched.
-    plan::Plan::new(&source.scene)?;
+    let plan = plan::Plan::new(&source.scene)?;
     let header = plan::journal_header(&source.document, &source.scene);
     let mut folder = None;
     let mut finished = Vec::new();
@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
         let (journal, checkpoints) = folder.journal();
         Safe { journal, checkpoints }
     });
-    let outcome = plan::run(&source.document, &source.scene, finished, safe, &progress)?;
+    let outcome = plan::run_planned(&plan, &source.document, &source.scene, finished, safe, &progress)?;
     bar.finish_and_clear();
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
     if json {

@@ -18,7 +18,7 @@ mod steady_crack;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
-pub use run::{RunError, Safe, journal_header, run};
+pub use run::{RunError, Safe, journal_header, run, run_planned};
 
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
 use crate::refusal::Refusal;

@@ -59,10 +59,24 @@ pub fn run(
     document: &Document,
     scene: &Scene,
     finished: Vec<Vec<Row>>,
+    safe: Option<Safe<'_>>,
+    progress: Progress<'_>,
+) -> Result<Outcome, RunError> {
+    run_planned(&Plan::new(scene)?, document, scene, finished, safe, progress)
+}
+
+/// The same of a scene that has been planned.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_planned(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    finished: Vec<Vec<Row>>,
     mut safe: Option<Safe<'_>>,
     progress: Progress<'_>,
 ) -> Result<Outcome, RunError> {
-    let plan = Plan::new(scene)?;
     let total = plan.states();
     let solves_a_state = plan.predicted_work().linear_solves / (total as u64).max(1);
     let between = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
@@ -73,10 +87,12 @@ pub fn run(
         let checkpoints = safe.as_ref().map(|safe| &safe.checkpoints);
         let solve = |state| {
             let desk = Desk::new(state, checkpoints, progress);
-            let rows = solve_state(document, scene, &desk, state);
+            let rows = solve_state(plan, document, scene, &desk, state);
             desk.failure().map_or(Ok(rows), Err)
         };
-        let solved: Vec<Vec<Row>> = chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()?;
+        // One alone needs no threads.
+        let solved: Vec<Vec<Row>> =
+            if chunk.len() == 1 { vec![solve(chunk.start)?] } else { chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()? };
         if let Some(safe) = &mut safe {
             safe.journal.append(&solved)?;
             chunk.into_iter().try_for_each(|state| safe.checkpoints.remove(state))?;
@@ -109,12 +125,12 @@ pub fn run(
 }
 
 /// One state: its swept values put into the scene, read, planned, solved.
-fn solve_state(document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize) -> Vec<Row> {
+fn solve_state(plan: &Plan, document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize) -> Vec<Row> {
     let places = indices(&scene.sweeps, state);
     let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
     let solved = || -> Result<Vec<Row>, String> {
         if scene.sweeps.is_empty() {
-            return Ok(Plan::new(scene).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept));
+            return Ok(plan.solve_at(desk, state, &swept));
         }
         let mut varied = document.clone();
         for (sweep, &index) in scene.sweeps.iter().zip(&places) {

@@ -47,6 +47,8 @@ pub(super) struct Course<'a> {
     pub(super) meter: Option<Meter>,
     /// What has been added up since the last point.
     pub(super) sums: Sums,
+    /// A depth that the history reaches at least (m).
+    pub(super) deepest: f64,
     /// What the last panel left of Δ (m).
     pub(super) left: f64,
     pace: Option<(Controlled, f64)>,
@@ -76,6 +78,7 @@ impl<'a> Course<'a> {
             record: Record::without_contact(),
             meter: None,
             sums: Sums::default(),
+            deepest: 0.0,
             left: 0.0,
             pace: None,
             evaluations: 0,
@@ -113,8 +116,25 @@ impl<'a> Course<'a> {
         Ok(self.stop.unwrap_or(self.line))
     }
 
+    /// The deepest that an elastic contact as stiff as at once would come: none that creeps stays above it.
+    fn reaches(&self) -> f64 {
+        let history = &self.problem.history;
+        let imposed = history.segments.iter().map(|segment| (segment.controlled, segment.end));
+        let depths = std::iter::once((history.controlled, history.start)).chain(imposed).map(|(controlled, value)| match controlled {
+            Controlled::Penetration => value,
+            Controlled::ContactRadius => self.problem.profile.line(value.max(0.0)),
+            Controlled::Force => self.fresh.at_most(0.5 * value / self.chain.glassy).unwrap_or(0.0),
+            Controlled::Frame => self.problem.frame_stiffness.map_or(0.0, |stiffness| {
+                // Half of the way, or less where the load of half the spring does not press so deep.
+                self.fresh.at_most(0.25 * stiffness * value / self.chain.glassy).map_or(0.5 * value, |depth| depth.min(0.5 * value))
+            }),
+        });
+        depths.fold(0.0, f64::max)
+    }
+
     fn run(&mut self) -> Result<(), Refusal> {
         let history = &self.problem.history;
+        self.deepest = self.reaches();
         self.begin()?;
         let mut last = history.start;
         let mut before = history.controlled;

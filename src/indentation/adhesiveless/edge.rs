@@ -4,6 +4,7 @@
 
 use super::drive::Drive;
 use super::grid::{GRID, NODES};
+use super::law::Met;
 use super::line::Line;
 use super::moment::Moment;
 use super::times::{leaving, touching};
@@ -137,9 +138,16 @@ impl Line<'_> {
         self.led(drive, None, touched, self.looked_at(drive))
     }
 
-    /// The same along a panel that knows its way, and what its polynomial leaves of Δ.
-    pub(super) fn follow(&mut self, drive: &Drive, way: Way, left: f64) -> Result<Went, Refusal> {
-        self.led(drive, Some((way, left)), true, evenly(drive.duration).collect())
+    /// The same along a panel that knows its way, and what its polynomial leaves of Δ. Where the edge goes that way from node to node, the end of the panel
+    /// is looked at only.
+    pub(super) fn follow(&mut self, drive: &Drive, met: &Met, left: f64) -> Result<Went, Refusal> {
+        let [_, .., last] = met.places;
+        let goes_on = std::iter::once(self.radius()).chain(met.places).is_sorted_by(|one, other| match met.way {
+            Way::Inwards => one > other,
+            Way::Outwards => one < other,
+        });
+        let times = if goes_on && last > 0.0 && last < self.profile.rim() { vec![drive.duration] } else { evenly(drive.duration).collect() };
+        self.led(drive, Some((met.way, left)), true, times)
     }
 
     fn led(&mut self, drive: &Drive, known: Option<(Way, f64)>, touched: bool, times: Vec<f64>) -> Result<Went, Refusal> {

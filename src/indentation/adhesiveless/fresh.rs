@@ -25,8 +25,9 @@ pub(super) struct Fresh<'a> {
 struct Part {
     low: f64,
     high: f64,
-    /// f at its end.
+    /// f and Φ at its end.
     top: f64,
+    load: f64,
     /// ∫f ds from the axis to each place.
     sums: Nodal,
 }
@@ -93,6 +94,19 @@ impl<'a> Fresh<'a> {
         self.running.iter().map(|(place, _)| *place).filter(move |place| *place > low + clear && *place < high - clear)
     }
 
+    /// No less than the penetration of a fresh contact with Φ (m), and little more; none beyond what the shape is known for.
+    pub(super) fn at_most(&self, load: f64) -> Option<f64> {
+        if !matches!(self.profile, Profile::Table(_)) || load <= 0.0 || load >= self.at(self.rim.min(self.running.last()?.0)) {
+            return self.depth(load).ok();
+        }
+        // dΔ/dΦ = 1/a falls: tangents lie above.
+        let index = self.parts.partition_point(|part| part.load < load);
+        let above = self.parts.get(index)?;
+        let from_above = above.top - (above.load - load) / above.high;
+        let below = index.checked_sub(1).and_then(|index| self.parts.get(index));
+        Some(below.map_or(from_above, |below| from_above.min(below.top + (load - below.load) / below.high)))
+    }
+
     /// The penetration of a fresh contact with Φ (m), at least 0.
     pub(super) fn depth(&self, load: f64) -> Result<f64, Refusal> {
         if load <= 0.0 {
@@ -154,7 +168,7 @@ fn cut(profile: &Profile, (low, high): (f64, f64), before: f64, halvings: u32, p
         return cut(profile, (middle, high), there, halvings - 1, parts);
     }
     let sums = GRID.running(&heights).map(|sum| before + (high - low) * sum);
-    parts.push(Part { low, high, top, sums });
+    parts.push(Part { low, high, top, load: high * top - sums[NODES - 1], sums });
     sums[NODES - 1]
 }
 

@@ -12,6 +12,9 @@ pub(super) const NODES: usize = 21;
 /// Coefficients whose size tells whether a series has ended.
 const TAIL: usize = 3;
 
+/// Steps to a zero.
+const MOST_STEPS: u32 = 100;
+
 /// A number for each place.
 pub(super) type Nodal = [f64; NODES];
 
@@ -69,38 +72,53 @@ impl Grid {
         basis(&self.xi, (theta / FRAC_PI_2 - 1.0).clamp(-1.0, 1.0))
     }
 
-    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last.
+    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last. Newton's steps, within a bracket.
     pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
         let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
-        let (mut above, mut below) = (values[next - 1], values[next]);
-        let mut side = 0;
+        let (above, below) = (values[next - 1], values[next]);
         let rounding = 0.25 * f64::EPSILON * values[0].abs().max(values[NODES - 1].abs());
-        for _ in 0..60 {
-            if above <= rounding || high - low <= 4e-16 {
-                break;
+        if above <= rounding {
+            return low;
+        }
+        let gap = high - low;
+        let mut place = low + gap * (above / (above - below));
+        let mut last = None;
+        for _ in 0..MOST_STEPS {
+            if place <= low || place >= high {
+                return low;
             }
-            let chord = low + (high - low) * (above / (above - below));
-            let place = if chord > low && chord < high { chord } else { 0.5 * (low + high) };
-            let value = dot(&basis(&self.xi, place), values);
+            let (value, slope) = self.value_and_slope(place, values);
             if value.abs() <= rounding {
                 return place;
             }
-            if value >= 0.0 {
-                (low, above) = (place, value);
-                if side == 1 {
-                    below *= 0.5;
+            if value > 0.0 { low = place } else { high = place }
+            let newton = place - value / slope;
+            let step = (newton - place).abs();
+            // Where Newton's steps do not halve, the bracket is.
+            if newton > low && newton < high && step <= 0.5 * last.unwrap_or(gap) {
+                // What its next step would be: each goes with the square of the one before.
+                let next = last.map_or(10.0 * step * step / gap, |last| step * (step / last).powi(2));
+                if next <= f64::EPSILON {
+                    return newton;
                 }
-                side = 1;
+                (place, last) = (newton, Some(step));
             } else {
-                (high, below) = (place, value);
-                if side == -1 {
-                    above *= 0.5;
-                }
-                side = -1;
+                place = 0.5 * (low + high);
+                last = None;
             }
         }
-        low
+        place
+    }
+
+    /// The interpolant and its slope at a ξ between places.
+    fn value_and_slope(&self, place: f64, values: &Nodal) -> (f64, f64) {
+        let over: Nodal = std::array::from_fn(|k| (place - self.xi[k]).recip());
+        let weights: Nodal = std::array::from_fn(|k| BARYCENTRIC[k] * over[k]);
+        let whole = dot(&weights, &[1.0; NODES]).recip();
+        let value = dot(&weights, values) * whole;
+        let steeper: Nodal = std::array::from_fn(|k| over[k] * (value - values[k]));
+        (value, dot(&weights, &steeper) * whole)
     }
 
     /// The distance from the low end over the width.

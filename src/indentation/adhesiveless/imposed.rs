@@ -22,8 +22,13 @@ const SOON: f64 = 1e-8;
 const SHORTEST: f64 = 1e-13;
 /// Part of the way to a force that vanishes, growth and shrinkage of panels.
 const TOWARDS: f64 = 0.7;
-const FASTEST: f64 = 4.0;
+const FASTEST: f64 = 16.0;
 const SLOWEST: f64 = 0.25;
+/// A panel that does not end is shortened at most so much at once, and at least so much; one that passes a kink is cut there, if so much of it is left.
+const SHORTENED: [f64; 2] = [1e-4, 0.7];
+const TO_A_KINK: [f64; 2] = [1e-3, 0.95];
+/// Orders at which what a panel leaves goes with its length.
+const ORDERS: [f64; 2] = [0.25, DEGREE as f64];
 const GROWTH: f64 = 1.5;
 /// A panel that is twice no better for being shorter leaves rounding; it is not believed to be so much over what is allowed.
 const NO_BETTER: f64 = 0.9;
@@ -116,6 +121,7 @@ impl Course<'_> {
             length = most;
         }
         let (mut best, mut worse, mut shortened) = (f64::INFINITY, 0, false);
+        let mut longer: Option<(f64, f64)> = None;
         let first = length;
         loop {
             let target: Row = places().map(|part| unit * given.value(at + part * length));
@@ -131,7 +137,7 @@ impl Course<'_> {
                 continue;
             };
             let rises = met.depths.map(|depth| depth - start);
-            let reach = rises.iter().fold(self.line.depth, |most, rise| most.max((start + rise).abs()));
+            let reach = rises.iter().fold(self.line.depth.max(self.deepest), |most, rise| most.max((start + rise).abs()));
             let (left, allowed) = (
                 tail(&rises),
                 (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach,
@@ -143,8 +149,12 @@ impl Course<'_> {
                 let rounding = left < MOST_NOISE * allowed && worse >= TWICE;
                 (best, shortened) = (left.min(best), true);
                 if length > least && !rounding {
-                    let passed = law.passes(&met).filter(|part| *part > SLOWEST && *part < 0.95);
-                    length *= passed.unwrap_or_else(|| factor.clamp(SLOWEST, 0.7));
+                    let passed = law.passes(&met).filter(|part| *part > TO_A_KINK[0] && *part < TO_A_KINK[1]);
+                    let order = longer.map_or(DEGREE as f64, |(other, of_other)| (left / of_other).ln() / (length / other).ln());
+                    longer = Some((length, left));
+                    length *= passed.unwrap_or_else(|| {
+                        (0.3 * allowed / left).powf(order.clamp(ORDERS[0], ORDERS[1]).recip()).clamp(SHORTENED[0], SHORTENED[1])
+                    });
                     continue;
                 }
                 self.line.everywhere += left.min(own * MOST_NOISE);
@@ -164,7 +174,7 @@ impl Course<'_> {
                 self.line.pass_nothing(&drive);
                 (length, None, Ended::Whole)
             } else {
-                self.line.follow(&drive, met.way, allowed)?
+                self.line.follow(&drive, &met, allowed)?
             };
             if went.2 == Ended::Faint {
                 drive = through(&Law::new(&self.line, &self.fresh, length).resting().depths);

@@ -126,9 +126,9 @@ impl<'l, 'a> Law<'l, 'a> {
         let punch = a > 0.0 && a >= line.profile.rim();
         if a > 0.0 {
             // The edge as it would have to be imposed to stay.
-            let stays: Row = std::array::from_fn(|k| inside[k].last().unwrap_or(0.0));
+            let stays: Row = std::array::from_fn(|k| inside.last(k).unwrap_or(0.0));
             let depths = self.depths_of(&stays);
-            let areas: Row = std::array::from_fn(|k| inside[k].under(stays[k]));
+            let areas: Row = std::array::from_fn(|k| inside.under(k, stays[k]));
             let excess: Row = std::array::from_fn(|k| target[k] - of_force * areas[k] - of_depth * depths[k]);
             let size = target.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
@@ -143,28 +143,28 @@ impl<'l, 'a> Law<'l, 'a> {
     /// Δ that keeps S at the edge at zero: the edge rests, and a punch presses nothing.
     pub(super) fn resting(&self) -> Met {
         let inside = self.line.holding(&self.kept);
-        self.staying(&std::array::from_fn(|k| inside[k].last().unwrap_or(0.0)))
+        self.staying(&std::array::from_fn(|k| inside.last(k).unwrap_or(0.0)))
     }
 
     fn staying(&self, stays: &Row) -> Met {
         Met { way: Way::Inwards, depths: self.depths_of(stays), places: [self.line.radius(); DEGREE], rests: true, noise: 0.0 }
     }
 
-    fn inwards(&self, inside: &[Rising<'_>], (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
+    fn inwards(&self, inside: &Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
         let (line, start) = (self.line, self.line.penetration);
         let (a, rim) = (line.radius(), line.profile.rim());
         let base = self.undone(&[self.soft * start; DEGREE]);
         let right: Row = std::array::from_fn(|k| target[k] - of_depth * (start - base[k]));
         let reached = |k: usize, level: f64| {
             // All of a flat punch lets go at once.
-            let all = a >= rim && (line.profile.is_flat() || level >= inside[k].last().unwrap_or(0.0));
-            if all { Ok(Reached { area: inside[k].under(level), place: a, beyond: false }) } else { Ok(inside[k].reached(level)) }
+            let all = a >= rim && (line.profile.is_flat() || level >= inside.last(k).unwrap_or(0.0));
+            if all { Ok(Reached { area: inside.under(k, level), place: a, beyond: false }) } else { Ok(inside.reached(k, level)) }
         };
         let (kappa, places, noise) = self.newton((of_force, of_depth), &right, from, 0.0, reached).ok()??;
         Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
-    fn outwards(&self, outside: &[Rising<'_>], (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
+    fn outwards(&self, outside: &Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
         let (line, chain) = (self.line, self.line.chain);
         let a = line.radius();
         let strains = line.free_strains();
@@ -182,7 +182,7 @@ impl<'l, 'a> Law<'l, 'a> {
         let reached = |k: usize, level: f64| -> Result<Reached, Refusal> {
             // Trials may be deeper than a table tells: as if it ended in a cylinder.
             let known = level.min(top);
-            let mut reached = outside[k].reached(known);
+            let mut reached = outside.reached(k, known);
             if reached.beyond && reached.place < line.profile.rim() {
                 let (from, to) = (reached.place, self.fresh.edge(line, known, reached.place)?);
                 let beyond = known * (to - from) - (self.fresh.integral(to) - self.fresh.integral(from));
@@ -197,8 +197,8 @@ impl<'l, 'a> Law<'l, 'a> {
             *level = if of_depth > 0.0 {
                 target[k] / of_depth
             } else {
-                let lift = (outside[k].first().unwrap_or_else(|| line.profile.line(a)) - line.profile.line(a)).max(0.0);
-                (lift + self.fresh.depth((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
+                let lift = (outside.first(k).unwrap_or_else(|| line.profile.line(a)) - line.profile.line(a)).max(0.0);
+                (lift + self.fresh.at_most((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
             };
         }
         let met = self.newton((of_force, of_depth), &right, from, remembered, reached)?;

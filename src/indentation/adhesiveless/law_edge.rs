@@ -8,7 +8,7 @@ use super::rising::Rising;
 use crate::refusal::Refusal;
 
 impl Law<'_, '_> {
-    pub(super) fn met_radius(&self, inside: &[Rising<'_>], outside: &[Rising<'_>], radii: &Row) -> Result<Met, Refusal> {
+    pub(super) fn met_radius(&self, inside: &Rising<'_>, outside: &Rising<'_>, radii: &Row) -> Result<Met, Refusal> {
         let line = self.line;
         let a = line.radius();
         let rising = radii[DEGREE - 1] > a || a == 0.0;
@@ -24,9 +24,9 @@ impl Law<'_, '_> {
                         limit,
                     });
                 }
-                outside[k].value(own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
+                outside.value(k, own[k].max(a)).unwrap_or_else(|| line.profile.line(own[k].max(a)))
             } else {
-                inside[k].value(own[k].min(a)).or(inside[k].last()).unwrap_or(0.0)
+                inside.value(k, own[k].min(a)).or(inside.last(k)).unwrap_or(0.0)
             };
         }
         Ok(Met {

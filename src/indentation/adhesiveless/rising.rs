@@ -3,19 +3,21 @@
 use super::drive::DEGREE;
 use super::grid::{GRID, NODES, dot};
 use super::line::{Line, Stretch};
+use super::linear::Row;
 
-/// p(s): a share of the heights and one of each term, stretch after stretch. Its values within a stretch are added up where they are asked for.
+/// p(s) at each node of a panel: a share of the heights and one of each term, stretch after stretch. Its values within a stretch are added up where they
+/// are asked for.
 pub(super) struct Rising<'l> {
     start: f64,
     stretches: &'l [Stretch],
     of_heights: f64,
-    of_terms: Vec<f64>,
+    of_terms: [Vec<f64>; DEGREE],
     /// p where the first stretch starts, and where each one ends.
-    first: Option<f64>,
-    ends: Vec<f64>,
+    first: Option<Row>,
+    ends: Vec<Row>,
     /// ∫p ds up to each stretch, and over all.
-    before: Vec<f64>,
-    whole: f64,
+    before: Vec<Row>,
+    whole: Row,
 }
 
 /// How far a level is above it.
@@ -27,88 +29,86 @@ pub(super) struct Reached {
     pub(super) beyond: bool,
 }
 
-/// ∫ds of the heights of a stretch and of each of its terms.
-fn integrals(stretch: &Stretch, terms: usize) -> impl Iterator<Item = f64> {
-    let of_terms = (0..terms).map(|index| dot(&GRID.weights, stretch.term(index)));
-    std::iter::once(GRID.integral(&stretch.heights)).chain(of_terms).map(|sum| stretch.width() * sum)
-}
-
 impl<'l> Rising<'l> {
-    /// One for each node of a panel, with its shares.
-    fn all(start: f64, stretches: &'l [Stretch], of_heights: f64, shares: [Vec<f64>; DEGREE]) -> [Self; DEGREE] {
-        let terms = shares[0].len();
-        let sums: Vec<f64> = stretches.iter().flat_map(|stretch| integrals(stretch, terms)).collect();
-        shares.map(|of_terms| {
-            let at = |stretch: &Stretch, k: usize| {
-                let terms = of_terms.iter().enumerate().map(|(index, share)| share * stretch.term(index).get(k).copied().unwrap_or(0.0));
-                of_heights * stretch.heights[k] + terms.sum::<f64>()
-            };
-            let first = stretches.first().map(|stretch| at(stretch, 0));
-            let ends = stretches.iter().map(|stretch| at(stretch, NODES - 1)).collect();
-            let mut whole = 0.0;
-            let mut before = Vec::with_capacity(stretches.len());
-            for sums in sums.chunks_exact(terms + 1) {
-                before.push(whole);
-                let terms = of_terms.iter().zip(sums.iter().skip(1)).map(|(share, sum)| share * sum);
-                whole += of_heights * sums.first().copied().unwrap_or(0.0) + terms.sum::<f64>();
+    fn new(start: f64, stretches: &'l [Stretch], of_heights: f64, of_terms: [Vec<f64>; DEGREE]) -> Self {
+        let sums = |of: &dyn Fn(&[f64]) -> f64, heights: f64, stretch: &Stretch| -> Row {
+            let mut row = [of_heights * heights; DEGREE];
+            for index in 0..of_terms[0].len() {
+                let sum = of(stretch.term(index));
+                for (value, shares) in row.iter_mut().zip(&of_terms) {
+                    *value += shares.get(index).copied().unwrap_or(0.0) * sum;
+                }
             }
-            Self { start, stretches, of_heights, of_terms, first, ends, before, whole }
-        })
+            row
+        };
+        let at = |stretch: &Stretch, k: usize| sums(&|term| term.get(k).copied().unwrap_or(0.0), stretch.heights[k], stretch);
+        let first = stretches.first().map(|stretch| at(stretch, 0));
+        let ends = stretches.iter().map(|stretch| at(stretch, NODES - 1)).collect();
+        let mut whole = [0.0; DEGREE];
+        let mut before = Vec::with_capacity(stretches.len());
+        for stretch in stretches {
+            before.push(whole);
+            let own = sums(&|term| dot(&GRID.weights, term), GRID.integral(&stretch.heights), stretch);
+            for (whole, own) in whole.iter_mut().zip(own) {
+                *whole += stretch.width() * own;
+            }
+        }
+        Self { start, stretches, of_heights, of_terms, first, ends, before, whole }
     }
 
-    pub(super) const fn first(&self) -> Option<f64> {
-        self.first
+    pub(super) fn first(&self, k: usize) -> Option<f64> {
+        self.first.map(|first| first[k])
     }
 
-    pub(super) fn last(&self) -> Option<f64> {
-        self.ends.last().copied()
+    pub(super) fn last(&self, k: usize) -> Option<f64> {
+        self.ends.last().map(|end| end[k])
     }
 
-    pub(super) fn end(&self) -> f64 {
+    fn end(&self) -> f64 {
         self.stretches.last().map_or(self.start, |stretch| stretch.high)
     }
 
     /// The whole area between a level and all stretches, above or below.
-    pub(super) fn under(&self, level: f64) -> f64 {
-        level * (self.end() - self.start) - self.whole
+    pub(super) fn under(&self, k: usize, level: f64) -> f64 {
+        level * (self.end() - self.start) - self.whole[k]
     }
 
-    pub(super) fn reached(&self, level: f64) -> Reached {
-        if self.first.is_some_and(|first| level <= first) {
+    pub(super) fn reached(&self, k: usize, level: f64) -> Reached {
+        if self.first.is_some_and(|first| level <= first[k]) {
             return Reached { area: 0.0, place: self.start, beyond: false };
         }
-        let index = self.ends.partition_point(|end| *end < level);
+        let index = self.ends.partition_point(|end| end[k] < level);
         let (Some(stretch), Some(before)) = (self.stretches.get(index), self.before.get(index)) else {
-            return Reached { area: self.under(level), place: self.end(), beyond: true };
+            return Reached { area: self.under(k, level), place: self.end(), beyond: true };
         };
-        let values = stretch.weighted(self.of_heights, &self.of_terms);
+        let values = stretch.weighted(self.of_heights, &self.of_terms[k]);
         let xi = GRID.falling_zero(&values.map(|value| level - value));
         let place = stretch.low + stretch.width() * GRID.part(xi);
         let own = stretch.width() * GRID.integral_to(xi, &values);
-        Reached { area: level * (place - self.start) - (before + own), place, beyond: false }
+        Reached { area: level * (place - self.start) - (before[k] + own), place, beyond: false }
     }
 
     /// p at a place; none beyond the last stretch.
-    pub(super) fn value(&self, place: f64) -> Option<f64> {
+    pub(super) fn value(&self, k: usize, place: f64) -> Option<f64> {
         let stretch = self.stretches.iter().find(|stretch| place <= stretch.high)?;
-        let values = stretch.weighted(self.of_heights, &self.of_terms);
+        let values = stretch.weighted(self.of_heights, &self.of_terms[k]);
         Some(dot(&GRID.at(place - stretch.low, stretch.high - place), &values))
     }
 }
 
 impl Line<'_> {
     /// What κ = ΣE_i(all that Δ has done)/E∞* must exceed for a place in contact to press: E0/E∞*·f − ΣE_i/E∞* u_i e^{−t/ρ_i}.
-    pub(super) fn holding(&self, kept: &[Vec<f64>; DEGREE]) -> [Rising<'_>; DEGREE] {
+    pub(super) fn holding(&self, kept: &[Vec<f64>; DEGREE]) -> Rising<'_> {
         let soft = self.chain.relaxed / self.chain.glassy;
         let shares = kept
             .each_ref()
             .map(|kept| self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect());
-        Rising::all(0.0, &self.contact, soft, shares)
+        Rising::new(0.0, &self.contact, soft, shares)
     }
 
     /// What Δ must exceed for a free place to be touched: f + Σe_j e^{−t/τ_j}.
-    pub(super) fn surfaces(&self, recovered: &[Vec<f64>; DEGREE]) -> [Rising<'_>; DEGREE] {
-        Rising::all(self.radius(), &self.free, 1.0, recovered.clone())
+    pub(super) fn surfaces(&self, recovered: &[Vec<f64>; DEGREE]) -> Rising<'_> {
+        Rising::new(self.radius(), &self.free, 1.0, recovered.clone())
     }
 
     /// Places between two at which stretches meet.

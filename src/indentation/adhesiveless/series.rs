@@ -2,6 +2,7 @@
 
 use super::grid::{GRID, NODES, Nodal, dot};
 use super::line::{Line, NARROWEST, Stretch};
+use crate::indentation::panel::POINTS;
 use crate::indentation::profile::Profile;
 
 /// Halvings of a stretch that is not resolved.
@@ -18,6 +19,17 @@ impl Line<'_> {
             self.chain.maxwell.iter().map(|(modulus, _)| modulus / self.chain.glassy).collect()
         } else {
             vec![1.0; self.chain.terms()]
+        }
+    }
+
+    /// f at the places of a stretch, eight at a time.
+    fn heights(&self, stretch: &mut Stretch) {
+        let places: Nodal = std::array::from_fn(|k| stretch.place(k));
+        for (places, heights) in places.chunks(POINTS).zip(stretch.heights.chunks_mut(POINTS)) {
+            let row = std::array::from_fn(|k| places.get(k).or(places.last()).copied().unwrap_or(stretch.high));
+            for (height, value) in heights.iter_mut().zip(self.profile.line_row(&row)) {
+                *height = value;
+            }
         }
     }
 
@@ -53,11 +65,9 @@ impl Line<'_> {
         let terms = self.chain.terms();
         let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
         let mut state = vec![0.0; terms];
+        self.heights(&mut stretch);
         for k in 0..NODES {
-            let place = stretch.place(k);
-            let height = self.profile.line(place);
-            stretch.heights[k] = height;
-            at(place, height, &mut state);
+            at(stretch.place(k), stretch.heights[k], &mut state);
             for (index, value) in state.iter().enumerate() {
                 if let Some(cell) = stretch.state.get_mut(index * NODES + k) {
                     *cell = *value;
@@ -122,9 +132,9 @@ impl Line<'_> {
         let (low, high) = (first.low, second.high);
         let terms = self.chain.terms();
         let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
+        self.heights(&mut whole);
         for k in 0..NODES {
             let place = whole.place(k);
-            whole.heights[k] = self.profile.line(place);
             let of = if place <= first.high { first } else { second };
             let weights = GRID.at(place - of.low, of.high - place);
             for index in 0..terms {
@@ -136,7 +146,7 @@ impl Line<'_> {
         let mut most = 0.0_f64;
         // The middle of both first: where it fails, it mostly fails at their border.
         for of in [first, second] {
-            for k in (0..NODES).rev() {
+            for k in (0..NODES).rev().step_by(2) {
                 let place = of.place(k);
                 let weights = GRID.at(place - low, high - place);
                 let mut change = (dot(&weights, &whole.heights) - of.heights[k]).abs();

@@ -21,8 +21,8 @@ const OF_CHANGE: f64 = 100.0;
 /// Slope of S over f′ that is told from none.
 const SOFTEST: f64 = 1e4;
 /// Series over the accuracy.
-const OF_ACCURACY: f64 = 1e-7;
-const LOOSEST: f64 = 1e-11;
+const OF_ACCURACY: f64 = 1e-3;
+const LOOSEST: f64 = 1e-6;
 /// The same of sums over the time.
 const OF_SUMS: f64 = 1e-3;
 const FINEST_SUMS: f64 = 1e-12;
