@@ -4,12 +4,13 @@ use super::chain::Chain;
 use super::course::{Course, Fineness, Unknown};
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
+use crate::indentation::cycle::Cycle;
 use crate::indentation::fields::SurfaceFields;
 use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::judgement::judged;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
-use crate::indentation::solution::{IndentationSolution, IndentationWork, PathPoint, Trace};
+use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
@@ -26,13 +27,15 @@ const LOOSEST: f64 = 1e-6;
 /// The same of sums over the time.
 const OF_SUMS: f64 = 1e-3;
 const FINEST_SUMS: f64 = 1e-12;
+const LOOSEST_SUMS: f64 = 1e-5;
 
-/// How finely courses go: the coarser one (level 0) and the finer one.
+/// How finely courses go: the coarsest one (level 0), the one that mostly suffices, and finer ones.
 fn fineness(accuracy: f64, level: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
+    let at_least = |finest: f64| if level == 0 { finest * COARSER } else { finest };
     Fineness {
-        series: (OF_ACCURACY * accuracy).clamp(FINEST, LOOSEST) * coarser,
-        sums: (OF_SUMS * accuracy).clamp(FINEST_SUMS, 1e-5) * coarser,
+        series: ((OF_ACCURACY * accuracy).min(LOOSEST) * coarser).max(at_least(FINEST)),
+        sums: ((OF_SUMS * accuracy).min(LOOSEST_SUMS) * coarser).max(at_least(FINEST_SUMS)),
     }
 }
 
@@ -47,22 +50,65 @@ pub(in crate::indentation) fn solve(
     let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, Unknown), Refusal> {
         Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
     };
-    let (mut coarse, _) = course(0, &[])?;
-    let stops = coarse.shortened.clone();
-    let (fine, unknown) = course(1, &stops)?;
-    problem.profile.holds(fine.summary.scales[2], 0.0)?;
-    for trace in [&coarse, &fine] {
-        work.add(&trace.work);
+    let (mut stops, mut coarser): (Vec<(usize, f64)>, Option<Trace>) = (Vec::new(), None);
+    for level in 0.. {
+        let finest = fineness(problem.accuracy, level).series <= FINEST;
+        let (fine, unknown) = match course(level, &stops) {
+            Ok(found) => found,
+            // What series leave may be too much for a small contact.
+            Err(Refusal::NotConverged { .. }) if !finest => {
+                coarser = None;
+                continue;
+            }
+            Err(refusal) => return Err(refusal),
+        };
+        problem.profile.holds(fine.summary.scales[2], 0.0)?;
+        work.add(&fine.work);
+        let Some(mut coarse) = coarser else {
+            stops.clone_from(&fine.shortened);
+            coarser = Some(fine);
+            if finest {
+                break;
+            }
+            continue;
+        };
+        let alike = fine.events.iter().map(|event| event.kind).eq(coarse.events.iter().map(|event| event.kind));
+        coarser = (!finest).then(|| fine.clone());
+        // The finer course errs by a small part of the change between both.
+        coarse.tolerance = fine.tolerance * OF_CHANGE;
+        let Some(verdict) = judged(problem, &[fine, coarse], 0) else { break };
+        let mut solution = verdict.solution(work);
+        // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
+        solution.largest_tension = None;
+        widen(&mut solution, &chain, problem, &unknown);
+        if finest || (alike && solution.reached && within(&solution, problem.accuracy)) {
+            return Ok(solution);
+        }
     }
-    // The finer course errs by a small part of the change between both.
-    coarse.tolerance = fine.tolerance * OF_CHANGE;
-    let verdict = judged(problem, &[fine, coarse], 0)
-        .ok_or(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })?;
-    let mut solution = verdict.solution(work);
-    // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
-    solution.largest_tension = None;
-    widen(&mut solution, &chain, problem, &unknown);
-    Ok(solution)
+    Err(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })
+}
+
+/// Whether the numbers at all instants and of all cycles are as accurate as asked, over the largest of their kind.
+fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
+    let within = |numbers: &[Estimate]| {
+        let largest = numbers.iter().fold(0.0, |most: f64, number| most.max(number.value.abs()));
+        numbers.iter().all(|number| number.error.is_infinite() || number.error <= accuracy * largest)
+    };
+    let instants = [|instant: &Instant| instant.penetration, |instant: &Instant| instant.force, |instant: &Instant| instant.contact_radius];
+    let cycles: [fn(&Cycle<Estimate>) -> [Estimate; 2]; 4] = [
+        |cycle| cycle.penetration,
+        |cycle| cycle.force,
+        |cycle| cycle.contact_radius,
+        |cycle| [cycle.storage_stiffness, cycle.loss_stiffness],
+    ];
+    let energies: Vec<Estimate> =
+        solution.instants.iter().filter_map(|instant| instant.energies).flat_map(|[stored, _, work, lost]| [stored, work, lost]).collect();
+    let powers: Vec<Estimate> = solution.instants.iter().filter_map(|instant| instant.energies).map(|[_, power, ..]| power).collect();
+    instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
+        && cycles.iter().all(|of| within(&solution.cycles.iter().flat_map(of).collect::<Vec<_>>()))
+        && within(&solution.cycles.iter().map(|cycle| cycle.work).collect::<Vec<_>>())
+        && within(&energies)
+        && within(&powers)
 }
 
 /// One course, as fine as an accuracy asks for.
@@ -121,6 +167,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     }
 }
 
+/// How finely the course goes whose surface is told: errors of a surface are told of its panels alone.
+const OF_SURFACE: Fineness = Fineness { series: 1e-12, sums: FINEST_SUMS };
 /// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less.
 const GRADES: [i32; 2] = [10, 7];
 
@@ -132,7 +180,7 @@ pub(in crate::indentation) fn surface_at(
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     let chain = Chain::new(material)?;
-    let line = Course::new(&chain, problem, fineness(problem.accuracy, 1)).line_at(time, &solved.shortened)?;
+    let line = Course::new(&chain, problem, OF_SURFACE).line_at(time, &solved.shortened)?;
     let (depth, profile) = (line.penetration, &problem.profile);
     let surface = |grades: i32| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {
