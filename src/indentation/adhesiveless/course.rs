@@ -105,7 +105,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, Unknown { strain: self.line.everywhere + self.line.joined, slopes: self.slopes }))
+        Ok((trace, Unknown { strain: self.line.unknown(), slopes: self.slopes }))
     }
 
     /// The line at a time of the history.

@@ -158,6 +158,8 @@ impl Course<'_> {
                     continue;
                 }
                 self.line.everywhere += left.min(own * MOST_NOISE);
+            } else {
+                self.line.cut = self.line.cut.max(left);
             }
             let through = |depths: &Row| {
                 let points: Vec<(f64, f64)> = places().into_iter().zip(depths.map(|depth| depth - start)).collect();

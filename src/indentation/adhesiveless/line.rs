@@ -90,6 +90,8 @@ pub(super) struct Line<'a> {
     /// What is not known of any state (m), since nothing that follows makes a difference larger: everywhere, and the most that joining changed at a place.
     pub(super) everywhere: f64,
     pub(super) joined: f64,
+    /// The most that a series or a panel left: another course may have cut the same ones.
+    pub(super) cut: f64,
     pub(super) updates: u64,
     pub(super) most_stretches: u64,
 }
@@ -106,9 +108,15 @@ impl<'a> Line<'a> {
             tolerance,
             everywhere: 0.0,
             joined: 0.0,
+            cut: 0.0,
             updates: 0,
             most_stretches: 0,
         }
+    }
+
+    /// What is not known of any strain (m) beyond what another course tells.
+    pub(super) fn unknown(&self) -> f64 {
+        self.everywhere + self.joined + self.cut
     }
 
     /// a.

@@ -36,7 +36,7 @@ impl Course<'_> {
         if looked_at {
             let (pressing, at_edge) = self.line.least();
             let least = &mut self.record.trace.smallest_gap_factor;
-            *least = least.min(pressing);
+            *least = least.min(pressing + self.line.unknown());
             residual = at_edge;
         }
         let mut point = PathPoint {

@@ -77,12 +77,16 @@ impl Line<'_> {
         self.updates += NODES as u64;
         let allowed = self.tolerance * self.depth;
         let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
-        let resolved = left(&stretch.heights) <= allowed
-            && shares
-                .iter()
-                .zip(noise)
-                .enumerate()
-                .all(|(index, (share, noise))| share * left(stretch.term(index)) <= allowed.max(noise * self.depth));
+        let mut most = left(&stretch.heights);
+        let mut resolved = most <= allowed;
+        for (index, (share, noise)) in shares.iter().zip(noise).enumerate() {
+            let own = share * left(stretch.term(index));
+            resolved &= own <= allowed.max(noise * self.depth);
+            most = most.max(own);
+        }
+        if resolved {
+            self.cut = self.cut.max(most);
+        }
         let middle = 0.5 * (low + high);
         if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
             into.push(stretch);

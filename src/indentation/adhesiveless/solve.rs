@@ -124,10 +124,9 @@ pub(in crate::indentation) fn course(material: &Material, problem: &IndentationP
 /// is f′ in a fresh contact and at least f′/β: it is known at the instants.
 fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown) {
     let unknown = not_known.strain;
-    let given = !problem.history.controls(Controlled::Force);
     let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
-    let of_depth = if given { 0.0 } else { unknown };
+    let of_depth = |controlled: Controlled| if controlled == Controlled::Penetration { 0.0 } else { unknown };
     let of_force = |a: f64| 2.0 * a * chain.glassy * unknown;
     let of_edge = |a: f64, own: Option<f64>| {
         let least = problem.profile.line_slope(a) / softest;
@@ -146,14 +145,15 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
     for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
         let a = instant.contact_radius.value;
-        wider(&mut instant.penetration, of_depth);
+        wider(&mut instant.penetration, of_depth(controlled));
         wider(&mut instant.force, of_force(a));
         wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
     }
     for cycle in &mut solution.cycles {
+        let controlled = problem.history.segments.get(cycle.segment).map_or(Controlled::Force, |segment| segment.controlled);
         for k in 0..2 {
             let a = cycle.contact_radius[k].value;
-            wider(&mut cycle.penetration[k], of_depth);
+            wider(&mut cycle.penetration[k], of_depth(controlled));
             wider(&mut cycle.force[k], of_force(a));
             wider(&mut cycle.contact_radius[k], of_edge(a, None));
         }
