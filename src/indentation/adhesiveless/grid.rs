@@ -14,6 +14,8 @@ const TAIL: usize = 3;
 
 /// Steps to a zero.
 const MOST_STEPS: u32 = 100;
+/// A distance from a place, over that to the next one, which a slope stays away.
+const NEXT_TO: f64 = 1e-6;
 
 /// A number for each place.
 pub(super) type Nodal = [f64; NODES];
@@ -81,14 +83,21 @@ impl Grid {
         if above <= rounding {
             return low;
         }
-        let gap = high - low;
+        let (gap, ends) = (high - low, [low, high]);
         let mut place = low + gap * (above / (above - below));
         let mut last = None;
         for _ in 0..MOST_STEPS {
             if place <= low || place >= high {
+                // A chord may end at a place itself.
+                place = 0.5 * (low + high);
+            }
+            if place <= low || place >= high {
                 return low;
             }
-            let (value, slope) = self.value_and_slope(place, values);
+            // Next to a place the slope is a quotient of roundings.
+            let apart = place.clamp(ends[0] + NEXT_TO * gap, ends[1] - NEXT_TO * gap);
+            let (there, slope) = self.value_and_slope(apart, values);
+            let value = if apart.total_cmp(&place).is_eq() { there } else { dot(&basis(&self.xi, place), values) };
             if value.abs() <= rounding {
                 return place;
             }

@@ -89,7 +89,9 @@ impl Course<'_> {
             } else {
                 f64::INFINITY
             };
-            if pulls && gone - at <= nothing.max(4.0 * f64::EPSILON * gone) && (gone < whole || given.end() <= 0.0) {
+            let vanishes = gone < whole || given.end() <= 0.0;
+            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || self.presses_no_more(&given, at, gone);
+            if pulls && vanishes && soon {
                 self.time = start + gone;
                 self.let_go()?;
                 self.lost();
@@ -97,7 +99,6 @@ impl Course<'_> {
                 at = gone;
                 continue;
             }
-            let vanishes = gone < whole || given.end() <= 0.0;
             let most = if pulls && vanishes { TOWARDS * (gone - at) } else { whole - at };
             at += self.panel(controlled, &given, at, most)?;
         }
@@ -235,6 +236,14 @@ impl Course<'_> {
             before = time;
         }
         whole
+    }
+
+    /// Whether what falls until it is gone presses less now than what series leave.
+    fn presses_no_more(&self, given: &Drive, at: f64, gone: f64) -> bool {
+        let left = (self.fineness.series * self.line.depth).max(self.line.unknown());
+        let now = given.value(at);
+        let falls = || (1..=LOOKS).all(|k| given.value(at + (gone - at) * f64::from(k) / f64::from(LOOKS)) <= now);
+        gone.is_finite() && self.line.pressing_at(0.0) <= left && falls()
     }
 
     /// Whether what is imposed at a time presses an indenter that has been open since another one.

@@ -150,7 +150,7 @@ impl Line<'_> {
         let mut most = 0.0_f64;
         // The middle of both first: where it fails, it mostly fails at their border.
         for of in [first, second] {
-            for k in (0..NODES).rev().step_by(2) {
+            for k in (0..NODES).rev() {
                 let place = of.place(k);
                 let weights = GRID.at(place - low, high - place);
                 let mut change = (dot(&weights, &whole.heights) - of.heights[k]).abs();

@@ -88,7 +88,10 @@ pub(in crate::indentation) fn solve(
     Err(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })
 }
 
-/// Whether the numbers at all instants and of all cycles are as accurate as asked, over the largest of their kind.
+/// Overlap over the depth that is what series leave.
+const OVERLAP: f64 = 1e-8;
+
+/// Whether the numbers at all instants and of all cycles are as accurate as asked, over the largest of their kind, and nothing overlaps.
 fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
     let within = |numbers: &[Estimate]| {
         let largest = numbers.iter().fold(0.0, |most: f64, number| most.max(number.value.abs()));
@@ -104,7 +107,8 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
     let energies: Vec<Estimate> =
         solution.instants.iter().filter_map(|instant| instant.energies).flat_map(|[stored, _, work, lost]| [stored, work, lost]).collect();
     let powers: Vec<Estimate> = solution.instants.iter().filter_map(|instant| instant.energies).map(|[_, power, ..]| power).collect();
-    instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
+    solution.smallest_gap_factor >= -OVERLAP * solution.march.summary.scales[0]
+        && instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
         && cycles.iter().all(|of| within(&solution.cycles.iter().flat_map(of).collect::<Vec<_>>()))
         && within(&solution.cycles.iter().map(|cycle| cycle.work).collect::<Vec<_>>())
         && within(&energies)
