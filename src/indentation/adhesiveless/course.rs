@@ -47,8 +47,8 @@ pub(super) struct Course<'a> {
     pub(super) meter: Option<Meter>,
     /// What has been added up since the last point.
     pub(super) sums: Sums,
-    /// A depth that the history reaches at least (m).
-    pub(super) deepest: f64,
+    /// The work of a relaxed contact as deep as the history reaches at least (J).
+    pub(super) least_work: f64,
     /// What the last panel left of Δ (m).
     pub(super) left: f64,
     pace: Option<(Controlled, f64)>,
@@ -78,7 +78,7 @@ impl<'a> Course<'a> {
             record: Record::without_contact(),
             meter: None,
             sums: Sums::default(),
-            deepest: 0.0,
+            least_work: 0.0,
             left: 0.0,
             pace: None,
             evaluations: 0,
@@ -134,7 +134,10 @@ impl<'a> Course<'a> {
 
     fn run(&mut self) -> Result<(), Refusal> {
         let history = &self.problem.history;
-        self.deepest = self.reaches();
+        // Nothing counts that is little beside what is still to come.
+        self.line.depth = self.reaches();
+        let radius = self.line.virgin_edge(self.line.depth, 0.0).unwrap_or(0.0);
+        self.least_work = 2.0 * self.chain.relaxed * self.fresh.at(radius) * self.line.depth;
         self.begin()?;
         let mut last = history.start;
         let mut before = history.controlled;

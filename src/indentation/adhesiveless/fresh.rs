@@ -54,7 +54,7 @@ impl<'a> Fresh<'a> {
     }
 
     /// Φ(a) (m²) at a place a, with Δ = f(a).
-    fn at(&self, a: f64) -> f64 {
+    pub(super) fn at(&self, a: f64) -> f64 {
         a * self.profile.line(a) - self.integral(a)
     }
 

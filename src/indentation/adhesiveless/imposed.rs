@@ -138,7 +138,7 @@ impl Course<'_> {
                 continue;
             };
             let rises = met.depths.map(|depth| depth - start);
-            let reach = rises.iter().fold(self.line.depth.max(self.deepest), |most, rise| most.max((start + rise).abs()));
+            let reach = rises.iter().fold(self.line.depth, |most, rise| most.max((start + rise).abs()));
             let (left, allowed) = (
                 tail(&rises),
                 (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach,

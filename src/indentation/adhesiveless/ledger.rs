@@ -14,6 +14,8 @@ const MOST_HALVINGS: u32 = 60;
 /// Rounding of a value, and what a series of the line leaves of F, over what it leaves of S.
 const ROUNDING: f64 = 1e-14;
 const OF_LINE: f64 = 50.0;
+/// Part of the least work of a history which a panel may be off by, however little it does itself.
+const LITTLE: f64 = 1e-3;
 /// How much coarser the power lost may be, which only tells how well the balance holds.
 const OF_BALANCE: f64 = 1e3;
 /// Parts of a drive, at most.
@@ -134,8 +136,10 @@ impl<'a> Course<'a> {
             let largest: [f64; 2] = std::array::from_fn(|k| whole[k].max(ranges[k][0].abs()).max(ranges[k][1].abs()));
             // What the work of the whole drive may be off by, and what of it noise leaves.
             let fastest = (0..NODES).fold(0.0, |most: f64, k| most.max(drive.rate(place_of(low, high, k)).abs()));
-            let of_work = (self.fineness.sums * swings[0] * swings[1]).max(noise * largest[1] * fastest * width);
+            let little = LITTLE * self.fineness.sums * self.least_work;
+            let of_work = (self.fineness.sums * swings[0] * swings[1]).max(noise * largest[1] * fastest * width).max(little);
             let of_power = (OF_BALANCE * self.fineness.sums * largest[0] * largest[1])
+                .max(little)
                 .max(noise * width * powers.iter().fold(0.0, |most: f64, p| most.max(*p)));
             let mut ended = width * GRID.tail(&work) <= of_work && width * GRID.tail(&powers) <= of_power;
             let mut moments = [[0.0; 3]; 2];

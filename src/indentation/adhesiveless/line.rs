@@ -83,7 +83,7 @@ pub(super) struct Line<'a> {
     pub(super) contact: Vec<Stretch>,
     pub(super) free: Vec<Stretch>,
     pub(super) penetration: f64,
-    /// Largest |Δ| so far (m).
+    /// Largest |Δ| so far, or of those to come (m).
     pub(super) depth: f64,
     /// What a series may leave, over the depth.
     pub(super) tolerance: f64,
