@@ -144,7 +144,8 @@ impl Course<'_> {
                 (OF_SERIES * self.fineness.series).max(self.chain.noise.iter().flatten().sum::<f64>()).max(ROUNDING) * reach,
             );
             let factor = if left > 0.0 { (0.3 * allowed / left).powf(1.0 / DEGREE as f64) } else { FASTEST };
-            let (own, allowed) = (allowed, allowed.max(met.noise));
+            let noise = met.noise.max(imposed_rounding(asked, unit * given.start.abs().max(given.end().abs()), &met.places));
+            let (own, allowed) = (allowed, allowed.max(noise));
             if left > allowed {
                 worse = if left > NO_BETTER * best { worse + 1 } else { 0 };
                 let rounding = left < MOST_NOISE * allowed && worse >= TWICE;
@@ -289,6 +290,17 @@ fn one_way(given: &Drive, from: f64, longest: f64) -> f64 {
         if given.rate(from + middle) * way > 0.0 { low = middle } else { high = middle }
     }
     low
+}
+
+/// What rounding of something imposed, which may be as large, leaves of Δ: a small contact tells it least.
+fn imposed_rounding(asked: Asked, largest: f64, places: &Row) -> f64 {
+    match asked {
+        Asked::Radius => 0.0,
+        Asked::Load { of_force, of_depth } => {
+            let smallest = places.iter().fold(f64::INFINITY, |least, place| least.min(*place));
+            2.0 * f64::EPSILON * largest / (of_force * smallest + of_depth).max(f64::MIN_POSITIVE)
+        }
+    }
 }
 
 /// The last coefficients of the Chebyshev series through nodes.
