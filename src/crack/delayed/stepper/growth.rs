@@ -209,7 +209,9 @@ impl Stepper<'_> {
             let slowly = self.slow_rests.iter().any(|rest| within.contains(rest) && !self.in_zone(*rest, ahead.load));
             self.event(RawKind::Kinks, [before, self.speed], 0.0);
             if let Some(event) = self.run.events.last_mut().filter(|_| slowly) {
-                event.speed_doubt = SLOW_KINK_PART * (before - at_start).abs();
+                // The place is known to SAME_PLACE: what the speed gains there goes with the root.
+                let beyond = (SAME_PLACE / advance.max(SAME_PLACE)).sqrt();
+                event.speed_doubt = SLOW_KINK_PART.max(beyond) * (before - at_start).abs();
             }
             self.uniform = (0.0, 0);
         }
