@@ -40,6 +40,58 @@ fn a_force_that_falls_to_nothing_takes_no_endless_panels() {
     solved("force_to_nothing");
 }
 
+/// What presses a steep shape is less than its series leave long before its force has gone: 95 s, then no end. The event is where the force is zero.
+#[test]
+fn a_force_that_falls_to_nothing_on_a_steep_shape_lets_go_with_it() {
+    let found = solved("force_to_nothing_on_a_steep_shape");
+    let time = found.columns.iter().position(|column| column.name == "time").unwrap();
+    let lost = found.rows.iter().filter(|row| row.labels.iter().any(|label| label == "detachment"));
+    let lost: Vec<f64> = lost.map(|row| row.value(time).unwrap()).collect();
+    let right = 17.078_172_658_119_897 + 0.000_808_701_678_717_655_7 / 7.010_051_606_872_836e-5;
+    assert!(lost.len() == 1 && (lost[0] - right).abs() < 1e-8, "{lost:?}");
+}
+
+/// A panel that follows a force through zero asked for more digits of it than it has.
+#[test]
+fn a_force_that_has_just_passed_zero_is_known_to_rounding() {
+    solved("force_through_zero");
+}
+
+/// Strains were kept to a part of a depth that had hardly begun, and a work whose square is no number.
+#[test]
+fn what_is_little_beside_what_comes_takes_no_time() {
+    solved("work_below_the_smallest_number");
+}
+
+/// The gap opens with a slope of zero: the edge was put a place further in.
+#[test]
+fn an_edge_is_found_where_the_gap_opens_flat() {
+    solved("edge_where_the_gap_is_flat");
+    solved("edge_after_a_long_hold");
+}
+
+/// What series leave at little accuracy is no overlap.
+#[test]
+fn little_accuracy_does_not_overlap() {
+    solved("little_accuracy_does_not_overlap");
+}
+
+/// Accuracy costs: panels of the time and places of the line, by what is asked for.
+#[test]
+fn less_accuracy_takes_less_work() {
+    let material = Material::from_relaxation(1.0, &[RelaxationTerm { modulus: 9.0, relaxation_time: 1.0 }]).unwrap();
+    let history = History::force(0.0).ramp(1e-3, 1.0).hold(10.0).ramp(3e-4, 2.0).ramp(1.2e-3, 3.0);
+    let work = |accuracy: f64| {
+        let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, None, history.clone());
+        let solution = run(&material, &IndentationProblem { instants_per_segment: 4, accuracy, ..problem }).unwrap();
+        assert!(solution.reached, "{accuracy:e}");
+        [solution.work.closure_evaluations, solution.work.history_updates]
+    };
+    let [little, usual, most] = [1e-3, 1e-6, 1e-8].map(work);
+    assert!(little[0] < 1, "{little:?} {usual:?} {most:?}");
+    assert!(little[1] < usual[1] && 4 * usual[1] < most[1], "{little:?} {usual:?} {most:?}");
+}
+
 /// A contact that has just been found was found again and again.
 #[test]
 fn a_surface_that_is_grazed_is_touched_once() {
