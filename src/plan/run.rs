@@ -91,8 +91,11 @@ pub fn run_planned(
             desk.failure().map_or(Ok(rows), Err)
         };
         // One alone needs no threads.
-        let solved: Vec<Vec<Row>> =
-            if chunk.len() == 1 { vec![solve(chunk.start)?] } else { chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()? };
+        let solved: Vec<Vec<Row>> = if chunk.len() == 1 {
+            vec![solve(chunk.start)?]
+        } else {
+            chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()?
+        };
         if let Some(safe) = &mut safe {
             safe.journal.append(&solved)?;
             chunk.into_iter().try_for_each(|state| safe.checkpoints.remove(state))?;

@@ -146,7 +146,8 @@ impl Line<'_> {
             Way::Inwards => one > other,
             Way::Outwards => one < other,
         });
-        let times = if goes_on && last > 0.0 && last < self.profile.rim() { vec![drive.duration] } else { evenly(drive.duration).collect() };
+        let times =
+            if goes_on && last > 0.0 && last < self.profile.rim() { vec![drive.duration] } else { evenly(drive.duration).collect() };
         self.led(drive, Some((met.way, left)), true, times)
     }
 

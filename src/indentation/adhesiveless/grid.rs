@@ -101,7 +101,11 @@ impl Grid {
             if value.abs() <= rounding {
                 return place;
             }
-            if value > 0.0 { low = place } else { high = place }
+            if value > 0.0 {
+                low = place
+            } else {
+                high = place
+            }
             let newton = place - value / slope;
             let step = (newton - place).abs();
             // Where Newton's steps do not halve, the bracket is.
