@@ -152,11 +152,13 @@ impl Course<'_> {
                 (best, shortened) = (left.min(best), true);
                 if length > least && !rounding {
                     let passed = law.passes(&met).filter(|part| *part > TO_A_KINK[0] && *part < TO_A_KINK[1]);
-                    let order = longer.map_or(DEGREE as f64, |(other, of_other)| (left / of_other).ln() / (length / other).ln());
-                    longer = Some((length, left));
-                    length *= passed.unwrap_or_else(|| {
-                        (0.3 * allowed / left).powf(order.clamp(ORDERS[0], ORDERS[1]).recip()).clamp(SHORTENED[0], SHORTENED[1])
+                    // What two lengths leave tells the order, where both are clear of rounding.
+                    let order = longer.filter(|_| left > MOST_NOISE * allowed).map(|(other, of_other)| {
+                        let order = (left / of_other).ln() / (length / other).ln();
+                        (0.3 * allowed / left).powf(order.clamp(ORDERS[0], ORDERS[1]).recip()).max(SHORTENED[0])
                     });
+                    longer = Some((length, left));
+                    length *= passed.unwrap_or_else(|| order.unwrap_or(factor.max(SLOWEST)).min(SHORTENED[1]));
                     continue;
                 }
                 self.line.everywhere += left.min(own * MOST_NOISE);
