@@ -35,14 +35,17 @@ const HELD_HISTORY_UPDATES: f64 = 110.0;
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
-/// Without steps in time: moves of both courses for each instant, and where a force is given; moves of a cycle of the penetration, or of something else;
+/// Without steps in time: moves of both courses for each instant, and where something else than the penetration is given; moves of a cycle of the penetration, or of something else;
 /// cycles of the longest memory until each is the last one; points of the line updated for a move.
 const MOVES: f64 = 2.0;
-const LOADED_MOVES: f64 = 10.0;
+const LOADED_MOVES: f64 = 8.0;
 const CYCLE_MOVES: f64 = 20.0;
 const LOADED_CYCLE_MOVES: f64 = 90.0;
 const REPEATING: f64 = 20.0;
-const MOVE_UPDATES: f64 = 350.0;
+const MOVE_UPDATES: f64 = 66.0;
+/// Power of the relaxation times that they grow with: strains of more times are cut more finely. The points of a table cut the line, too.
+const OF_TERMS: f64 = 0.67;
+const OF_TABLE: f64 = 3.0;
 /// The same where the rim of a punch holds the edge: moves of few points.
 const HELD_CYCLE_MOVES: f64 = 24.0;
 const HELD_MOVE_UPDATES: f64 = 22.0;
@@ -108,7 +111,9 @@ impl IndentationPlan {
     fn work_of_moves(&self) -> (f64, f64) {
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
         let held = self.profile.rim().is_finite() && self.timeline.oscillates();
-        let updates = if held { HELD_MOVE_UPDATES } else { MOVE_UPDATES };
+        let cut = if matches!(self.indentation.shape, IndentationShape::Table { .. }) { OF_TABLE } else { 1.0 };
+        let terms = self.material.relaxation_terms().len().max(1) as f64;
+        let updates = if held { HELD_MOVE_UPDATES } else { MOVE_UPDATES * cut * terms.powf(OF_TERMS) };
         let moves: f64 = self
             .timeline
             .legs
@@ -124,8 +129,8 @@ impl IndentationPlan {
                     };
                     cycle * leg.cycles().min(repeated)
                 }
-                None if leg.quantity == HistoryQuantity::Force => LOADED_MOVES,
-                None => MOVES,
+                None if leg.quantity == HistoryQuantity::Penetration => MOVES,
+                None => LOADED_MOVES,
             })
             .sum();
         (moves, moves * updates)
