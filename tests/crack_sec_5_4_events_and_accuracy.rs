@@ -18,7 +18,7 @@ use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegme
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
 use viscotack::studies::draw::Draw;
-use viscotack::studies::event_lists::{compared, drawn};
+use viscotack::studies::event_lists::{SEED, compared, drawn, scenes};
 
 fn word(kind: EventKind) -> &'static str {
     match kind {
@@ -227,6 +227,14 @@ fn random_histories_have_the_same_events_at_all_accuracies() {
 }
 
 /// The load at an event is known as well as its time: along a ramp to its slope times the bound; at a jump it is the load after it, also if the clock is an ulp early.
+/// A place of slow arrest leaves the zone where a step ends beside it: the speed there goes with the root of what is left, and the last four steps agreed by chance.
+#[test]
+fn the_speed_before_a_slow_kink_is_known_as_well_as_its_place() {
+    let scene = scenes::scene(&mut Draw::of(SEED, 634));
+    let found = compared(&scene, &[1e-5, 1e-6, 1e-8, 1e-7]);
+    assert!(found.wrong_lists.is_empty() && found.outside.is_empty() && found.numbers > 100, "{found:?}");
+}
+
 #[test]
 fn loads_at_events_are_known_as_well_as_their_times() {
     use viscotack::Estimate;

@@ -76,6 +76,20 @@ fn little_accuracy_does_not_overlap() {
     solved("little_accuracy_does_not_overlap");
 }
 
+/// Two courses that cut the same panels err alike: what a panel leaves of Δ counts as unknown. Values of the independent program by times of equal radius.
+#[test]
+fn what_a_panel_leaves_is_within_the_bound() {
+    let found = solved("radius_imposed_in_turns");
+    let column = |name: &str| found.columns.iter().position(|column| column.name == name).unwrap();
+    let (time, penetration) = (column("time"), column("penetration"));
+    for (at, right) in [(134.676_837, 7.869_287_532_429_1e-4), (135.246_08, 8.099_768_394_037_3e-4), (280.114_95, 5.761_631_727_418_8e-4)] {
+        let row = found.rows.iter().find(|row| row.labels[0] == "instant" && (row.value(time).unwrap() - at).abs() < 1e-5 * at).unwrap();
+        let told = row.values[penetration].unwrap();
+        assert!((told.value - right).abs() <= told.error + 1e-17, "{at}: {told:?} {right}");
+        assert!(told.error < 1e-6 * right, "{at}: {told:?}");
+    }
+}
+
 /// Accuracy costs: panels of the time and places of the line, by what is asked for.
 #[test]
 fn less_accuracy_takes_less_work() {
