@@ -214,7 +214,7 @@ mod tests {
         assert!(grid.tail(&values) < 1e-12, "{}", grid.tail(&values));
         // Zero at the last place, but for rounding, with a slope of zero: halved to where rounding is.
         let mut flat = grid.parts.map(|part| (1.0 - part).powi(2));
-        flat[NODES - 1] = -1e-20;
+        flat[NODES - 1] = -1e-40;
         assert!(1.0 - grid.part(grid.falling_zero(&flat)) < 1e-7);
         let falling = grid.parts.map(|part| 0.3 - part);
         assert!((grid.part(grid.falling_zero(&falling)) - 0.3).abs() < 1e-15);
