@@ -98,7 +98,8 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
         numbers.iter().all(|number| number.error.is_infinite() || number.error <= accuracy * largest)
     };
     let instants = [|instant: &Instant| instant.penetration, |instant: &Instant| instant.force, |instant: &Instant| instant.contact_radius];
-    let cycles: [fn(&Cycle<Estimate>) -> [Estimate; 2]; 4] = [
+    type OfCycle = fn(&Cycle<Estimate>) -> [Estimate; 2];
+    let cycles: [OfCycle; 4] = [
         |cycle| cycle.penetration,
         |cycle| cycle.force,
         |cycle| cycle.contact_radius,
