@@ -95,9 +95,9 @@ impl Grid {
                 return low;
             }
             // Next to a place the slope is a quotient of roundings.
-            let apart = place.clamp(ends[0] + NEXT_TO * gap, ends[1] - NEXT_TO * gap);
-            let (there, slope) = self.value_and_slope(apart, values);
-            let value = if apart.total_cmp(&place).is_eq() { there } else { dot(&basis(&self.xi, place), values) };
+            let inner = place.clamp(ends[0] + NEXT_TO * gap, ends[1] - NEXT_TO * gap);
+            let (there, slope) = self.value_and_slope(inner, values);
+            let value = if inner.total_cmp(&place).is_eq() { there } else { dot(&basis(&self.xi, place), values) };
             if value.abs() <= rounding {
                 return place;
             }

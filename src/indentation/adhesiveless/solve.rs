@@ -172,7 +172,7 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     }
 }
 
-/// How finely the course goes whose surface is told: errors of a surface are told of its panels alone.
+/// Fineness of the course behind a surface: the error of a surface counts its panels only.
 const OF_SURFACE: Fineness = Fineness { series: 1e-12, sums: FINEST_SUMS };
 /// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less.
 const GRADES: [i32; 2] = [10, 7];

@@ -138,7 +138,7 @@ pub fn solve_by_panels(
     let coarse = march_by_panels(material, problem, options, instants)?;
     // The better march is asked at the panel ends of the other one too.
     let mut asked: Vec<(f64, Option<Row>)> = instants.iter().map(|&time| (time, None)).collect();
-    // At a sudden step two ends have one time, and are told apart by the rows that are asked for alone.
+    // At a sudden step two ends have one time: the rows that are asked for say which is which.
     let steps: Vec<u64> =
         coarse.ends.windows(2).filter(|pair| pair[0].time.to_bits() == pair[1].time.to_bits()).map(|pair| pair[0].time.to_bits()).collect();
     asked.extend(coarse.ends.iter().filter(|row| !steps.contains(&row.time.to_bits())).map(|row| (row.time, Some(*row))));
