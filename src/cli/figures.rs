@@ -23,7 +23,10 @@ pub(super) fn figures(options: &Options, manifest: Option<&Path>) -> Result<u8, 
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sources, {elapsed}") {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(Duration::from_millis(200));
+    // Where nobody sees it, it needs no thread.
+    if !bar.is_hidden() {
+        bar.enable_steady_tick(Duration::from_millis(200));
+    }
     let progress = |done: usize, total: usize| {
         bar.set_length(total as u64);
         bar.set_position(done as u64);

@@ -39,7 +39,7 @@ pub(super) struct Course<'a> {
     pub(super) problem: &'a IndentationProblem,
     pub(super) line: Line<'a>,
     pub(super) fineness: Fineness,
-    pub(super) fresh: Fresh<'a>,
+    pub(super) fresh: &'a Fresh<'a>,
     /// Start of the stretch under way and the time since.
     pub(super) origin: f64,
     pub(super) time: f64,
@@ -65,14 +65,14 @@ pub(super) struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    pub(super) fn new(chain: &'a Chain, problem: &'a IndentationProblem, fineness: Fineness) -> Self {
+    pub(super) fn new(chain: &'a Chain, problem: &'a IndentationProblem, fresh: &'a Fresh<'a>, fineness: Fineness) -> Self {
         let line = Line::untouched(chain, &problem.profile, fineness.series);
         Self {
             chain,
             problem,
             line,
             fineness,
-            fresh: Fresh::of(&problem.profile),
+            fresh,
             origin: 0.0,
             time: 0.0,
             record: Record::without_contact(),

@@ -74,8 +74,13 @@ impl Grid {
         basis(&self.xi, (theta / FRAC_PI_2 - 1.0).clamp(-1.0, 1.0))
     }
 
-    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last. Newton's steps, within a bracket.
+    /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last.
     pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
+        self.falling_zero_near(values, None)
+    }
+
+    /// The same by Newton's steps within a bracket, from a guess.
+    pub(super) fn falling_zero_near(&self, values: &Nodal, guess: Option<f64>) -> f64 {
         let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
         let (above, below) = (values[next - 1], values[next]);
@@ -84,7 +89,8 @@ impl Grid {
             return low;
         }
         let (gap, ends) = (high - low, [low, high]);
-        let mut place = low + gap * (above / (above - below));
+        let chord = low + gap * (above / (above - below));
+        let mut place = guess.filter(|place| *place > low && *place < high).unwrap_or(chord);
         let mut last = None;
         for _ in 0..MOST_STEPS {
             if place <= low || place >= high {
@@ -146,7 +152,12 @@ impl Grid {
 
     /// ∫ of values over the width from the low end on.
     pub(super) fn integral_to(&self, xi: f64, values: &Nodal) -> f64 {
-        basis(&self.xi, xi).iter().zip(&self.running).map(|(weight, row)| weight * dot(row, values)).sum()
+        self.value(xi, &self.running(values))
+    }
+
+    /// The interpolant at a ξ.
+    pub(super) fn value(&self, xi: f64, values: &Nodal) -> f64 {
+        dot(&basis(&self.xi, xi), values)
     }
 
     /// The size of the last coefficients of a series.
@@ -160,6 +171,7 @@ impl Grid {
     }
 }
 
+#[inline]
 pub(super) fn dot(weights: &Nodal, values: &[f64]) -> f64 {
     let Ok(values) = <&Nodal>::try_from(values) else { return 0.0 };
     // Four sums at a time: one waits for itself.
@@ -185,6 +197,7 @@ const BARYCENTRIC: Nodal = {
 };
 
 /// Lagrange's polynomials at a place.
+#[inline]
 fn basis(xi: &Nodal, place: f64) -> Nodal {
     let values: Nodal = std::array::from_fn(|k| BARYCENTRIC[k] / (place - xi[k]));
     let over = values.iter().sum::<f64>().recip();

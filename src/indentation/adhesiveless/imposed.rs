@@ -126,7 +126,7 @@ impl Course<'_> {
         let first = length;
         loop {
             let target: Row = places().map(|part| unit * given.value(at + part * length));
-            let law = Law::new(&self.line, &self.fresh, length);
+            let law = Law::new(&self.line, self.fresh, length);
             self.evaluations += 1;
             let met = law.met(asked, &target)?;
             let start = self.line.penetration;
@@ -183,7 +183,7 @@ impl Course<'_> {
                 self.line.follow(&drive, &met, allowed)?
             };
             if went.2 == Ended::Faint {
-                drive = through(&Law::new(&self.line, &self.fresh, length).resting().depths);
+                drive = through(&Law::new(&self.line, self.fresh, length).resting().depths);
                 self.line.pass_nothing(&drive);
                 went = (length, None, Ended::Whole);
             }

@@ -25,6 +25,8 @@ const CLEAR: f64 = 1e-13;
 /// Steps that no longer halve are rounding, if they are so small over the level, or what the series of the line leave, or so many times what is remembered.
 const STALLED: f64 = 1e-12;
 const MANY: f64 = 16.0;
+/// Steps still to come, over what series leave, that are none.
+const SETTLED: f64 = 1e-3;
 /// After so many that do not halve, so small ones are what kinks of the line leave.
 const STUCK: u32 = 40;
 const AT_MOST: f64 = 1e-7;
@@ -69,24 +71,25 @@ pub(super) struct Law<'l, 'a> {
     pub(super) fresh: &'l Fresh<'a>,
     soft: f64,
     inverse: Square,
-    pub(super) kept: [Vec<f64>; DEGREE],
-    pub(super) recovered: [Vec<f64>; DEGREE],
+    /// e^{−x/ρ_i} and e^{−x/τ_j} at the nodes, term after term.
+    pub(super) kept: Vec<Row>,
+    pub(super) recovered: Vec<Row>,
 }
 
 impl<'l, 'a> Law<'l, 'a> {
     pub(super) fn new(line: &'l Line<'a>, fresh: &'l Fresh<'a>, duration: f64) -> Self {
         let chain = line.chain;
         let nodes = places();
-        let kept = nodes.map(|node| chain.maxwell.iter().map(|(_, rho)| decayed(node * duration / rho)).collect::<Vec<f64>>());
-        let recovered = nodes.map(|node| chain.voigt.iter().map(|(rate, _)| decayed(node * duration * rate)).collect());
+        let kept: Vec<Row> = chain.maxwell.iter().map(|(_, rho)| nodes.map(|node| decayed(node * duration / rho))).collect();
+        let recovered = chain.voigt.iter().map(|(rate, _)| nodes.map(|node| decayed(node * duration * rate))).collect();
         let soft = chain.relaxed / chain.glassy;
         // ℛ of the powers of the time, then of values at the nodes.
         let mut of_powers: Square = [[0.0; DEGREE]; DEGREE];
         let powers: &Square = &POWERS;
-        for (((row, node), kept), powers) in of_powers.iter_mut().zip(nodes).zip(&kept).zip(powers) {
+        for (k, ((row, node), powers)) in of_powers.iter_mut().zip(nodes).zip(powers).enumerate() {
             let mut factors = [soft; DEGREE];
-            for ((modulus, rho), kept) in chain.maxwell.iter().zip(kept) {
-                for (factor, mean) in factors.iter_mut().zip(means(node * duration / rho, *kept)) {
+            for ((modulus, rho), kept) in chain.maxwell.iter().zip(&kept) {
+                for (factor, mean) in factors.iter_mut().zip(means(node * duration / rho, kept[k])) {
                     *factor += modulus / chain.glassy * mean;
                 }
             }
@@ -117,7 +120,7 @@ impl<'l, 'a> Law<'l, 'a> {
     pub(super) fn met(&self, asked: Asked, target: &Row) -> Result<Option<Met>, Refusal> {
         let line = self.line;
         let a = line.radius();
-        let inside = line.holding(&self.kept);
+        let mut inside = line.holding(&self.kept);
         let outside = || line.surfaces(&self.recovered);
         let (of_force, of_depth) = match asked {
             Asked::Radius => return self.met_radius(&inside, &outside(), target).map(Some),
@@ -134,10 +137,10 @@ impl<'l, 'a> Law<'l, 'a> {
             let clear = excess.iter().find(|excess| excess.abs() > CLEAR * size);
             let Some(excess) = clear else { return Ok(Some(self.staying(&stays))) };
             if punch || *excess < 0.0 {
-                return Ok(self.inwards(&inside, (of_force, of_depth), target, stays));
+                return Ok(self.inwards(&mut inside, (of_force, of_depth), target, stays));
             }
         }
-        self.outwards(&outside(), (of_force, of_depth), target)
+        self.outwards(&mut outside(), (of_force, of_depth), target)
     }
 
     /// Δ that keeps S at the edge at zero: the edge rests, and a punch presses nothing.
@@ -150,7 +153,7 @@ impl<'l, 'a> Law<'l, 'a> {
         Met { way: Way::Inwards, depths: self.depths_of(stays), places: [self.line.radius(); DEGREE], rests: true, noise: 0.0 }
     }
 
-    fn inwards(&self, inside: &Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
+    fn inwards(&self, inside: &mut Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row, from: Row) -> Option<Met> {
         let (line, start) = (self.line, self.line.penetration);
         let (a, rim) = (line.radius(), line.profile.rim());
         let base = self.undone(&[self.soft * start; DEGREE]);
@@ -164,7 +167,7 @@ impl<'l, 'a> Law<'l, 'a> {
         Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
-    fn outwards(&self, outside: &Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
+    fn outwards(&self, outside: &mut Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
         let (line, chain) = (self.line, self.line.chain);
         let a = line.radius();
         let strains = line.free_strains();
@@ -172,13 +175,14 @@ impl<'l, 'a> Law<'l, 'a> {
         let now = a * line.penetration - under + strains.iter().sum::<f64>();
         let springs = line.whole_springs(&strains);
         let remembered = f64::EPSILON * strains.iter().chain(&springs).map(|value| value.abs()).sum::<f64>();
-        let left = |k: usize| -> f64 { self.recovered[k].iter().zip(&strains).map(|(kept, strain)| kept * strain).sum() };
+        let left = |k: usize| -> f64 { self.recovered.iter().zip(&strains).map(|(kept, strain)| kept[k] * strain).sum() };
         let history: Row = std::array::from_fn(|k| {
-            let held = chain.maxwell.iter().zip(&self.kept[k]).zip(&springs);
-            self.soft * now + held.map(|(((modulus, _), kept), spring)| modulus / chain.glassy * kept * spring).sum::<f64>()
+            let held = chain.maxwell.iter().zip(&self.kept).zip(&springs);
+            self.soft * now + held.map(|(((modulus, _), kept), spring)| modulus / chain.glassy * kept[k] * spring).sum::<f64>()
         });
         let right = self.undone(&std::array::from_fn(|k| target[k] - of_force * history[k])).map(|value| of_force * now + value);
         let [_, top] = line.known();
+        let first: Row = std::array::from_fn(|k| outside.first(k).unwrap_or_else(|| line.profile.line(a)));
         let reached = |k: usize, level: f64| -> Result<Reached, Refusal> {
             // Trials may be deeper than a table tells: as if it ended in a cylinder.
             let known = level.min(top);
@@ -197,7 +201,7 @@ impl<'l, 'a> Law<'l, 'a> {
             *level = if of_depth > 0.0 {
                 target[k] / of_depth
             } else {
-                let lift = (outside.first(k).unwrap_or_else(|| line.profile.line(a)) - line.profile.line(a)).max(0.0);
+                let lift = (first[k] - line.profile.line(a)).max(0.0);
                 (lift + self.fresh.at_most((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)
             };
         }
@@ -218,10 +222,11 @@ impl<'l, 'a> Law<'l, 'a> {
         right: &Row,
         mut level: Row,
         remembered: f64,
-        reached: impl Fn(usize, f64) -> Result<Reached, Refusal>,
+        mut reached: impl FnMut(usize, f64) -> Result<Reached, Refusal>,
     ) -> Result<Option<(Row, Row, f64)>, Refusal> {
         let scale = self.line.depth.max(f64::MIN_POSITIVE);
         let stalled = (MANY * self.line.tolerance).max(STALLED);
+        let settled = SETTLED * self.line.tolerance;
         let (mut last, mut stuck) = (f64::INFINITY, 0);
         // Levels that are not too low.
         let mut above = level;
@@ -262,11 +267,15 @@ impl<'l, 'a> Law<'l, 'a> {
                 *level -= step;
             }
             let small = places.iter().fold(f64::INFINITY, |least, place| least.min(*place)).max(f64::MIN_POSITIVE);
-            if size <= ROUNDING * whole
-                || (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last)
+            // The next step is as much smaller again, or more: none, or too small to tell.
+            let next = size * (size / last);
+            if size <= ROUNDING * whole || (last.is_finite() && next <= settled * whole) {
+                return Ok(Some((level, places, 0.0)));
+            }
+            if (size <= (stalled * whole).max(MANY * remembered / small) && size >= 0.5 * last)
                 || (stuck > STUCK && size <= AT_MOST * whole)
             {
-                return Ok(Some((level, places, if size <= ROUNDING * whole { 0.0 } else { size })));
+                return Ok(Some((level, places, size)));
             }
             stuck += u32::from(size >= 0.5 * last);
             last = size;

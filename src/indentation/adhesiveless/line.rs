@@ -47,9 +47,9 @@ impl Stretch {
     }
 
     /// A share of the heights and one of each term.
-    pub(super) fn weighted(&self, of_heights: f64, of_terms: &[f64]) -> Nodal {
+    pub(super) fn weighted(&self, of_heights: f64, of_terms: impl IntoIterator<Item = f64>) -> Nodal {
         let mut sum = self.heights.map(|height| of_heights * height);
-        for (index, share) in of_terms.iter().enumerate() {
+        for (index, share) in of_terms.into_iter().enumerate() {
             for (sum, value) in sum.iter_mut().zip(self.term(index)) {
                 *sum += share * value;
             }

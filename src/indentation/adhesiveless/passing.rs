@@ -59,7 +59,7 @@ impl Line<'_> {
         let end = Moment::new(self.chain, drive, drive.duration);
         let this = self.without_stretches();
         let to = edge.map(|edge| edge.place(drive.duration));
-        let (mut moment, mut scratch, mut guesses) = (Moment::default(), Vec::new(), Guesses::default());
+        let (mut moment, mut scratch, mut guesses) = (end.clone(), Vec::new(), Guesses::default());
         match way {
             Way::Inwards => self.recede(&end, to, &mut |place, height, state| {
                 let time = if let Some(edge) = edge {

@@ -1,23 +1,33 @@
 //! A function that rises along the line from a place on, and how far and how much a level is above it: ∫(y − p)₊ ds.
 
 use super::drive::DEGREE;
-use super::grid::{GRID, NODES, dot};
+use super::grid::{GRID, NODES, Nodal, dot};
 use super::line::{Line, Stretch};
 use super::linear::Row;
 
 /// p(s) at each node of a panel: a share of the heights and one of each term, stretch after stretch. Its values within a stretch are added up where they
-/// are asked for.
+/// are asked for, once.
 pub(super) struct Rising<'l> {
     start: f64,
     stretches: &'l [Stretch],
     of_heights: f64,
-    of_terms: [Vec<f64>; DEGREE],
+    of_terms: Vec<Row>,
     /// p where the first stretch starts, and where each one ends.
     first: Option<Row>,
     ends: Vec<Row>,
     /// ∫p ds up to each stretch, and over all.
     before: Vec<Row>,
     whole: Row,
+    seen: [Option<Seen>; DEGREE],
+}
+
+/// Where a level was met last: the stretch, p at its places, ∫p ds over its width from its low end to each, and ξ.
+#[derive(Clone, Copy)]
+struct Seen {
+    index: usize,
+    values: Nodal,
+    running: Nodal,
+    xi: f64,
 }
 
 /// How far a level is above it.
@@ -30,13 +40,13 @@ pub(super) struct Reached {
 }
 
 impl<'l> Rising<'l> {
-    fn new(start: f64, stretches: &'l [Stretch], of_heights: f64, of_terms: [Vec<f64>; DEGREE]) -> Self {
+    fn new(start: f64, stretches: &'l [Stretch], of_heights: f64, of_terms: Vec<Row>) -> Self {
         let sums = |of: &dyn Fn(&[f64]) -> f64, heights: f64, stretch: &Stretch| -> Row {
             let mut row = [of_heights * heights; DEGREE];
-            for index in 0..of_terms[0].len() {
+            for (index, shares) in of_terms.iter().enumerate() {
                 let sum = of(stretch.term(index));
-                for (value, shares) in row.iter_mut().zip(&of_terms) {
-                    *value += shares.get(index).copied().unwrap_or(0.0) * sum;
+                for (value, share) in row.iter_mut().zip(shares) {
+                    *value += share * sum;
                 }
             }
             row
@@ -53,7 +63,7 @@ impl<'l> Rising<'l> {
                 *whole += stretch.width() * own;
             }
         }
-        Self { start, stretches, of_heights, of_terms, first, ends, before, whole }
+        Self { start, stretches, of_heights, of_terms, first, ends, before, whole, seen: [None; DEGREE] }
     }
 
     pub(super) fn first(&self, k: usize) -> Option<f64> {
@@ -73,7 +83,12 @@ impl<'l> Rising<'l> {
         level * (self.end() - self.start) - self.whole[k]
     }
 
-    pub(super) fn reached(&self, k: usize, level: f64) -> Reached {
+    /// p at the places of a stretch.
+    fn values(&self, k: usize, stretch: &Stretch) -> Nodal {
+        stretch.weighted(self.of_heights, self.of_terms.iter().map(|shares| shares[k]))
+    }
+
+    pub(super) fn reached(&mut self, k: usize, level: f64) -> Reached {
         if self.first.is_some_and(|first| level <= first[k]) {
             return Reached { area: 0.0, place: self.start, beyond: false };
         }
@@ -81,34 +96,40 @@ impl<'l> Rising<'l> {
         let (Some(stretch), Some(before)) = (self.stretches.get(index), self.before.get(index)) else {
             return Reached { area: self.under(k, level), place: self.end(), beyond: true };
         };
-        let values = stretch.weighted(self.of_heights, &self.of_terms[k]);
-        let xi = GRID.falling_zero(&values.map(|value| level - value));
+        let seen = self.seen[k].filter(|seen| seen.index == index);
+        let (values, running) = seen.map_or_else(
+            || {
+                let values = self.values(k, stretch);
+                (values, GRID.running(&values))
+            },
+            |seen| (seen.values, seen.running),
+        );
+        let xi = GRID.falling_zero_near(&values.map(|value| level - value), seen.map(|seen| seen.xi));
         let place = stretch.low + stretch.width() * GRID.part(xi);
-        let own = stretch.width() * GRID.integral_to(xi, &values);
+        let own = stretch.width() * GRID.value(xi, &running);
+        self.seen[k] = Some(Seen { index, values, running, xi });
         Reached { area: level * (place - self.start) - (before[k] + own), place, beyond: false }
     }
 
     /// p at a place; none beyond the last stretch.
     pub(super) fn value(&self, k: usize, place: f64) -> Option<f64> {
         let stretch = self.stretches.iter().find(|stretch| place <= stretch.high)?;
-        let values = stretch.weighted(self.of_heights, &self.of_terms[k]);
+        let values = self.values(k, stretch);
         Some(dot(&GRID.at(place - stretch.low, stretch.high - place), &values))
     }
 }
 
 impl Line<'_> {
     /// What κ = ΣE_i(all that Δ has done)/E∞* must exceed for a place in contact to press: E0/E∞*·f − ΣE_i/E∞* u_i e^{−t/ρ_i}.
-    pub(super) fn holding(&self, kept: &[Vec<f64>; DEGREE]) -> Rising<'_> {
+    pub(super) fn holding(&self, kept: &[Row]) -> Rising<'_> {
         let soft = self.chain.relaxed / self.chain.glassy;
-        let shares = kept
-            .each_ref()
-            .map(|kept| self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| -modulus / self.chain.glassy * kept).collect());
-        Rising::new(0.0, &self.contact, soft, shares)
+        let shares = self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| kept.map(|kept| -modulus / self.chain.glassy * kept));
+        Rising::new(0.0, &self.contact, soft, shares.collect())
     }
 
     /// What Δ must exceed for a free place to be touched: f + Σe_j e^{−t/τ_j}.
-    pub(super) fn surfaces(&self, recovered: &[Vec<f64>; DEGREE]) -> Rising<'_> {
-        Rising::new(self.radius(), &self.free, 1.0, recovered.clone())
+    pub(super) fn surfaces(&self, recovered: &[Row]) -> Rising<'_> {
+        Rising::new(self.radius(), &self.free, 1.0, recovered.to_vec())
     }
 
     /// Places between two at which stretches meet.

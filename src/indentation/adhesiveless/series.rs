@@ -7,6 +7,9 @@ use crate::indentation::profile::Profile;
 
 /// Halvings of a stretch that is not resolved.
 const MOST_HALVINGS: u32 = 48;
+/// Points of a table in a stretch, at most, and what a series leaves there over its last coefficients: those of x^{5/2} fall as n^{−7/2}.
+const MOST_KNOTS: usize = 7;
+const ACROSS_KNOTS: f64 = 10.0;
 /// Strains of this part of the depth are none.
 const DEAD: f64 = 1e-18;
 /// Stretches from which on they are joined more readily.
@@ -46,22 +49,24 @@ impl Line<'_> {
         }
         let shares = self.shares(in_contact);
         let noise = &self.chain.noise[usize::from(!in_contact)];
-        let breaks = if let Profile::Table(_) = self.profile.face() { self.profile.breaks(high) } else { Vec::new() };
-        let mut start = low;
-        for end in breaks.into_iter().filter(|place| *place > low * (1.0 + 1e-9) && *place < high * (1.0 - 1e-9)).chain([high]) {
-            self.build_smooth((start, end), (&shares, noise), at, into, MOST_HALVINGS);
-            start = end;
-        }
+        let knots = if let Profile::Table(shape) = self.profile.face() { shape.knots(low, high) } else { Vec::new() };
+        self.build_smooth((low, high), &knots, (&shares, noise), at, into, MOST_HALVINGS);
     }
 
+    /// The same with these points of a table between both places.
     fn build_smooth(
         &mut self,
         (low, high): (f64, f64),
+        knots: &[f64],
         (shares, noise): (&[f64], &[f64]),
         at: &mut dyn FnMut(f64, f64, &mut [f64]),
         into: &mut Vec<Stretch>,
         halvings: u32,
     ) {
+        let cut = (knots.len() / 2, knots.get(knots.len() / 2).copied().unwrap_or(0.5 * (low + high)));
+        if knots.len() > MOST_KNOTS {
+            return self.build_parts((low, cut, high), knots, (shares, noise), at, into, halvings);
+        }
         let terms = self.chain.terms();
         let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
         let mut state = vec![0.0; terms];
@@ -76,7 +81,9 @@ impl Line<'_> {
         }
         self.updates += NODES as u64;
         let allowed = self.tolerance * self.depth;
-        let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| GRID.tail(values));
+        // A series ends slowly across points of a table.
+        let slowly = if knots.is_empty() { 1.0 } else { ACROSS_KNOTS };
+        let left = |values: &[f64]| <&Nodal>::try_from(values).map_or(0.0, |values| slowly * GRID.tail(values));
         let mut most = left(&stretch.heights);
         let mut resolved = most <= allowed;
         for (index, (share, noise)) in shares.iter().zip(noise).enumerate() {
@@ -87,13 +94,26 @@ impl Line<'_> {
         if resolved {
             self.cut = self.cut.max(most);
         }
-        let middle = 0.5 * (low + high);
         if resolved || halvings == 0 || high - low <= 1e3 * NARROWEST * high {
             into.push(stretch);
         } else {
-            self.build_smooth((low, middle), (shares, noise), at, into, halvings - 1);
-            self.build_smooth((middle, high), (shares, noise), at, into, halvings - 1);
+            self.build_parts((low, cut, high), knots, (shares, noise), at, into, halvings - 1);
         }
+    }
+
+    /// Two of them, cut at the middle one of the points of a table, or in half.
+    fn build_parts(
+        &mut self,
+        (low, (index, middle), high): (f64, (usize, f64), f64),
+        knots: &[f64],
+        weights: (&[f64], &[f64]),
+        at: &mut dyn FnMut(f64, f64, &mut [f64]),
+        into: &mut Vec<Stretch>,
+        halvings: u32,
+    ) {
+        let (before, after) = knots.split_at(index);
+        self.build_smooth((low, middle), before, weights, at, into, halvings);
+        self.build_smooth((middle, high), after.get(1..).unwrap_or(&[]), weights, at, into, halvings);
     }
 
     /// Joins neighbours that one series keeps, and forgets what has recovered.

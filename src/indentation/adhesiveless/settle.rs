@@ -32,7 +32,7 @@ impl Course<'_> {
             self.line.touch_rim();
             return self.settle(controlled, value);
         } else {
-            let law = Law::new(&self.line, &self.fresh, 0.0);
+            let law = Law::new(&self.line, self.fresh, 0.0);
             self.evaluations += 1;
             let met = law.met(asked, &[unit * value; DEGREE])?;
             met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]

@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::course::{Course, Fineness, Unknown};
+use super::fresh::Fresh;
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::cycle::Cycle;
@@ -13,6 +14,7 @@ use crate::indentation::problem::IndentationProblem;
 use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
+use std::collections::VecDeque;
 
 /// Series of the finest course, and how much coarser the other is.
 const FINEST: f64 = 1e-13;
@@ -45,15 +47,19 @@ pub(in crate::indentation) fn solve(
     problem: &IndentationProblem,
     watch: Option<&dyn Watch>,
 ) -> Result<IndentationSolution, Refusal> {
-    let chain = Chain::new(material)?;
+    let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let mut work = IndentationWork::default();
-    let course = |level: u32, stops: &[(usize, f64)]| -> Result<(Trace, Unknown), Refusal> {
-        Course::new(&chain, problem, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
+    let course = |level: u32, watch: Option<&dyn Watch>, stops: &[(usize, f64)]| -> Found {
+        Course::new(&chain, problem, &fresh, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
     };
+    // A coarser course tells finer ones where an oscillation ends. Without one, the first two do not wait for each other; many states share the cores anyway.
+    let waits = |segment: &Segment| segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+    let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits);
+    let mut ahead = if alone { side_by_side(|| course(0, None, &[]), || course(1, watch, &[])) } else { VecDeque::new() };
     let (mut stops, mut coarser): (Vec<(usize, f64)>, Option<Trace>) = (Vec::new(), None);
     for level in 0.. {
         let finest = fineness(problem.accuracy, level).series <= FINEST;
-        let (fine, unknown) = match course(level, &stops) {
+        let (fine, unknown) = match ahead.pop_front().unwrap_or_else(|| course(level, watch, &stops)) {
             Ok(found) => found,
             // What series leave may be too much for a small contact.
             Err(Refusal::NotConverged { .. }) if !finest => {
@@ -88,6 +94,18 @@ pub(in crate::indentation) fn solve(
     Err(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })
 }
 
+type Found = Result<(Trace, Unknown), Refusal>;
+
+/// What both find, the second one in another thread.
+fn side_by_side(first: impl FnOnce() -> Found, second: impl FnOnce() -> Found + Send) -> VecDeque<Found> {
+    let (mut one, mut other) = (None, None);
+    std::thread::scope(|scope| {
+        scope.spawn(|| other = Some(second()));
+        one = Some(first());
+    });
+    one.into_iter().chain(other).collect()
+}
+
 /// Overlap over the depth that is what series leave.
 const OVERLAP: f64 = 1e-8;
 
@@ -118,8 +136,8 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
 
 /// One course, as fine as an accuracy asks for.
 pub(in crate::indentation) fn course(material: &Material, problem: &IndentationProblem, accuracy: f64) -> Result<Trace, Refusal> {
-    let chain = Chain::new(material)?;
-    let (mut trace, _) = Course::new(&chain, problem, fineness(accuracy, 1)).through(&[])?;
+    let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
+    let (mut trace, _) = Course::new(&chain, problem, &fresh, fineness(accuracy, 1)).through(&[])?;
     trace.tolerance = accuracy;
     problem.profile.holds(trace.summary.scales[2], 0.0)?;
     Ok(trace)
@@ -184,8 +202,8 @@ pub(in crate::indentation) fn surface_at(
     solved: &Trace,
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
-    let chain = Chain::new(material)?;
-    let line = Course::new(&chain, problem, OF_SURFACE).line_at(time, &solved.shortened)?;
+    let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
+    let line = Course::new(&chain, problem, &fresh, OF_SURFACE).line_at(time, &solved.shortened)?;
     let (depth, profile) = (line.penetration, &problem.profile);
     let surface = |grades: i32| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {

@@ -85,7 +85,7 @@ impl Line<'_> {
             falls([load[NODES - 2], load[NODES - 1]], [stretch.place(NODES - 2), stretch.high])
         });
         let outside = self.free.first().map_or(virgin, |stretch| {
-            let surface = stretch.weighted(-1.0, &vec![-1.0; self.chain.terms()]);
+            let surface = stretch.weighted(-1.0, std::iter::repeat_n(-1.0, self.chain.terms()));
             falls([surface[0], surface[1]], [stretch.low, stretch.place(1)])
         });
         inside.min(outside)

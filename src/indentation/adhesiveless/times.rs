@@ -6,13 +6,14 @@ use super::moment::Moment;
 
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
-/// A step over the time that is told from none, with a margin.
+/// A step over the time that is told from none, with a margin; over what series leave.
 const SETTLED: f64 = 0.01 * f64::EPSILON;
+const OF_SERIES: f64 = 1e-3;
 
 /// When a chain in contact with u_i (now) leaves: `moment` is then set to it.
 pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let time = rising_zero(by, guess, &mut |time| {
+    let time = rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), &mut |time| {
         let (value, slope) = moment.pressing(chain, drive, height, state, time);
         (-value, -slope)
     });
@@ -23,7 +24,7 @@ pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64]
 /// When a free chain with e_j (now) touches, at most at a time: `moment` is then set to it.
 pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let time = rising_zero(by, guess, &mut |time| {
+    let time = rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), &mut |time| {
         let (mut value, mut slope) = (drive.value(time) - height, drive.rate(time));
         for (&(rate, _), e) in chain.voigt.iter().zip(state) {
             // What has recovered counts no more.
@@ -72,7 +73,7 @@ impl Guesses {
 }
 
 /// The time of 0…`by` at which a function rises through zero, by Newton's steps within a bracket.
-fn rising_zero(by: f64, guess: f64, function: &mut dyn FnMut(f64) -> (f64, f64)) -> f64 {
+fn rising_zero(by: f64, guess: f64, settled: f64, function: &mut dyn FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (0.0, by);
     let mut time = if guess > 0.0 && guess < by { guess } else { by };
     let (mut step, mut last_step, mut newtons) = (by, by, false);
@@ -111,7 +112,7 @@ fn rising_zero(by: f64, guess: f64, function: &mut dyn FnMut(f64) -> (f64, f64))
         }
         time = next;
         // Newton's next step would be as much smaller as the square of this one's part of the last one.
-        if fine && newtons && step * (step / last_step).powi(2) <= SETTLED * time {
+        if fine && newtons && step * (step / last_step).powi(2) <= settled * time {
             break;
         }
         newtons = fine;

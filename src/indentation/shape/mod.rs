@@ -148,6 +148,13 @@ impl TabulatedShape {
         s
     }
 
+    /// The points (m) between two places, clear of both.
+    pub(super) fn knots(&self, low: f64, high: f64) -> Vec<f64> {
+        let (from, to) = (low / self.end * (1.0 + APART), high / self.end * (1.0 - APART));
+        let [first, last] = [from, to].map(|end| self.knots.partition_point(|knot| *knot <= end));
+        self.knots.get(first..last).unwrap_or(&[]).iter().filter(|knot| **knot > 0.0).map(|knot| knot * self.end).collect()
+    }
+
     /// 0, the points below a place (m), and the place: between them f is smooth.
     pub(super) fn breaks(&self, end: f64) -> Vec<f64> {
         let inner = self.knots.iter().map(|knot| knot * self.end).filter(|knot| *knot > 0.0 && *knot < end * (1.0 - APART));

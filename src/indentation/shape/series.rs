@@ -1,7 +1,7 @@
 //! f and f′ as Chebyshev series, so that a value costs one search and one recursion, however many points the shape has.
 
 use super::super::row::Row;
-use super::abel::{Piece, line_profile};
+use super::abel::{Piece, integrals, line_profile};
 use crate::refusal::Refusal;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::sync::LazyLock;
@@ -14,6 +14,13 @@ const SMALL: f64 = 2e-15;
 const DEEPEST: u32 = 40;
 /// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; a shape that asks for more is noise.
 const MOST_STRETCHES: usize = 3 * DEEPEST as usize;
+
+/// Widths of a stretch between it and a piece beyond which so many places in it tell what the piece does, the widest first: their series err as ρ^{−places},
+/// ρ = z + √(z² − 1), z = 1 + 2·widths.
+const FAR: [(f64, usize); 3] = [(50.0, 7), (10.0, 10), (2.0, 16)];
+/// What each of these places, a part of the stretch, adds to the places of a series, of an even one and of a rooted one.
+type FarPlace = (f64, [[f64; TERMS]; 2]);
+static FAR_PLACES: LazyLock<[Vec<FarPlace>; 3]> = LazyLock::new(|| FAR.map(|(_, count)| far_places(count)));
 
 /// cos jθ_k of the places θ_k of a series, term after term.
 static COSINES: LazyLock<[[f64; TERMS]; TERMS]> =
@@ -89,8 +96,10 @@ impl Series {
 
     fn first_fall(&self) -> Option<f64> {
         let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
+        // Where the first term is larger than all others together, f′ cannot vanish.
+        let may_fall = self.stretches.iter().filter(|stretch| 2.0 * stretch.slope[0] <= stretch.slope.iter().map(|c| c.abs()).sum::<f64>());
         let places =
-            self.stretches.iter().flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
+            may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
         axis.chain(places).find(|s| self.slope(*s) <= 0.0)
     }
 
@@ -147,9 +156,27 @@ impl Stretch {
     fn sampled(pieces: &[Piece], point: f64, [from, to]: [f64; 2], rooted: bool) -> (Self, bool) {
         let (low, high, width) = (point + from, point + to, to - from);
         let cosines = &*COSINES;
+        let parts = parts(rooted);
+        // The pieces from the axis to the stretch, the far ones of each rule and the near ones.
+        let mut rest = pieces.get(..pieces.partition_point(|piece| (point - piece.low) + to > 0.0)).unwrap_or(pieces);
+        let mut sums = [[0.0; 3]; TERMS];
+        for ((widths, _), places) in FAR.iter().zip(FAR_PLACES.iter()) {
+            let (far, nearer) = rest.split_at(rest.partition_point(|piece| (point - piece.high) + from >= widths * width));
+            rest = nearer;
+            for (part, weights) in places.iter().filter(|_| !far.is_empty()) {
+                let there = integrals(far, point, from + width * part);
+                for (sums, weight) in sums.iter_mut().zip(&weights[usize::from(rooted)]) {
+                    for (sum, value) in sums.iter_mut().zip(there) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+        }
         let samples: [[f64; 3]; TERMS] = std::array::from_fn(|k| {
-            let x = 0.5 * (1.0 + cosines[1][k]);
-            line_profile(pieces, point, from + width * if rooted { x * x } else { x })
+            let beyond = from + width * parts[k];
+            let near = integrals(rest, point, beyond);
+            let [value, slope, size]: [f64; 3] = std::array::from_fn(|which| sums[k][which] + near[which]);
+            [(point + beyond) * value, slope, size]
         });
         let transformed = |which: usize| -> [f64; TERMS] {
             std::array::from_fn(|j| {
@@ -172,13 +199,34 @@ impl Stretch {
     }
 }
 
+fn far_places(count: usize) -> Vec<FarPlace> {
+    let angle = |k: usize| PI * (k as f64 + 0.5) / count as f64;
+    (0..count)
+        .map(|k| {
+            let factor = |j: usize| if j == 0 { 1.0 } else { 2.0 } / count as f64;
+            let series: Vec<f64> = (0..count).map(|j| factor(j) * (j as f64 * angle(k)).cos()).collect();
+            let weights = [false, true].map(|rooted| sum(&series, parts(rooted).map(|part| 2.0 * part - 1.0)));
+            (0.5 * (1.0 + angle(k).cos()), weights)
+        })
+        .collect()
+}
+
+/// Parts of a stretch at which the places of its series lie.
+fn parts(rooted: bool) -> [f64; TERMS] {
+    COSINES[1].map(|cosine| {
+        let x = 0.5 * (1.0 + cosine);
+        if rooted { x * x } else { x }
+    })
+}
+
 /// Σ c_j T_j(x) at several places side by side, by Clenshaw's recursion.
-fn sum<const COUNT: usize>(series: &[f64; TERMS], places: [f64; COUNT]) -> [f64; COUNT] {
+fn sum<const COUNT: usize>(series: &[f64], places: [f64; COUNT]) -> [f64; COUNT] {
     let (mut next, mut after) = ([0.0; COUNT], [0.0; COUNT]);
     for c in series.iter().skip(1).rev() {
         for ((next, after), x) in next.iter_mut().zip(&mut after).zip(&places) {
             (*next, *after) = (c + 2.0 * x * *next - *after, *next);
         }
     }
-    std::array::from_fn(|k| series[0] + places[k] * next[k] - after[k])
+    let constant = series.first().copied().unwrap_or(0.0);
+    std::array::from_fn(|k| constant + places[k] * next[k] - after[k])
 }
