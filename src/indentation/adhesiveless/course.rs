@@ -55,8 +55,9 @@ pub(super) struct Course<'a> {
     pub(super) evaluations: u64,
     /// How steeply S falls at the edge, at each kept instant.
     slopes: Vec<f64>,
-    /// How long the next panel may be; 0 after a corner.
+    /// How long the next panel may be, and Δ̇ so far; 0 and none after a corner.
     pub(super) panel_length: f64,
+    pub(super) depth_rate: Option<f64>,
     watch: Option<(&'a dyn Watch, u32)>,
     stop: Option<Line<'a>>,
     pub(super) until: f64,
@@ -84,6 +85,7 @@ impl<'a> Course<'a> {
             evaluations: 0,
             slopes: Vec::new(),
             panel_length: 0.0,
+            depth_rate: None,
             watch: None,
             stop: None,
             until: f64::INFINITY,
@@ -222,7 +224,7 @@ impl<'a> Course<'a> {
 
     /// Nothing behind counts for what follows.
     pub(super) fn corner(&mut self) {
-        self.panel_length = 0.0;
+        (self.panel_length, self.depth_rate) = (0.0, None);
     }
 
     /// A stretch of the history, to each kept instant and the end of each cycle: how long it took.

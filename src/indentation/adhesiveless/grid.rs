@@ -76,11 +76,11 @@ impl Grid {
 
     /// ξ where falling values are zero: they are ≥ 0 at the first place and < 0 at the last.
     pub(super) fn falling_zero(&self, values: &Nodal) -> f64 {
-        self.falling_zero_near(values, None)
+        self.falling_zero_near(values, None, f64::EPSILON)
     }
 
-    /// The same by Newton's steps within a bracket, from a guess.
-    pub(super) fn falling_zero_near(&self, values: &Nodal, guess: Option<f64>) -> f64 {
+    /// The same by Newton's steps within a bracket, from a guess, to such a step.
+    pub(super) fn falling_zero_near(&self, values: &Nodal, guess: Option<f64>, settled: f64) -> f64 {
         let next = values.iter().position(|value| *value < 0.0).unwrap_or(NODES - 1).max(1);
         let (mut low, mut high) = (self.xi[next - 1], self.xi[next]);
         let (above, below) = (values[next - 1], values[next]);
@@ -118,7 +118,7 @@ impl Grid {
             if newton > low && newton < high && step <= 0.5 * last.unwrap_or(gap) {
                 // What its next step would be: each goes with the square of the one before.
                 let next = last.map_or(10.0 * step * step / gap, |last| step * (step / last).powi(2));
-                if next <= f64::EPSILON {
+                if next <= settled {
                     return newton;
                 }
                 (place, last) = (newton, Some(step));

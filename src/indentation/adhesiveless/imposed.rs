@@ -128,7 +128,7 @@ impl Course<'_> {
             let target: Row = places().map(|part| unit * given.value(at + part * length));
             let law = Law::new(&self.line, self.fresh, length);
             self.evaluations += 1;
-            let met = law.met(asked, &target)?;
+            let met = law.met(asked, &target, self.depth_rate)?;
             let start = self.line.penetration;
             let Some(met) = met else {
                 if length <= least {
@@ -204,6 +204,7 @@ impl Course<'_> {
             let (length, shortened) = if left > allowed { (first, false) } else { (length, shortened) };
             self.panel_length = (length * factor.clamp(if shortened { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
             self.time += passed;
+            self.depth_rate = (passed > 0.0).then(|| drive.rate(passed));
             // A panel may end just where the edge reaches the axis.
             match ended {
                 Ended::Whole | Ended::Touched | Ended::Faint if self.line.radius() > 0.0 => {}
@@ -275,7 +276,7 @@ impl Course<'_> {
         let surface = self.line.surface_after(0.0);
         self.line.went_to(if controlled == Controlled::Frame { given.value(to) } else { depth }.min(surface));
         self.time += to - from;
-        self.panel_length = 0.0;
+        self.corner();
         Ok(())
     }
 }

@@ -69,6 +69,7 @@ pub(super) fn places() -> Row {
 pub(super) struct Law<'l, 'a> {
     pub(super) line: &'l Line<'a>,
     pub(super) fresh: &'l Fresh<'a>,
+    duration: f64,
     soft: f64,
     inverse: Square,
     /// e^{−x/ρ_i} and e^{−x/τ_j} at the nodes, term after term.
@@ -103,7 +104,7 @@ impl<'l, 'a> Law<'l, 'a> {
         } else {
             transposed(&eliminated(transposed(&of_powers), transposed(powers)))
         };
-        Self { line, fresh, soft, inverse, kept, recovered }
+        Self { line, fresh, duration, soft, inverse, kept, recovered }
     }
 
     /// ℛ⁻¹ of values over those at the start.
@@ -117,7 +118,8 @@ impl<'l, 'a> Law<'l, 'a> {
     }
 
     /// Δ at the nodes for what is imposed there; none where Newton's steps do not end.
-    pub(super) fn met(&self, asked: Asked, target: &Row) -> Result<Option<Met>, Refusal> {
+    /// `rate`: of Δ now, if it goes on.
+    pub(super) fn met(&self, asked: Asked, target: &Row, rate: Option<f64>) -> Result<Option<Met>, Refusal> {
         let line = self.line;
         let a = line.radius();
         let mut inside = line.holding(&self.kept);
@@ -140,7 +142,7 @@ impl<'l, 'a> Law<'l, 'a> {
                 return Ok(self.inwards(&mut inside, (of_force, of_depth), target, stays));
             }
         }
-        self.outwards(&mut outside(), (of_force, of_depth), target)
+        self.outwards(&mut outside(), (of_force, of_depth), target, rate)
     }
 
     /// Δ that keeps S at the edge at zero: the edge rests, and a punch presses nothing.
@@ -167,7 +169,13 @@ impl<'l, 'a> Law<'l, 'a> {
         Some(Met { way: Way::Inwards, depths: self.depths_of(&kappa), places, rests: false, noise })
     }
 
-    fn outwards(&self, outside: &mut Rising<'_>, (of_force, of_depth): (f64, f64), target: &Row) -> Result<Option<Met>, Refusal> {
+    fn outwards(
+        &self,
+        outside: &mut Rising<'_>,
+        (of_force, of_depth): (f64, f64),
+        target: &Row,
+        rate: Option<f64>,
+    ) -> Result<Option<Met>, Refusal> {
         let (line, chain) = (self.line, self.line.chain);
         let a = line.radius();
         let strains = line.free_strains();
@@ -195,11 +203,12 @@ impl<'l, 'a> Law<'l, 'a> {
             let deeper = (level - known) * (reached.place - a).max(0.0);
             Ok(Reached { area: a * level - under + left(k) + reached.area + deeper, ..reached })
         };
-        // No lower than Δ is: a fresh contact on a surface that lies as deep everywhere as at the edge.
+        // Δ as it goes on, from where a first step leads above; or no lower than Δ is: a fresh contact on a surface that lies as deep everywhere as at the edge.
+        let nodes = places();
         let mut from = [0.0; DEGREE];
         for (k, level) in from.iter_mut().enumerate() {
             *level = if of_depth > 0.0 {
-                target[k] / of_depth
+                rate.filter(|_| a > 0.0).map_or(target[k] / of_depth, |rate| line.penetration + rate * nodes[k] * self.duration)
             } else {
                 let lift = (first[k] - line.profile.line(a)).max(0.0);
                 (lift + self.fresh.at_most((right[k] / of_force).max(0.0)).unwrap_or(top)).min(top)

@@ -19,6 +19,8 @@ pub(super) struct Rising<'l> {
     before: Vec<Row>,
     whole: Row,
     seen: [Option<Seen>; DEGREE],
+    /// How well places are found (ξ): what is above them goes with the square of that.
+    settled: f64,
 }
 
 /// Where a level was met last: the stretch, p at its places, ∫p ds over its width from its low end to each, and ξ.
@@ -39,8 +41,11 @@ pub(super) struct Reached {
     pub(super) beyond: bool,
 }
 
+/// The same over what series leave.
+const OF_SERIES: f64 = 1e-3;
+
 impl<'l> Rising<'l> {
-    fn new(start: f64, stretches: &'l [Stretch], of_heights: f64, of_terms: Vec<Row>) -> Self {
+    fn new((start, tolerance): (f64, f64), stretches: &'l [Stretch], of_heights: f64, of_terms: Vec<Row>) -> Self {
         let sums = |of: &dyn Fn(&[f64]) -> f64, heights: f64, stretch: &Stretch| -> Row {
             let mut row = [of_heights * heights; DEGREE];
             for (index, shares) in of_terms.iter().enumerate() {
@@ -63,7 +68,7 @@ impl<'l> Rising<'l> {
                 *whole += stretch.width() * own;
             }
         }
-        Self { start, stretches, of_heights, of_terms, first, ends, before, whole, seen: [None; DEGREE] }
+        Self { start, stretches, of_heights, of_terms, first, ends, before, whole, seen: [None; DEGREE], settled: (OF_SERIES * tolerance).max(f64::EPSILON) }
     }
 
     pub(super) fn first(&self, k: usize) -> Option<f64> {
@@ -104,7 +109,7 @@ impl<'l> Rising<'l> {
             },
             |seen| (seen.values, seen.running),
         );
-        let xi = GRID.falling_zero_near(&values.map(|value| level - value), seen.map(|seen| seen.xi));
+        let xi = GRID.falling_zero_near(&values.map(|value| level - value), seen.map(|seen| seen.xi), self.settled);
         let place = stretch.low + stretch.width() * GRID.part(xi);
         let own = stretch.width() * GRID.value(xi, &running);
         self.seen[k] = Some(Seen { index, values, running, xi });
@@ -124,12 +129,12 @@ impl Line<'_> {
     pub(super) fn holding(&self, kept: &[Row]) -> Rising<'_> {
         let soft = self.chain.relaxed / self.chain.glassy;
         let shares = self.chain.maxwell.iter().zip(kept).map(|((modulus, _), kept)| kept.map(|kept| -modulus / self.chain.glassy * kept));
-        Rising::new(0.0, &self.contact, soft, shares.collect())
+        Rising::new((0.0, self.tolerance), &self.contact, soft, shares.collect())
     }
 
     /// What Δ must exceed for a free place to be touched: f + Σe_j e^{−t/τ_j}.
     pub(super) fn surfaces(&self, recovered: &[Row]) -> Rising<'_> {
-        Rising::new(self.radius(), &self.free, 1.0, recovered.to_vec())
+        Rising::new((self.radius(), self.tolerance), &self.free, 1.0, recovered.to_vec())
     }
 
     /// Places between two at which stretches meet.

@@ -34,7 +34,7 @@ impl Course<'_> {
         } else {
             let law = Law::new(&self.line, self.fresh, 0.0);
             self.evaluations += 1;
-            let met = law.met(asked, &[unit * value; DEGREE])?;
+            let met = law.met(asked, &[unit * value; DEGREE], None)?;
             met.ok_or_else(|| Refusal::NotConverged { what: "a step", detail: format!("at t = {:e}", self.now()) })?.depths[DEGREE - 1]
         };
         self.line.leap(depth, (controlled == Controlled::ContactRadius).then_some(value))?;
