@@ -14,6 +14,8 @@ pub(super) struct Rule {
     /// 1/Π(x_i − x_k).
     pub(super) lagrange: Row,
     pub(super) running: [Row; POINTS],
+    /// slopes[g][l] = the slope of the l-th Lagrange polynomial at x_g.
+    slopes: [Row; POINTS],
 }
 
 pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
@@ -24,7 +26,13 @@ pub(super) static RULE: LazyLock<Rule> = LazyLock::new(|| {
     let running = std::array::from_fn(|l| {
         std::array::from_fn(|g| (0..POINTS).map(|q| weights[q] * nodes[g] * lagrange(l, nodes[g] * nodes[q])).sum::<f64>())
     });
-    Rule { nodes, weights, lagrange: factors, running }
+    // Of the own node from the others: a constant has no slope.
+    let slopes = std::array::from_fn(|g| {
+        let across = |l: usize| if l == g { 0.0 } else { factors[l] / factors[g] / (nodes[g] - nodes[l]) };
+        let own = -(0..POINTS).map(across).sum::<f64>();
+        std::array::from_fn(|l| if l == g { own } else { across(l) })
+    });
+    Rule { nodes, weights, lagrange: factors, running, slopes }
 });
 
 impl Rule {
@@ -69,6 +77,13 @@ impl Panel {
         // The polynomial goes on a little beyond its panel, where rounding may put an edge; further out it means nothing.
         let factors = RULE.interpolation(((s - self.lower) / (self.upper - self.lower)).clamp(-1.0, 2.0));
         factors.iter().zip(&self.values).map(|(factor, value)| factor * value).sum()
+    }
+
+    /// The slope of the interpolant, which the same nodes keep.
+    pub(super) fn slope(&self) -> Self {
+        let width = self.upper - self.lower;
+        let at = |row: &Row| row.iter().zip(&self.values).map(|(slope, value)| slope * value).sum::<f64>() / width;
+        Self { values: std::array::from_fn(|g| at(&RULE.slopes[g])), ..*self }
     }
 
     /// The interpolant at an end of the panel, and by how much it would differ without the node furthest from there.

@@ -192,8 +192,9 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
 
 /// Fineness of the course behind a surface: the error of a surface counts its panels only.
 const OF_SURFACE: Fineness = Fineness { series: 1e-12, sums: FINEST_SUMS };
-/// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less.
-const GRADES: [i32; 2] = [10, 7];
+/// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less, and what a panel that needs no more may leave, over
+/// the largest value there.
+const GRADES: [(i32, f64); 2] = [(10, 1e-13), (7, 1e-11)];
 
 /// The contact at a time of a history that has been solved, and its surface twice: as it is, and with coarser panels, for the error.
 pub(in crate::indentation) fn surface_at(
@@ -205,15 +206,8 @@ pub(in crate::indentation) fn surface_at(
     let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let line = Course::new(&chain, problem, &fresh, OF_SURFACE).line_at(time, &solved.shortened)?;
     let (depth, profile) = (line.penetration, &problem.profile);
-    let surface = |grades: i32| {
-        let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| {
-            let half = 0.5 * (high - low);
-            let places = (0..grades).map(|k| half * 0.25_f64.powi(k)).collect::<Vec<f64>>();
-            let inner = places.iter().rev().map(|way| low + way).chain(places.iter().skip(1).map(|way| high - way));
-            let places: Vec<f64> = [low].into_iter().chain(inner).chain([high]).collect();
-            let wide = places.windows(2).filter(|pair| pair[1] > pair[0]);
-            wide.map(|pair| Panel::sampled(pair[0], pair[1], sample)).collect::<Vec<Panel>>()
-        };
+    let surface = |(grades, leaves): (i32, f64)| {
+        let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| graded((low, high), grades, leaves, sample);
         let (mut load, mut displacement) = (Vec::new(), Vec::new());
         for stretch in &line.contact {
             load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * line.pressing_at(s)));
@@ -236,4 +230,43 @@ pub(in crate::indentation) fn surface_at(
         energies: None,
     };
     Ok((point, GRADES.map(surface)))
+}
+
+/// Panels of a stretch, each a quarter of the one before towards both ends, until one is enough.
+fn graded((low, high): (f64, f64), grades: i32, leaves: f64, sample: &dyn Fn(f64) -> f64) -> Vec<Panel> {
+    let half = 0.5 * (high - low);
+    let mut largest = 0.0_f64;
+    let mut enough = |from: f64, to: f64| {
+        let panel = Panel::sampled(from, to, sample);
+        largest = panel.values.iter().fold(largest, |most, value| most.max(value.abs()));
+        let leaves = leaves * largest;
+        ([from, 0.5 * (from + to), to].into_iter().all(|s| (panel.at(s) - sample(s)).abs() <= leaves), panel)
+    };
+    let (suffices, whole) = enough(low, high);
+    if suffices {
+        return vec![whole];
+    }
+    // From the middle outwards.
+    let mut towards = |end: f64, sign: f64| {
+        let mut panels = Vec::new();
+        let ordered = |one: f64, other: f64| if one < other { (one, other) } else { (other, one) };
+        for k in 0..grades {
+            let (outer, inner) = (half * 0.25_f64.powi(k), if k + 1 < grades { half * 0.25_f64.powi(k + 1) } else { 0.0 });
+            let (from, to) = ordered(end, end + sign * outer);
+            let (suffices, rest) = enough(from, to);
+            if suffices || inner == 0.0 {
+                panels.push(rest);
+                break;
+            }
+            let (from, to) = ordered(end + sign * inner, end + sign * outer);
+            if to > from {
+                panels.push(enough(from, to).1);
+            }
+        }
+        panels
+    };
+    let mut panels = towards(low, 1.0);
+    panels.reverse();
+    panels.extend(towards(high, -1.0));
+    panels
 }
