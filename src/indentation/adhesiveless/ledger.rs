@@ -60,7 +60,7 @@ impl Gone<'_, '_> {
         let mut line = self.before.clone();
         if time > 0.0 {
             match self.way {
-                Some(way) => line.pass(&self.drive.until(time), way, self.edge.as_ref())?,
+                Some(way) => line.passed(&self.drive.until(time), way, self.edge.as_ref())?,
                 None => line.pass_nothing(&self.drive.until(time)),
             }
         }

@@ -55,6 +55,13 @@ impl Line<'_> {
 
     /// A whole drive along which the edge goes one way, to where S vanishes or where it is imposed.
     pub(super) fn pass(&mut self, drive: &Drive, way: Way, edge: Option<&Edge<'_>>) -> Result<(), Refusal> {
+        self.passed(drive, way, edge)?;
+        self.tidy(false);
+        Ok(())
+    }
+
+    /// The same for a look at the line there, which is not gone on with: its stretches stay as they are.
+    pub(super) fn passed(&mut self, drive: &Drive, way: Way, edge: Option<&Edge<'_>>) -> Result<(), Refusal> {
         self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
         let end = Moment::new(self.chain, drive, drive.duration);
         let this = self.without_stretches();
@@ -100,7 +107,6 @@ impl Line<'_> {
             })?,
         }
         self.went_to(end.depth);
-        self.tidy(false);
         Ok(())
     }
 
