@@ -143,32 +143,101 @@ impl<'a> Course<'a> {
         self.begin()?;
         let mut last = history.start;
         let mut before = history.controlled;
-        for (index, segment) in history.segments.iter().enumerate() {
+        let mut index = 0;
+        while let Some(segment) = history.segments.get(index) {
             if self.stop.is_some() {
                 return Ok(());
             }
             if segment.controlled != before {
                 (before, last) = (segment.controlled, self.present(segment.controlled));
             }
+            let goes_on = self.goes_on(index, last);
+            if goes_on.len() > 1 {
+                index += goes_on.len();
+                last = self.seen_through(goes_on, last)?;
+                self.observe(index - 1, None);
+                continue;
+            }
             let stretch = Stretch { from: last, segment: *segment };
             let duration = if segment.duration == 0.0 {
                 self.at_once(segment.controlled, segment.end)?;
                 self.pace = None;
-                self.keep();
+                self.keep(self.line.slope_at_edge());
                 0.0
             } else {
                 self.stretch(index, &stretch)?
             };
             last = segment.value(last, duration);
             self.observe(index, None);
+            index += 1;
         }
         Ok(())
     }
 
-    /// Keeps the last point as an instant.
-    fn keep(&mut self) {
+    /// The segments from one on through which a penetration goes on at one pace, where nothing is added up between instants.
+    fn goes_on(&self, index: usize, from: f64) -> &'a [Segment] {
+        let rest = self.problem.history.segments.get(index..).unwrap_or(&[]);
+        let steady = |segment: &Segment| {
+            segment.controlled == Controlled::Penetration && segment.oscillation.is_none() && segment.duration > 0.0
+        };
+        let Some(first) = rest.first().filter(|first| steady(first) && !self.adds_up() && self.until.is_infinite()) else { return &[] };
+        let rate = (first.end - from) / first.duration;
+        let mut last = from;
+        let same = rest.iter().take_while(|segment| {
+            let own = (segment.end - std::mem::replace(&mut last, segment.end)) / segment.duration;
+            steady(segment) && (own - rate).abs() <= SAME_PACE * rate.abs()
+        });
+        let count = same.count();
+        &rest[..count]
+    }
+
+    /// Goes through segments at one pace, as one stretch: instants are looked at along its way.
+    fn seen_through(&mut self, segments: &'a [Segment], from: f64) -> Result<f64, Refusal> {
+        let Some((first, last)) = segments.first().zip(segments.last()) else { return Ok(from) };
+        let instants = self.problem.instants_per_segment.max(1);
+        let (mut wanted, mut passed, mut value) = (Vec::new(), 0.0, from);
+        for segment in segments {
+            for k in 1..=instants {
+                let time = segment.duration * if k == instants { 1.0 } else { f64::from(k) / f64::from(instants) };
+                wanted.push((passed + time, segment.value(value, time)));
+            }
+            (passed, value) = (passed + segment.duration, segment.end);
+        }
+        wanted.pop();
+        let stretch = Stretch { from, segment: Segment { duration: passed, end: last.end, ..*first } };
+        self.begin_stretch(&stretch);
+        self.look_at = passed;
+        let drive = self.drive(&stretch, passed);
+        self.along(&drive, &wanted)?;
+        self.point(false);
+        self.keep(self.line.slope_at_edge());
+        self.end_stretch(&stretch, passed);
+        Ok(last.end)
+    }
+
+    /// A corner, where a stretch does not go on as the last one.
+    fn begin_stretch(&mut self, stretch: &Stretch) {
+        let (segment, rate) = (stretch.segment, stretch.rate());
+        let same = segment.oscillation.is_none()
+            && self
+                .pace
+                .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
+        if !same {
+            self.record.new_piece();
+            self.corner();
+        }
+    }
+
+    fn end_stretch(&mut self, stretch: &Stretch, duration: f64) {
+        self.pace = stretch.segment.oscillation.is_none().then(|| (stretch.segment.controlled, stretch.rate()));
+        self.origin += duration;
+        (self.time, self.look_at) = (0.0, 0.0);
+    }
+
+    /// Keeps the last point as an instant, where S falls so steeply at the edge.
+    pub(super) fn keep(&mut self, slope: f64) {
         self.record.keep();
-        self.slopes.push(self.line.slope_at_edge());
+        self.slopes.push(slope);
     }
 
     /// What a quantity is now.
@@ -203,7 +272,7 @@ impl<'a> Course<'a> {
             Start::Relaxed => self.relaxed(history.controlled, history.start)?,
         }
         self.point(false);
-        self.keep();
+        self.keep(self.line.slope_at_edge());
         Ok(())
     }
 
@@ -230,15 +299,7 @@ impl<'a> Course<'a> {
     /// A stretch of the history, to each kept instant and the end of each cycle: how long it took.
     fn stretch(&mut self, index: usize, stretch: &Stretch) -> Result<f64, Refusal> {
         let segment = stretch.segment;
-        let rate = stretch.rate();
-        let same = segment.oscillation.is_none()
-            && self
-                .pace
-                .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
-        if !same {
-            self.record.new_piece();
-            self.corner();
-        }
+        self.begin_stretch(stretch);
         self.meter = segment.oscillation.map(|oscillation| {
             Meter::new(index, (oscillation, segment.duration), self.origin, self.chain.longest_time(), self.record.trace.path.last())
         });
@@ -277,14 +338,12 @@ impl<'a> Course<'a> {
                 cycle += skipped;
             }
             if self.time >= next_instant || self.time >= duration {
-                self.keep();
+                self.keep(self.line.slope_at_edge());
                 instant += 1;
             }
         }
         self.record.last_cycle(self.meter.take());
-        self.pace = segment.oscillation.is_none().then_some((segment.controlled, rate));
-        self.origin += duration;
-        (self.time, self.look_at) = (0.0, 0.0);
+        self.end_stretch(stretch, duration);
         Ok(duration)
     }
 
@@ -295,7 +354,7 @@ impl<'a> Course<'a> {
             match stretch.segment.controlled {
                 Controlled::Penetration => {
                     let drive = self.drive(stretch, target);
-                    self.along(&drive)?;
+                    self.along(&drive, &[])?;
                 }
                 _ => self.toward(stretch, target)?,
             }

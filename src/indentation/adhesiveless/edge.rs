@@ -122,10 +122,10 @@ impl Line<'_> {
         }
     }
 
-    /// Instants at which the edge is looked at.
-    fn looked_at(&self, drive: &Drive) -> Vec<f64> {
+    /// Instants at which the edge is looked at, those that are wanted among them.
+    fn looked_at(&self, drive: &Drive, wanted: &[f64]) -> Vec<f64> {
         let whole = drive.duration;
-        let even = evenly(whole);
+        let even = evenly(whole).chain(wanted.iter().copied());
         let shortest = SHORTEST * self.chain.shortest_time();
         let halved = (4..MOST_HALVINGS).map(|k| whole * 0.5_f64.powi(k)).take_while(|time| *time > shortest);
         let mut times: Vec<f64> = halved.chain(even).collect();
@@ -134,8 +134,9 @@ impl Line<'_> {
     }
 
     /// Goes on along a drive, as far as the edge goes one way: how far, which way, and why it ended there. `touched`: the contact has just been found.
-    pub(super) fn go(&mut self, drive: &Drive, touched: bool) -> Result<Went, Refusal> {
-        self.led(drive, None, touched, self.looked_at(drive))
+    /// `wanted`: instants within it at which the edge is looked at besides.
+    pub(super) fn go(&mut self, drive: &Drive, touched: bool, wanted: &[f64]) -> Result<Went, Refusal> {
+        self.led(drive, None, touched, self.looked_at(drive, wanted))
     }
 
     /// The same along a panel that knows its way, and what its polynomial leaves of Δ. Where the edge goes that way from node to node, the end of the panel

@@ -55,7 +55,11 @@ impl Gone<'_, '_> {
             return Ok((force(time), 0.0));
         }
         if !energies && self.edge.is_none() && self.way != Some(Way::Outwards) {
-            return Ok((self.before.pressing_after(&self.drive, time, self.way.is_some()), 0.0));
+            let force = match self.way {
+                Some(_) => self.before.receded(&self.drive, time).force,
+                None => self.before.pressing_after(&self.drive, time),
+            };
+            return Ok((force, 0.0));
         }
         let mut line = self.before.clone();
         if time > 0.0 {
@@ -70,23 +74,11 @@ impl Gone<'_, '_> {
 }
 
 impl Line<'_> {
-    /// F of what is in contact, a time along a drive in which the edge goes inwards, or rests.
-    fn pressing_after(&self, drive: &Drive, time: f64, recedes: bool) -> f64 {
+    /// F of what is in contact, a time along a drive in which the edge rests.
+    fn pressing_after(&self, drive: &Drive, time: f64) -> f64 {
         let mut moment = Moment::default();
         moment.set(self.chain, drive, time);
-        let mut sum = 0.0;
-        for stretch in &self.contact {
-            let pressed = self.pressed(stretch, &moment);
-            if recedes && pressed[0] <= 0.0 {
-                break;
-            }
-            sum += stretch.width()
-                * if recedes && pressed[NODES - 1] < 0.0 {
-                    GRID.integral_to(GRID.falling_zero(&pressed), &pressed)
-                } else {
-                    GRID.integral(&pressed)
-                };
-        }
+        let sum: f64 = self.contact.iter().map(|stretch| stretch.width() * GRID.integral(&self.pressed(stretch, &moment))).sum();
         2.0 * self.chain.glassy * sum
     }
 }

@@ -2,9 +2,11 @@
 
 use super::course::Course;
 use super::drive::{Drive, Wave};
-use super::edge::Ended;
+use super::edge::{Ended, Way};
 use super::ledger::Gone;
+use super::line::Line;
 use crate::indentation::stretch::Stretch;
+use super::state::Look;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 
@@ -14,7 +16,10 @@ const MOST_TURNS: u32 = 100_000;
 const LONGEST_OF_CYCLE: f64 = 0.25;
 const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 
-impl Course<'_> {
+/// Instants between which stretches are not joined.
+const UNTIDY: usize = 8;
+
+impl<'a> Course<'a> {
     /// The next part of a stretch, as a drive of its own quantity.
     pub(super) fn drive(&self, stretch: &Stretch, target: f64) -> Drive {
         let from = self.time;
@@ -37,8 +42,8 @@ impl Course<'_> {
         Drive::straight(start, start + (mean(target) - mean(from)), target - from).with_wave(wave)
     }
 
-    /// Goes along a drive of the penetration.
-    pub(super) fn along(&mut self, drive: &Drive) -> Result<(), Refusal> {
+    /// Goes along a drive of the penetration, whose values are kept at wanted times (of the stretch) before its end.
+    pub(super) fn along(&mut self, drive: &Drive, mut wanted: &[(f64, f64)]) -> Result<(), Refusal> {
         let end = self.time + drive.duration;
         let mut drive = *drive;
         if drive.start.to_bits() != self.line.penetration.to_bits() {
@@ -47,12 +52,24 @@ impl Course<'_> {
         let mut touched = false;
         for _ in 0..MOST_TURNS {
             self.evaluations += 1;
-            let before = self.before();
+            let since = end - drive.duration;
+            while let Some(&(time, _)) = wanted.first().filter(|(time, _)| *time <= since) {
+                let look = Look::at(&self.line, true);
+                self.kept_at(time, &look);
+                wanted = &wanted[1..];
+            }
+            let before = if wanted.is_empty() { self.before() } else { Some(self.line.clone()) };
+            let inside: Vec<f64> = wanted.iter().map(|(time, _)| time - since).collect();
             let had = self.line.radius() > 0.0;
-            let (time, way, ended) = self.line.go(&drive, touched)?;
-            if let Some(before) = before.filter(|_| time > 0.0) {
+            let (time, way, ended) = self.line.go(&drive, touched, &inside)?;
+            if let Some(before) = &before {
+                let count = inside.partition_point(|at| *at < time);
+                self.see(before, &drive, way, wanted.iter().zip(&inside).take(count))?;
+                wanted = &wanted[count..];
+            }
+            if let Some(before) = before.filter(|_| time > 0.0 && self.adds_up()) {
                 let part = drive.until(time);
-                self.add_up(&Gone { before, drive: part, way, edge: None, since: end - drive.duration, force: None })?;
+                self.add_up(&Gone { before, drive: part, way, edge: None, since, force: None })?;
             }
             let rest = drive.duration - time;
             self.time = if rest > 0.0 { end - rest } else { end };
@@ -81,5 +98,48 @@ impl Course<'_> {
             drive = drive.rest(time);
         }
         Err(Refusal::NotConverged { what: "the edge", detail: format!("turns again and again at t = {:e}", self.now()) })
+    }
+
+    /// Keeps instants along a drive that a line has been gone along one way: wanted times and penetrations, and the times of the drive.
+    fn see<'w>(
+        &mut self,
+        before: &Line<'a>,
+        drive: &Drive,
+        way: Option<Way>,
+        wanted: impl Iterator<Item = (&'w (f64, f64), &'w f64)>,
+    ) -> Result<(), Refusal> {
+        if way == Some(Way::Inwards) {
+            // What is still in contact does not know of what has left it.
+            for (&(time, depth), at) in wanted {
+                let look = Look { penetration: depth, ..before.receded(drive, *at) };
+                self.kept_at(time, &look);
+            }
+            return Ok(());
+        }
+        let (mut line, mut rest, mut gone) = (before.clone(), *drive, 0.0);
+        for (index, (&(time, depth), at)) in wanted.enumerate() {
+            let part = rest.until(at - gone);
+            match way {
+                Some(way) => line.passed(&part, way, None)?,
+                None => line.pass_nothing(&part),
+            }
+            if index % UNTIDY == UNTIDY - 1 {
+                line.tidy(false);
+            }
+            (rest, gone) = (rest.rest(at - gone), *at);
+            self.line.cut = self.line.cut.max(line.cut);
+            self.line.joined = self.line.joined.max(line.joined);
+            self.kept_at(time, &Look { penetration: depth, ..Look::at(&line, true) });
+        }
+        self.line.updates += line.updates - before.updates;
+        Ok(())
+    }
+
+    /// Keeps an instant.
+    fn kept_at(&mut self, time: f64, look: &Look) {
+        let now = std::mem::replace(&mut self.time, time);
+        self.point_of(look, false);
+        self.keep(look.slope);
+        self.time = now;
     }
 }

@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::ledger::Sums;
+use super::state::Look;
 use crate::indentation::solution::{Energies, Event, EventKind, PathPoint};
 
 impl Course<'_> {
@@ -31,19 +32,23 @@ impl Course<'_> {
 
     /// Adds the present state to the path.
     pub(super) fn point(&mut self, sudden: bool) {
-        let force = self.line.force();
-        let (mut residual, looked_at) = (0.0, self.time >= self.look_at);
-        if looked_at {
-            let (pressing, at_edge) = self.line.least();
+        let look = Look::at(&self.line, self.time >= self.look_at);
+        self.point_of(&look, sudden);
+    }
+
+    /// Adds a state to the path.
+    pub(super) fn point_of(&mut self, look: &Look, sudden: bool) {
+        let mut residual = 0.0;
+        if let Some((pressing, at_edge)) = look.least {
             let least = &mut self.record.trace.smallest_gap_factor;
             *least = least.min(pressing + self.line.unknown());
             residual = at_edge;
         }
         let mut point = PathPoint {
             time: self.now(),
-            penetration: self.line.penetration,
-            force,
-            contact_radius: self.line.radius(),
+            penetration: look.penetration,
+            force: look.force,
+            contact_radius: look.radius,
             stress_intensity_factor: 0.0,
             unresolved_intensity: 0.0,
             residual,

@@ -1,10 +1,66 @@
 //! A line looked at: what presses where, what must not be negative, and how two lines differ.
 
-use super::grid::NODES;
+use super::drive::Drive;
+use super::grid::{GRID, NODES};
 use super::line::Line;
+use super::moment::Moment;
 use crate::refusal::Refusal;
 
+/// What a point of the path tells of a line.
+pub(super) struct Look {
+    pub(super) penetration: f64,
+    pub(super) force: f64,
+    pub(super) radius: f64,
+    /// [`Line::least`], where it is looked at.
+    pub(super) least: Option<(f64, f64)>,
+    /// [`Line::slope_at_edge`].
+    pub(super) slope: f64,
+}
+
+impl Look {
+    pub(super) fn at(line: &Line<'_>, closely: bool) -> Self {
+        Self {
+            penetration: line.penetration,
+            force: line.force(),
+            radius: line.radius(),
+            least: closely.then(|| line.least()),
+            slope: line.slope_at_edge(),
+        }
+    }
+}
+
+/// Part of a stretch before its edge over which S is seen to fall.
+const CLOSE: f64 = 1e-3;
+
 impl Line<'_> {
+    /// What is still in contact a time along a drive in which the edge goes inwards. S falls as steeply outside of it: at the edge a chain in contact and a
+    /// free one go on alike.
+    pub(super) fn receded(&self, drive: &Drive, time: f64) -> Look {
+        let mut moment = Moment::default();
+        moment.set(self.chain, drive, time);
+        let (mut sum, mut radius, mut slope) = (0.0, 0.0, self.profile.line_slope(0.0));
+        for stretch in &self.contact {
+            let pressed = self.pressed(stretch, &moment);
+            if pressed[0] <= 0.0 {
+                break;
+            }
+            let whole = pressed[NODES - 1] >= 0.0;
+            let xi = if whole { 1.0 } else { GRID.falling_zero(&pressed) };
+            let part = if whole { 1.0 } else { GRID.part(xi) };
+            sum += stretch.width() * if whole { GRID.integral(&pressed) } else { GRID.integral_to(xi, &pressed) };
+            radius = if whole { stretch.high } else { stretch.low + stretch.width() * part };
+            let inner = GRID.parts.iter().rposition(|other| *other < part * (1.0 - CLOSE)).unwrap_or(0);
+            let edge = if whole { pressed[NODES - 1] } else { 0.0 };
+            slope = (pressed[inner] - edge) / (stretch.width() * (part - GRID.parts[inner]));
+            if !whole {
+                break;
+            }
+        }
+        let force = 2.0 * self.chain.glassy * sum;
+        Look { penetration: moment.depth, force, radius, least: None, slope }
+    }
+
+
     /// S at a place now.
     pub(super) fn pressing_at(&self, place: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
