@@ -17,7 +17,7 @@ const LONGEST_OF_CYCLE: f64 = 0.25;
 const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 
 /// Instants between which stretches are not joined.
-const UNTIDY: usize = 8;
+const UNTIDY: usize = 32;
 
 impl<'a> Course<'a> {
     /// The next part of a stretch, as a drive of its own quantity.
