@@ -177,9 +177,8 @@ impl<'a> Course<'a> {
     /// The segments from one on through which a penetration goes on at one pace, where nothing is added up between instants.
     fn goes_on(&self, index: usize, from: f64) -> &'a [Segment] {
         let rest = self.problem.history.segments.get(index..).unwrap_or(&[]);
-        let steady = |segment: &Segment| {
-            segment.controlled == Controlled::Penetration && segment.oscillation.is_none() && segment.duration > 0.0
-        };
+        let steady =
+            |segment: &Segment| segment.controlled == Controlled::Penetration && segment.oscillation.is_none() && segment.duration > 0.0;
         let Some(first) = rest.first().filter(|first| steady(first) && !self.adds_up() && self.until.is_infinite()) else { return &[] };
         let rate = (first.end - from) / first.duration;
         let mut last = from;

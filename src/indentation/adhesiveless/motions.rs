@@ -5,8 +5,8 @@ use super::drive::{Drive, Wave};
 use super::edge::{Ended, Way};
 use super::ledger::Gone;
 use super::line::Line;
-use crate::indentation::stretch::Stretch;
 use super::state::Look;
+use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
 

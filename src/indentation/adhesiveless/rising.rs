@@ -68,7 +68,18 @@ impl<'l> Rising<'l> {
                 *whole += stretch.width() * own;
             }
         }
-        Self { start, stretches, of_heights, of_terms, first, ends, before, whole, seen: [None; DEGREE], settled: (OF_SERIES * tolerance).max(f64::EPSILON) }
+        Self {
+            start,
+            stretches,
+            of_heights,
+            of_terms,
+            first,
+            ends,
+            before,
+            whole,
+            seen: [None; DEGREE],
+            settled: (OF_SERIES * tolerance).max(f64::EPSILON),
+        }
     }
 
     pub(super) fn first(&self, k: usize) -> Option<f64> {

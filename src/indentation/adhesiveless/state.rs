@@ -60,7 +60,6 @@ impl Line<'_> {
         Look { penetration: moment.depth, force, radius, least: None, slope }
     }
 
-
     /// S at a place now.
     pub(super) fn pressing_at(&self, place: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];

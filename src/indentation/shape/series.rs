@@ -98,8 +98,7 @@ impl Series {
         let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
         // Where the first term is larger than all others together, f′ cannot vanish.
         let may_fall = self.stretches.iter().filter(|stretch| 2.0 * stretch.slope[0] <= stretch.slope.iter().map(|c| c.abs()).sum::<f64>());
-        let places =
-            may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
+        let places = may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
         axis.chain(places).find(|s| self.slope(*s) <= 0.0)
     }
 

@@ -46,6 +46,9 @@ const MOVE_UPDATES: f64 = 66.0;
 /// Power of the relaxation times that they grow with: strains of more times are cut more finely. The points of a table cut the line, too.
 const OF_TERMS: f64 = 0.67;
 const OF_TABLE: f64 = 3.0;
+/// Points of the line updated for an instant that is looked at on the way, of a stretch of line, and most stretches of which a few more are not joined.
+const LOOK_UPDATES: f64 = 5.0;
+const MOST_APART: f64 = 32.0;
 /// The same where the rim of a punch holds the edge: moves of few points.
 const HELD_CYCLE_MOVES: f64 = 24.0;
 const HELD_MOVE_UPDATES: f64 = 22.0;
@@ -114,6 +117,9 @@ impl IndentationPlan {
         let cut = if matches!(self.indentation.shape, IndentationShape::Table { .. }) { OF_TABLE } else { 1.0 };
         let terms = self.material.relaxation_terms().len().max(1) as f64;
         let updates = if held { HELD_MOVE_UPDATES } else { MOVE_UPDATES * cut * terms.powf(OF_TERMS) };
+        let adds_up = self.indentation.energies || self.timeline.oscillates();
+        let instants = f64::from(self.indentation.instants.max(1));
+        let mut looks = 0.0;
         let moves: f64 = self
             .timeline
             .legs
@@ -129,11 +135,16 @@ impl IndentationPlan {
                     };
                     cycle * leg.cycles().min(repeated)
                 }
+                // At one pace from instant to instant.
+                None if leg.quantity == HistoryQuantity::Penetration && !adds_up => {
+                    looks += MOVES * (2.0 + instants.min(MOST_APART));
+                    MOVES / instants
+                }
                 None if leg.quantity == HistoryQuantity::Penetration => MOVES,
                 None => LOADED_MOVES,
             })
             .sum();
-        (moves, moves * updates)
+        (moves, moves * updates + looks * LOOK_UPDATES * cut)
     }
 
     /// Expected work of one state.
