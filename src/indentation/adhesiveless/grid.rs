@@ -116,8 +116,10 @@ impl Grid {
             let step = (newton - place).abs();
             // Where Newton's steps do not halve, the bracket is.
             if newton > low && newton < high && step <= 0.5 * last.unwrap_or(gap) {
-                // What its next step would be: each goes with the square of the one before.
-                let next = last.map_or(10.0 * step * step / gap, |last| step * (step / last).powi(2));
+                // What its next step would be: each goes with the square of the one before, over the distance to the next place or to an end, where values go with
+                // the square of theirs.
+                let room = gap.min(1.0 - newton.abs());
+                let next = last.map_or(10.0 * step * step / room, |last| step * (step / last).powi(2));
                 if next <= settled {
                     return newton;
                 }

@@ -237,8 +237,8 @@ impl<'l, 'a> Law<'l, 'a> {
         let stalled = (MANY * self.line.tolerance).max(STALLED);
         let settled = SETTLED * self.line.tolerance;
         let (mut last, mut stuck) = (f64::INFINITY, 0);
-        // Levels that are not too low.
-        let mut above = level;
+        // Levels that are too high, and too low.
+        let (mut above, mut below) = (level, [f64::NEG_INFINITY; DEGREE]);
         for _ in 0..MOST_ITERATIONS {
             let along = if of_depth == 0.0 { level } else { self.undone(&level) };
             let (mut excess, mut places) = ([0.0; DEGREE], [0.0; DEGREE]);
@@ -248,6 +248,8 @@ impl<'l, 'a> Law<'l, 'a> {
                 places[k] = there.place;
                 if excess[k] > 0.0 {
                     above[k] = level[k];
+                } else {
+                    below[k] = below[k].max(level[k]);
                 }
             }
             let step = if of_depth == 0.0 {
@@ -255,7 +257,9 @@ impl<'l, 'a> Law<'l, 'a> {
                     if excess[k] == 0.0 {
                         0.0
                     } else if places[k] > 0.0 {
-                        excess[k] / (of_force * places[k])
+                        // Where a surface lies close all along, rounding may lead below what was too low.
+                        let step = excess[k] / (of_force * places[k]);
+                        if level[k] - step > below[k] || excess[k] < 0.0 { step } else { 0.5 * (level[k] - below[k]) }
                     } else {
                         // Kinks of the line have led below all that is in contact.
                         -0.5 * (above[k] - level[k])

@@ -41,7 +41,8 @@ impl Line<'_> {
         let (mut sum, mut radius, mut slope) = (0.0, 0.0, self.profile.line_slope(0.0));
         for stretch in &self.contact {
             let pressed = self.pressed(stretch, &moment);
-            if pressed[0] <= 0.0 {
+            // What has relaxed presses no more, and is in contact.
+            if pressed[0] < 0.0 {
                 break;
             }
             let whole = pressed[NODES - 1] >= 0.0;
