@@ -152,7 +152,7 @@ impl<'a> Course<'a> {
                 (before, last) = (segment.controlled, self.present(segment.controlled));
             }
             let goes_on = self.goes_on(index, last);
-            if goes_on.len() > 1 {
+            if goes_on.len() * self.problem.instants_per_segment.max(1) as usize > 1 {
                 index += goes_on.len();
                 last = self.seen_through(goes_on, last)?;
                 self.observe(index - 1, None);
