@@ -90,9 +90,9 @@ fn what_a_panel_leaves_is_within_the_bound() {
         let away = |row: &&viscotack::outcome::Row| (row.value(time).unwrap() - at).abs();
         let instants = found.rows.iter().filter(|row| row.labels[0] == "instant");
         let row = instants.min_by(|one, other| away(one).total_cmp(&away(other))).unwrap();
-        let told = row.values[penetration].unwrap();
-        assert!((told.value - right).abs() <= told.error + 1e-17, "{at}: {told:?} {right}");
-        assert!(told.error < 1e-6 * right, "{at}: {told:?}");
+        let reported = row.values[penetration].unwrap();
+        assert!((reported.value - right).abs() <= reported.error + 1e-17, "{at}: {reported:?} {right}");
+        assert!(reported.error < 1e-6 * right, "{at}: {reported:?}");
     }
 }
 

@@ -96,11 +96,11 @@ pub(in crate::indentation) fn solve(
 
 type Found = Result<(Trace, Unknown), Refusal>;
 
-/// What both find, the second one in another thread.
+/// What both find, the second one in another thread; the first one alone where no thread is to be had.
 fn side_by_side(first: impl FnOnce() -> Found, second: impl FnOnce() -> Found + Send) -> VecDeque<Found> {
     let (mut one, mut other) = (None, None);
     std::thread::scope(|scope| {
-        scope.spawn(|| other = Some(second()));
+        let _second = std::thread::Builder::new().spawn_scoped(scope, || other = Some(second()));
         one = Some(first());
     });
     one.into_iter().chain(other).collect()

@@ -52,7 +52,9 @@ impl Line<'_> {
             radius = if whole { stretch.high } else { stretch.low + stretch.width() * part };
             let inner = GRID.parts.iter().rposition(|other| *other < part * (1.0 - CLOSE)).unwrap_or(0);
             let edge = if whole { pressed[NODES - 1] } else { 0.0 };
-            slope = (pressed[inner] - edge) / (stretch.width() * (part - GRID.parts[inner]));
+            if part > GRID.parts[inner] {
+                slope = (pressed[inner] - edge) / (stretch.width() * (part - GRID.parts[inner]));
+            }
             if !whole {
                 break;
             }

@@ -6,7 +6,7 @@ use super::moment::Moment;
 
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 100;
-/// A step over the time that is told from none, with a margin; over what series leave.
+/// A step over the time that differs from none, with a margin; over what series leave.
 const SETTLED: f64 = 0.01 * f64::EPSILON;
 const OF_SERIES: f64 = 1e-3;
 

@@ -24,7 +24,7 @@ const FEWEST: usize = 4;
 /// More points than these take more than a second to transform; a profile is smooth enough to be thinned.
 const MOST: usize = 2000;
 /// A break this near to an end of a panel, relative, is left out.
-const APART: f64 = 1e-9;
+const CLEARANCE: f64 = 1e-9;
 
 /// An axisymmetric shape z(r) through points, and its line profile. Cheap to share in an `Arc`.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,14 +150,14 @@ impl TabulatedShape {
 
     /// The points (m) between two places, clear of both.
     pub(super) fn knots(&self, low: f64, high: f64) -> Vec<f64> {
-        let (from, to) = (low / self.end * (1.0 + APART), high / self.end * (1.0 - APART));
+        let (from, to) = (low / self.end * (1.0 + CLEARANCE), high / self.end * (1.0 - CLEARANCE));
         let [first, last] = [from, to].map(|end| self.knots.partition_point(|knot| *knot <= end));
         self.knots.get(first..last).unwrap_or(&[]).iter().filter(|knot| **knot > 0.0).map(|knot| knot * self.end).collect()
     }
 
     /// 0, the points below a place (m), and the place: between them f is smooth.
     pub(super) fn breaks(&self, end: f64) -> Vec<f64> {
-        let inner = self.knots.iter().map(|knot| knot * self.end).filter(|knot| *knot > 0.0 && *knot < end * (1.0 - APART));
+        let inner = self.knots.iter().map(|knot| knot * self.end).filter(|knot| *knot > 0.0 && *knot < end * (1.0 - CLEARANCE));
         std::iter::once(0.0).chain(inner).chain(std::iter::once(end)).collect()
     }
 }
