@@ -41,6 +41,8 @@ SCRIPTS = {
 # The elastic references know no subset: only the full run.
 FULL_ONLY = {"elastic"}
 HELPERS = {"spring_bed", "common", "condition", "crack_cases", "materials", "cohesive_zone", "persson_brener", "raw_crack_work", "self_check", "ting_graham"}
+HELPERS |= {f"ting_graham_{part}" for part in ("chebyshev", "roots", "solid", "shapes", "pieces", "runs", "line", "edge", "contact", "levels", "equations", "radius",
+                                               "load", "step", "history", "self_check")}
 
 
 def run(script):
