@@ -1,4 +1,4 @@
-//! Source: the shape of the house (README, "Rooms"): physics knows nothing of files, scenes or plots, and no plan ever picks a rival.
+//! Source: `ARCHITECTURE.md`: physics knows nothing of files, scenes or plots, and no plan ever picks a rival.
 //!
 //! Goal: an arrow in the wrong direction is a failure here, not a habit. Oracle: the text of `src/`. Tolerance: none.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
