@@ -42,6 +42,12 @@ impl SurfaceFields {
         Self { radius, line_load, slopes, displacement }
     }
 
+    /// a (m).
+    #[must_use]
+    pub const fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// p (Pa) at a radius r ≥ 0 (m); 0 outside the contact.
     ///
     /// # Errors

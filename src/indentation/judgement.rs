@@ -151,6 +151,7 @@ pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usiz
         reached: excess.0 <= 1.0,
         residual,
         march: march.clone(),
+        by_panels: false,
         work: IndentationWork::default(),
     };
     Some(Verdict { solution, excess: excess.0 })

@@ -93,7 +93,7 @@ pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};
 pub use profile::Profile;
-pub use run::{run, run_watched, surface_without_steps};
+pub use run::{run, run_watched, surface_of};
 pub use shape::TabulatedShape;
 pub use solution::{Energies, Event, EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 pub use spread::Spread;

@@ -1,6 +1,7 @@
 //! A history of contact from a problem to numbers with errors: three marches, each tighter than the one before, of which the last two judge the first; one more until the
 //! errors meet the accuracy.
 
+use super::by_panels;
 use super::checkpoint::{Checkpoint, Observer, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
 use super::fields::SurfaceFields;
@@ -88,22 +89,22 @@ pub fn run_watched(
     }
 }
 
-/// The contact at a time (s) of a history that has been solved without steps in time ([`IndentationProblem::is_without_steps`]): time, Δ, F and a, and its surface twice, the second time with coarser
-/// panels, so that their difference tells the error.
+/// The contact at a time (s) of a history that has been solved without steps, or by panels: time, Δ, F and a, and its surface twice, the second time less finely, so that their
+/// difference tells the error. None for one that was marched: its surface follows from its path.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] for other problems; every refusal of [`run`].
-pub fn surface_without_steps(
+/// Every refusal of [`run`].
+pub fn surface_of(
     material: &Material,
     problem: &IndentationProblem,
     solved: &IndentationSolution,
     time: f64,
-) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
+) -> Result<Option<(PathPoint, [SurfaceFields; 2])>, Refusal> {
     problem.checked()?;
-    if !problem.is_without_steps() {
-        return Err(Refusal::Undefined { quantity: "the surface", reason: "it follows from the path of the march".into() });
+    if problem.is_without_steps() {
+        return super::adhesiveless::surface_at(material, problem, &solved.march, time).map(Some);
     }
-    super::adhesiveless::surface_at(material, problem, &solved.march, time)
+    if solved.by_panels { by_panels::surface_at(material, problem, &solved.march, time).map(Some) } else { Ok(None) }
 }
 
 /// The loosest march that two behind it find within the accuracy. Where no march is to follow, those behind are asked too, and the best is told.

@@ -233,8 +233,10 @@ pub struct IndentationSolution {
     pub reached: bool,
     /// Largest defect of the edge condition.
     pub residual: f64,
-    /// The march itself.
+    /// The march itself, or the path by panels.
     pub march: Trace,
+    /// Whether it is a path by panels.
+    pub by_panels: bool,
     /// Counters of all marches together.
     pub work: IndentationWork,
 }

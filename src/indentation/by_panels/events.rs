@@ -104,6 +104,7 @@ impl March<'_> {
             Chart::TimeOfPlace => (Chart::TimeOfPlace, sign * factor * full),
         };
         self.past = Some((advances, past, cut));
+        self.looks_at_gap();
         if self.outcome.panels.is_multiple_of(MERGED_EVERY) {
             self.merge();
         }
@@ -136,11 +137,8 @@ impl March<'_> {
 
     /// Nothing moves for a time.
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
-        let before = self.row(None, 0.0);
         self.record_rest(time);
         self.line.waited(time);
-        let after = self.row(None, 0.0);
-        self.turn_over_at_once(&before, &after);
         self.next_stretch()
     }
 
@@ -156,6 +154,7 @@ impl March<'_> {
     /// Begins the stretch: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
         self.past = None;
+        self.piece += 1;
         let Some(stretch) = self.problem.drive.stretches.get(self.upcoming) else { return };
         let chain = &self.problem.chain;
         let (before, time) = (self.branch.control, self.line.time);

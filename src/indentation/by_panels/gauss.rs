@@ -51,6 +51,14 @@ pub(super) fn radau(p: usize) -> Vec<f64> {
 }
 
 impl Gauss {
+    /// Weights of ∫₀ˣ by the values at the nodes.
+    pub(super) fn until(&self, x: f64) -> [f64; NODES] {
+        let polynomial = |h: usize, at: f64| {
+            (0..NODES).filter(|&k| k != h).map(|k| (at - self.nodes[k]) / (self.nodes[h] - self.nodes[k])).product::<f64>()
+        };
+        std::array::from_fn(|h| (0..NODES).map(|k| x * self.weights[k] * polynomial(h, x * self.nodes[k])).sum())
+    }
+
     /// The one rule.
     pub(super) fn get() -> &'static Self {
         static RULE: std::sync::LazyLock<Gauss> = std::sync::LazyLock::new(Gauss::new);
@@ -67,13 +75,7 @@ impl Gauss {
             rule.weights[g] = 1.0 / ((1.0 - x * x) * slope * slope);
         }
         // ∫₀^{x_g} ℓ_h by the rule itself on (0, x_g): degree 7 is exact.
-        for g in 0..NODES {
-            for h in 0..NODES {
-                let at =
-                    |x: f64| (0..NODES).filter(|&k| k != h).map(|k| (x - rule.nodes[k]) / (rule.nodes[h] - rule.nodes[k])).product::<f64>();
-                rule.running[g][h] = (0..NODES).map(|k| rule.nodes[g] * rule.weights[k] * at(rule.nodes[g] * rule.nodes[k])).sum();
-            }
-        }
+        rule.running = std::array::from_fn(|g| rule.until(rule.nodes[g]));
         rule
     }
 }

@@ -7,6 +7,7 @@
 use super::march::March;
 use super::path::{Chart, passed};
 use super::problem::End;
+use crate::indentation::EventKind;
 
 /// A jump outwards beyond so many radii of the contact has no end.
 const FURTHEST: f64 = 1e3;
@@ -19,11 +20,11 @@ impl March<'_> {
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
         // What the last panel left is within its tolerance, and would be taken for a landing.
         let left = self.sudden(0.0);
-        self.moves_at_once(advances, first, left)
+        self.moves_at_once(advances, first, left, Some(if advances { EventKind::JumpOut } else { EventKind::PartialDetachment }))
     }
 
-    /// The same until C − Δγ is what is left.
-    pub(super) fn moves_at_once(&mut self, advances: bool, first: f64, left: f64) -> Option<End> {
+    /// The same until C − Δγ is what is left; `kind`: what has happened if it is not the control that moves the edge.
+    pub(super) fn moves_at_once(&mut self, advances: bool, first: f64, left: f64, kind: Option<EventKind>) -> Option<End> {
         let zone = self.problem.zone;
         let sign = if advances { 1.0 } else { -1.0 };
         self.start_residual = left;
@@ -65,7 +66,11 @@ impl March<'_> {
             gone += way;
             if landed {
                 let to = self.row(None, 0.0);
-                self.turn_over_at_once(&from, &to);
+                if let Some(kind) = kind {
+                    self.event(kind, &from);
+                }
+                self.piece += 1;
+                self.step_at_rest(to, &from, false);
                 self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;

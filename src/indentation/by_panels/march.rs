@@ -14,6 +14,7 @@ use super::newton::solved;
 use super::path::{Chart, Motion, Points, Setting, continued};
 use super::problem::{End, Outcome, Problem, Row};
 use super::start::{breaks, glassy};
+use crate::indentation::EventKind;
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
@@ -50,6 +51,10 @@ pub(super) struct March<'a> {
     pub(super) flips: u32,
     /// Δ and its memory, where it is not given.
     pub(super) state: Option<State>,
+    /// Counts corners and jumps.
+    pub(super) piece: u32,
+    /// C/Δγ − 1 on the last panel, at most.
+    pub(super) panel_residual: f64,
     pub(super) outcome: Outcome,
 }
 
@@ -68,7 +73,11 @@ impl<'a> March<'a> {
             wanted: vec![],
             least_force: row,
             jumps: vec![],
-            accounts: vec![],
+            path: vec![],
+            events: vec![],
+            surface: None,
+            smallest_gap: f64::INFINITY,
+            most_segments: 0,
             end: End::Failed,
             panels: 0,
             refused: 0,
@@ -93,10 +102,15 @@ impl<'a> March<'a> {
             refusals: 0,
             flips: 0,
             state: None,
+            piece: 0,
+            panel_residual: 0.0,
             outcome,
         };
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
+        if !problem.relaxed && problem.adhesion.is_some() {
+            march.event(EventKind::JumpIn, &row);
+        }
         march.record_rest(0.0);
         march.begins();
         march
@@ -138,6 +152,9 @@ impl<'a> March<'a> {
 
     pub(super) fn run(mut self) -> Outcome {
         self.outcome.end = loop {
+            if self.outcome.surface.is_some() {
+                break End::History;
+            }
             if let Some(end) = self.panel() {
                 break end;
             }
@@ -145,6 +162,15 @@ impl<'a> March<'a> {
                 break End::Failed;
             }
         };
+        let last = self.outcome.path.last().map(|step| step.row);
+        match (self.outcome.end, last) {
+            (End::Lost, Some(row)) => self.event(EventKind::Detachment, &row),
+            (End::Floor, Some(row)) => self.event(EventKind::ZoneReached, &row),
+            _ => {}
+        }
+        if matches!(self.outcome.end, End::Lost | End::Floor) {
+            self.flies();
+        }
         self.outcome.closures = self.window.closures;
         self.outcome.kernel_nodes = self.window.kernel_nodes;
         self.outcome
@@ -161,7 +187,7 @@ impl<'a> March<'a> {
                 let excess = self.sudden(0.0);
                 if (excess - self.start_residual).abs() > SUDDEN * self.scale() {
                     // What changed at once has left equilibrium.
-                    return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0);
+                    return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0, None);
                 }
             }
             if self.branch.is_sudden() {
@@ -280,6 +306,8 @@ impl<'a> March<'a> {
             self.mark(false);
             return None;
         }
+        let left = checked.defect * panel.stiffness + self.start_residual.abs();
+        self.panel_residual = left.max(panel.end_residual.abs()) / self.scale();
         self.outcome.panels += 1;
         (self.refusals, self.flips) = (0, 0);
         self.stiffness = panel.stiffness;

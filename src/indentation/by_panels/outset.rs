@@ -135,11 +135,8 @@ impl March<'_> {
         for _ in 0..MOST_HALVINGS {
             let left = self.resting(time);
             if (left - here).abs() <= LINGER * tolerance * softest {
-                let before = self.row(None, 0.0);
                 self.record_rest(time);
                 self.line.waited(time);
-                let after = self.row(None, 0.0);
-                self.turn_over_at_once(&before, &after);
                 self.start_residual = left;
                 let outset = self.sets_out();
                 if outset.stable && outset.speed != 0.0 {

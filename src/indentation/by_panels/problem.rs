@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::drive::Drive;
 use super::energies::{Energies, TurnedOver};
-use crate::indentation::Profile;
+use crate::indentation::{Event, Profile, SurfaceFields};
 
 /// What is asked.
 #[derive(Debug, Clone)]
@@ -22,6 +22,23 @@ pub(super) struct Problem {
     pub instants: Vec<f64>,
     /// Whether energies are accounted for.
     pub energies: bool,
+    /// Whether the surface at the last instant wanted is.
+    pub surface: bool,
+}
+
+/// A point of the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::indentation) struct Step {
+    pub row: Row,
+    /// C/Δγ − 1 there, at most.
+    pub residual: f64,
+    /// Counts the corners and jumps before it.
+    pub piece: u32,
+    /// dA/dt (m²/s).
+    pub area_rate: f64,
+    pub account: Option<(Energies, TurnedOver)>,
+    /// Whether it is one of the instants wanted.
+    pub wanted: bool,
 }
 
 /// A point of the history.
@@ -50,6 +67,8 @@ pub enum End {
     Floor,
     /// Panels do not converge.
     Failed,
+    /// The surfaces touch again after they have let go of each other.
+    TouchesAgain,
 }
 
 /// What a march gives.
@@ -65,8 +84,15 @@ pub struct Outcome {
     pub least_force: Row,
     /// Where jumps landed.
     pub jumps: Vec<Row>,
-    /// At the end of every panel and rest, and after jumps, if the problem asks for energies.
-    pub accounts: Vec<(Energies, TurnedOver)>,
+    /// Every point of the path, in contact and after it.
+    pub(in crate::indentation) path: Vec<Step>,
+    pub(in crate::indentation) events: Vec<Event<f64>>,
+    /// The surface at the last instant wanted, if the problem asks for it.
+    pub(in crate::indentation) surface: Option<SurfaceFields>,
+    /// Smallest D outside the contact (m).
+    pub smallest_gap: f64,
+    /// Most segments of the line.
+    pub most_segments: usize,
     /// Why it ended.
     pub end: End,
     /// Panels accepted.
@@ -77,4 +103,12 @@ pub struct Outcome {
     pub closures: u64,
     /// Nodes of the window in all of them.
     pub kernel_nodes: u64,
+}
+
+impl Outcome {
+    /// What is stored, lost and turned over at every point of the path, if the problem asks for energies.
+    #[must_use]
+    pub fn accounts(&self) -> Vec<(Energies, TurnedOver)> {
+        self.path.iter().filter_map(|step| step.account).collect()
+    }
 }

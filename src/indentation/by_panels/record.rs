@@ -1,29 +1,29 @@
-//! Rows of the history: wanted instants, ends of panels, and the least force, evaluated there, not interpolated.
+//! The path of a contact: wanted instants, points of every panel and the least force, evaluated there, not interpolated; events; what is turned over on
+//! the way.
 
 use super::closure::Way;
 use super::drive::Instant;
 use super::energies::{Energies, TurnedOver, energies, stress_intensity};
 use super::events::first_crossing;
 use super::force::force;
-use super::gauss::Gauss;
-use super::line::{Segment, series};
+use super::gauss::{Gauss, NODES};
+use super::line::{Segment, field, series};
 use super::march::March;
-use super::problem::Row;
+use super::problem::{Row, Step};
+use super::surface::surface;
+use crate::indentation::{Event, EventKind};
 use std::f64::consts::PI;
 
 /// An instant so little beyond a panel, relative, is its end: times are sums.
 const LATE: f64 = 1e-13;
+/// A force so little above the least one so far, relative, may be less between points.
+const NEARLY_LEAST: f64 = 1e-3;
+/// Golden sections of a least force: beyond them rounding decides.
+const SECTIONS: usize = 40;
 
 impl March<'_> {
     pub(super) fn row(&self, way: Option<Way<'_>>, time: f64) -> Row {
-        let mut now = Instant::default();
-        let setting = self.setting(false);
-        match way {
-            Some(way) => setting.along(&way.panel.times, &way.panel.depths, way.theta, &mut now),
-            // A straight way at rest, of a Δ that is given.
-            None if time == 0.0 => setting.still(&mut now),
-            None => setting.along(&[time], &[], 0.0, &mut now),
-        }
+        let now = self.instant(way, time);
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let solid = (&self.problem.chain, &self.problem.profile);
         Row {
@@ -35,115 +35,204 @@ impl March<'_> {
         }
     }
 
-    /// The next wanted instant up to a time. One that is wanted twice is wanted before a sudden step and after it.
-    fn due(&self, end: f64) -> Option<f64> {
-        let next = self.outcome.wanted.len();
-        let wanted = *self.problem.instants.get(next)?;
-        let again = next > 0 && self.problem.instants.get(next - 1).is_some_and(|last| last.to_bits() == wanted.to_bits());
-        let steps = self.problem.drive.stretches.get(self.upcoming).is_some_and(|stretch| stretch.duration <= 0.0);
-        (wanted <= end + LATE * end && !(again && steps)).then_some(wanted)
-    }
-
-    /// Rows of the panel: wanted instants, its end, the least force.
-    pub(super) fn record(&mut self, advances: bool, segment: &Segment, cut: f64) {
-        let at = |march: &Self, theta: f64| march.row(Some(Way { panel: segment, advances, theta }), segment.time_at(theta));
-        let (start, end) = (self.line.time, self.line.time + segment.time_at(cut));
-        while let Some(wanted) = self.due(end) {
-            let theta = first_crossing(|x| segment.time_at(x) - (wanted - start)).map_or(cut, |theta| theta.min(cut));
-            let row = at(self, theta);
-            self.outcome.wanted.push(row);
-        }
-        // The least force on samples, then by golden sections.
-        let samples = 12;
-        let theta = |i: i32| -1.0 + (cut + 1.0) * f64::from(i) / f64::from(samples);
-        let rows: Vec<Row> = (0..=samples).map(|i| at(self, theta(i))).collect();
-        let least = (0..rows.len()).min_by(|&i, &j| rows[i].force.total_cmp(&rows[j].force)).unwrap_or(0);
-        let before = self.outcome.least_force.force;
-        if rows[least].force < before + 1e-3 * before.abs() {
-            let mut best = rows[least];
-            {
-                let (mut low, mut high) = (theta((least as i32 - 1).max(0)), theta((least as i32 + 1).min(samples)));
-                for _ in 0..40 {
-                    let (one, two) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
-                    let (r1, r2) = (at(self, one), at(self, two));
-                    if r1.force < r2.force {
-                        high = two
-                    } else {
-                        low = one
-                    }
-                    for row in [r1, r2] {
-                        if row.force < best.force {
-                            best = row;
-                        }
-                    }
-                }
-            }
-            if best.force < before {
-                self.outcome.least_force = best;
-            }
-        }
-        let row = at(self, cut);
-        self.outcome.ends.push(row);
-        self.turn_over(advances, segment, cut);
-    }
-
-    /// U and P_d on the way, or after a rest.
-    fn account(&self, way: Option<Way<'_>>, time: f64) -> Energies {
+    /// The drive on the way, or a time after the origin with the edge at rest.
+    fn instant(&self, way: Option<Way<'_>>, time: f64) -> Instant {
         let mut now = Instant::default();
         let setting = self.setting(false);
         match way {
             Some(way) => setting.along(&way.panel.times, &way.panel.depths, way.theta, &mut now),
+            // A straight way at rest, of a Δ that is given.
             None if time == 0.0 => setting.still(&mut now),
             None => setting.along(&[time], &[], 0.0, &mut now),
         }
-        energies((&self.problem.chain, &self.problem.profile), &self.line, way, &now)
+        now
     }
 
-    /// What a panel turns over up to a parameter, by quadrature along it.
-    fn turn_over(&mut self, advances: bool, segment: &Segment, cut: f64) {
-        if !self.problem.energies {
-            return;
-        }
-        let mut total = self.outcome.accounts.last().map_or_else(TurnedOver::default, |last| last.1);
+    /// The next wanted instant up to a time, from a place of their list on, before a stretch of the history. One that is wanted twice is wanted before a sudden step and after it.
+    pub(super) fn due(&self, next: usize, end: f64, upcoming: usize) -> Option<f64> {
+        let wanted = *self.problem.instants.get(next)?;
+        let again = next > 0 && self.problem.instants.get(next - 1).is_some_and(|last| last.to_bits() == wanted.to_bits());
+        let steps = self.problem.drive.stretches.get(upcoming).is_some_and(|stretch| stretch.duration <= 0.0);
+        (wanted <= end + LATE * end && !(again && steps)).then_some(wanted)
+    }
+
+    /// The panel up to a parameter: wanted instants, Gauss points, the least force, the end.
+    pub(super) fn record(&mut self, advances: bool, segment: &Segment, cut: f64) {
+        let (start, end) = (self.line.time, self.line.time + segment.time_at(cut));
         let (span, rule) = (cut + 1.0, Gauss::get());
-        for (x, weight) in rule.nodes.iter().zip(rule.weights) {
-            let theta = -1.0 + span * x;
-            let way = Some(Way { panel: segment, advances, theta });
-            let (row, account) = (self.row(way, segment.time_at(theta)), self.account(way, 0.0));
-            let mut now = Instant::default();
-            self.setting(advances).along(&segment.times, &segment.depths, theta, &mut now);
-            let duration = weight * span * series(&segment.times, theta).1;
-            total.external += duration * now.rate * row.force;
-            let area = weight * span * 2.0 * PI * row.contact_radius * segment.place_at(theta).1;
-            total.tip += area * row.stress_intensity * row.stress_intensity / (2.0 * self.problem.chain.glassy);
-            total.dissipated += duration * account.dissipated_power;
+        let way = |theta: f64| Way { panel: segment, advances, theta };
+        let row = |march: &Self, theta: f64| march.row(Some(way(theta)), segment.time_at(theta));
+        let mut points: Vec<(f64, Row, bool)> = rule.nodes.iter().map(|x| -1.0 + span * x).map(|at| (at, row(self, at), false)).collect();
+        // dA/dt, and what is turned over for each dθ.
+        let area_rate = |row: &Row, theta: f64| 2.0 * PI * row.contact_radius * segment.place_at(theta).1 / series(&segment.times, theta).1;
+        let mut rates = [TurnedOver::default(); NODES];
+        let mut accounts = [None; NODES];
+        if self.problem.energies {
+            for ((rate, account), (theta, row, _)) in rates.iter_mut().zip(&mut accounts).zip(&points) {
+                let now = self.instant(Some(way(*theta)), 0.0);
+                let duration = span * series(&segment.times, *theta).1;
+                let area = span * 2.0 * PI * row.contact_radius * segment.place_at(*theta).1;
+                rate.external = duration * now.rate * row.force;
+                rate.tip = area * row.stress_intensity * row.stress_intensity / (2.0 * self.problem.chain.glassy);
+                let stored = self.account(Some(way(*theta)), 0.0);
+                rate.dissipated = duration * stored.dissipated_power;
+                *account = Some((*theta, stored));
+            }
         }
-        let end = self.account(Some(Way { panel: segment, advances, theta: cut }), 0.0);
-        self.outcome.accounts.push((end, total));
+        let asked = self.outcome.wanted.len();
+        let mut next = asked;
+        while let Some(wanted) = self.due(next, end, self.upcoming) {
+            next += 1;
+            let theta = first_crossing(|x| segment.time_at(x) - (wanted - start)).map_or(cut, |theta| theta.min(cut));
+            points.push((theta, row(self, theta), true));
+        }
+        let start_row = row(self, -1.0);
+        let end_row = row(self, cut);
+        points.push((cut, end_row, false));
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        if let Some(least) = self.least_of(&start_row, &points, |march, theta| row(march, theta)) {
+            let place = points.partition_point(|point| point.0 < least.0);
+            points.insert(place, (least.0, least.1, false));
+        }
+        let before = self.turned_over();
+        for (theta, row, wanted) in points {
+            let account = self.problem.energies.then(|| {
+                let mut total = before;
+                for (weight, rate) in rule.until((theta + 1.0) / span).iter().zip(&rates) {
+                    total.external += weight * rate.external;
+                    total.tip += weight * rate.tip;
+                    total.dissipated += weight * rate.dissipated;
+                }
+                let known = accounts.iter().flatten().find(|known| known.0.to_bits() == theta.to_bits());
+                (known.map_or_else(|| self.account(Some(way(theta)), 0.0), |known| known.1), total)
+            });
+            let (residual, area_rate) = (self.panel_residual, area_rate(&row, theta));
+            self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
+        }
+        self.outcome.ends.push(end_row);
+        if next > asked && self.is_asked_for_surface(next) {
+            let theta = self.problem.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
+            let way = way(theta.map_or(cut, |theta| theta.min(cut)));
+            self.outcome.surface =
+                Some(surface((&self.problem.chain, &self.problem.profile), &self.line, Some(way), &self.instant(Some(way), 0.0)));
+        }
     }
 
-    /// What a jump, or a rest, turned over since the last account: what acts from outside goes straight, and what is not stored is lost.
-    pub(super) fn turn_over_at_once(&mut self, before: &Row, now: &Row) {
-        if !self.problem.energies {
-            return;
+    /// Whether the last of the instants wanted has been met, and its surface is asked for.
+    pub(super) fn is_asked_for_surface(&self, met: usize) -> bool {
+        self.problem.surface && met == self.problem.instants.len()
+    }
+
+    /// Where the force is less than at every point so far, by golden sections, and that row.
+    fn least_of(&mut self, start: &Row, points: &[(f64, Row, bool)], row: impl Fn(&Self, f64) -> Row) -> Option<(f64, Row)> {
+        let before = self.outcome.least_force.force;
+        let at = |place: Option<usize>| place.and_then(|place| points.get(place)).map_or((-1.0, start), |point| (point.0, &point.1));
+        let places = std::iter::once(None).chain((0..points.len()).map(Some));
+        let least = places.min_by(|&one, &other| at(one).1.force.total_cmp(&at(other).1.force)).flatten();
+        let mut best = at(least);
+        if best.1.force >= before + NEARLY_LEAST * before.abs() {
+            return None;
         }
-        let (start, mut total) = self.outcome.accounts.last().copied().unwrap_or_default();
-        let end = self.account(None, 0.0);
-        let external = 0.5 * (before.force + now.force) * (now.penetration - before.penetration);
-        total.external += external;
-        total.dissipated += external + start.stored - end.stored;
-        self.outcome.accounts.push((end, total));
+        let mut low = least.map_or(-1.0, |place| at(place.checked_sub(1)).0);
+        let mut high = at(Some(least.map_or(0, |place| (place + 1).min(points.len() - 1)))).0;
+        let mut found = *best.1;
+        for _ in 0..SECTIONS {
+            let [one, two] = [low + 0.382 * (high - low), low + 0.618 * (high - low)];
+            let rows = [row(self, one), row(self, two)];
+            if rows[0].force < rows[1].force {
+                high = two
+            } else {
+                low = one
+            }
+            for (theta, row) in [one, two].into_iter().zip(rows) {
+                if row.force < found.force {
+                    (found, best.0) = (row, theta);
+                }
+            }
+        }
+        if found.force >= before {
+            return None;
+        }
+        self.outcome.least_force = found;
+        Some((best.0, found))
+    }
+
+    /// U and P_d on the way, or after a rest.
+    fn account(&self, way: Option<Way<'_>>, time: f64) -> Energies {
+        energies((&self.problem.chain, &self.problem.profile), &self.line, way, &self.instant(way, time))
+    }
+
+    pub(super) fn turned_over(&self) -> TurnedOver {
+        self.outcome.path.last().and_then(|last| last.account).map_or_else(TurnedOver::default, |account| account.1)
+    }
+
+    /// Adds a point to the path.
+    pub(super) fn step(&mut self, step: Step) {
+        if step.wanted {
+            self.outcome.wanted.push(step.row);
+        }
+        self.outcome.path.push(step);
+    }
+
+    /// Adds a point with the edge at rest, or moved at once: what acts from outside goes straight, and what is not stored is lost.
+    pub(super) fn step_at_rest(&mut self, row: Row, since: &Row, wanted: bool) {
+        let account = self.problem.energies.then(|| {
+            let now = self.account(None, row.time - self.line.time);
+            let last = self.outcome.path.last().and_then(|last| last.account);
+            let (before, mut total) = last.unwrap_or((now, TurnedOver::default()));
+            let external = 0.5 * (since.force + row.force) * (row.penetration - since.penetration);
+            total.external += external;
+            total.dissipated += external + before.stored - now.stored;
+            (now, total)
+        });
+        let residual = self.start_residual.abs() / self.scale();
+        self.step(Step { row, residual, piece: self.piece, area_rate: 0.0, account, wanted });
     }
 
     /// Wanted instants of a time in which nothing moves.
     pub(super) fn record_rest(&mut self, time: f64) {
         let start = self.line.time;
         let end = start + time;
-        while let Some(wanted) = self.due(end) {
+        let mut last = self.outcome.path.last().map_or_else(|| self.row(None, 0.0), |last| last.row);
+        while let Some(wanted) = self.due(self.outcome.wanted.len(), end, self.upcoming) {
             let row = self.row(None, wanted - start);
-            self.outcome.wanted.push(row);
+            self.step_at_rest(row, &last, true);
+            last = row;
+            if self.is_asked_for_surface(self.outcome.wanted.len()) {
+                let solid = (&self.problem.chain, &self.problem.profile);
+                self.outcome.surface = Some(surface(solid, &self.line, None, &self.instant(None, wanted - start)));
+            }
         }
         let row = self.row(None, time);
+        self.step_at_rest(row, &last, false);
         self.outcome.ends.push(row);
+    }
+
+    pub(super) fn event(&mut self, kind: EventKind, row: &Row) {
+        let Row { time, penetration, force, contact_radius, .. } = *row;
+        self.outcome.events.push(Event { kind, time, penetration, force, contact_radius });
+    }
+
+    /// The smallest gap outside the edge now.
+    pub(super) fn looks_at_gap(&mut self) {
+        let now = self.instant(None, 0.0);
+        let problem = self.problem;
+        let mut least = self.outcome.smallest_gap;
+        for segment in &self.line.outside {
+            let mut gap = |theta: f64, place: f64| {
+                let height = problem.profile.line(self.line.edge + place);
+                least = least.min(field(&problem.chain, false, segment, theta, height, &now).value);
+            };
+            if segment.blank {
+                gap(0.0, segment.low);
+                continue;
+            }
+            for x in Gauss::get().nodes {
+                let theta = segment.theta_low + (segment.theta_high - segment.theta_low) * x;
+                gap(theta, segment.place_at(theta).0);
+            }
+        }
+        self.outcome.smallest_gap = least;
+        self.outcome.most_segments = self.outcome.most_segments.max(self.line.inside.len() + self.line.outside.len());
     }
 }

@@ -12,6 +12,8 @@ use std::f64::consts::TAU;
 /// Strides down from a deep contact to the first crossing of a control's value, over the depth where they start; halvings of the last one.
 const STRIDES: f64 = 100.0;
 const HALVINGS: u32 = 60;
+/// Rounding of a rate, over the value and the time.
+const SAME_PACE: f64 = 1e-14;
 
 pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
@@ -89,7 +91,27 @@ pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Dr
         duration: segment.duration,
         oscillation: segment.oscillation.as_ref().map(|o| (o.amplitude, TAU * o.frequency)),
     };
-    Drive { stretches: problem.history.segments.iter().map(stretch).collect() }
+    let history = &problem.history;
+    let mut stretches: Vec<Stretch> = Vec::new();
+    // Where the last stretch began, if its quantity was given there, and where the history is.
+    let (mut from, mut here): (Option<f64>, _) = (None, (history.controlled, history.start));
+    for segment in &history.segments {
+        let start = (here.0 == segment.controlled).then_some(here.1);
+        here = (segment.controlled, segment.value(here.1, segment.duration));
+        let straight = segment.duration > 0.0 && segment.oscillation.is_none();
+        if let (Some(last), Some(from), Some(start), true) = (stretches.last_mut(), from, start, straight) {
+            let (before, now): (f64, f64) = ((start - from) / last.duration, (segment.end - start) / segment.duration);
+            let noise = SAME_PACE * (from.abs().max(start.abs()).max(segment.end.abs())) / last.duration.min(segment.duration);
+            if (before - now).abs() <= noise {
+                // One straight way in parts.
+                (last.end, last.duration) = (segment.end, last.duration + segment.duration);
+                continue;
+            }
+        }
+        from = start.filter(|_| straight);
+        stretches.push(stretch(segment));
+    }
+    Drive { stretches }
 }
 
 /// The radius at which f is a depth.

@@ -1,10 +1,10 @@
-//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps is solved again up
-//! to each.
+//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps, or by
+//! panels, is solved again up to each.
 
 use super::IndentationPlan;
 use super::rows::Values;
 use crate::estimate::Estimate;
-use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_without_steps};
+use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_of};
 use crate::outcome::FieldPoint;
 use crate::refusal::Refusal;
 use crate::scene::typed::IndentationFields;
@@ -38,8 +38,7 @@ impl IndentationPlan {
                     return Err(Refusal::OutOfRange { quantity: "fields.times", value: time, allowed: "within the history" });
                 }
                 let time = time.min(end);
-                if problem.is_without_steps() {
-                    let (point, surfaces) = surface_without_steps(&self.material, &problem, solution, time)?;
+                if let Some((point, surfaces)) = surface_of(&self.material, &problem, solution, time)? {
                     return Ok((point, surfaces, 0.0));
                 }
                 let springs = Springs::new(&self.material)?;
@@ -120,10 +119,13 @@ impl IndentationPlan {
         // A relative error of the load is one of the pressure.
         let load_error = if scale > 0.0 { force_error / scale } else { 0.0 };
         let mut found: Vec<(f64, [f64; 2], [f64; 2])> = Vec::with_capacity(points as usize);
+        let [field, other] = fields;
+        // Places are counted from the edge, whose error is a column of its own.
+        let stretch = if field.radius() > 0.0 && other.radius() > 0.0 { other.radius() / field.radius() } else { 1.0 };
         for place in places(a, reach, points) {
-            let [field, other] = fields;
             let (pressure, displacement) = (field.pressure(place)?, field.displacement(place)?);
-            found.push((place, [pressure, displacement], [other.pressure(place)? - pressure, other.displacement(place)? - displacement]));
+            let there = place * stretch;
+            found.push((place, [pressure, displacement], [other.pressure(there)? - pressure, other.displacement(there)? - displacement]));
         }
         let largest = |of: fn(&[f64; 2]) -> f64| found.iter().fold(0.0, |most: f64, (_, values, _)| most.max(of(values).abs()));
         let roundings = [ROUNDING * largest(|values| values[0]), ROUNDING * largest(|values| values[1])];
