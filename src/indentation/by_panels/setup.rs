@@ -17,6 +17,12 @@ const SAME_PACE: f64 = 1e-14;
 
 pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
+    if material.relaxation_terms().is_empty() {
+        return Err(Refusal::Undefined {
+            quantity: "the path of the edge by panels",
+            reason: "an elastic solid has no time of its own".into(),
+        });
+    }
     let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
     let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
     Ok(Chain::new(material.glassy_modulus(), relaxed, &creep, &relaxation))

@@ -26,17 +26,6 @@ const BETTER: f64 = 0.1;
 const OF_DISTANCE: f64 = 30.0;
 const SAFETY: f64 = 10.0;
 
-/// What is not solved here.
-fn outside(material: &Material, problem: &IndentationProblem) -> Option<&'static str> {
-    if problem.adhesion.is_none() {
-        Some("contact without adhesion")
-    } else if material.relaxation_terms().is_empty() {
-        Some("an elastic solid, which has no time of its own")
-    } else {
-        None
-    }
-}
-
 /// Solves a history to its accuracy; cycles of an oscillation are not added up.
 ///
 /// # Errors
@@ -44,8 +33,8 @@ fn outside(material: &Material, problem: &IndentationProblem) -> Option<&'static
 /// [`Refusal::NotConverged`] where the paths of every tolerance differ in kind.
 pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
-    if let Some(what) = outside(material, problem) {
-        return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: what.into() });
+    if problem.adhesion.is_none() {
+        return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: "without adhesion no path is needed".into() });
     }
     let instants = kept_instants(problem);
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
