@@ -6,7 +6,7 @@ use super::energies::{Energies as Stored, TurnedOver};
 use super::problem::{End, Outcome, Row, Step};
 use super::solve::{PanelOptions, marched};
 use crate::estimate::Estimate;
-use crate::indentation::judgement::judged;
+use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
 use crate::material::Material;
@@ -22,7 +22,7 @@ const TIGHTEST: f64 = 1e-8;
 const HIGH_DEGREE: f64 = 1e-7;
 /// Tolerance of the better path over that of the other one.
 const BETTER: f64 = 0.1;
-/// Tolerances that say so to who judges: its bound is then ten times the distance of both paths.
+/// Ratio of tolerances with which the comparison of two traces gives a bound of ten times their distance.
 const OF_DISTANCE: f64 = 30.0;
 const SAFETY: f64 = 10.0;
 
@@ -41,7 +41,7 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
     let mut work = IndentationWork::default();
     let mut best: Option<IndentationSolution> = None;
     loop {
-        let failed = match judged_paths(material, problem, &instants, tolerance, &mut work) {
+        let failed = match compared_paths(material, problem, &instants, tolerance, &mut work) {
             Ok(solution) if solution.reached => return Ok(solution),
             Ok(solution) => {
                 best = Some(solution);
@@ -68,7 +68,7 @@ fn options(tolerance: f64) -> [PanelOptions; 2] {
     [(degree, tolerance), (degree + 2, BETTER * tolerance)].map(|(degree, tolerance)| PanelOptions { degree, tolerance })
 }
 
-fn judged_paths(
+fn compared_paths(
     material: &Material,
     problem: &IndentationProblem,
     instants: &[f64],
@@ -98,10 +98,10 @@ fn judged_paths(
     let glassy = material.glassy_modulus();
     let fine_trace = trace(&fine, &asked.iter().map(|(_, kept)| *kept).collect::<Vec<_>>(), (tolerance, glassy))?;
     let coarse_trace = trace(&coarse, &vec![true; instants.len()], (tolerance * OF_DISTANCE, glassy))?;
-    let apart = distances(&ends, &fine, &asked);
-    let verdict = judged(problem, &[fine_trace, coarse_trace], 0).ok_or_else(|| not_converged("no path".into()))?;
+    let distances = distances(&ends, &fine, &asked);
+    let verdict = judgement::judged(problem, &[fine_trace, coarse_trace], 0).ok_or_else(|| not_converged("no path".into()))?;
     let mut solution = verdict.solution(*work);
-    widen(&mut solution, problem, &apart);
+    widen(&mut solution, problem, &distances);
     solution.by_panels = true;
     Ok(solution)
 }
@@ -149,7 +149,7 @@ fn work_of(outcome: &Outcome) -> IndentationWork {
     }
 }
 
-/// The path as what is judged: `kept` says which of the instants wanted are.
+/// The path as a trace that can be compared: `kept` says which of the instants wanted it keeps.
 fn trace(outcome: &Outcome, kept: &[bool], (tolerance, glassy): (f64, f64)) -> Result<Trace, Refusal> {
     let mut trace = Trace { tolerance, events: outcome.events.clone(), work: work_of(outcome), ..Trace::default() };
     trace.unknown_of_events = vec![[0.0; 4]; trace.events.len()];
@@ -208,7 +208,7 @@ fn point(step: &Step, before: Option<&PathPoint>, glassy: f64) -> PathPoint {
     }
 }
 
-/// How far both paths have been apart in Δ, F and a up to each of the instants kept.
+/// Largest distance of both paths in Δ, F and a up to each of the instants kept.
 fn distances(ends: &[Row], fine: &Outcome, asked: &[(f64, bool)]) -> Vec<[f64; 3]> {
     let mut ends = ends.iter();
     let mut most = [0.0_f64; 3];
@@ -222,25 +222,25 @@ fn distances(ends: &[Row], fine: &Outcome, asked: &[(f64, bool)]) -> Vec<[f64; 3
         let row = step.row;
         // At a jump two states have one time.
         if row.contact_radius > 0.0 && (row.contact_radius - end.contact_radius).abs() < 0.1 * end.contact_radius {
-            let apart = [row.penetration - end.penetration, row.force - end.force, row.contact_radius - end.contact_radius];
-            most.iter_mut().zip(apart).for_each(|(most, apart)| *most = most.max(apart.abs()));
+            let now = [row.penetration - end.penetration, row.force - end.force, row.contact_radius - end.contact_radius];
+            most.iter_mut().zip(now).for_each(|(most, now)| *most = most.max(now.abs()));
         }
     }
     found
 }
 
-/// Bounds are no less than what the paths were apart before.
-fn widen(solution: &mut IndentationSolution, problem: &IndentationProblem, apart: &[[f64; 3]]) {
+/// Bounds are no less than the distance of the paths before.
+fn widen(solution: &mut IndentationSolution, problem: &IndentationProblem, distances: &[[f64; 3]]) {
     let scales = solution.march.summary.scales;
     let mut reached = solution.reached;
-    for (instant, &[depth, force, radius]) in solution.instants.iter_mut().zip(apart) {
+    for (instant, &[depth, force, radius]) in solution.instants.iter_mut().zip(distances) {
         if instant.contact_radius.value <= 0.0 {
             continue;
         }
         // K has two values where an edge turns, and is compared at the instants alone.
         let numbers = [(&mut instant.penetration, depth), (&mut instant.force, force), (&mut instant.contact_radius, radius)];
-        for ((number, apart), scale) in numbers.into_iter().zip(scales) {
-            *number = Estimate::new(number.value, number.error.max(SAFETY * apart));
+        for ((number, distance), scale) in numbers.into_iter().zip(scales) {
+            *number = Estimate::new(number.value, number.error.max(SAFETY * distance));
             reached = reached && number.error <= problem.accuracy * scale;
         }
     }

@@ -119,13 +119,10 @@ impl IndentationPlan {
         // A relative error of the load is one of the pressure.
         let load_error = if scale > 0.0 { force_error / scale } else { 0.0 };
         let mut found: Vec<(f64, [f64; 2], [f64; 2])> = Vec::with_capacity(points as usize);
-        let [field, other] = fields;
-        // Places are counted from the edge, whose error is a column of its own.
-        let stretch = if field.radius() > 0.0 && other.radius() > 0.0 { other.radius() / field.radius() } else { 1.0 };
         for place in places(a, reach, points) {
+            let [field, other] = fields;
             let (pressure, displacement) = (field.pressure(place)?, field.displacement(place)?);
-            let there = place * stretch;
-            found.push((place, [pressure, displacement], [other.pressure(there)? - pressure, other.displacement(there)? - displacement]));
+            found.push((place, [pressure, displacement], [other.pressure(place)? - pressure, other.displacement(place)? - displacement]));
         }
         let largest = |of: fn(&[f64; 2]) -> f64| found.iter().fold(0.0, |most: f64, (_, values, _)| most.max(of(values).abs()));
         let roundings = [ROUNDING * largest(|values| values[0]), ROUNDING * largest(|values| values[1])];
