@@ -8,6 +8,7 @@ both checked there.
 import math
 import os
 import subprocess
+import tempfile
 
 import numpy as np
 
@@ -20,8 +21,11 @@ def built(target):
     """The program, compiled where it is not newer than its source."""
     source, program = os.path.join(os.path.dirname(os.path.abspath(__file__)), "spring_bed.rs"), os.path.join(target, "spring_bed")
     if not os.path.exists(program) or os.path.getmtime(program) < os.path.getmtime(source):
-        subprocess.run(["rustc", "-O", "--edition", "2024", source, "-o", f"{program}.{os.getpid()}"], check=True)
-        os.replace(f"{program}.{os.getpid()}", program)
+        # A folder for each process: two compilers in one share their intermediate files.
+        with tempfile.TemporaryDirectory(dir=target) as folder:
+            own = os.path.join(folder, "spring_bed")
+            subprocess.run(["rustc", "-O", "--edition", "2024", source, "-o", own], check=True)
+            os.replace(own, program)
     return program
 
 
