@@ -1,6 +1,6 @@
 //! What each line of a table is: a row of numbers, text, or a line that states a value.
 
-use super::number::{Shape, shape};
+use super::number::{Shape, shape, shape_with_unit};
 use super::split::{Cell, Grid, Line, Separator};
 use crate::scene::units::parse_quantity;
 
@@ -44,8 +44,8 @@ pub(super) struct Classes {
 const WIDEST: usize = 4096;
 
 impl Classes {
-    pub(super) fn of(text: &str, grid: &Grid, separator: Separator) -> Self {
-        let shapes: Vec<Shape> = grid.cells.iter().map(|cell| shape(words(text, *cell))).collect();
+    pub(super) fn of(text: &str, grid: &Grid, separator: Separator, quantities: bool) -> Self {
+        let shapes: Vec<Shape> = grid.cells.iter().map(|cell| shape_with_unit(words(text, *cell), quantities)).collect();
         let of = |line: &Line| shapes.get(line.first as usize..(line.first + line.cells) as usize).unwrap_or_default();
         let mut counts = [0_u32; WIDEST];
         for line in grid.lines.iter().filter(|line| !line.comment) {

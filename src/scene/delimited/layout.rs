@@ -13,6 +13,8 @@ use crate::scene::diagnostic::{Place, SceneError, SourceText};
 pub struct Options<'o> {
     /// An example of a header.
     pub help: &'o str,
+    /// Whether a number may carry its unit in its own cell.
+    pub quantities: bool,
 }
 
 /// Rows of numbers below one header.
@@ -61,13 +63,13 @@ impl DelimitedTable {
         let name = source.name();
         let place = |cell: Cell| Place { source: source.clone(), span: cell.start as usize..cell.end as usize };
         let line = |cell: Cell| decode::line_at(text, cell.start as usize);
-        let separator = separator_of(text).unwrap_or_else(|| separator_of_names(text));
+        let separator = separator_of(text, options.quantities).unwrap_or_else(|| separator_of_names(text));
         let grid = Grid::of(text, separator);
         let Some(first) = grid.lines.iter().find(|line| !line.comment) else {
             let nowhere = Place { source: source.clone(), span: 0..0 };
             return Err(SceneError::at(&nowhere, format!("{name:?} is empty"), "here").help(options.help));
         };
-        let classes = Classes::of(text, &grid, separator);
+        let classes = Classes::of(text, &grid, separator, options.quantities);
         let reader = Reader { text, grid: &grid, classes: &classes, separator };
         let (blocks, mut notes) = reader.blocks();
         let Some(top) = blocks.first() else {

@@ -46,9 +46,13 @@ impl DelimitedTable {
         &self.blocks
     }
 
-    /// The cells of a row of a block; missing ones have no width.
+    /// The cells of the rows of a block, as many as names; missing ones have no width.
     pub fn rows<'t>(&'t self, block: &'t Block) -> impl Iterator<Item = &'t [Cell]> {
-        block.lines.iter().filter_map(|index| self.grid.lines.get(*index as usize)).map(|line| self.grid.cells_of(line))
+        block.lines.iter().filter_map(|index| self.grid.lines.get(*index as usize)).map(|line| {
+            let cells = self.grid.cells_of(line);
+            // Behind the last name there are only empty cells.
+            cells.get(..block.header.len()).unwrap_or(cells)
+        })
     }
 
     /// What was chosen, for the person who reads the result.
@@ -73,11 +77,11 @@ impl DelimitedTable {
     #[must_use]
     pub fn text(&self, cell: Cell) -> Cow<'_, str> {
         let words = words(self.source.text(), cell);
-        if !(cell.quoted && words.contains(['"', '\n', '\r'])) {
+        if !words.contains(char::is_control) && !(cell.quoted && words.contains('"')) {
             return Cow::Borrowed(words);
         }
-        let text = words.replace("\"\"", "\"");
-        Cow::Owned(text.split(['\n', '\r']).map(str::trim).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "))
+        let text = if cell.quoted { words.replace("\"\"", "\"") } else { words.to_owned() };
+        Cow::Owned(text.split(char::is_control).map(str::trim).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "))
     }
 
     /// Whether a cell is empty or a word for no value.
@@ -115,17 +119,7 @@ impl DelimitedTable {
     /// A number with or without a unit of its own, as in `Temperature: 25,0 °C`: its digits with a point, and its unit.
     #[must_use]
     pub fn quantity(text: &str) -> Option<(String, String)> {
-        let text = text.trim();
-        let end = text.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | '+' | 'e' | 'E'))).unwrap_or(text.len());
-        let (digits, unit) = text.split_at(end);
-        let decimal = match number::shape(digits) {
-            number::Shape::Whole => Decimal::Point,
-            number::Shape::Broken(sign) | number::Shape::Grouped(sign) => sign,
-            number::Shape::Doubtful(Decimal::Point) => Decimal::Point,
-            _ => return None,
-        };
-        let value = number::value(digits, decimal, 0, &mut String::new())?;
-        Some((format!("{value:e}"), unit.trim().to_owned()))
+        number::quantity(text).map(|(value, unit)| (format!("{value:e}"), unit.to_owned()))
     }
 }
 

@@ -152,6 +152,27 @@ pub(super) fn value(text: &str, decimal: Decimal, power: i32, buffer: &mut Strin
     finite(buffer)
 }
 
+/// A number and the unit behind it, perhaps none.
+pub(super) fn quantity(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let of_number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | '+' | 'e' | 'E');
+    let (digits, unit) = text.split_at(text.find(|c: char| !of_number(c)).unwrap_or(text.len()));
+    let decimal = match shape(digits) {
+        Shape::Whole | Shape::Doubtful(Decimal::Point) => Decimal::Point,
+        Shape::Broken(sign) | Shape::Grouped(sign) => sign,
+        _ => return None,
+    };
+    Some((value(digits, decimal, 0, &mut String::new())?, unit.trim()))
+}
+
+/// What a cell can be, where a number may carry its unit.
+pub(super) fn shape_with_unit(text: &str, quantities: bool) -> Shape {
+    match shape(text) {
+        Shape::Text if quantities && quantity(text).is_some() => Shape::Whole,
+        own => own,
+    }
+}
+
 fn finite(text: &str) -> Option<f64> {
     // No minus zero.
     text.parse::<f64>().ok().filter(|value| value.is_finite()).map(|value| value + 0.0)

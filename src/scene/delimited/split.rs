@@ -1,6 +1,6 @@
 //! A text as lines of cells; a cell is a range of bytes.
 
-use super::number::{Shape, shape};
+use super::number::{Shape, shape_with_unit};
 
 /// What stands between two cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -210,11 +210,12 @@ fn trimmed(text: &str, start: usize, end: usize, quoted: bool) -> Cell {
 }
 
 /// What counts for a separator: lines with two numbers at least, and the part of their cells that are numbers.
-fn score(text: &str, separator: Separator) -> f64 {
+fn score(text: &str, separator: Separator, quantities: bool) -> f64 {
     let grid = Grid::sample(text, separator);
     let mut sum = 0.0;
     for line in grid.lines.iter().filter(|line| !line.comment) {
-        let shapes = grid.cells_of(line).iter().map(|cell| shape(text.get(cell.start as usize..cell.end as usize).unwrap_or("")));
+        let words = |cell: &Cell| text.get(cell.start as usize..cell.end as usize).unwrap_or("");
+        let shapes = grid.cells_of(line).iter().map(|cell| shape_with_unit(words(cell), quantities));
         let (mut numbers, mut texts) = (0_u32, 0_u32);
         for shape in shapes {
             numbers += u32::from(shape.is_number());
@@ -228,10 +229,10 @@ fn score(text: &str, separator: Separator) -> f64 {
 }
 
 /// The separator with which most of the text is rows of numbers; where two are equal, the first of tab, semicolon, comma, blanks. None if no line has two numbers.
-pub(super) fn separator_of(text: &str) -> Option<Separator> {
+pub(super) fn separator_of(text: &str, quantities: bool) -> Option<Separator> {
     let mut best = (None, 0.0);
     for separator in Separator::ALL {
-        let score = score(text, separator);
+        let score = score(text, separator, quantities);
         if score > best.1 * (1.0 + 1e-9) {
             best = (Some(separator), score);
         }

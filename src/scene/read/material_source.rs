@@ -1,7 +1,7 @@
 //! Laws with a continuous spectrum, shift factors, and the temperature of a material.
 
-use super::material_table::shift_table;
 use super::section::Section;
+use super::shift_table::shift_table;
 use crate::material::Material;
 use crate::material::broad::{BroadKind, BroadLaw, expand};
 use crate::material::shift::ShiftFactors;
@@ -48,14 +48,15 @@ pub(super) fn from_law(
     })
 }
 
-/// The shift factors, if the material has some.
-pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Option<ShiftFactors>, SceneError> {
-    let Some(shift) = table.table("shift") else { return Ok(None) };
+/// The shift factors, if the material has some, and what was chosen in reading them.
+pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<(Option<ShiftFactors>, Vec<String>), SceneError> {
+    let Some(shift) = table.table("shift") else { return Ok((None, Vec::new())) };
     if table.units() == Units::Reduced {
         return Err(table.wrong("shift", "`material.shift` needs temperatures, and a scene in reduced units has none", "leave it out"));
     }
     let reference = || table.required_number("reference_temperature");
-    Ok(Some(match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
+    let mut notes = Vec::new();
+    let factors = match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
         "wlf" => {
             let Some(wlf) = shift.table("wlf") else { return Err(shift.missing("wlf")) };
             ShiftFactors::WilliamsLandelFerry { c1: wlf.required_number("c1")?, c2: wlf.required_number("c2")?, reference: reference()? }
@@ -72,8 +73,13 @@ pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Option<S
             points.sort_by(|left, right| left.0.total_cmp(&right.0));
             table_of(&shift, "factors", points, reference()?)?
         }
-        _ => table_of(&shift, "table", shift_table(&shift, document)?, reference()?)?,
-    }))
+        _ => {
+            let table = shift_table(&shift, document)?;
+            notes = table.notes;
+            table_of(&shift, "table", table.points, reference()?)?
+        }
+    };
+    Ok((Some(factors), notes))
 }
 
 /// Factors of at least two different temperatures, divided by that at the reference temperature: a table may be relative to any temperature of its own.

@@ -1,19 +1,26 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
+mod column_names;
+mod column_units;
 mod crack;
 mod crack_history;
 pub mod history;
 mod include;
 mod indentation;
 mod material;
+mod material_choice;
 mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
+mod material_rows;
 mod material_source;
+mod material_strain;
 mod material_table;
+mod material_taking;
 mod measured_table;
 mod section;
 mod shape_points;
+mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
