@@ -118,7 +118,9 @@ pub(super) fn stated(text: &str, grid: &Grid, line: &Line, separator: Separator)
             || filled.get(1).is_some_and(|second| second.starts_with([':', '=']));
         let few = line.comment || separator == Separator::Blanks || filled.len() <= 3;
         let key = key.trim().trim_end_matches([';', ',', '"', '\t', ' ']);
-        if leads && few && key.chars().any(char::is_alphabetic) && key.len() <= 60 && key.starts_with(|c: char| !c.is_ascii_digit()) {
+        let letters = key.chars().filter(|c| c.is_alphabetic()).count();
+        // `T = 25 °C` is the one short key; a spoilt number is none.
+        if leads && few && (letters >= 3 || key == "T") && key.len() <= 60 && key.starts_with(|c: char| !c.is_ascii_digit()) {
             let value = value.replace([';', '\t', '"'], " ");
             return Some(Stated { key: key.to_owned(), value: value.trim().trim_start_matches([',', ' ']).to_owned(), line: whole });
         }

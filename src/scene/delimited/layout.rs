@@ -5,7 +5,7 @@ use super::decimal::{Chosen, Evidence, Open};
 use super::header::{header_cells, units_below};
 use super::number::Decimal;
 use super::split::{Cell, Grid, Line, Separator, separator_of};
-use super::{DelimitedTable, decode};
+use super::{DelimitedTable, decode, number};
 use crate::scene::diagnostic::{Place, SceneError, SourceText};
 
 /// What the reader of a table wants.
@@ -82,6 +82,8 @@ impl DelimitedTable {
             return Err(SceneError::at(&place(whole(row)), message, "numbers without names").help(options.help));
         }
         let mut evidence = Evidence::default();
+        // A number that another program would not read: with blanks or apostrophes in it, or a sign of print.
+        let mut unusual = None;
         for block in &blocks {
             for row in block.lines.iter().filter_map(|index| grid.lines.get(*index as usize)) {
                 let cells = grid.cells_of(row);
@@ -101,6 +103,9 @@ impl DelimitedTable {
                 let shapes = classes.shapes.get(row.first as usize..).unwrap_or_default();
                 for (cell, shape) in cells.iter().zip(shapes) {
                     evidence.add(*cell, *shape);
+                    if unusual.is_none() && shape.is_number() && !words(text, *cell).bytes().all(is_usual) {
+                        unusual = Some(*cell);
+                    }
                 }
             }
         }
@@ -147,6 +152,11 @@ impl DelimitedTable {
             let mark = if decimal == Decimal::Point { "commas" } else { "points" };
             notes.push(format!("its {mark} group thousands, as in `{}` in line {}", words(text, cell), line(cell)));
         }
+        if let Some(cell) = unusual {
+            if let Some(value) = number::value(words(text, cell), decimal, 0, &mut String::new()) {
+                notes.push(format!("`{}` in line {} is read as {value}, and others like it", words(text, cell), line(cell)));
+            }
+        }
         let notes = notes.into_iter().map(|note| format!("{name:?}: {note}")).collect();
         Ok(Self { source: source.clone(), grid, blocks, separator, decimal, notes })
     }
@@ -159,6 +169,10 @@ fn separator_of_names(text: &str) -> Separator {
         .into_iter()
         .find(|(mark, _)| names.contains(*mark))
         .map_or(Separator::Comma, |(_, separator)| separator)
+}
+
+const fn is_usual(byte: u8) -> bool {
+    matches!(byte, b'0'..=b'9' | b'.' | b',' | b'+' | b'-' | b'e' | b'E')
 }
 
 fn whole(line: &Line) -> Cell {
@@ -277,7 +291,12 @@ impl Reader<'_> {
         let start = line.start as usize + marks;
         let text = self.text.get(..line.end as usize).unwrap_or("");
         grid.line(text, start, self.separator, true);
-        if self.separator == Separator::Blanks {
+        let fits = grid.cells.len() == self.classes.width;
+        if !fits && self.separator != Separator::Blanks {
+            grid.cells.clear();
+            grid.line(text, start, Separator::Blanks, true);
+        }
+        if !fits {
             return header_cells(self.text, Cell { start: start as u32, end: line.end, quoted: false }, &grid.cells, self.classes.width);
         }
         grid.cells

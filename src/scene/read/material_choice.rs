@@ -109,6 +109,8 @@ fn moduli(
         (false, false) => return Err(wrong(format!("{file:?} has no column with a frequency"))),
     };
     choice.main = if has(Role::Storage) && !(says(Role::Complex) && !says(Role::Storage)) { Role::Storage } else { Role::Complex };
+    // Two columns of it come before what may be missing.
+    columns.get(choice.main)?;
     let seconds: &[Role] =
         if choice.main == Role::Storage { &[Role::Loss, Role::LossTangent, Role::Phase] } else { &[Role::Phase, Role::LossTangent] };
     let given = seconds.iter().copied().filter(|role| has(*role));

@@ -107,7 +107,7 @@ fn with_unit(header: &Header<'_>, role: Role, written: &str, by_scene: bool) -> 
         return Ok((Role::Temperature, scale));
     }
     let wanted = dimension(role);
-    if (written.is_empty() || (scale == Scale::ONE && role == Role::Phase)) && (wanted != Dimension::NUMBER || role == Role::Phase) {
+    if (written.is_empty() || (counted.is_none() && role == Role::Phase)) && (wanted != Dimension::NUMBER || role == Role::Phase) {
         let help = if role == Role::Phase { format!("{} = \"{text} in deg\", or in rad", word(role)) } else { example() };
         return Err(SceneError::at(place, format!("the column `{text}` has no unit"), "here")
             .help(format!("write it into the header, or into [material.columns]: {help}")));

@@ -77,7 +77,7 @@ impl MaterialRows {
         let mut notes = table.notes().to_vec();
         let (mut blocks, mut temperature): (Vec<Columns>, Option<f64>) = (Vec::new(), None);
         for block in table.blocks() {
-            if let Some(own) = block_temperature(&table, block, &mut notes)? {
+            if let Some(own) = block_temperature(&table, block, blocks.is_empty(), &mut notes)? {
                 temperature = Some(own);
             } else if block.own_header {
                 temperature = None;
@@ -130,15 +130,23 @@ fn columns(table: &DelimitedTable, block: &Block, stated: &[StatedColumn], tempe
     Columns { found, names, temperature, header: table.row_place(&block.header) }
 }
 
+fn place_is_comment(place: &Place) -> bool {
+    place.source.text().get(place.span.clone()).is_some_and(|line| line.starts_with(['#', '%', '/']))
+}
+
 /// The temperature (K) that a line above a block states, such as `Temperature: 25 °C`.
-fn block_temperature(table: &DelimitedTable, block: &Block, notes: &mut Vec<String>) -> Result<Option<f64>, SceneError> {
+fn block_temperature(table: &DelimitedTable, block: &Block, first: bool, notes: &mut Vec<String>) -> Result<Option<f64>, SceneError> {
     for stated in block.stated.iter().rev() {
         let of_temperature = |name: &str| name == "T" || meaning(name).is_some_and(|(role, _)| role == Role::Temperature);
         let (name, unit_of_key) = split(&stated.key, of_temperature);
+        let place = table.place(stated.line);
         if !of_temperature(&name) {
+            // Above the table it is part of what precedes it; among the rows it may matter.
+            if !first && !place_is_comment(&place) {
+                notes.push(format!("{:?}: line {} is passed over", place.source.name(), table.line(stated.line)));
+            }
             continue;
         }
-        let place = table.place(stated.line);
         let Some((digits, own)) = DelimitedTable::quantity(&stated.value) else {
             notes.push(format!("{:?}: line {} states no single temperature and is passed over", place.source.name(), table.line(stated.line)));
             continue;

@@ -144,6 +144,17 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     Ok(material)
 }
 
+/// Reads the table of `material.data` as rows in SI units, before a series is fitted to them; none if the material has no table.
+///
+/// # Errors
+/// The first thing that is wrong with it.
+pub fn read_material_table(document: &Document) -> Result<Option<super::typed::MaterialData>, SceneError> {
+    check(&document.root)?;
+    let top = Section::top(&document.root, Units::of(&document.root));
+    let Some(table) = top.table("material").filter(|table| table.node().get("data").is_some()) else { return Ok(None) };
+    material_table::material_data(&table, document, table.number("poisson_ratio")?).map(Some)
+}
+
 /// The one problem table of a scene.
 fn the_problem(top: &Section<'_>) -> Result<&'static str, SceneError> {
     let given: Vec<&'static str> = PROBLEMS.into_iter().filter(|name| top.node().get(name).is_some()).collect();
