@@ -117,8 +117,15 @@ impl std::error::Error for SceneError {}
 
 /// A message on one line: keys and values from a file may hold line feeds, or codes that command a terminal.
 fn one_line(text: &str) -> String {
-    text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect()
+    let clean = |character: char| if character.is_control() { ' ' } else { character };
+    match text.char_indices().nth(LONGEST_MESSAGE) {
+        None => text.chars().map(clean).collect(),
+        Some((end, _)) => text.get(..end).unwrap_or("").chars().map(clean).chain(['…']).collect(),
+    }
 }
+
+/// Most characters of a message: what is longer quotes a file that is no table.
+const LONGEST_MESSAGE: usize = 600;
 
 /// The known name nearest to a misspelt one, if any is near enough to be meant.
 #[must_use]

@@ -29,6 +29,9 @@ use class::words;
 use split::Grid;
 use std::borrow::Cow;
 
+/// Most characters of a cell in a message.
+const LONGEST_SHOWN: usize = 40;
+
 /// A table: its blocks of rows, each below its own header.
 pub struct DelimitedTable {
     source: SourceText,
@@ -82,6 +85,16 @@ impl DelimitedTable {
         }
         let text = if cell.quoted { words.replace("\"\"", "\"") } else { words.to_owned() };
         Cow::Owned(text.split(char::is_control).map(str::trim).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" "))
+    }
+
+    /// The words of a cell for a message, cut if they are many.
+    #[must_use]
+    pub fn shown(&self, cell: Cell) -> String {
+        let text = self.text(cell);
+        match text.char_indices().nth(LONGEST_SHOWN) {
+            None => text.into_owned(),
+            Some((end, _)) => format!("{}…", text.get(..end).unwrap_or("")),
+        }
     }
 
     /// Whether a cell is empty or a word for no value.

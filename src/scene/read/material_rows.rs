@@ -114,7 +114,7 @@ impl MaterialRows {
         if self.table.is_missing(cell) {
             return Ok(None);
         }
-        let message = format!("`{}` = {:?} is no number, in line {}", word(column.role), self.table.text(cell), self.table.line(cell));
+        let message = format!("`{}` = {:?} is no number, in line {}", word(column.role), self.table.shown(cell), self.table.line(cell));
         Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit"))
     }
 }

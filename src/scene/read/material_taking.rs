@@ -109,7 +109,7 @@ impl<'t> Taking<'t> {
         let Some(value) = self.rows.number(row, column, &mut self.buffer)? else { return Ok(None) };
         let wrong = |rest: &str, label: &str| {
             let cell = row.get(column.index).copied().unwrap_or(Cell::NONE);
-            let message = format!("`{}` = {} in line {} {rest}", word(role), self.rows.table.text(cell), self.rows.table.line(cell));
+            let message = format!("`{}` = {} in line {} {rest}", word(role), self.rows.table.shown(cell), self.rows.table.line(cell));
             SceneError::at(&self.rows.table.place(cell), message, label)
         };
         match role {

@@ -50,7 +50,7 @@ pub(super) fn shift_table(shift: &Section<'_>, document: &Document) -> Result<Sh
             if !(factor.is_finite() && factor > 0.0) {
                 let cell = row.get(column.index).copied().unwrap_or(Cell::NONE);
                 let message =
-                    format!("`{}` = {} in line {} is no shift factor", word(*role), rows.table.text(cell), rows.table.line(cell));
+                    format!("`{}` = {} in line {} is no shift factor", word(*role), rows.table.shown(cell), rows.table.line(cell));
                 return Err(SceneError::at(&rows.table.place(cell), message, "a factor is greater than 0"));
             }
             points.push((kelvin, factor));
