@@ -2,7 +2,7 @@
 //!
 //! Goal: right, or refused with a reason; never a wrong number.
 //!
-//! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected.json`, with where it comes from: closed forms, quadratures, published values.
+//! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected*.json`, with where it comes from: closed forms, quadratures, published values.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;
@@ -49,8 +49,9 @@ fn folder(input: &str) -> Folder {
     for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap() {
         let path = entry.unwrap().path();
         let (name, stem) = (path.file_name().unwrap().to_str().unwrap(), path.file_stem().unwrap().to_str().unwrap());
-        if stem == input || path.extension().is_some_and(|extension| extension == "csv") {
-            folder.write(name, std::fs::read_to_string(&path).unwrap());
+        let table = path.extension().is_none_or(|extension| extension != "toml" && extension != "json");
+        if stem == input || table {
+            folder.write(name, std::fs::read(&path).unwrap());
         }
     }
     folder
@@ -104,8 +105,12 @@ fn complaints(case: &Value) -> Vec<String> {
 
 #[test]
 fn right_or_refused() {
-    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs/expected.json")).unwrap();
-    let cases: Vec<Value> = serde_json::from_str(&text).unwrap();
+    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+    let mut lists: Vec<_> = std::fs::read_dir(inputs).unwrap().map(|entry| entry.unwrap().path()).collect();
+    lists.retain(|path| path.file_name().unwrap().to_str().unwrap().starts_with("expected"));
+    lists.sort();
+    let read = |path: &std::path::PathBuf| -> Vec<Value> { serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap() };
+    let cases: Vec<Value> = lists.iter().flat_map(read).collect();
     assert!(cases.len() >= 33);
     let wrong: Vec<String> = cases.iter().flat_map(complaints).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -52,6 +52,8 @@ pub struct ScannedShape {
     pub points: Vec<(f64, f64)>,
     /// Which point is the apex.
     pub apex: Apex,
+    /// Whether the points are spread in both directions.
+    pub map: bool,
     /// c (m), in the coordinates of the scan.
     pub centre: [f64; 2],
     /// t, in the sense of the scan; zero where the scan shows none.
@@ -147,6 +149,7 @@ pub fn axisymmetric(points: &[[f64; 3]], options: &ScanOptions) -> Result<Scanne
     Ok(ScannedShape {
         points: found.points.iter().map(|(r, h)| (r * frame.width, h * frame.height)).collect(),
         apex,
+        map: !lines,
         centre: [0, 1].map(|axis| frame.outwards(fit.centre, axis)),
         tilt: fit.tilt.map(|tilt| tilt * slope),
         residual: residual * frame.height,

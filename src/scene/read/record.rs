@@ -21,9 +21,9 @@ use crate::scene::units::Dimension;
 
 /// Headers that mean a quantity, as they stand without blanks and in small letters.
 const NAMES: &[(&str, &[&str])] = &[
-    ("time", &["time", "t", "timestamp", "testtime", "elapsedtime"]),
-    ("penetration", &["penetration", "penetrationdepth", "indentation", "indentationdepth", "depth"]),
-    ("force", &["force", "load", "normalforce", "normalload"]),
+    ("time", &["time", "t", "timestamp", "testtime", "elapsedtime", "zeit", "temps"]),
+    ("penetration", &["penetration", "penetrationdepth", "indentation", "indentationdepth", "depth", "eindringtiefe"]),
+    ("force", &["force", "load", "normalforce", "normalload", "kraft", "normalkraft"]),
     ("contact_radius", &["contactradius"]),
     ("frame", &["frame"]),
     ("stress_intensity", &["stressintensity", "k"]),
@@ -64,15 +64,17 @@ pub(super) fn record(item: &Section<'_>, document: &Document, quantity: HistoryQ
             compared.push((word, dimension, column));
         }
     }
-    if let (Some(stated), Some(word)) = (&stated, unused_word(stated.as_ref_node(), quantity)) {
+    if let (Some(stated), Some(word)) = (&stated, stated.as_ref().and_then(|stated| unused_word(stated.node(), quantity))) {
         let message = format!("`{}` has no effect: the record controls `{}`", stated.full(word), quantity.word());
         return Err(stated.wrong(word, message, "leave it out"));
     }
-    let mut rows = Rows { times: Vec::new(), values: Vec::new(), others: compared.iter().map(|_| Vec::new()).collect() };
+    let reader = Reader { table: &table, time, controlled, compared, reading, quantity };
+    let mut rows = Rows { times: Vec::new(), values: Vec::new(), others: reader.compared.iter().map(|_| Vec::new()).collect(), repeated: 0 };
     for (number, block) in table.blocks().iter().enumerate() {
         same_columns(&table, first, block, file)?;
-        rows.add(&Columns::new(&table, block, file, item.units(), (&path, stated.as_ref()), &help), &table, block, number > 0, [&time, &controlled], &compared, &reading, quantity)?;
+        reader.add(&mut rows, &Columns::new(&table, block, file, item.units(), (&path, stated.as_ref()), &help), block, number > 0)?;
     }
+    let Reader { time, controlled, compared, .. } = reader;
     if rows.times.len() < 2 {
         let message = format!("{file:?} has {} rows", rows.times.len());
         return Err(SceneError::at(&columns.header_place(), message, "needs at least two below this line"));
@@ -85,20 +87,24 @@ pub(super) fn record(item: &Section<'_>, document: &Document, quantity: HistoryQ
         .zip(rows.others)
         .map(|((word, dimension, _), values)| MeasuredColumn { name: (*word).to_owned(), dimension: *dimension, values })
         .collect();
-    others.extend(further(&columns, &table, &taken));
+    if rows.repeated == 0 {
+        others.extend(further(&columns, &table, &taken));
+    } else {
+        notes.push(format!("{file:?}: the first row of {} parts repeats the time before it, and is left out", rows.repeated));
+    }
     let unused: Vec<String> =
         columns.headers().into_iter().enumerate().filter(|(index, name)| !taken.contains(index) && !name.is_empty()).map(|(_, name)| format!("`{name}`")).collect();
     if !unused.is_empty() {
         notes.push(format!("{file:?}: not used: {}", unused.join(", ")));
     }
     let followed = corners(item, quantity, file, rows.times, rows.values, accuracy)?;
-    notes.extend(followed.note);
     Ok(MeasuredTable {
         file: file.to_owned(),
         times: followed.corners.iter().map(|corner| corner.0).collect(),
         values: followed.corners.iter().map(|corner| corner.1).collect(),
         rows: followed.rows,
         others,
+        thinning: followed.thinning,
         notes,
     })
 }
@@ -177,53 +183,58 @@ struct Rows {
     times: Vec<f64>,
     values: Vec<f64>,
     others: Vec<Vec<Option<f64>>>,
+    /// Rows that repeat the time of the last one of the part before.
+    repeated: usize,
 }
 
-impl Rows {
-    #[allow(clippy::too_many_arguments)]
-    fn add(
-        &mut self,
-        columns: &Columns<'_>,
-        table: &DelimitedTable,
-        block: &Block,
-        follows: bool,
-        [time, controlled]: [&Column; 2],
-        compared: &[(&str, Dimension, Column)],
-        reading: &Reading,
-        quantity: HistoryQuantity,
-    ) -> Result<(), SceneError> {
+/// Takes the rows of a block.
+struct Reader<'r> {
+    table: &'r DelimitedTable,
+    time: Column,
+    controlled: Column,
+    compared: Vec<(&'static str, Dimension, Column)>,
+    reading: Reading,
+    quantity: HistoryQuantity,
+}
+
+impl Reader<'_> {
+    fn add(&self, rows: &mut Rows, columns: &Columns<'_>, block: &Block, follows: bool) -> Result<(), SceneError> {
         let mut buffer = String::new();
-        for (number, row) in table.rows(block).enumerate() {
-            let now = columns.number(row, time, &mut buffer)?;
-            let value = reading.value(columns.number(row, controlled, &mut buffer)?);
-            let cell = |column: &Column| row.get(column.index).map_or_else(|| column.place.clone(), |cell| table.place(*cell));
-            if let Some(before) = self.times.last().copied().filter(|before| now <= *before) {
+        for (number, row) in self.table.rows(block).enumerate() {
+            let now = columns.number(row, &self.time, &mut buffer)?;
+            let value = self.reading.value(columns.number(row, &self.controlled, &mut buffer)?);
+            if let Some(before) = rows.times.last().copied().filter(|before| now <= *before) {
+                let begins = follows && number == 0;
                 // The last row of one part and the first of the next may be one.
-                if follows && number == 0 && now == before {
+                if begins && now.total_cmp(&before).is_eq() {
+                    rows.repeated += 1;
                     continue;
                 }
-                let shown = row.get(time.index).map(|cell| table.text(*cell).into_owned()).unwrap_or_default();
-                let message = format!("`{}` = {shown} does not increase: the row before has {before:e}", time.name);
-                let wrong = SceneError::at(&cell(time), message, "must be later");
-                return Err(if follows && number == 0 {
-                    wrong.help("its time begins anew in each part: name a column that counts through all of them, or put the parts into files of their own")
-                } else {
-                    wrong
-                });
+                let message = format!("`{}` = {} does not increase: the row before has {before:e}", self.time.name, self.shown(row, &self.time));
+                let wrong = SceneError::at(&self.place(row, &self.time), message, "must be later");
+                let help = "its time begins anew in each part: name a column that counts through all of them, or put the parts into files of their own";
+                return Err(if begins { wrong.help(help) } else { wrong });
             }
-            if !quantity.range().holds(value) {
-                let shown = row.get(controlled.index).map(|cell| table.text(*cell).into_owned()).unwrap_or_default();
-                let message = format!("`{}` = {shown} is out of range", controlled.name);
-                return Err(SceneError::at(&cell(controlled), message, format!("must be {}", quantity.range().words())));
+            if !self.quantity.range().holds(value) {
+                let message = format!("`{}` = {} is out of range", self.controlled.name, self.shown(row, &self.controlled));
+                return Err(SceneError::at(&self.place(row, &self.controlled), message, format!("must be {}", self.quantity.range().words())));
             }
-            self.times.push(now);
-            self.values.push(value);
-            for ((.., column), values) in compared.iter().zip(&mut self.others) {
-                let missing = row.get(column.index).is_none_or(|cell: &Cell| table.is_missing(*cell));
+            rows.times.push(now);
+            rows.values.push(value);
+            for ((.., column), values) in self.compared.iter().zip(&mut rows.others) {
+                let missing = row.get(column.index).is_none_or(|cell: &Cell| self.table.is_missing(*cell));
                 values.push(if missing { None } else { Some(columns.number(row, column, &mut buffer)?) });
             }
         }
         Ok(())
+    }
+
+    fn place(&self, row: &[Cell], column: &Column) -> Place {
+        row.get(column.index).map_or_else(|| column.place.clone(), |cell| self.table.place(*cell))
+    }
+
+    fn shown(&self, row: &[Cell], column: &Column) -> String {
+        row.get(column.index).map(|cell| self.table.text(*cell).into_owned()).unwrap_or_default()
     }
 }
 

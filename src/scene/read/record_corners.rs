@@ -5,7 +5,9 @@ use super::section::Section;
 use crate::continuation::polyline::{Thinned, noise, thinned};
 use crate::scene::catalogue::Range;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::HistoryQuantity;
+use crate::scene::check::Units;
+use crate::scene::typed::{HistoryQuantity, RecordThinning};
+use crate::scene::units::Dimension;
 
 /// Records of at most so many rows are followed row by row, if the scene says nothing else.
 const FOLLOWED_ROW_BY_ROW: usize = 2000;
@@ -21,7 +23,7 @@ pub(super) struct Followed {
     pub(super) corners: Vec<(f64, f64)>,
     /// Times of all rows.
     pub(super) rows: Vec<f64>,
-    pub(super) note: Option<String>,
+    pub(super) thinning: Option<RecordThinning>,
 }
 
 /// The corners of a record, within the tolerance that the scene states, or the default.
@@ -37,7 +39,7 @@ pub(super) fn corners(
     let left_out = item.text("noise") == Some("left_out");
     let rows: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
     if stated.is_none() && !left_out && rows.len() <= FOLLOWED_ROW_BY_ROW {
-        return Ok(Followed { corners: rows, rows: times, note: None });
+        return Ok(Followed { corners: rows, rows: times, thinning: None });
     }
     let (low, high) = rows.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), row| (low.min(row.1), high.max(row.1)));
     let range = high - low;
@@ -55,30 +57,33 @@ pub(super) fn corners(
         while within(enough)?.corners.len() > MOST_CORNERS / 2 && enough < range {
             enough *= 1.25;
         }
-        let unit = item.units().word_of(quantity.dimension());
+        let unit = unit_of(item.units(), quantity.dimension());
         let message = format!("{file:?} has {} rows, and within {tolerance:.3e}{unit} of them {} corners remain: its noise is {found_noise:.1e}{unit}", rows.len(), found.corners.len());
-        return Err(item.wrong("table", message, format!("at most {MOST_CORNERS} corners can be followed")).help(format!(
-            "add {}, or {} to have the noise left out",
-            item.units().line("tolerance", rounded_up(enough), quantity.dimension()),
-            "noise = \"left_out\""
-        )));
+        let help = format!("add tolerance = {:e} to this segment, or noise = \"left_out\" to have its noise left out", rounded_up(enough));
+        return Err(item.wrong("table", message, format!("at most {MOST_CORNERS} corners can be followed")).help(help));
     }
-    let unit = item.units().word_of(quantity.dimension());
+    let unit = unit_of(item.units(), quantity.dimension());
     let share = if range > 0.0 { found.deviation / range } else { 0.0 };
     let why = match (stated, left_out) {
         (_, true) if tolerance > wanted => format!("{OF_THE_NOISE} times its noise of {found_noise:.1e}{unit}"),
         (Some(_), _) => "as the scene states".to_owned(),
         (None, _) => "a quarter of the accuracy times its range; `tolerance` changes it".to_owned(),
     };
-    let note = format!(
+    let statement = format!(
         "{file:?}: its {} rows are followed along {} corners; the largest deviation of `{}` is {:.2e}{unit}, {share:.1e} of its range (tolerance {tolerance:.2e}{unit}, {why})",
         rows.len(),
         found.corners.len(),
         quantity.word(),
         found.deviation,
     );
-    let note = (found.deviation > 0.0 || found.corners.len() < rows.len()).then_some(note);
-    Ok(Followed { corners: found.corners, rows: times, note })
+    let thinned = found.deviation > 0.0 || found.corners.len() < rows.len();
+    let thinning = thinned.then_some(RecordThinning { deviation: share, statement });
+    Ok(Followed { corners: found.corners, rows: times, thinning })
+}
+
+/// The unit behind a number in SI, with a blank.
+fn unit_of(units: Units, dimension: Dimension) -> String {
+    if units == Units::Si { format!(" {}", dimension.si_unit()) } else { String::new() }
 }
 
 /// Two digits, not below the number.

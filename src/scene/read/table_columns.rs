@@ -38,6 +38,17 @@ pub(super) struct Columns<'c> {
     help: &'c str,
 }
 
+/// A unit in the spelling of scenes.
+fn spelt(unit: &str) -> &str {
+    match unit {
+        "sec" | "secs" | "seconds" => "s",
+        "msec" => "ms",
+        "micron" | "microns" | "mic" => "µm",
+        "Angstrom" | "angstrom" | "Ang" => "Å",
+        other => other,
+    }
+}
+
 /// A name in small letters, without blanks and strokes.
 pub(super) fn plain(name: &str) -> String {
     name.to_lowercase().chars().filter(|c| !matches!(c, ' ' | '_' | '-' | '.' | '*')).collect()
@@ -160,8 +171,12 @@ impl<'c> Columns<'c> {
         let place = self.place(index);
         let text = self.headers().get(index).cloned().unwrap_or_default();
         let unit = stated.or(own).map(str::to_owned).or_else(|| self.unit_below(index)).unwrap_or_default();
-        let scale = match (self.units, unit.as_str()) {
-            (Units::Reduced, "" | "1") => Scale { dimension: wanted.dimension, ..Scale::ONE },
+        let scale = match (self.units, spelt(&unit)) {
+            (Units::Reduced, "" | "1") => {
+                let mut scale = Scale::ONE;
+                scale.dimension = wanted.dimension;
+                scale
+            }
             (Units::Reduced, _) => {
                 let message = format!("the column `{text}` has a unit, in a scene in reduced units");
                 return Err(SceneError::at(&place, message, "leave the unit out"));
