@@ -35,7 +35,15 @@ fn every_form_of_a_segment_is_read() {
 [[history]]\nhold = 4\n[[history]]\ncontact_radius = \"3 nm\"\n[[history]]\ntable = \"measured.csv\"\nquantity = \"force\"
 [[history]]\ncycles = 100\nquantity = \"penetration\"\nperiod = \"10 ms\"\nlower = \"-1 nm\"\nupper = 0\nwave = \"square\"\n";
     let csv = "time (ms),force (µN)\n-1,3\n4,5\n";
-    let table = MeasuredTable { file: "measured.csv".into(), times: vec![0.0, 5e-3], values: vec![3e-6, 5e-6], others: Vec::new() };
+    let table = MeasuredTable {
+        file: "measured.csv".into(),
+        times: vec![0.0, 5e-3],
+        values: vec![3e-6, 5e-6],
+        rows: vec![0.0, 5e-3],
+        others: Vec::new(),
+        thinning: None,
+        notes: Vec::new(),
+    };
     assert_eq!(
         history_of(text, csv, SPHERE, "a sphere").unwrap(),
         vec![
@@ -111,7 +119,7 @@ const WRONG: &[(&str, &str, &str, &[&str])] = &[
     ("table = \"measured.csv\"\nquantity = \"force\"\nperiod = 2", CSV, "period", &["`history.0.period` does not belong to a segment with `table`", "it may have: quantity"]),
     ("table = \"measured.csv\"\nquantity = \"force\"", "", "", &["\"measured.csv\" is empty", "time (s), force (N)"]),
     ("table = \"measured.csv\"\nquantity = \"frame\"", CSV, "time (s)", &["no column `frame`", "time (s), frame (m)"]),
-    ("table = \"measured.csv\"\nquantity = \"force\"", "t (s), force (N)\n0, 1\n", "t (s)", &["the first column is `t`, not `time`"]),
+    ("table = \"measured.csv\"\nquantity = \"force\"", "x (s), force (N)\n0, 1\n", "x (s)", &["no column `time`", "time (s), force (N)"]),
     ("table = \"measured.csv\"\nquantity = \"force\"", "time, force (N)\n0, 1\n", "time, ", &["the column `time` has no unit"]),
     ("table = \"measured.csv\"\nquantity = \"force\"", "time (s), force (m)\n0, 1\n", "force (m)", &["`force (m)` has the wrong unit", "must be measured in N"]),
     ("table = \"measured.csv\"\nquantity = \"force\"", "time (s), force (furlong)\n0, 1\n", "furlong", &["`furlong` is not a unit"]),

@@ -23,6 +23,9 @@ use viscotack::scene::read;
 const NO_EFFECT: &[(&str, &str, &str)] = &[
     ("material.name", "", "names the material in the tables and plots of `viscotack material` only"),
     ("material.leave_out", "", "only 0 is allowed: all terms are always kept"),
+    ("history[].noise", "crack by a table", "a straight record has no noise, and no corner to lose that a crack would show"),
+    ("history[].columns.growth", "", "what was measured of a crack is drawn beside its growth"),
+    ("indentation.scan.largest_residual", "", "a scan is refused beyond it, and the same within; tests/bad_input has one beyond"),
     ("crack.speed", "swept", "the sweep puts its own values in its place"),
     ("indentation.instants", "by a table", "of tables each corner is one instant"),
     ("indentation.instants", "in cycles", "of cycles each corner is one instant"),
@@ -57,6 +60,17 @@ const SAMPLES: &[(&str, &[&str])] = &[
     ("material.columns.creep_compliance", &["\"c in 1/kPa\"", "\"d in 1/Pa\""]),
     ("adhesion.by_speed.file", &["\"other_works.csv\""]),
     ("indentation.profile", &["\"other_shape.csv\""]),
+    ("indentation.scan.columns.r", &["\"v in m\""]),
+    ("indentation.scan.columns.x", &["\"v in m\"", "\"u in mm\""]),
+    ("indentation.scan.columns.y", &["\"u in m\"", "\"v in mm\""]),
+    ("indentation.scan.columns.z", &["\"w in mm\""]),
+    ("history[].columns.time", &["\"a in ms\""]),
+    ("history[].columns.penetration", &["\"d in m\""]),
+    ("history[].columns.force", &["\"d in N\""]),
+    ("history[].columns.contact_radius", &["\"d in m\""]),
+    ("history[].columns.frame", &["\"d in m\""]),
+    ("history[].columns.stress_intensity", &["\"f in Pa √m\""]),
+    ("history[].columns.stress", &["\"f in Pa\""]),
     ("history[].table", &["\"other_history.csv\"", "\"other_load.csv\""]),
     ("sweep.key", &["\"adhesion.work_of_adhesion\"", "\"material.poisson_ratio\"", "\"crack.speed\""]),
 ];
@@ -99,9 +113,15 @@ const FILES: &[(&str, &str)] = &[
     ("other_shape.csv", "r (m), z (m)\n0, 0\n1e-4, 6e-6\n2e-4, 2.4e-5\n3e-4, 5.4e-5\n4e-4, 9.6e-5\n"),
     ("history.csv", "time (s), penetration (m)\n0, 0\n1, 1e-6\n2, 2e-6\n"),
     ("other_history.csv", "time (s), penetration (m)\n0, 0\n1, 1.5e-6\n2, 2e-6\n"),
+    ("named.csv", "a, b, c, d, e, f\n0, 0, 0, 0, 0, 0\n1, 1e-6, 1e-4, 2e-6, 1e3, 1.1e3\n2, 1.8e-6, 2e-4, 3e-6, 2e3, 2.2e3\n3, 3.1e-6, 4e-4, 4e-6, 3e3, 3.3e3\n4, 3.8e-6, 5e-4, 5e-6, 5e3, 5.5e3\n5, 5.2e-6, 6e-4, 6e-6, 6e3, 6.6e3\n"),
+    ("scan.csv", "u, v, w\n-4e-4, -3e-4, 8.1e-5\n-3e-4, -2e-4, 4.6e-5\n-2e-4, -1e-4, 2.1e-5\n-1e-4, 0, 6e-6\n0, 1e-4, 1e-6\n1e-4, 2e-4, 6e-6\n2e-4, 3e-4, 2.1e-5\n3e-4, 4e-4, 4.6e-5\n4e-4, 5e-4, 8.1e-5\n"),
+    ("face.csv", "u, v, w\n0, 0, 0\n1e-4, 1.1e-4, 5e-6\n2e-4, 2.1e-4, 2e-5\n3e-4, 3.1e-4, 4.5e-5\n4e-4, 4.1e-4, 8e-5\n"),
+    ("map.csv", MAP),
     ("load.csv", "time (s), stress_intensity (Pa √m)\n0, 0\n1, 1000\n2, 2000\n"),
     ("other_load.csv", "time (s), stress_intensity (Pa √m)\n0, 0\n1, 1100\n2, 2000\n"),
 ];
+
+const MAP: &str = "u, v, w\n-0.0003, -0.00033, 9.945000e-05\n-0.0003, -0.00022, 6.920000e-05\n-0.0003, -0.00011, 5.105000e-05\n-0.0003, 0, 4.500000e-05\n-0.0003, 0.00011, 5.105000e-05\n-0.0003, 0.00022, 6.920000e-05\n-0.0003, 0.00033, 9.945000e-05\n-0.0002, -0.00033, 7.445000e-05\n-0.0002, -0.00022, 4.420000e-05\n-0.0002, -0.00011, 2.605000e-05\n-0.0002, 0, 2.000000e-05\n-0.0002, 0.00011, 2.605000e-05\n-0.0002, 0.00022, 4.420000e-05\n-0.0002, 0.00033, 7.445000e-05\n-0.0001, -0.00033, 5.945000e-05\n-0.0001, -0.00022, 2.920000e-05\n-0.0001, -0.00011, 1.105000e-05\n-0.0001, 0, 5.000000e-06\n-0.0001, 0.00011, 1.105000e-05\n-0.0001, 0.00022, 2.920000e-05\n-0.0001, 0.00033, 5.945000e-05\n0, -0.00033, 5.445000e-05\n0, -0.00022, 2.420000e-05\n0, -0.00011, 6.050000e-06\n0, 0, 0.000000e+00\n0, 0.00011, 6.050000e-06\n0, 0.00022, 2.420000e-05\n0, 0.00033, 5.445000e-05\n0.0001, -0.00033, 5.945000e-05\n0.0001, -0.00022, 2.920000e-05\n0.0001, -0.00011, 1.105000e-05\n0.0001, 0, 5.000000e-06\n0.0001, 0.00011, 1.105000e-05\n0.0001, 0.00022, 2.920000e-05\n0.0001, 0.00033, 5.945000e-05\n0.0002, -0.00033, 7.445000e-05\n0.0002, -0.00022, 4.420000e-05\n0.0002, -0.00011, 2.605000e-05\n0.0002, 0, 2.000000e-05\n0.0002, 0.00011, 2.605000e-05\n0.0002, 0.00022, 4.420000e-05\n0.0002, 0.00033, 7.445000e-05\n0.0003, -0.00033, 9.945000e-05\n0.0003, -0.00022, 6.920000e-05\n0.0003, -0.00011, 5.105000e-05\n0.0003, 0, 4.500000e-05\n0.0003, 0.00011, 5.105000e-05\n0.0003, 0.00022, 6.920000e-05\n0.0003, 0.00033, 9.945000e-05\n";
 
 const CREEP: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 0.6, retardation_time = 1.0 }, { fraction = 0.4, retardation_time = 0.1 }]\n";
 const SOFT: &str = "[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.4\nrelaxation = [{ modulus = 3e6, relaxation_time = 0.1 }]\n";
@@ -175,6 +195,15 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("cone with a rim", press(SOFT, "cone = { slope = 0.1 }\nrim_radius = 1e-5\n", ramp)),
         ("body of a power", press(SOFT, "power_law = { radius = 1e-3, exponent = 3.0 }\n", ramp)),
         ("profile", press(SOFT, "profile = \"shape.csv\"\n", ramp)),
+        ("profile, named", press(SOFT, "profile = \"face.csv\"\nscan.columns = { r = \"u in m\", z = \"w in m\" }\n", ramp)),
+        ("profile of a line", press(SOFT, "profile = \"scan.csv\"\nscan = { apex = \"lowest\", to = 3e-4, largest_residual = 0.1 }\n[indentation.scan.columns]\nx = \"u in m\"\nz = \"w in m\"\n", ramp)),
+        ("profile of a map", press(SOFT, "profile = \"map.csv\"\nscan.columns = { x = \"u in m\", y = \"v in m\", z = \"w in m\" }\n", ramp)),
+        ("sphere by named columns", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"penetration\"\ncontact_point = 1e-8\ninvert = false\ntolerance = 1e-8\nnoise = \"followed\"\ncolumns = { time = \"a in s\", penetration = \"b in m\", force = \"c in N\" }\n")),
+        ("sphere by a named force", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"force\"\ncolumns = { time = \"a in s\", force = \"c in N\" }\n")),
+        ("sphere by a named radius", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"contact_radius\"\ncolumns = { time = \"a in s\", contact_radius = \"b in m\" }\n")),
+        ("sphere by a named frame", press(SOFT, "sphere = { radius = 1e-3 }\nframe_stiffness = 100.0\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"frame\"\ncolumns = { time = \"a in s\", frame = \"b in m\" }\n")),
+        ("crack by named columns", format!("{CREEP}{}points = 3\n[[history]]\ntable = \"named.csv\"\ncolumns = {{ time = \"a in s\", stress_intensity = \"e in Pa √m\" }}\n", TORN.replace("speed = 1e-6\n", ""))),
+        ("strip by named columns", format!("{CREEP}{}points = 3\n[crack.strip]\nhalf_height = 0.01\n[[history]]\ntable = \"named.csv\"\ncolumns = {{ time = \"a in s\", stress = \"e in Pa\" }}\n", TORN.replace("speed = 1e-6\n", ""))),
     ]
 }
 

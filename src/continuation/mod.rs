@@ -1,8 +1,9 @@
-//! Roots and curves: the safeguarded scalar root, two and three equations, curves by arclength and their folds.
+//! Roots and curves: the safeguarded scalar root, two and three equations, curves by arclength and their folds, polylines beside records.
 
 pub mod arclength;
 pub mod curve;
 pub mod fold;
+pub mod polyline;
 pub mod root;
 pub mod signed_root;
 pub mod three_unknowns;

@@ -67,6 +67,7 @@ mod rest;
 mod rim;
 mod row;
 mod run;
+pub mod scan;
 mod shape;
 mod solution;
 mod spread;

@@ -12,6 +12,7 @@ mod delayed_fracture;
 mod desk;
 mod indentation;
 pub mod material;
+mod measured;
 mod run;
 mod sliding;
 mod steady_crack;

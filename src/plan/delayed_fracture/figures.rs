@@ -120,7 +120,7 @@ impl DelayedFracturePlan {
                 HistorySegment::Table { table, .. } => {
                     if let Some(column) = table.others.iter().find(|column| column.name == "growth").filter(|_| !several) {
                         let points =
-                            table.times.iter().zip(&column.values).map(|(time, place)| (start + time, place.unwrap_or(f64::NAN))).collect();
+                            table.rows.iter().zip(&column.values).map(|(time, place)| (start + time, place.unwrap_or(f64::NAN))).collect();
                         drawn = drawn.with_curve(
                             Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenSquare).with_colour(1),
                         );

@@ -76,6 +76,7 @@ impl DelayedFracturePlan {
 
     pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
         let mut entries = judged(&ASSUMPTIONS, rows);
+        entries.extend(crate::plan::measured::records(&self.crack.history, self.accuracy));
         entries.push(not_judged(
             "constant Poisson ratio",
             self.poisson_ratio,

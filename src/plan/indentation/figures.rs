@@ -51,6 +51,7 @@ impl IndentationPlan {
         figures.extend(self.cycle_figures(scene, rows, &states));
         figures.extend(self.pull_off_figure(scene, rows));
         figures.extend(self.field_figures(&states));
+        figures.extend(self.scan_figures());
         figures
     }
 

@@ -23,7 +23,7 @@ pub(super) fn profile(indentation: &Indentation) -> Result<Profile, Refusal> {
                 / (exponent * radius.powf(exponent - 1.0)),
             exponent,
         },
-        IndentationShape::Table { ref points } => Profile::table(points)?,
+        IndentationShape::Table { ref points, .. } => Profile::table(points)?,
     };
     match indentation.rim_radius {
         Some(rim) => Profile::Rimmed { face: Arc::new(face), rim },

@@ -10,6 +10,7 @@ mod figures;
 mod march;
 mod rows;
 mod scale;
+mod scan;
 mod timeline;
 mod validity;
 

@@ -343,13 +343,13 @@ impl IndentationPlan {
         self.timeline.overlays.iter().rev().find_map(|overlay| {
             let column = overlay.table.others.iter().find(|column| column.name == "force")?;
             let sought = (time - overlay.start) * overlay.speed_factor;
-            let next = overlay.table.times.partition_point(|row| *row < sought);
-            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.times.len() - 1));
-            let row = |index: usize| Some((*overlay.table.times.get(index)?, (*column.values.get(index)?)?));
+            let next = overlay.table.rows.partition_point(|row| *row < sought);
+            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.rows.len() - 1));
+            let row = |index: usize| Some((*overlay.table.rows.get(index)?, (*column.values.get(index)?)?));
             let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
             // A rounding beyond its ends is still within the table.
             let width = second_time - first_time;
-            let reach = 1e-9 * overlay.table.times.last().copied().unwrap_or(0.0);
+            let reach = 1e-9 * overlay.table.rows.last().copied().unwrap_or(0.0);
             if sought < first_time - reach || sought > second_time + reach {
                 return None;
             }

@@ -3,8 +3,9 @@
 use super::IndentationPlan;
 use super::columns::{at, position};
 use crate::elastic::TaborNumber;
-use crate::indentation::{Adhesion, Profile};
+use crate::indentation::{Adhesion, Profile, TabulatedShape};
 use crate::outcome::{Row, Validity};
+use crate::plan::measured::records;
 use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 
@@ -43,6 +44,18 @@ const ASSUMPTIONS: [Assumption; 6] = [
 ];
 
 impl IndentationPlan {
+    /// The shape through points, with or without a rim.
+    pub(super) fn tabulated(&self) -> Option<&TabulatedShape> {
+        match &self.profile {
+            Profile::Table(shape) => Some(shape),
+            Profile::Rimmed { face, .. } => match face.as_ref() {
+                Profile::Table(shape) => Some(shape),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// The numbers that the assumptions are judged by, for one row.
     pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
         // A cycle is judged by its extremes.
@@ -63,14 +76,7 @@ impl IndentationPlan {
             IndentationShape::Cone { slope } => Some(slope),
             IndentationShape::FlatPunch { .. } => None,
             IndentationShape::PowerLaw { radius: size, exponent } => radius.map(|radius| (radius / size).powf(exponent - 1.0)),
-            IndentationShape::Table { .. } => match &self.profile {
-                Profile::Table(shape) => radius.map(|radius| shape.slope(radius)),
-                Profile::Rimmed { face, .. } => match face.as_ref() {
-                    Profile::Table(shape) => radius.map(|radius| shape.slope(radius)),
-                    _ => None,
-                },
-                _ => None,
-            },
+            IndentationShape::Table { .. } => self.tabulated().zip(radius).map(|(shape, radius)| shape.slope(radius)),
         };
         let given = self.indentation.adhesion;
         let law = &self.indentation.edge_law;
@@ -111,6 +117,8 @@ impl IndentationPlan {
                 "an edge rests, creeps and jumps: beyond the table its ends are held",
             ));
         }
+        entries.extend(self.of_the_scan());
+        entries.extend(records(&self.indentation.history, self.accuracy));
         entries.push(not_judged(
             "constant Poisson ratio",
             self.poisson_ratio,

@@ -8,6 +8,10 @@ const fn target(quantity: HistoryQuantity, path: &'static str, reduced: &'static
     Key { path, kind: Kind::Number { dimension: quantity.dimension(), range: quantity.range(), reduced }, meaning }
 }
 
+const fn column(path: &'static str, meaning: &'static str) -> Key {
+    Key { path, kind: Kind::Text, meaning }
+}
+
 const FREQUENCY: Kind = Kind::Number { dimension: Dimension::FREQUENCY, range: Range::Positive, reduced: "cycles per reference time" };
 const TIME: Kind = Kind::Number { dimension: Dimension::TIME, range: Range::Positive, reduced: "reference time" };
 
@@ -62,7 +66,46 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history[].table",
         kind: Kind::Text,
-        meaning: "Follow a CSV file, relative to the scene: a header such as `time (s), force (mN)`, then rows with times that increase, counted from the first row. Straight lines between rows; the first value is stepped to. Columns that are not controlled are measured data.",
+        meaning: "Follow a table of a file, relative to the scene: a header such as `time (s), force (mN)`, then rows with times that increase, counted from the first row. Straight lines between rows; the first value is stepped to. More than 2000 rows are followed along fewer corners, see `tolerance`. Text exports of force curves (`# columns: …`), decimal commas, semicolons and rows of units are read. Columns that are not controlled are measured data.",
+    },
+    Key {
+        path: "history[].columns",
+        kind: Kind::Table,
+        meaning: "What the columns of `table` are called, where their names do not say it: each as in the header, with its unit if it has none there, such as `time = \"Time in s\"`.",
+    },
+    column("history[].columns.time", "The header of the time."),
+    column("history[].columns.penetration", "The header of the penetration."),
+    column("history[].columns.force", "The header of the force, controlled or measured."),
+    column("history[].columns.contact_radius", "The header of the contact radius."),
+    column("history[].columns.frame", "The header of the displacement of the frame's far end."),
+    column("history[].columns.stress_intensity", "The header of the stress intensity."),
+    column("history[].columns.stress", "The header of the stress."),
+    column("history[].columns.growth", "The header of the measured growth of a crack."),
+    Key {
+        path: "history[].contact_point",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "What `table` shows where the controlled quantity is zero, in the quantity's unit: it is subtracted from every row. Default 0.",
+    },
+    Key {
+        path: "history[].invert",
+        kind: Kind::Flag,
+        meaning: "Whether the controlled column of `table` counts the other way, as a height that falls while the indenter goes in; `contact_point` is then what the column shows at contact. Default false.",
+    },
+    Key {
+        path: "history[].tolerance",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "The largest deviation from a row of `table`, in the quantity's unit, 0 or more: the record is followed along the polyline of fewest corners within it, each corner an instant; 0 follows every row. Default: a quarter of the accuracy times the range of the record if it has more than 2000 rows, else 0.",
+    },
+    Key {
+        path: "history[].noise",
+        kind: Kind::Choice(&[
+            Word { word: "followed", meaning: "the noise of a record is followed as far as it exceeds the tolerance; the default" },
+            Word {
+                word: "left_out",
+                meaning: "the tolerance is at least five times the noise, which is estimated from the median distance of a row from the straight line between its neighbours",
+            },
+        ]),
+        meaning: "What is done with the noise of `table`.",
     },
     Key {
         path: "history[].quantity",

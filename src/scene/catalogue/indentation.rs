@@ -49,8 +49,32 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "indentation.profile",
         kind: Kind::Text,
-        meaning: "A CSV file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row, unless rim_radius ends the body.",
+        meaning: "A file, relative to the scene, with the shape of the body: a header such as `r (µm), z (nm)`, then 4 to 2000 rows from `0, 0` on in which both rise; or a scan over both sides with `x` and `z`, or a map with `x`, `y` and `z`, which is levelled, centred and averaged over rings. In a reduced scene without units, R being any length. Contact and process zone must stay within the last row, unless rim_radius ends the body.",
     },
+    Key { path: "indentation.scan", kind: Kind::Table, meaning: "What is known of the scan that `profile` names." },
+    Key {
+        path: "indentation.scan.apex",
+        kind: Kind::Choice(&[
+            Word { word: "lowest", meaning: "heights rise from the apex, as in a scan of an indenter that points down" },
+            Word { word: "highest", meaning: "heights fall from the apex: the indenter points up" },
+        ]),
+        meaning: "Which point of the scan is the apex. Default: the lowest one if the parabola nearest to the scan opens upwards, else the highest one.",
+    },
+    Key { path: "indentation.scan.to", kind: SIZE, meaning: "The largest distance from the apex that belongs to the shape. Default: as far as all sides reach." },
+    Key {
+        path: "indentation.scan.largest_residual",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 1.0), reduced: "1" },
+        meaning: "The largest root mean square of the distance between scan and shape, over the height of the shape; beyond it the scan is refused. Default 0.05.",
+    },
+    Key {
+        path: "indentation.scan.columns",
+        kind: Kind::Table,
+        meaning: "What the columns of `profile` are called, where their names do not say it: each as in the header, with its unit if it has none there, such as `x = \"Lateral in µm\"`.",
+    },
+    Key { path: "indentation.scan.columns.r", kind: Kind::Text, meaning: "The header of the distance from the axis." },
+    Key { path: "indentation.scan.columns.x", kind: Kind::Text, meaning: "The header of the place along a line or map." },
+    Key { path: "indentation.scan.columns.y", kind: Kind::Text, meaning: "The header of the place across a map." },
+    Key { path: "indentation.scan.columns.z", kind: Kind::Text, meaning: "The header of the height." },
     Key {
         path: "indentation.rim_radius",
         kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "R" },

@@ -1,6 +1,6 @@
 //! The `[[history]]` tables, one a segment.
 
-use super::measured_table::measured_table;
+use super::record::record;
 use super::section::Section;
 use crate::indentation::FrequencySweep;
 use crate::scene::catalogue::{Key, Kind, Range};
@@ -14,10 +14,15 @@ use std::sync::Arc;
 /// What a segment does, apart from going to a value of a quantity.
 const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];
 /// Keys that only some segments have, and which: `target` stands for a quantity.
-const COMPANIONS: [(&str, &[&str]); 7] = [
+const COMPANIONS: [(&str, &[&str]); 12] = [
     ("duration", &["target"]),
     ("rate", &["target"]),
     ("quantity", &["table", "cycles"]),
+    ("columns", &["table"]),
+    ("contact_point", &["table"]),
+    ("invert", &["table"]),
+    ("tolerance", &["table"]),
+    ("noise", &["table"]),
     ("period", &["cycles"]),
     ("lower", &["cycles"]),
     ("upper", &["cycles"]),
@@ -48,10 +53,15 @@ pub(super) fn read(
     if items.is_empty() {
         return Err(SceneError::at(&node.place, "`history` is an empty list", "give at least one segment"));
     }
+    let accuracy = top.number("accuracy")?.unwrap_or(if allowed.contains(&HistoryQuantity::Penetration) {
+        super::INDENTATION_ACCURACY
+    } else {
+        super::DELAYED_ACCURACY
+    });
     let mut segments: Vec<HistorySegment> = Vec::with_capacity(items.len());
     let mut last = None;
     for item in &items {
-        let segment = segment(item, document, allowed, owner, last)?;
+        let segment = segment(item, document, (allowed, owner), last, accuracy)?;
         last = segment.quantity().or(last);
         segments.push(segment);
     }
@@ -65,9 +75,9 @@ fn words(allowed: &[HistoryQuantity]) -> String {
 fn segment(
     item: &Section<'_>,
     document: &Document,
-    allowed: &[HistoryQuantity],
-    owner: &str,
+    (allowed, owner): (&[HistoryQuantity], &str),
     last: Option<HistoryQuantity>,
+    accuracy: f64,
 ) -> Result<HistorySegment, SceneError> {
     let foreign = |quantity: &HistoryQuantity| !allowed.contains(quantity) && item.node().get(quantity.word()).is_some();
     if let Some(quantity) = HistoryQuantity::ALL.into_iter().find(foreign) {
@@ -87,7 +97,7 @@ fn segment(
         "hold" => HistorySegment::Hold { quantity: last, duration: item.required_number("hold")? },
         "table" => {
             let quantity = quantity(item, allowed, owner)?;
-            HistorySegment::Table { quantity, table: Arc::new(measured_table(item, document, quantity)?) }
+            HistorySegment::Table { quantity, table: Arc::new(record(item, document, quantity, accuracy)?) }
         }
         "cycles" => cycles(item, quantity(item, allowed, owner)?)?,
         "oscillation" => HistorySegment::Oscillation(oscillation(item, allowed, owner)?),
@@ -182,7 +192,7 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
 }
 
 /// A number whose dimension is that of the segment's quantity.
-fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) -> Result<f64, SceneError> {
+pub(super) fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) -> Result<f64, SceneError> {
     let Some(node) = item.value(key) else {
         return Err(item.missing(key).help(format!("`{}` is {}", item.full(key), dimension.example())));
     };
@@ -191,7 +201,7 @@ fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, range: Range) 
     check_range(node, &path, value, range).map(|()| value)
 }
 
-/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude` or `to`, by the quantity of its segment; none for any other key.
+/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude`, `tolerance`, `contact_point` or `to`, by the quantity of its segment; none for any other key.
 pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Option<(Dimension, Range)> {
     if !matches!(key.kind, Kind::NumberOfSweptKey) || !key.path.starts_with("history[].") {
         return None;
@@ -207,6 +217,8 @@ pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Op
     Some(match key.path.rsplit('.').next() {
         Some("rate") => (quantity.rate_dimension(), Range::Positive),
         Some("amplitude") => (quantity.dimension(), Range::Positive),
+        Some("tolerance") => (quantity.dimension(), Range::NonNegative),
+        Some("contact_point") => (quantity.dimension(), Range::Finite),
         _ => (quantity.dimension(), quantity.range()),
     })
 }

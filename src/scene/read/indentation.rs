@@ -72,7 +72,12 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
 fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, SceneError> {
     let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law", "profile"])?;
     if name == "profile" {
-        return Ok(IndentationShape::Table { points: shape_points(table, document, name)?.into() });
+        let (points, measured) = shape_points(table, document, name)?;
+        return Ok(IndentationShape::Table { points: points.into(), measured: measured.into() });
+    }
+    if table.node().get("scan").is_some() {
+        let message = format!("`{}` belongs to a profile of a file", table.full("scan"));
+        return Err(SceneError::at(&table.key_place("scan"), message, "leave it out"));
     }
     let body = table.required_table(name, "it is the indenter")?;
     let radius = || match (body.units(), body.number("radius")?) {
@@ -95,7 +100,7 @@ fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, S
 fn rim_radius(table: &Section<'_>, shape: &IndentationShape) -> Result<Option<f64>, SceneError> {
     let Some(rim) = table.number("rim_radius")? else { return Ok(None) };
     let last = match shape {
-        IndentationShape::Table { points } => points.last().map_or(f64::INFINITY, |(r, _)| *r),
+        IndentationShape::Table { points, .. } => points.last().map_or(f64::INFINITY, |(r, _)| *r),
         IndentationShape::FlatPunch { .. } => {
             let message = format!("`{}`: a flat punch ends at its own radius", table.full("rim_radius"));
             return Err(table.wrong("rim_radius", message, "leave it out"));

@@ -4,6 +4,7 @@ mod column_names;
 mod column_units;
 mod crack;
 mod crack_history;
+mod force_curve_header;
 pub mod history;
 mod include;
 mod indentation;
@@ -18,12 +19,15 @@ mod material_strain;
 mod material_table;
 mod material_taking;
 mod measured_table;
+mod record;
+mod record_corners;
 mod section;
 mod shape_points;
 mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
+mod table_columns;
 mod works;
 
 use super::catalogue::Range;
@@ -39,6 +43,9 @@ const PROBLEMS: [&str; 3] = ["crack", "sliding", "indentation"];
 
 /// α where a scene names none: with it the theory of cracks and Persson and Brener's have the same limits.
 const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
+/// Wanted accuracy of a crack under a history, and of an indentation, where a scene names none.
+const DELAYED_ACCURACY: f64 = 1e-4;
+const INDENTATION_ACCURACY: f64 = 1e-3;
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
@@ -110,8 +117,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
-        Problem::DelayedFracture(_) => 1e-4,
-        Problem::Indentation(_) => 1e-3,
+        Problem::DelayedFracture(_) => DELAYED_ACCURACY,
+        Problem::Indentation(_) => INDENTATION_ACCURACY,
     };
     let owner = match &problem {
         Problem::SteadyCrack(_) => "a steady crack",

@@ -243,12 +243,27 @@ pub enum CycleWave {
 pub struct MeasuredTable {
     /// The file as named in the scene.
     pub file: String,
-    /// Times since the first row (s): zero, then increasing. At least two.
+    /// Times of what is followed since the first row (s): zero, then increasing. At least two.
     pub times: Vec<f64>,
     /// The controlled quantity at these times.
     pub values: Vec<f64>,
-    /// All further columns: measured, not controlled.
+    /// Times of all rows of the file since the first (s).
+    pub rows: Vec<f64>,
+    /// All further columns, at the times of all rows: measured, not controlled.
     pub others: Vec<MeasuredColumn>,
+    /// How far what is followed is from the rows, if it is not the rows themselves.
+    pub thinning: Option<RecordThinning>,
+    /// What was chosen when the file was read, and what was left out.
+    pub notes: Vec<String>,
+}
+
+/// A record that is followed along fewer corners than it has rows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordThinning {
+    /// The largest deviation of a row, over the range of the record.
+    pub deviation: f64,
+    /// Rows, corners, deviation and tolerance in words.
+    pub statement: String,
 }
 
 /// A column that is not controlled.

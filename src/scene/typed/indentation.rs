@@ -2,6 +2,7 @@
 
 use super::history::{History, HistoryQuantity};
 use crate::indentation::EdgeLaw;
+use crate::indentation::scan::ScannedShape;
 use std::sync::Arc;
 
 /// A rigid round body pressed on, or pulled off, in time.
@@ -65,7 +66,20 @@ pub enum IndentationShape {
     Table {
         /// (r, z) (m), both from 0 and rising.
         points: Arc<[(f64, f64)]>,
+        /// What they were made of.
+        measured: Arc<MeasuredShape>,
     },
+}
+
+/// What the points of a shape were made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredShape {
+    /// The file as named in the scene.
+    pub file: String,
+    /// The scan, if it was one.
+    pub scan: Option<ScannedShape>,
+    /// What was chosen when it was read, and what was left out.
+    pub notes: Vec<String>,
 }
 
 /// How a history begins.
