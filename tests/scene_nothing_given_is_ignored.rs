@@ -267,7 +267,10 @@ fn trials(key: &Key, present: Option<&Node>) -> Vec<String> {
         Kind::Flag => ["true", "false"].into_iter().filter(|flag| *flag != written).map(str::to_owned).collect(),
         Kind::Text => vec!["\"another one\"".into()],
         // Tables are tested by their members; one without members by its being there.
-        Kind::Table | Kind::Tables | Kind::TableOrTables => match present {
+        Kind::TableOrWord(list) if present.is_none_or(|node| matches!(node.value, Value::Text(_))) => {
+            words(list).into_iter().filter(|word| *word != written).map(|word| format!("{word:?}")).collect()
+        }
+        Kind::Table | Kind::Tables | Kind::TableOrTables | Kind::TableOrWord(_) => match present {
             None if !keys().any(|other| other.path.strip_prefix(key.path).is_some_and(|rest| rest.starts_with(['.', '[']))) => {
                 vec!["{}".into()]
             }

@@ -15,6 +15,8 @@ use super::observation::Observation;
 use super::sample::Sample;
 use super::starts;
 use super::{SeriesFit, choose};
+use crate::material::Material;
+use crate::material::shift::ShiftFactors;
 use crate::refusal::Refusal;
 
 /// Measurements at one temperature.
@@ -48,6 +50,8 @@ pub struct Superposition {
     pub fit: SeriesFit,
     /// Temperatures rising.
     pub shifts: Vec<FoundShift>,
+    /// Reference temperature (K): a_T is 1 there.
+    pub reference: f64,
     /// Index of the isotherm to which the errors of the shifts are relative.
     pub base: usize,
     /// Scatter about the common series (relative, per degree of freedom).
@@ -78,6 +82,26 @@ impl Superposition {
         let alone = self.alone?;
         let granted = (1.0 + GRANTED * (2.0 / self.freedom.max(1) as f64).sqrt()).sqrt();
         Some(self.together <= granted * alone + PRINTED)
+    }
+}
+
+impl Superposition {
+    /// The factors as a table, between whose temperatures ln a_T is linear in 1/T.
+    #[must_use]
+    pub fn factors(&self) -> ShiftFactors {
+        ShiftFactors::Table(self.shifts.iter().map(|shift| (shift.temperature, shift.logarithm.exp())).collect())
+    }
+
+    /// Materials at a temperature (K) within the measured ones, drawn from what the data leave open of the series and of the factors together.
+    ///
+    /// # Errors
+    /// As [`SeriesFit::draws`]; [`Refusal::Undefined`] where a time overflows.
+    pub fn draws_at(&self, temperature: f64, count: usize, seed: u64) -> Result<Vec<Material>, Refusal> {
+        let at = |shifts: &[(f64, f64)]| -> Vec<(f64, f64)> {
+            self.shifts.iter().zip(shifts).map(|(found, drawn)| (found.temperature, drawn.0)).collect()
+        };
+        let draws = self.fit.draws_with_shifts(count, seed)?;
+        draws.into_iter().map(|(material, shifts)| material.slowed(between(&at(&shifts), temperature).exp())).collect()
     }
 }
 
@@ -149,6 +173,7 @@ pub fn superpose(isotherms: &[Isotherm], reference: Option<f64>, vertical: bool,
         others.iter().filter_map(|&index| found.get(index)).map(|shift| (shift.temperature, shift.logarithm - origin)).collect();
     let at = isotherms.get(base).map_or(first.temperature, |isotherm| isotherm.temperature);
     Ok(Superposition {
+        reference: reference.unwrap_or(at),
         williams_landel_ferry: williams_landel_ferry(&points, &covariance, at),
         arrhenius: arrhenius(&points, &covariance, at),
         fit,
@@ -167,9 +192,8 @@ fn first_shifts(isotherms: &[Isotherm], base: usize, vertical: bool) -> Result<V
     for (pair, neighbours) in curves.windows(2).zip(isotherms.windows(2)) {
         let step = pair[1].onto(&pair[0], vertical).map_err(|common| {
             refused(format!(
-                "{}: {} of their points lie where both were measured, three are needed; measure at temperatures closer to each other, or give the factors by material.shift.wlf, arrhenius, factors or table",
-                format_args!("the curves at {:.2} K and {:.2} K do not overlap", neighbours[0].temperature, neighbours[1].temperature),
-                common
+                "the curves at {:.2} K and {:.2} K do not overlap: {common} steps of their moduli or compliances lie in values that both reach, and three are needed",
+                neighbours[0].temperature, neighbours[1].temperature
             ))
         })?;
         logarithms.push(logarithms.last().copied().unwrap_or(0.0) + step);

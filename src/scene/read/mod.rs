@@ -9,6 +9,7 @@ mod material;
 mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
+mod material_shift;
 mod material_source;
 mod material_table;
 mod measured_table;
