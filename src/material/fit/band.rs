@@ -1,6 +1,7 @@
 //! How well data fix a curve: from the covariance of the fitted numbers, for every number of terms that the data leave possible.
 //!
-//! The number of terms is found from the data, too. Each candidate weighs e^{−(criterion − lowest)/2} (Raftery, 1995, *Sociol. Methodol.* 25, 111), and
+//! The number of terms is found from the data, too. Each candidate weighs e^{−(criterion − lowest)/2} with Akaike's criterion (Buckland, Burnham and Augustin,
+//! 1997, *Biometrics* 53, 603), and
 //! ```text
 //! error² = 4 Σ_m w_m (variance_m + (curve_m − curve)²)
 //! ```
@@ -48,8 +49,11 @@ const OPEN: [f64; 2] = [1.0, 10.0];
 
 impl Band {
     pub(super) fn new(chosen: Candidate, candidates: Vec<Candidate>, sample: &Sample, free: Free, window: [f64; 2]) -> Self {
-        let lowest = candidates.iter().map(|one| one.criterion).fold(chosen.criterion, f64::min);
-        let weight = |one: &Candidate| (-0.5 * (one.criterion - lowest)).exp();
+        // Schwarz's criterion with Akaike's price of a number.
+        let price = 2.0 - (sample.count as f64).ln();
+        let criterion = |one: &Candidate| one.criterion + price * one.series.freedom() as f64;
+        let lowest = candidates.iter().map(criterion).fold(criterion(&chosen), f64::min);
+        let weight = |one: &Candidate| (-0.5 * (criterion(one) - lowest)).exp();
         let others = candidates.into_iter().filter(|one| *one != chosen && weight(one) >= LEAST_WEIGHT);
         let creep = sample.is_creep();
         let mut models: Vec<Model> = std::iter::once(chosen.clone())

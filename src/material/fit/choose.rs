@@ -4,6 +4,7 @@ use super::band::Band;
 use super::best::{ROUNDING, best_fit, one_fewer};
 use super::joint::{self, Free};
 use super::observation::{Observation, Quantity};
+use super::rest::{AtRest, is_general};
 use super::sample::Sample;
 use super::series::{Ends, Series};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
@@ -39,30 +40,6 @@ pub struct SeriesFit {
     pub band: Band,
     /// Solid or liquid.
     pub rest: AtRest,
-}
-
-/// What the data say of a load held for ever: the best series as a solid and as a liquid (E0 = 0), both with times up to three times the longest of the data.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AtRest {
-    /// Whether the chosen series is a liquid.
-    pub liquid: bool,
-    /// Root mean square of the relative residuals of the best solid; none if every fit that was tried came out as a liquid.
-    pub solid_rms_error: Option<f64>,
-    /// The same of the best liquid; none if every fit that was tried came out as a solid.
-    pub liquid_rms_error: Option<f64>,
-    /// How much lower Schwarz's criterion of the chosen kind is than that of the other, where both were followed to their best number of terms.
-    pub preference: Option<f64>,
-}
-
-/// Differences of Schwarz's criterion from here on are strong evidence (Kass and Raftery, 1995, *J. Am. Stat. Assoc.* 90, 773).
-const STRONG: f64 = 6.0;
-
-impl AtRest {
-    /// Whether the data prefer one kind strongly; kinds that were not followed to the end fit far worse.
-    #[must_use]
-    pub fn decided(&self) -> bool {
-        self.preference.is_none_or(|preference| preference >= STRONG)
-    }
 }
 
 /// One series of those that may be the right one, with the shifts of its isotherms.
@@ -129,11 +106,13 @@ pub(super) fn chosen(sample: &Sample, shifts: &[(f64, f64)], free: Free, wanted:
     let restricted = if sample.is_creep() { Ends { flow: false, ..general } } else { Ends { constant: false, ..general } };
     let best = of(best_fit(&shifted, window, general));
     let mut candidates = path(best.clone(), &shifted, window, wanted, &of);
-    // A fit that has no use for its flow or its constant is the restricted one already.
-    if is_general(&best.series, sample) {
-        let other = of(best_fit(&shifted, window, restricted));
-        let gain = count * (other.misfit.max(floor) / best.misfit.max(floor)).ln();
-        if gain < HOPELESS {
+    // The same without what only the general form has, unless it is far worse.
+    if candidates.iter().any(|one| is_general(&one.series, sample)) {
+        let times: Vec<f64> = best.series.terms.iter().map(|term| term.1).collect();
+        let other = of(Series::at_times(&times, &shifted, restricted).refined(&shifted, window, 20));
+        let far = |other: &Candidate, border: f64| count * (other.misfit.max(floor) / best.misfit.max(floor)).ln() > border;
+        let other = if far(&other, 5.0 * HOPELESS) { other } else { of(best_fit(&shifted, window, restricted)) };
+        if !far(&other, HOPELESS) {
             candidates.extend(path(other, &shifted, window, wanted, &of));
         }
     }
@@ -148,7 +127,7 @@ pub(super) fn chosen(sample: &Sample, shifts: &[(f64, f64)], free: Free, wanted:
     });
     if free.count() > 0 {
         for one in &mut candidates {
-            let (series, shifts) = joint::refined(one.series.clone(), one.shifts.clone(), sample, free, window, 30);
+            let (series, shifts) = joint::refined(one.series.clone(), one.shifts.clone(), sample, free, window, 100);
             let misfit = series.misfit(&sample.shifted(&shifts));
             *one = candidate(series, shifts, misfit);
         }
@@ -175,17 +154,7 @@ pub(super) fn fitted<'a>(
 ) -> Result<SeriesFit, Refusal> {
     let Chosen { best, chosen, candidates } = chosen(sample, shifts, free, wanted);
     let count = sample.count as f64;
-    let is_liquid = |series: &Series| if sample.is_creep() { series.flow > 0.0 } else { series.constant <= 0.0 };
-    let of_kind = |liquid: bool| candidates.iter().filter(move |one| is_liquid(&one.series) == liquid);
-    let least = |liquid: bool| of_kind(liquid).map(|one| (one.misfit / count).sqrt()).min_by(f64::total_cmp);
-    let criterion = |liquid: bool| of_kind(liquid).map(|one| one.criterion).min_by(f64::total_cmp);
-    let liquid = is_liquid(&chosen.series);
-    let rest = AtRest {
-        liquid,
-        solid_rms_error: least(false),
-        liquid_rms_error: least(true),
-        preference: criterion(!liquid).zip(criterion(liquid)).map(|(other, own)| other - own),
-    };
+    let rest = AtRest::of(&chosen, &candidates, sample);
     let rms_error = (chosen.misfit / count).sqrt();
     let closest = if best.misfit <= chosen.misfit { &best } else { &chosen };
     Ok(SeriesFit {
@@ -202,11 +171,6 @@ pub(super) fn fitted<'a>(
         band: Band::new(chosen, candidates, sample, free, window(&sample.shifted(shifts))),
         rest,
     })
-}
-
-/// Whether the series makes use of what only the general form has.
-fn is_general(series: &Series, sample: &Sample) -> bool {
-    if sample.is_creep() { series.flow > 0.0 } else { series.constant > 0.0 }
 }
 
 /// The largest relative residual of the data themselves.

@@ -21,6 +21,7 @@ mod least_squares;
 mod normal;
 mod observation;
 pub mod overlap;
+mod rest;
 mod sample;
 mod series;
 mod shape;
@@ -29,6 +30,7 @@ pub mod superposition;
 
 pub use band::Band;
 pub use law::LawFit;
-pub use choose::{AtRest, SeriesFit, Wanted, fit};
+pub use choose::{SeriesFit, Wanted, fit};
+pub use rest::AtRest;
 pub use observation::{Observation, Quantity, complex_modulus};
 pub use shape::SeriesShape;

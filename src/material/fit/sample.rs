@@ -5,7 +5,7 @@
 //! ```text
 //! Σ ((Σ_k ℓ_k(u_i) f_k − y_i)/s_i)² = ‖R f − z‖² + rest,      [ℓ_k(u_i)/s_i | y_i/s_i] = Q [R z; 0 √rest]
 //! ```
-//! so that no step of the fit depends on the number of rows.
+//! so that no step of the fit depends on the number of rows. Numbers that are relative to themselves are then taken relative to that polynomial.
 
 use super::least_squares::product;
 use super::observation::{Observation, Quantity};
@@ -102,19 +102,32 @@ impl Sample {
             (0..NODES).map(|index| 0.5 * (low + high) - 0.5 * (high - low) * angle(index).cos()).collect()
         };
         let count = nodes.len();
-        let mut whole = Mat::zeros(data.len(), count + 1);
-        let mut row = vec![0.0; count];
         let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let weights: Vec<f64> = (0..count).map(|k| sign(k) * (std::f64::consts::PI * (k as f64 + 0.5) / count as f64).sin()).collect();
-        for (i, (one, &at)) in data.iter().zip(&logarithms).enumerate() {
-            lagrange(&nodes, &weights, at, &mut row);
-            for (k, value) in row.iter().enumerate() {
-                whole[(i, k)] = value / one.scale;
+        let mut scales: Vec<f64> = data.iter().map(|one| one.scale).collect();
+        let mut row = vec![0.0; count];
+        let mut triangle = |scales: &[f64]| {
+            let mut whole = Mat::zeros(data.len(), count + 1);
+            for (i, ((one, &at), scale)) in data.iter().zip(&logarithms).zip(scales).enumerate() {
+                lagrange(&nodes, &weights, at, &mut row);
+                for (k, value) in row.iter().enumerate() {
+                    whole[(i, k)] = value / scale;
+                }
+                whole[(i, count)] = one.value / scale;
             }
-            whole[(i, count)] = one.value / one.scale;
+            whole.qr().thin_R().to_owned()
+        };
+        let first_pass = triangle(&scales);
+        // A number that scatters downwards must not weigh more than one that scatters upwards: what is relative to itself becomes relative to the smooth curve.
+        let relative = data.iter().zip(&scales).all(|(one, scale)| (one.value.abs() - scale).abs() <= 1e-12 * scale);
+        if let Some(values) = solved(&first_pass).filter(|_| relative) {
+            let mut row = vec![0.0; count];
+            for (scale, &at) in scales.iter_mut().zip(&logarithms) {
+                lagrange(&nodes, &weights, at, &mut row);
+                *scale = product(&row, &values).abs().clamp(0.5 * *scale, 2.0 * *scale);
+            }
         }
-        let factor = whole.qr();
-        let whole = factor.thin_R();
+        let whole = if relative { triangle(&scales) } else { first_pass };
         if (0..=count).any(|i| (i..=count).any(|j| !whole[(i, j)].is_finite())) {
             return false;
         }
@@ -168,6 +181,19 @@ impl Sample {
     pub(super) fn is_creep(&self) -> bool {
         self.places.iter().any(|place| place.quantity == Quantity::Creep)
     }
+}
+
+/// Values at the nodes from the triangle [R z; 0 √rest]; none where the rows do not fix them all.
+fn solved(triangle: &Mat<f64>) -> Option<Vec<f64>> {
+    let count = triangle.ncols() - 1;
+    let mut values = vec![0.0; count];
+    for i in (0..count).rev() {
+        let sum: f64 = ((i + 1)..count).map(|k| triangle[(i, k)] * values[k]).sum();
+        values[i] = (triangle[(i, count)] - sum) / triangle[(i, i)];
+    }
+    let largest = (0..count).map(|i| triangle[(i, i)].abs()).fold(0.0, f64::max);
+    let fixed = (0..count).all(|i| triangle[(i, i)].abs() > 1e-10 * largest);
+    (fixed && values.iter().all(|value| value.is_finite())).then_some(values)
 }
 
 /// Lagrange's polynomials of Chebyshev's nodes at a place, in the barycentric form.
