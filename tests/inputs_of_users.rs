@@ -118,7 +118,10 @@ fn right_or_refused() {
     let mut lists: Vec<_> = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs"))
         .unwrap()
         .map(|entry| entry.unwrap().path())
-        .filter(|path| path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|extension| extension == "json"))
+        .filter(|path| {
+            path.file_name().unwrap().to_str().unwrap().starts_with("expected")
+                && path.extension().is_some_and(|extension| extension == "json")
+        })
         .collect();
     lists.sort();
     let cases: Vec<Value> =

@@ -19,7 +19,14 @@ fn normal(uniform: &mut Uniform) -> f64 {
     (-2.0 * uniform.between(1e-300, 1.0).ln()).sqrt() * (std::f64::consts::TAU * uniform.between(0.0, 1.0)).cos()
 }
 
-fn curve(quantity: Quantity, [from, to]: [f64; 2], count: u32, noise: f64, uniform: &mut Uniform, of: &dyn Fn(f64) -> f64) -> Vec<Observation> {
+fn curve(
+    quantity: Quantity,
+    [from, to]: [f64; 2],
+    count: u32,
+    noise: f64,
+    uniform: &mut Uniform,
+    of: &dyn Fn(f64) -> f64,
+) -> Vec<Observation> {
     (0..=count)
         .map(|index| {
             let at = from * (to / from).powf(f64::from(index) / f64::from(count));
@@ -95,7 +102,15 @@ fn nine() -> Material {
     Material::from_relaxation(7e5, &(0..9).map(term).collect::<Vec<_>>()).unwrap()
 }
 
-fn sweep(material: &Material, [from, to]: [f64; 2], count: u32, noise: f64, uniform: &mut Uniform, factor: f64, vertical: f64) -> Vec<Observation> {
+fn sweep(
+    material: &Material,
+    [from, to]: [f64; 2],
+    count: u32,
+    noise: f64,
+    uniform: &mut Uniform,
+    factor: f64,
+    vertical: f64,
+) -> Vec<Observation> {
     (0..=count)
         .flat_map(|index| {
             let at = from * (to / from).powf(f64::from(index) / f64::from(count));
@@ -154,7 +169,9 @@ fn shift(temperature: f64) -> f64 {
 #[test]
 fn shifts_come_back_within_their_errors() {
     let (material, mut uniform) = (nine(), Uniform::new());
-    for (noise, vertical, reference) in [(0.0, false, None), (0.02, false, Some(293.15)), (0.01, true, Some(293.15)), (0.02, false, Some(298.0))] {
+    for (noise, vertical, reference) in
+        [(0.0, false, None), (0.02, false, Some(293.15)), (0.01, true, Some(293.15)), (0.02, false, Some(298.0))]
+    {
         let isotherms: Vec<Isotherm> = (0..7)
             .map(|index| {
                 let temperature = 263.15 + 10.0 * f64::from(index);
@@ -178,7 +195,10 @@ fn shifts_come_back_within_their_errors() {
         }
         assert!(missed <= 2, "{missed}");
         let law = found.williams_landel_ferry.unwrap();
-        assert!((law.constants[0] - 9.0).abs() <= 2.0 * law.errors[0] + 1e-4 && (law.constants[1] - 110.0).abs() <= 2.0 * law.errors[1] + 1e-2, "{law:?}");
+        assert!(
+            (law.constants[0] - 9.0).abs() <= 2.0 * law.errors[0] + 1e-4 && (law.constants[1] - 110.0).abs() <= 2.0 * law.errors[1] + 1e-2,
+            "{law:?}"
+        );
         // At another temperature the material is drawn with its factor: as well known as at the reference.
         let draws = found.draws_at(283.15, 50, 3).unwrap();
         let truth = material.slowed(shift(283.15).exp()).unwrap().complex_modulus(1.0).unwrap().storage;
@@ -205,7 +225,10 @@ fn isotherms_of_two_processes_are_no_one_curve_and_distant_ones_do_not_meet() {
     assert_eq!(found.holds(), Some(false), "{} {:?}", found.together, found.alone);
     let apart: Vec<Isotherm> = [263.15, 333.15]
         .into_iter()
-        .map(|temperature: f64| Isotherm { temperature, data: sweep(&nine(), [0.3, 3.0], 8, 0.01, &mut uniform, shift(temperature).exp(), 1.0) })
+        .map(|temperature: f64| Isotherm {
+            temperature,
+            data: sweep(&nine(), [0.3, 3.0], 8, 0.01, &mut uniform, shift(temperature).exp(), 1.0),
+        })
         .collect();
     let refusal = superpose(&apart, None, false, Wanted::Scatter).unwrap_err().to_string();
     assert!(refusal.contains("do not overlap"), "{refusal}");

@@ -10,7 +10,7 @@ use super::choose::{Candidate, material};
 use super::joint::{self, Free};
 use super::least_squares::matrix;
 use super::normal::Normal;
-use super::observation::Quantity;
+use super::observation::{Observation, Quantity};
 use super::sample::Sample;
 
 use crate::material::Material;
@@ -24,6 +24,8 @@ pub struct Band {
     free: Free,
     window: [f64; 2],
     creep: bool,
+    /// Where draws are held to what the linearised fit says of them.
+    places: Vec<(Quantity, f64)>,
 }
 
 /// One series that may be the right one.
@@ -40,6 +42,9 @@ struct Model {
 
 /// Standard deviations of the stated error: 95 of 100 for a normal error.
 const DEVIATIONS: f64 = 2.0;
+/// Places a decade at which draws are held to the linearised fit, and steps that they take.
+const PER_DECADE: f64 = 8.0;
+const DRAW_STEPS: usize = 15;
 /// Step of a logarithm for derivatives of the other series.
 const STEP: f64 = 1e-5;
 /// Lighter candidates are left out.
@@ -56,15 +61,14 @@ impl Band {
         let weight = |one: &Candidate| (-0.5 * (criterion(one) - lowest)).exp();
         let others = candidates.into_iter().filter(|one| *one != chosen && weight(one) >= LEAST_WEIGHT);
         let creep = sample.is_creep();
-        let mut models: Vec<Model> = std::iter::once(chosen.clone())
-            .chain(others)
-            .map(|one| Model::new(weight(&one), one, sample, free, window, creep))
-            .collect();
+        let mut models: Vec<Model> =
+            std::iter::once(chosen.clone()).chain(others).map(|one| Model::new(weight(&one), one, sample, free, window, creep)).collect();
         let total: f64 = models.iter().map(|model| model.weight).sum();
         if total > 0.0 {
             models.iter_mut().for_each(|model| model.weight /= total);
         }
-        Self { models, free, window, creep }
+        let shifted = models.first().map_or_else(|| sample.clone(), |model| sample.shifted(&model.candidate.shifts));
+        Self { models, free, window, creep, places: places(&shifted) }
     }
 
     /// The stated error of a curve at a frequency or time (Pa or 1/Pa): about 95 of 100 fits to data with this scatter lie within it.
@@ -112,7 +116,9 @@ impl Band {
 
     /// Covariance of ln a of two isotherms of the chosen series.
     pub(super) fn shift_covariance(&self, one: usize, other: usize) -> f64 {
-        let (Some(chosen), Some(one), Some(other)) = (self.models.first(), self.free.place(one), self.free.place(other)) else { return 0.0 };
+        let (Some(chosen), Some(one), Some(other)) = (self.models.first(), self.free.place(one), self.free.place(other)) else {
+            return 0.0;
+        };
         chosen.covariance(one, other)
     }
 
@@ -128,9 +134,35 @@ impl Band {
         let normal: Vec<f64> = (0..spread.ncols()).map(|_| stream.next()).collect();
         let step: Vec<f64> = (0..spread.nrows()).map(|k| (k..spread.ncols()).map(|j| spread[(k, j)] * normal[j]).sum()).collect();
         let (own, rest) = step.split_at(self.free.count().min(step.len()));
-        let series = model.candidate.series.moved(rest, self.window);
+        // A step along which two terms exchange their strengths changes no curve while it is small: along a long one the curves would leave the linear picture,
+        // so the numbers follow the curves of that picture.
+        let fitted = &model.candidate.series;
+        let linear: Vec<Observation> = self
+            .places
+            .iter()
+            .map(|&(quantity, at)| {
+                let value = fitted.value(quantity, at);
+                let change: f64 = fitted.gradient(quantity, at, self.window).iter().zip(rest).map(|(slope, step)| slope * step).sum();
+                Observation { quantity, at, value: value + change, scale: value }
+            })
+            .filter(|one| one.scale > 0.0)
+            .collect();
+        let series = fitted.moved(rest, self.window).refined(&Sample::plain(&linear), self.window, DRAW_STEPS);
         Some((material(&series, self.creep).ok()?, self.free.moved(&model.candidate.shifts, own)))
     }
+}
+
+/// Places of each quantity over its range, some a decade.
+fn places(shifted: &Sample) -> Vec<(Quantity, f64)> {
+    [Quantity::Storage, Quantity::Loss, Quantity::Relaxation, Quantity::Creep]
+        .into_iter()
+        .flat_map(|quantity| {
+            let ends = shifted.places.iter().filter(|place| place.quantity == quantity).map(|place| place.at);
+            let [low, high] = ends.fold([f64::INFINITY, 0.0_f64], |[low, high], at| [low.min(at), high.max(at)]);
+            let count = if high >= low { ((high / low).log10() * PER_DECADE).ceil() as usize + 1 } else { 0 };
+            (0..count).map(move |index| (quantity, low * (high / low).powf(index as f64 / (count - 1).max(1) as f64)))
+        })
+        .collect()
 }
 
 impl Model {

@@ -118,7 +118,8 @@ pub(super) fn one_fewer(series: &Series, sample: &Sample, window: [f64; 2], step
         .map(|index| {
             let kept = (0..index).chain(joined.get(index).map(|_| count + index)).chain(index + 2..count);
             let places: Vec<usize> = kept.collect();
-            let part: Vec<Vec<f64>> = (0..own).chain(places.iter().map(|place| own + place)).filter_map(|j| small.get(j).cloned()).collect();
+            let part: Vec<Vec<f64>> =
+                (0..own).chain(places.iter().map(|place| own + place)).filter_map(|j| small.get(j).cloned()).collect();
             let strengths = least_squares::non_negative(&part, &target);
             let mut residual = target.clone();
             for (column, strength) in part.iter().zip(&strengths) {

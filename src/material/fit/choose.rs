@@ -112,7 +112,9 @@ pub(super) fn chosen(sample: &Sample, shifts: &[(f64, f64)], free: Free, wanted:
         let other = of(Series::at_times(&times, &shifted, restricted).refined(&shifted, window, 20));
         let far = |other: &Candidate, border: f64| count * (other.misfit.max(floor) / best.misfit.max(floor)).ln() > border;
         let other = if far(&other, 5.0 * HOPELESS) { other } else { of(best_fit(&shifted, window, restricted)) };
-        if !far(&other, HOPELESS) {
+        if far(&other, HOPELESS) {
+            candidates.push(other);
+        } else {
             candidates.extend(path(other, &shifted, window, wanted, &of));
         }
     }
@@ -120,7 +122,9 @@ pub(super) fn chosen(sample: &Sample, shifts: &[(f64, f64)], free: Free, wanted:
     let meets = |one: &Candidate| matches!(wanted, Wanted::Error(error) if (one.misfit / count).sqrt() <= error);
     let fewest = candidates.iter().filter(|one| meets(one)).map(|one| one.series.freedom()).min();
     // The lightest of each kind stays, so that both kinds can be compared.
-    let kinds = [false, true].map(|kind| candidates.iter().filter(|one| is_general(&one.series, sample) == kind).map(|one| one.criterion).fold(f64::INFINITY, f64::min));
+    let kinds = [false, true].map(|kind| {
+        candidates.iter().filter(|one| is_general(&one.series, sample) == kind).map(|one| one.criterion).fold(f64::INFINITY, f64::min)
+    });
     candidates.retain(|one| {
         let lightest = kinds.iter().any(|lowest| one.criterion <= *lowest);
         one.criterion <= border || lightest || (meets(one) && Some(one.series.freedom()) == fewest)

@@ -32,7 +32,8 @@ pub(super) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
         }
         let lengths: Vec<f64> = jacobian.iter().map(|column| product(column, column).sqrt()).collect();
         // [J | r] → R once a step; every damping is then tried on the small triangle.
-        let whole = matrix(jacobian.iter().map(Vec::as_slice).chain(std::iter::once(residuals.as_slice())).collect::<Vec<_>>().into_iter(), rows);
+        let whole =
+            matrix(jacobian.iter().map(Vec::as_slice).chain(std::iter::once(residuals.as_slice())).collect::<Vec<_>>().into_iter(), rows);
         let factor = whole.qr();
         let triangle = factor.thin_R();
         let small = triangle.nrows();

@@ -51,8 +51,9 @@ pub(super) fn columns(series: &Series, shifted: &Sample, free: Free, window: [f6
     let mut columns = Vec::with_capacity(free.count() + series.freedom());
     for isotherm in (0..free.isotherms).filter(|&isotherm| free.place(isotherm).is_some()) {
         let of = |value: &dyn Fn(Quantity, f64) -> f64| {
-            shifted
-                .rows(shifted.places.iter().map(|place| if place.group == isotherm { value(place.quantity, place.at) } else { 0.0 }).collect())
+            shifted.rows(
+                shifted.places.iter().map(|place| if place.group == isotherm { value(place.quantity, place.at) } else { 0.0 }).collect(),
+            )
         };
         columns.push(of(&|quantity, at| series.slope(quantity, at)));
         if free.vertical {

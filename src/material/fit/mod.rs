@@ -29,8 +29,8 @@ mod starts;
 pub mod superposition;
 
 pub use band::Band;
-pub use law::LawFit;
 pub use choose::{SeriesFit, Wanted, fit};
-pub use rest::AtRest;
+pub use law::LawFit;
 pub use observation::{Observation, Quantity, complex_modulus};
+pub use rest::AtRest;
 pub use shape::SeriesShape;

@@ -46,9 +46,8 @@ impl Series {
 
     /// The columns of the ends, then of terms with the given times and unit strength.
     pub(super) fn unit_columns(times: &[f64], sample: &Sample, ends: Ends) -> Vec<Vec<f64>> {
-        let column = |value: &dyn Fn(Quantity, f64) -> f64| {
-            sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect())
-        };
+        let column =
+            |value: &dyn Fn(Quantity, f64) -> f64| sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect());
         let mut columns = Vec::with_capacity(times.len() + 2);
         if ends.constant {
             columns.push(column(&|quantity, _| quantity.constant()));
@@ -88,9 +87,8 @@ impl Series {
 
     /// Derivatives of the rows by ln c (if c > 0), ln 1/η (if it flows), then by ln s_k and ln ρ_k of each term; frozen times have zero columns.
     pub(super) fn columns(&self, sample: &Sample, window: [f64; 2]) -> Vec<Vec<f64>> {
-        let values = |value: &dyn Fn(Quantity, f64) -> f64| {
-            sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect())
-        };
+        let values =
+            |value: &dyn Fn(Quantity, f64) -> f64| sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect());
         let mut columns = Vec::with_capacity(self.freedom());
         if self.constant > 0.0 {
             columns.push(values(&|quantity, _| self.constant * quantity.constant()));

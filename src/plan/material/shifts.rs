@@ -66,7 +66,14 @@ pub(super) fn screen(superposition: &Superposition) -> String {
         "shifts     found from the data; reference temperature {:.2} K; errors (two standard deviations) are relative to the data at {base:.2} K",
         superposition.reference
     );
-    let _ = writeln!(text, "  {:>15}  {:>10}  {:>20}{}", "temperature [K]", "a_T", "log10 a_T", if vertical { "                   b_T" } else { "" });
+    let _ = writeln!(
+        text,
+        "  {:>15}  {:>10}  {:>20}{}",
+        "temperature [K]",
+        "a_T",
+        "log10 a_T",
+        if vertical { "                   b_T" } else { "" }
+    );
     for shift in &superposition.shifts {
         let _ = write!(
             text,

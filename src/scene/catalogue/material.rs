@@ -105,7 +105,10 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.shift",
         kind: Kind::TableOrWord(&[
-            Word { word: "automatic", meaning: "factors a_T found from material.data, where the curves of neighbouring temperatures overlap" },
+            Word {
+                word: "automatic",
+                meaning: "factors a_T found from material.data, where the curves of neighbouring temperatures overlap",
+            },
             Word {
                 word: "automatic_with_vertical",
                 meaning: "the same, and a vertical factor b_T for each temperature: E(a_T ω; T_ref) = b_T E(ω; T)",

@@ -1,7 +1,7 @@
 //! The [material] table: moduli, creep or relaxation terms, data or a law, and what must fit together.
 
-use super::section::Section;
 use super::material_source::Shift;
+use super::section::Section;
 use super::{material_data, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;

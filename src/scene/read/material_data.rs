@@ -216,7 +216,10 @@ fn warnings(
         ));
     }
     if fit.rms_error > 0.2 {
-        odd.push(format!("the fit misses the data by {:.0} %: no series of positive terms that was tried follows them", 100.0 * fit.rms_error));
+        odd.push(format!(
+            "the fit misses the data by {:.0} %: no series of positive terms that was tried follows them",
+            100.0 * fit.rms_error
+        ));
     }
     odd
 }

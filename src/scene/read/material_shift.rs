@@ -29,7 +29,8 @@ pub(super) fn superposed(
         return Err(wrong("an automatic shift needs data at two temperatures or more, and there is one".into(), "leave it out"));
     }
     if temperatures.len() > MOST_ISOTHERMS {
-        let message = format!("an automatic shift finds the factors of at most {MOST_ISOTHERMS} temperatures, and there are {}", temperatures.len());
+        let message =
+            format!("an automatic shift finds the factors of at most {MOST_ISOTHERMS} temperatures, and there are {}", temperatures.len());
         return Err(wrong(message, "too many temperatures")
             .help("a table of temperatures that were swept has no isotherms: give the factors by wlf, arrhenius, factors or table"));
     }

@@ -54,7 +54,9 @@ pub(super) enum Shift {
     None,
     Given(ShiftFactors),
     /// From the data, with vertical factors or without.
-    Automatic { vertical: bool },
+    Automatic {
+        vertical: bool,
+    },
 }
 
 /// The shift of the material.

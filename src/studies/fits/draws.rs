@@ -89,7 +89,8 @@ pub fn measured(number: u64) -> Result<Measured, Refusal> {
 /// Those of making a material.
 pub fn many(rows: usize) -> Result<Vec<Observation>, Refusal> {
     let mut draw = Draw::of(SEED, u64::MAX);
-    let term = |index: i32| RelaxationTerm { modulus: 1e6 * 10f64.powf(0.15 * f64::from(19 - index)), relaxation_time: 10f64.powi(index - 10) };
+    let term =
+        |index: i32| RelaxationTerm { modulus: 1e6 * 10f64.powf(0.15 * f64::from(19 - index)), relaxation_time: 10f64.powi(index - 10) };
     let material = Material::from_relaxation(1e6, &(0..20).map(term).collect::<Vec<_>>())?;
     let mut data = Vec::with_capacity(2 * rows);
     for index in 0..rows {

@@ -142,10 +142,20 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         "How often the stated error covers the truth; errors of curves and constants are relative, those of the shifts in decades.",
         columns,
     );
-    let rows = QUANTITIES.iter().map(|(_, name)| *name).zip(found.curves).chain([("shift factor a_T", found.shifts), ("WLF constants", found.constants)]);
+    let rows = QUANTITIES
+        .iter()
+        .map(|(_, name)| *name)
+        .zip(found.curves)
+        .chain([("shift factor a_T", found.shifts), ("WLF constants", found.constants)]);
     for (name, tally) in rows {
         let covered = tally.coverage();
-        table.rows.push(vec![word(name), count(tally.all), number(covered), number(tally.width / tally.all.max(1) as f64), number(tally.worst)]);
+        table.rows.push(vec![
+            word(name),
+            count(tally.all),
+            number(covered),
+            number(tally.width / tally.all.max(1) as f64),
+            number(tally.worst),
+        ]);
         let expected = format!("95 % of the truth within the stated error: between {low} and {high} for {solids} solids");
         section.checks.push(Check::new(
             format!("coverage of the {name}"),
