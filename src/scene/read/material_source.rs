@@ -48,9 +48,27 @@ pub(super) fn from_law(
     })
 }
 
-/// The shift factors, if the material has some, and what was chosen in reading them.
-pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<(Option<ShiftFactors>, Vec<String>), SceneError> {
-    let Some(shift) = table.table("shift") else { return Ok((None, Vec::new())) };
+/// The shift factors that a scene gives, or how they are found.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shift {
+    None,
+    Given(ShiftFactors),
+    /// From the data, with vertical factors or without.
+    Automatic {
+        vertical: bool,
+    },
+}
+
+/// The shift of the material, and what was chosen in reading it.
+pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<(Shift, Vec<String>), SceneError> {
+    let Some(shift) = table.table("shift") else { return Ok((Shift::None, Vec::new())) };
+    if let Some(word) = table.text("shift") {
+        if table.node().get("data").is_none() {
+            let message = format!("`material.shift` = {word:?} finds the factors from material.data, and there is none");
+            return Err(table.wrong("shift", message, "give factors by wlf, arrhenius, factors or table"));
+        }
+        return Ok((Shift::Automatic { vertical: word == "automatic_with_vertical" }, Vec::new()));
+    }
     if table.units() == Units::Reduced {
         return Err(table.wrong("shift", "`material.shift` needs temperatures, and a scene in reduced units has none", "leave it out"));
     }
@@ -79,7 +97,7 @@ pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<(Option<
             table_of(&shift, "table", table.points, reference()?)?
         }
     };
-    Ok((Some(factors), notes))
+    Ok((Shift::Given(factors), notes))
 }
 
 /// Factors of at least two different temperatures, divided by that at the reference temperature: a table may be relative to any temperature of its own.
@@ -99,14 +117,28 @@ fn table_of(shift: &Section<'_>, key: &str, mut points: Vec<(f64, f64)>, referen
     Ok(ShiftFactors::Table(points))
 }
 
+/// The factors, given or found, and the temperature that they are relative to.
+fn found(shift: Shift, origin: &MaterialOrigin, reference: Option<f64>) -> (Option<ShiftFactors>, Option<f64>) {
+    match (shift, origin) {
+        (Shift::Given(factors), _) => (Some(factors), reference),
+        (Shift::Automatic { .. }, MaterialOrigin::Data(fitted)) => match &fitted.superposition {
+            Some(superposition) => (Some(superposition.factors()), Some(superposition.reference)),
+            None => (None, reference),
+        },
+        (Shift::None | Shift::Automatic { .. }, _) => (None, reference),
+    }
+}
+
 /// The material at `material.temperature`.
 pub(super) fn at_temperature(
     table: &Section<'_>,
-    shift: Option<ShiftFactors>,
+    shift: Shift,
+    origin: &MaterialOrigin,
     reference: Option<f64>,
     series: Material,
 ) -> Result<(Material, Option<Climate>), SceneError> {
     let temperature = table.number("temperature")?;
+    let (shift, reference) = found(shift, origin, reference);
     let Some(shift) = shift else {
         if let (Some(temperature), reference) = (temperature, reference)
             && reference.is_none_or(|reference| (reference - temperature).abs() > 1e-9 * temperature)

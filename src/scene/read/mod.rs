@@ -14,6 +14,7 @@ mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
 mod material_rows;
+mod material_shift;
 mod material_source;
 mod material_strain;
 mod material_table;
