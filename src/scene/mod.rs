@@ -14,6 +14,7 @@ pub mod diagnostic;
 pub mod document;
 pub mod read;
 pub mod schema;
+pub mod suggest;
 pub mod sweep;
 pub mod template;
 pub mod typed;

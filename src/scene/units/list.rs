@@ -200,8 +200,12 @@ pub(super) fn nearest(unknown: &str) -> Option<String> {
             prefixes().filter(|prefix| prefix.is_empty() || symbol.prefixed).map(move |prefix| format!("{prefix}{}", symbol.symbol))
         })
     };
-    every()
-        .find(|name| name.to_lowercase() == small)
+    // Of `mpa` and `mm` in other capitals, mega is meant of pressures and frequencies only.
+    let mega = |name: &str| name.starts_with('M') && !name.ends_with("Pa") && !name.ends_with("Hz");
+    let same = || every().filter(|name| name.to_lowercase() == small);
+    same()
+        .find(|name| !mega(name))
+        .or_else(|| same().next())
         // Two letters are one letter away from nearly everything.
         .or_else(|| every().find(|name| name.chars().count() >= 3 && small.chars().count() >= 3 && strsim::damerau_levenshtein(name, unknown) == 1))
 }
