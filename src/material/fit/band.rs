@@ -1,5 +1,6 @@
 //! How well data fix a curve: from the covariance of the fitted numbers and the distance to the best fit of any length.
 
+use super::normal::Normal;
 use super::observation::{Observation, Quantity};
 use super::series::Series;
 use faer::Mat;
@@ -37,6 +38,14 @@ impl Band {
         let [observation] = &place;
         let bias = self.series.value(observation) - self.best.value(observation);
         DEVIATIONS * scatter.hypot(bias)
+    }
+
+    /// A series that the data leave possible: the fitted one moved by normal numbers with the covariance of the fit; none where it is unknown.
+    pub(super) fn draw(&self, stream: &mut Normal) -> Option<Series> {
+        let spread = self.spread.as_ref()?;
+        let normal: Vec<f64> = (0..spread.ncols()).map(|_| stream.next()).collect();
+        let step: Vec<f64> = (0..spread.nrows()).map(|k| (k..spread.ncols()).map(|j| spread[(k, j)] * normal[j]).sum()).collect();
+        Some(self.series.moved(&step, self.window))
     }
 }
 

@@ -34,6 +34,8 @@ pub struct SeriesFit {
     pub observations: usize,
     /// How well the data fix the curves.
     pub band: Band,
+    /// Whether the series is one of creep terms.
+    pub(super) creep: bool,
 }
 
 /// Grid times a decade of the first stage.
@@ -85,6 +87,7 @@ pub fn fit(data: &[Observation], wanted: Wanted) -> Result<SeriesFit, Refusal> {
         met,
         observations: data.len(),
         band: Band::new(chosen, best, data, window),
+        creep: is_creep(data),
     })
 }
 
@@ -118,7 +121,7 @@ fn check(data: &[Observation], wanted: Wanted) -> Result<(), Refusal> {
 }
 
 /// The series as a material.
-fn material(series: &Series, creep: bool) -> Result<Material, Refusal> {
+pub(super) fn material(series: &Series, creep: bool) -> Result<Material, Refusal> {
     if creep {
         if series.constant <= 0.0 {
             return Err(Refusal::Undefined {

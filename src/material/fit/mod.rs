@@ -12,7 +12,9 @@
 mod band;
 mod choose;
 pub mod consistency;
+mod draws;
 mod least_squares;
+mod normal;
 mod observation;
 pub mod overlap;
 mod series;

@@ -71,7 +71,7 @@ impl Series {
     }
 
     /// The series after a step in the logarithms, times kept in the window.
-    fn moved(&self, step: &[f64], window: [f64; 2]) -> Self {
+    pub(super) fn moved(&self, step: &[f64], window: [f64; 2]) -> Self {
         // No step changes a number by more than e³: the linear picture ends long before.
         let factor = |value: f64| value.clamp(-3.0, 3.0).exp();
         let own = usize::from(self.constant > 0.0);

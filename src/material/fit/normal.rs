@@ -1,0 +1,47 @@
+//! Standard normal numbers from a seed, the same on every machine: splitmix64 (Steele, Lea and Flood, 2014) with Box and Muller's transform.
+
+/// A stream of numbers.
+#[derive(Debug, Clone)]
+pub(super) struct Normal(u64);
+
+impl Normal {
+    /// The stream of one draw of a seed: any draw can be made alone.
+    pub(super) fn of(seed: u64, draw: u64) -> Self {
+        let mut stream = Self(seed ^ draw.wrapping_mul(0xd1b5_4a32_d192_ed03));
+        stream.bits();
+        stream
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^ (bits >> 31)
+    }
+
+    /// Uniform in (0, 1].
+    pub(super) fn unit(&mut self) -> f64 {
+        ((self.bits() >> 11) as f64 + 1.0) / (1_u64 << 53) as f64
+    }
+
+    /// A standard normal number.
+    pub(super) fn next(&mut self) -> f64 {
+        (-2.0 * self.unit().ln()).sqrt() * (std::f64::consts::TAU * self.unit()).cos()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Normal;
+
+    #[test]
+    fn mean_and_variance_are_those_of_a_standard_normal() {
+        let mut stream = Normal::of(7, 3);
+        let numbers: Vec<f64> = (0..20_000).map(|_| stream.next()).collect();
+        let mean = numbers.iter().sum::<f64>() / 2e4;
+        let variance = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / 2e4;
+        // Four standard deviations of both.
+        assert!(mean.abs() < 4.0 / 2e4_f64.sqrt() && (variance - 1.0).abs() < 4.0 * (2.0 / 2e4_f64).sqrt());
+    }
+}
