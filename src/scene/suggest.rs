@@ -137,12 +137,12 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
     if let Some(found) = known(in_table(&name)).or_else(|| known(nearest(&name, catalogue::names_in(table)).and_then(in_table))) {
         return Some(found);
     }
-    let exists = |path: &&str| catalogue::key(path).is_some();
+    let exists = |path: &str| catalogue::key(path).is_some();
     let led = || SYNONYMS.iter().filter(|(names, _, _)| names.contains(&name.as_str()));
     let suggested = |path: &'static str, note| Some(Suggestion { path: Some(path), note });
     // A name of the field for a key of this very table, or of one in it.
     for (_, paths, note) in led() {
-        if let Some(path) = paths.iter().filter(exists).find(|path| !table.is_empty() && within(path, table)) {
+        if let Some(path) = paths.iter().find(|path| exists(path) && !table.is_empty() && within(path, table)) {
             return suggested(path, note);
         }
     }
@@ -152,14 +152,14 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
         return suggested(path, "");
     }
     for (_, paths, note) in led() {
-        if let Some(path) = paths.iter().find(exists) {
+        if let Some(path) = paths.iter().find(|path| exists(path)) {
             return suggested(path, note);
         }
         if paths.is_empty() {
             return Some(Suggestion { path: None, note });
         }
     }
-    let elsewhere = catalogue::keys().filter_map(|key| key.path.rsplit(['.', ']']).next().map(|last| (last, key.path)));
-    let near = nearest(&name, elsewhere.clone().map(|(last, _)| last))?;
-    known(elsewhere.into_iter().find(|(last, _)| *last == near).map(|(_, path)| path))
+    let elsewhere = || catalogue::keys().filter_map(|key| key.path.rsplit(['.', ']']).next().map(|last| (last, key.path)));
+    let near = nearest(&name, elsewhere().map(|(last, _)| last))?;
+    known(elsewhere().find(|(last, _)| *last == near).map(|(_, path)| path))
 }

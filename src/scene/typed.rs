@@ -12,13 +12,14 @@ use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 use crate::sliding::steady::ReachedBy;
+use std::sync::Arc;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
 };
-pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
+pub use indentation::{CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
 pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 
 /// A whole scene at one point of its sweep.
@@ -52,6 +53,8 @@ pub struct SceneMaterial {
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.
     pub climate: Option<Climate>,
+    /// Series that the data leave possible, if a scene asks what they change; at the temperature of `series`.
+    pub draws: Option<Arc<[Material]>>,
 }
 
 /// What a scene asks for.

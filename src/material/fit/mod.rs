@@ -13,6 +13,7 @@ mod band;
 mod choose;
 pub mod consistency;
 mod draws;
+mod fixed_times;
 mod least_squares;
 mod normal;
 mod observation;

@@ -55,6 +55,7 @@ impl IndentationPlan {
                 why: given(law.growing_zone, "law = \"growing\": with the square of the stress intensity", "the process zone is constant"),
             },
             Effect { name: "memory", on: terms > 0, why: memory },
+            Effect { name: "second body", on: self.indentation.counter_body.is_some(), why: self.second_body() },
             Effect { name: "relaxed start", on: self.indentation.start == IndentationStart::Relaxed, why: start.into() },
             Effect {
                 name: "frame",
@@ -86,6 +87,20 @@ impl IndentationPlan {
             },
             Effect { name: "sweep", on: self.swept, why: given(self.swept, "[sweep] is given", "no [sweep]") },
         ]
+    }
+
+    /// What the second body changes.
+    fn second_body(&self) -> String {
+        let Some(body) = self.indentation.counter_body else { return "no [indentation.counter_body]: the indenter is rigid".into() };
+        let elastic = if body.elastic.is_some() {
+            "[indentation.counter_body] is elastic: its compliance adds at every time"
+        } else {
+            "[indentation.counter_body] is rigid"
+        };
+        match (body.radius, &self.indentation.shape) {
+            (Some(_), IndentationShape::Sphere { radius }) => format!("{elastic}; two spheres, R* = R1 R2/(R1 + R2) = {radius:.6e} m"),
+            _ => elastic.into(),
+        }
     }
 
     /// Cycles of all oscillations, at most; none without an oscillation.

@@ -13,7 +13,6 @@ mod scale;
 mod timeline;
 mod validity;
 
-use crate::elastic::PlaneState;
 use crate::indentation::Profile;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
@@ -21,6 +20,7 @@ use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, Scene, Units};
 use scale::Scale;
@@ -50,12 +50,7 @@ pub(super) struct IndentationPlan {
 
 impl IndentationPlan {
     pub(super) fn new(scene: &Scene, indentation: &Indentation) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let material = scene.material.series.stiffened(stiffening)?;
+        let material = plane_material(scene, indentation.counter_body.and_then(|body| body.elastic))?;
         // Reduced moduli are over E0*; a process zone of a cohesive stress asks for it as well.
         if indentation.adhesion.is_some() || scene.units == Units::Reduced {
             material.solid_modulus("an indentation")?;
@@ -158,6 +153,10 @@ impl ProblemPlan for IndentationPlan {
     fn visited_times(&self) -> Option<[f64; 2]> {
         // A jump of the edge takes no time: nothing is too fast.
         Some([0.0, self.timeline.duration()]).filter(|visited| visited[1] > 0.0)
+    }
+
+    fn abscissa(&self) -> Option<&'static str> {
+        Some("time")
     }
 
     fn columns(&self) -> Vec<Column> {

@@ -17,16 +17,16 @@ mod strength_rows;
 mod validity;
 
 use crate::closure::work_by_speed::WorkBySpeed;
-use crate::elastic::PlaneState;
-use crate::material::{CreepTerm, Material};
+use crate::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    BranchParameter, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
@@ -52,16 +52,7 @@ pub(super) struct SlidingPlan {
 
 impl SlidingPlan {
     pub(super) fn new(scene: &Scene, sliding: &Sliding) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let plane = scene.material.series.stiffened(stiffening)?;
-        let material = match sliding.counter_body {
-            Some(body) => with_counter_body(&plane, body)?,
-            None => plane,
-        };
+        let material = plane_material(scene, sliding.counter_body)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
         let scale = Scale::new(sliding, relaxed, scene.units);
         let plan = Self {
@@ -156,14 +147,6 @@ impl SlidingPlan {
     }
 }
 
-/// A material whose creep function is larger by the compliance of an elastic body at every time.
-fn with_counter_body(plane: &Material, body: ElasticBody) -> Result<Material, Refusal> {
-    plane.solid_modulus("a steady sliding contact")?;
-    let compliance = 1.0 / PlaneState::Strain.modulus(body.modulus, body.poisson_ratio)?;
-    let terms: Vec<CreepTerm> = plane.creep_terms().to_vec();
-    Material::from_creep(1.0 / (1.0 / plane.glassy_modulus() + compliance), &terms, None)
-}
-
 impl ProblemPlan for SlidingPlan {
     fn name(&self) -> &'static str {
         "steady sliding"
@@ -221,6 +204,13 @@ impl ProblemPlan for SlidingPlan {
             None => 1e-4 * length,
         };
         Some([0.1 * zone.min(1e-2 * length) / speed, 10.0 * length / speed])
+    }
+
+    fn abscissa(&self) -> Option<&'static str> {
+        match &self.sliding.task {
+            SlidingTask::Branch(branch) => Some(branch.parameter.word()),
+            _ => None,
+        }
     }
 
     fn columns(&self) -> Vec<Column> {

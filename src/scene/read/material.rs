@@ -1,7 +1,7 @@
 //! The [material] table: moduli, creep or relaxation terms, data or a law, and what must fit together.
 
 use super::section::Section;
-use super::{material_data, material_source};
+use super::{material_data, material_draws, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;
 use crate::scene::check::Units;
@@ -47,7 +47,8 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
     let (series, climate) = material_source::at_temperature(&table, shift, reference, series)?;
-    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate })
+    let draws = material_draws::draws(&table, &origin, climate.as_ref())?;
+    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, draws })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.

@@ -1,5 +1,6 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
+mod counter_body;
 mod crack;
 mod crack_history;
 pub mod history;
@@ -8,6 +9,7 @@ mod indentation;
 mod material;
 mod material_columns;
 mod material_data;
+mod material_draws;
 pub(super) mod material_memo;
 mod material_source;
 mod material_table;
