@@ -2,7 +2,7 @@
 //!
 //! Goal: right, or refused with a reason; never a wrong number.
 //!
-//! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected.json`, with where it comes from: closed forms, quadratures, published values.
+//! Oracle: the value and the tolerance of each quantity in every `tests/inputs/expected*.json`, with where it comes from: closed forms, quadratures, published values.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;
@@ -49,8 +49,9 @@ fn folder(input: &str) -> Folder {
     for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap() {
         let path = entry.unwrap().path();
         let (name, stem) = (path.file_name().unwrap().to_str().unwrap(), path.file_stem().unwrap().to_str().unwrap());
-        if stem == input || path.extension().is_some_and(|extension| extension == "csv") {
-            folder.write(name, std::fs::read_to_string(&path).unwrap());
+        // Files that a scene may name: of its own name, or of any ending but those of scenes and of expected values.
+        if stem == input || path.extension().is_none_or(|extension| extension != "toml" && extension != "json") {
+            folder.write(name, std::fs::read(&path).unwrap());
         }
     }
     folder
@@ -104,8 +105,19 @@ fn complaints(case: &Value) -> Vec<String> {
 
 #[test]
 fn right_or_refused() {
-    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs/expected.json")).unwrap();
-    let cases: Vec<Value> = serde_json::from_str(&text).unwrap();
+    let mut files: Vec<_> = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| {
+            let name = path.file_name().unwrap().to_string_lossy();
+            name.starts_with("expected") && name.ends_with(".json")
+        })
+        .collect();
+    files.sort();
+    let cases: Vec<Value> = files
+        .iter()
+        .flat_map(|path| serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap()).unwrap_or_else(|error| panic!("{}: {error}", path.display())))
+        .collect();
     assert!(cases.len() >= 33);
     let wrong: Vec<String> = cases.iter().flat_map(complaints).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -244,7 +244,7 @@ fn every_law_is_expanded_by_few_linear_systems() {
         (BroadKind::FractionalZener(0.95), &[1e-3, 1e-6]),
     ] {
         for &accuracy in accuracies {
-            for (relaxed, range) in [(1e6, [1e-6, 1e6]), (1e6, [1e-2, 1e8]), (0.0, [1e-6, 1e6])] {
+            for (relaxed, range) in [(1e6, [1e-4, 1e6]), (0.0, [1e-6, 1e4])] {
                 let law = BroadLaw::new(kind, relaxed, 1e9, 1.0).unwrap();
                 let expansion = expand(&law, range, accuracy).unwrap();
                 let mut worst = 0.0_f64;

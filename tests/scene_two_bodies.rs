@@ -46,7 +46,7 @@ fn two_elastic_spheres_are_those_of_hertz_in_two_unit_systems() {
         close(value(&folder, "contact_radius", None), (radius * depth).sqrt(), 1e-6, "Hertz");
     }
     // Which of both is the material does not matter.
-    let swapped = si.replace("3.1e6", "x").replace("7.7e6", "3.1e6").replace('x', "7.7e6").replace("0.47", "y").replace("0.31", "0.47").replace('y', "0.31");
+    let swapped = si.replace("3.1e6", "@").replace("7.7e6", "3.1e6").replace('@', "7.7e6").replace("0.47", "@").replace("0.31", "0.47").replace('@', "0.31");
     close(value(&Folder::with(&swapped), "force", None), force, 1e-6, "the other way round");
     // A rigid second sphere only changes the radius.
     let rigid = si.replace("modulus = 7.7e6, poisson_ratio = 0.31, ", "");

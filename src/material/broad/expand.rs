@@ -2,7 +2,7 @@
 //!
 //! The trapezoidal rule of the spectrum over ln ρ converges exponentially, at the rate of the best series (see the module above), so its places are
 //! kept: equal steps inside the range, growing ones beyond its ends, and shorter ones where a pole of the spectrum comes near to the axis. At these
-//! places the strengths are those of a linear least-squares problem; places with a negative strength are left out. The steps are shortened until the
+//! places the strengths are those of a linear least-squares problem; places with a negative strength are left out. The steps are the longest of a list at which the
 //! error against the closed modulus, at four times as many frequencies, meets the accuracy. Nothing is iterated, so the work is known.
 //! Both ends of the relaxation, E0 and E∞, are kept.
 
@@ -29,6 +29,8 @@ pub struct Expansion {
 
 /// Part of the accuracy below which a term does not count.
 const WEAK: f64 = 0.01;
+/// Part of the accuracy below which the spectrum at a place does not.
+const NEGLIGIBLE: f64 = 1e-3;
 /// Frequencies a decade in the fit.
 const PER_DECADE: f64 = 7.0;
 /// Longest range: 40 decades.
@@ -36,12 +38,13 @@ const MOST_LENGTH: f64 = 92.2;
 /// The limits E0 and E∞ are held this much more tightly than the rest.
 const LIMITS: f64 = 0.01;
 /// How far places reach beyond each end of the range in ln ρ, and how their steps grow: what is best depends on how much of the spectrum lies there.
-const BEYOND: f64 = 8.0;
+const BEYOND: [f64; 2] = [8.0, 20.0];
 const GROWTHS: [f64; 3] = [1.1, 1.25, 1.4];
-/// Steps that are tried, over that of the rate: from the first down by the second, so many times.
+/// Steps over that of the rate: from the first down by the second, so many. The longest that meets the accuracy is taken.
 const LONGEST: f64 = 1.1;
 const SHORTER: f64 = 0.05;
-const TRIES: u32 = 17;
+const TRIES: u32 = 16;
+const STRIDE: u32 = 3;
 /// The longest step: of half a decade the rule is no longer one of a smooth function.
 const MOST_STEP: f64 = 2.0;
 /// Points at which the density of places is summed.
@@ -65,26 +68,31 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     let mut solves = 0;
     // The fewest terms that meet the accuracy; without any, those that come closest.
     let (mut best, mut closest): (Option<(SeriesShape, f64)>, Option<(SeriesShape, f64)>) = (None, None);
-    for growth in GROWTHS {
-        for index in 0..TRIES {
-            let step = ideal * (LONGEST - SHORTER * f64::from(index));
-            let times = places(law, range, step, growth);
-            // More inside the range alone than the best has in all.
-            if best.as_ref().is_some_and(|(shape, _)| (high / low).ln() / step > shape.count() as f64) {
-                break;
-            }
-            let (shape, taken) = SeriesShape::positive(law.relaxed_modulus, &times, &data);
-            solves += taken;
-            let error = largest_error(&shape, &test);
-            if error <= accuracy {
-                if best.as_ref().is_none_or(|(fewest, _)| shape.count() < fewest.count()) {
-                    best = Some((shape, error));
-                }
-                break;
-            }
-            if closest.as_ref().is_none_or(|(_, least)| error < *least) {
-                closest = Some((shape, error));
-            }
+    let mut meets = |index: u32, growth: f64, beyond: f64| {
+        let step = ideal * (LONGEST - SHORTER * f64::from(index));
+        let (shape, taken) = SeriesShape::positive(law.relaxed_modulus, &places(law, range, (step, growth, beyond), accuracy), &data);
+        solves += taken;
+        let error = largest_error(&shape, &test);
+        let met = error <= accuracy;
+        let better = |kept: &Option<(SeriesShape, f64)>| {
+            kept.as_ref().is_none_or(|(other, least)| if met { shape.count() < other.count() } else { error < *least })
+        };
+        let kept = if met { &mut best } else { &mut closest };
+        if better(kept) {
+            *kept = Some((shape, error));
+        }
+        met
+    };
+    let mut any = false;
+    for (beyond, growth) in BEYOND.into_iter().flat_map(|beyond| GROWTHS.map(|growth| (beyond, growth))) {
+        // Further beyond the range only where nothing else helps.
+        if any && beyond > BEYOND[0] {
+            break;
+        }
+        // In strides down to a step that meets the accuracy, then the longer steps that were left out.
+        if let Some(first) = (STRIDE..TRIES).step_by(STRIDE as usize).find(|&index| meets(index, growth, beyond)) {
+            any = true;
+            let _ = (first + 1 - STRIDE..first).rev().find(|&index| !meets(index, growth, beyond));
         }
     }
     let (mut shape, mut error) = best.or(closest).ok_or_else(|| Refusal::Undefined {
@@ -131,7 +139,7 @@ fn observations(law: &BroadLaw, range: [f64; 2], per_decade: f64) -> Result<Vec<
 }
 
 /// Relaxation times: inside the range at equal steps of ln ρ, shorter ones near a pole of the spectrum, beyond both ends at growing ones.
-fn places(law: &BroadLaw, [low, high]: [f64; 2], step: f64, growth: f64) -> Vec<f64> {
+fn places(law: &BroadLaw, [low, high]: [f64; 2], (step, growth, beyond): (f64, f64, f64), accuracy: f64) -> Vec<f64> {
     let (inner, outer) = (-high.ln(), -low.ln());
     // The kernel's own poles lie π/2 from the axis: where one of the spectrum is nearer, steps are shorter in proportion.
     let (centre, distance) = (law.time.ln(), law.pole_distance());
@@ -156,12 +164,17 @@ fn places(law: &BroadLaw, [low, high]: [f64; 2], step: f64, growth: f64) -> Vec<
         cell += 1;
     }
     let (mut growing, mut border) = (step, 0.0);
-    while border < BEYOND {
+    while border < beyond {
         growing *= growth;
         logarithms.extend([inner - border - 0.5 * growing, outer + border + 0.5 * growing]);
         border += growing;
     }
-    logarithms.into_iter().map(f64::exp).collect()
+    // Where the spectrum is far below the accuracy, a strength would be one of rounding.
+    let counts = |time: &f64| {
+        let modulus = law.complex_modulus((1.0 / time).clamp(low, high)).map_or(0.0, |modulus| modulus.magnitude());
+        step * law.spectrum(*time) * (law.glassy_modulus - law.relaxed_modulus) > NEGLIGIBLE * accuracy * modulus
+    };
+    logarithms.into_iter().map(f64::exp).filter(counts).collect()
 }
 
 /// The largest |ΔE|/|E|.

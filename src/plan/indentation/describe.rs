@@ -117,6 +117,9 @@ impl IndentationPlan {
             sentences
                 .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
         }
+        if self.flow.is_some() && marched {
+            sentences.push("the liquid flows by an element whose retardation time is 1e8 histories: what that changes is in the bounds".into());
+        }
         if self.indentation.adhesion.is_some() {
             sentences
                 .push("at the edge the work of the tension inside on the gap outside, over the process zone, equals Δγδ (4.9)".to_owned());
@@ -159,22 +162,24 @@ impl IndentationPlan {
         let group = |name: &str, value: f64, unit: &str| Group { name: name.into(), value, unit: unit.into() };
         let glassy = self.material.glassy_modulus();
         let mut groups =
-            vec![group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
+            vec![group("relaxed modulus E0*", if self.flow.is_some() { 0.0 } else { self.relaxed }, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
         // A liquid has no other modulus to be stiffer than.
-        groups.push(match self.material.steady_viscosity() {
+        groups.push(match self.flow {
             None => group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
             Some(viscosity) => group("steady viscosity η*", viscosity, "Pa s"),
         });
-        if let Some(longest) = self.material.longest_relaxation_time() {
+        if let Some(longest) = self.material.longest_relaxation_time().filter(|_| self.flow.is_none()) {
             groups.push(group("longest relaxation time", longest, pick("s", "reference time")));
         }
         if let Some(adhesion) = self.adhesion() {
             if let IndentationShape::Sphere { radius } = self.indentation.shape {
-                groups.push(group(
-                    "adhesion γ̃ = Δγ/(πE0*R)",
-                    adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
-                    "1",
-                ));
+                if self.flow.is_none() {
+                    groups.push(group(
+                        "adhesion γ̃ = Δγ/(πE0*R)",
+                        adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
+                        "1",
+                    ));
+                }
                 let pull_off = 1.5 * std::f64::consts::PI * radius * adhesion.work_of_adhesion;
                 groups.push(group("JKR pull-off (3/2)πRΔγ", pull_off / self.scale.force, pick("N", "πE0*R²")));
             }
