@@ -227,6 +227,40 @@ fn laws_are_those_of_mpmath() {
     assert!(compared > 150 && worst < 1e-12, "{worst:e}");
 }
 
+/// Linear systems that one expansion may take, of a hundred unknowns each: a work counter, not a time.
+const MOST_SOLVES: usize = 100;
+
+/// Laws all over their ranges: narrow, wide and steep spectra, liquids, tight and loose accuracies.
+#[test]
+fn every_law_is_expanded_by_few_linear_systems() {
+    for (kind, accuracies) in [
+        (BroadKind::ModifiedPowerLaw(0.05), &[1e-3, 1e-6, 1e-9][..]),
+        (BroadKind::ModifiedPowerLaw(0.5), &[1e-3, 1e-6, 1e-9]),
+        (BroadKind::ModifiedPowerLaw(2.0), &[1e-3, 1e-6]),
+        (BroadKind::ModifiedPowerLaw(8.0), &[1e-3, 1e-6]),
+        (BroadKind::FractionalZener(0.05), &[1e-3, 1e-6, 1e-9]),
+        (BroadKind::FractionalZener(0.3), &[1e-3, 1e-6, 1e-9]),
+        (BroadKind::FractionalZener(0.7), &[1e-3, 1e-6, 1e-9]),
+        (BroadKind::FractionalZener(0.95), &[1e-3, 1e-6]),
+    ] {
+        for &accuracy in accuracies {
+            for (relaxed, range) in [(1e6, [1e-4, 1e6]), (0.0, [1e-6, 1e4])] {
+                let law = BroadLaw::new(kind, relaxed, 1e9, 1.0).unwrap();
+                let expansion = expand(&law, range, accuracy).unwrap();
+                let mut worst = 0.0_f64;
+                for at in frequencies(range[0], range[1], 23.7) {
+                    let (given, found) = (law.complex_modulus(at).unwrap(), expansion.material.complex_modulus(at).unwrap());
+                    worst = worst.max((given.storage - found.storage).hypot(given.loss - found.loss) / given.magnitude());
+                }
+                let (terms, rate) = (expansion.material.relaxation_terms().len(), expansion.terms_by_rate);
+                println!("{kind:?} {relaxed:e} {range:?} {accuracy:e}: {terms} terms (rate {rate:.1}), {worst:.2e}, {} systems", expansion.solves);
+                assert!(expansion.met && worst <= accuracy, "{kind:?} {relaxed:e} {range:?} {accuracy:e}: {worst:e}");
+                assert!(expansion.solves <= MOST_SOLVES, "{}", expansion.solves);
+            }
+        }
+    }
+}
+
 #[test]
 fn laws_are_expanded_to_their_accuracy_over_twelve_decades() {
     for (kind, range, accuracy) in [
@@ -249,6 +283,7 @@ fn laws_are_expanded_to_their_accuracy_over_twelve_decades() {
         assert!(terms.iter().all(|term| term.modulus > 0.0));
         assert!((expansion.material.glassy_modulus() / 1e9 - 1.0).abs() < accuracy);
         assert!(terms.len() as f64 <= 1.5 * expansion.terms_by_rate, "{}", terms.len());
+        assert!(expansion.solves <= MOST_SOLVES, "{}", expansion.solves);
         // The relaxation in time follows, inside the range, within a few times as much.
         if let BroadKind::ModifiedPowerLaw(exponent) = kind {
             for time in frequencies(10.0 / range[1], 0.1 / range[0], 2.0) {

@@ -9,6 +9,7 @@ mod material;
 mod new;
 mod run;
 mod scene_source;
+mod units;
 mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -104,6 +105,12 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// List the units that are read, by what they measure, with their size in SI
+    Units {
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Print the JSON schema of a scene, for editors
     Schema,
     /// Print the papers behind what a scene uses, as BibTeX
@@ -176,6 +183,7 @@ pub fn main() -> ExitCode {
             let accuracy = accuracy.as_deref();
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })
         }
+        Command::Units { json } => units::units(json),
         Command::Schema => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),
         Command::Completions { shell } => {

@@ -72,6 +72,11 @@ fn show(bar: &ProgressBar, states: usize, stage: Stage) {
     match stage {
         Stage::States { finished, .. } if states > 1 => bar.set_position(finished as u64),
         Stage::States { .. } => {}
+        Stage::Draws { finished, total, .. } if states == 1 => {
+            bar.set_message(" of the draws of the material");
+            bar.set_position(PARTS * finished as u64 / total.max(1) as u64);
+        }
+        Stage::Draws { state, finished, total } => bar.set_message(format!("; state {} at draw {finished} of {total}", state + 1)),
         Stage::March { number, part, .. } if states == 1 => {
             let message = format!(" of march {number}");
             if bar.message() != message {

@@ -15,8 +15,14 @@ pub fn states(outcome: &Outcome) -> Result<Vec<u8>, csv::Error> {
     for column in &outcome.columns {
         header.push(headed(column.name, &column.unit));
         header.push(headed(&format!("{}_error", column.name), &column.unit));
+        if outcome.draws > 0 {
+            header.push(headed(&format!("{}_material_uncertainty", column.name), &column.unit));
+        }
     }
     header.push("residual [1]".to_owned());
+    if outcome.draws > 0 {
+        header.extend(["draws", "draws_used", "draws_in_another_state", "draws_failed", "draws_note"].map(str::to_owned));
+    }
     header.push("reason".to_owned());
     writer.write_record(&header)?;
     for row in &outcome.rows {
@@ -25,12 +31,27 @@ pub fn states(outcome: &Outcome) -> Result<Vec<u8>, csv::Error> {
         record.push(row.status.word().to_owned());
         for index in 0..outcome.columns.len() {
             record.extend(cells(row.values.get(index).copied().flatten()));
+            if outcome.draws > 0 {
+                record.push(row.material_deviation(index).map_or_else(String::new, number));
+            }
         }
         record.push(row.certificate.map_or_else(String::new, |certificate| number(certificate.residual)));
+        if outcome.draws > 0 {
+            record.extend(draws(outcome, row));
+        }
         record.push(row.reason.clone().unwrap_or_default());
         writer.write_record(&record)?;
     }
     finished(writer)
+}
+
+/// How the draws of the material ended in a row.
+fn draws(outcome: &Outcome, row: &super::Row) -> [String; 5] {
+    row.material.as_ref().map_or_else(Default::default, |material| {
+        let counts = &material.counts;
+        let [all, used, other, failed] = [counts.draws, counts.used, counts.other_state, counts.failed].map(|count| count.to_string());
+        [all, used, other, failed, material.note(&outcome.columns).unwrap_or_default()]
+    })
 }
 
 /// The fields table, or none if no row has fields.

@@ -4,6 +4,7 @@ pub mod checkpoints;
 pub mod csv_table;
 pub mod folder;
 pub mod journal;
+pub mod material_uncertainty;
 pub mod plot;
 pub mod row;
 pub mod screen;
@@ -46,6 +47,8 @@ pub struct Outcome {
     pub labels: &'static [&'static str],
     /// What the field table holds: the place, then the fields.
     pub field_columns: Vec<Column>,
+    /// Materials that each state was solved for besides its own, to show what their fit leaves open.
+    pub draws: usize,
 }
 
 /// A swept number.

@@ -1,5 +1,6 @@
 //! One solved state: values with errors, how it ended, the certificate, the work.
 
+use super::material_uncertainty::MaterialUncertainty;
 use crate::estimate::Estimate;
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
@@ -160,6 +161,9 @@ pub struct Row {
     /// Fields, if asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fields: Vec<FieldPoint>,
+    /// What the values owe to a material that its data leave open, if asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<MaterialUncertainty>,
 }
 
 impl Row {
@@ -178,7 +182,14 @@ impl Row {
             work: Work::default(),
             assumptions: Vec::new(),
             fields: Vec::new(),
+            material: None,
         }
+    }
+
+    /// The spread of a column over draws of the material: one standard uncertainty, if it has one.
+    #[must_use]
+    pub fn material_deviation(&self, column: usize) -> Option<f64> {
+        self.material.as_ref()?.columns.get(column)?.deviation
     }
 
     /// The label at a place; empty if there is none.

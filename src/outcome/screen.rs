@@ -22,6 +22,13 @@ pub fn render(outcome: &Outcome) -> String {
     } else {
         sweep(&mut text, outcome)
     }
+    if outcome.draws > 0 {
+        let _ = writeln!(
+            text,
+            "\nmaterial ±  one standard uncertainty: the standard deviation of {} draws of the fitted material; ± alone is the numerical error bound",
+            outcome.draws
+        );
+    }
     effects(&mut text, outcome);
     validity(&mut text, outcome);
     let work = outcome.work();
@@ -38,12 +45,19 @@ fn single(text: &mut String, outcome: &Outcome) {
         if let Some(reason) = &row.reason {
             let _ = writeln!(text, "  {reason}");
         }
-        for (column, value) in outcome.columns.iter().zip(&row.values) {
+        for (index, (column, value)) in outcome.columns.iter().zip(&row.values).enumerate() {
             if let Some(estimate) = value {
                 let unit = if column.unit == "1" { "" } else { &column.unit };
-                let line = format!("  {:width$}  {} {unit}", column.name, with_error(*estimate));
+                let material = row.material_deviation(index).map_or_else(String::new, |deviation| {
+                    // A number of the scene owes nothing to the material.
+                    if deviation > 0.0 { format!("   material ± {deviation:.1e}") } else { "   material ± 0".into() }
+                });
+                let line = format!("  {:width$}  {} {unit}{material}", column.name, with_error(*estimate));
                 let _ = writeln!(text, "{}", line.trim_end());
             }
+        }
+        if let Some(note) = row.material.as_ref().and_then(|material| material.note(&outcome.columns)) {
+            let _ = writeln!(text, "  material: {note}");
         }
         if let Some(certificate) = row.certificate {
             let admissible = if certificate.admissible { "admissible" } else { "NOT admissible" };
@@ -80,6 +94,20 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
     let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
     let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
+    if outcome.draws > 0 {
+        let relative = |row: &Row, index: usize| row.material_deviation(index).zip(row.value(index)).map(|(deviation, value)| deviation / value.abs());
+        for index in &shown {
+            let all = outcome.rows.iter().filter_map(|row| relative(row, *index)).filter(|part| part.is_finite());
+            let (low, high) = all.fold((f64::INFINITY, 0.0_f64), |(low, high), part| (low.min(part), high.max(part)));
+            if let (Some(column), true) = (outcome.columns.get(*index), low.is_finite()) {
+                let _ = writeln!(text, "material ± of {}: {low:.1e} to {high:.1e} of its values", column.name);
+            }
+        }
+        let noted = || outcome.rows.iter().filter_map(|row| row.material.as_ref()?.note(&outcome.columns));
+        if let Some(first) = noted().next() {
+            let _ = writeln!(text, "material: in {} of {total} rows not all draws have the same state, such as: {first}", noted().count());
+        }
+    }
     // Solved, and something to say: full contacts.
     let noted = || outcome.rows.iter().filter(|row| row.status == Status::Solved && row.reason.is_some());
     if let Some(first) = noted().next() {

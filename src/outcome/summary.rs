@@ -57,9 +57,13 @@ fn certificate(outcome: &Outcome) -> Value {
 
 fn result(outcome: &Outcome, row: &Row) -> Value {
     let mut values = Map::new();
-    for (column, value) in outcome.columns.iter().zip(&row.values) {
+    for (index, (column, value)) in outcome.columns.iter().zip(&row.values).enumerate() {
         if let Some(Estimate { value, error }) = value {
-            values.insert(column.name.to_owned(), json!({ "value": value, "error": error, "unit": column.unit }));
+            let mut entry = json!({ "value": value, "error": error, "unit": column.unit });
+            if row.material.is_some() {
+                entry["material_uncertainty"] = json!(row.material_deviation(index));
+            }
+            values.insert(column.name.to_owned(), entry);
         }
     }
     let swept: Map<String, Value> = outcome
@@ -82,6 +86,11 @@ fn result(outcome: &Outcome, row: &Row) -> Value {
         ("work", json!(row.work)),
     ] {
         result.insert(name.to_owned(), value);
+    }
+    if let Some(material) = &row.material {
+        let mut draws = json!(material.counts);
+        draws["note"] = json!(material.note(&outcome.columns));
+        result.insert("material_draws".into(), draws);
     }
     result.into()
 }

@@ -22,6 +22,15 @@ pub enum Stage {
         /// All.
         total: usize,
     },
+    /// A state has been solved for so many of the draws of its material.
+    Draws {
+        /// Which state, from 0.
+        state: usize,
+        /// Solved.
+        finished: usize,
+        /// All.
+        total: usize,
+    },
     /// A state is under way in its march `number` (from 1), of which a part (0…1) is done.
     March {
         /// Which state, from 0.
@@ -55,6 +64,11 @@ impl<'a> Desk<'a> {
         let now = Instant::now();
         let clock = Clock { next_checkpoint: now + BETWEEN_CHECKPOINTS, next_word: now + BETWEEN_WORDS, failed: None };
         Self { state, checkpoints, progress, clock: Mutex::new(clock) }
+    }
+
+    /// Told how far the run is.
+    pub(super) fn progress(&self) -> Progress<'a> {
+        self.progress
     }
 
     /// Where an earlier, killed run of the same scene was in this state.

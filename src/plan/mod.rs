@@ -13,6 +13,8 @@ mod desk;
 mod indentation;
 pub mod material;
 mod measured;
+mod plane_material;
+mod propagate;
 mod run;
 mod sliding;
 mod steady_crack;
@@ -67,6 +69,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn visited_times(&self) -> Option<[f64; 2]> {
         None
     }
+    /// The column whose values the scene prescribes, such as the time of a history: by it rows of two solutions are compared.
+    fn abscissa(&self) -> Option<&'static str> {
+        None
+    }
     /// The columns of the result.
     fn columns(&self) -> Vec<Column>;
     /// The columns that a table on the screen has room for; none: the first ones.
@@ -103,6 +109,8 @@ pub struct Plan {
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
     states: usize,
+    /// The same scene with each draw of its material, if it asks for them.
+    draws: Vec<propagate::Draw>,
 }
 
 impl Plan {
@@ -120,7 +128,7 @@ impl Plan {
         if wide.is_some() {
             problem = problem_plan(scene)?;
         }
-        Ok(Self { problem, material: scene.material.clone(), visited, states })
+        Ok(Self { problem, material: scene.material.clone(), visited, states, draws: propagate::draws(scene) })
     }
 
     /// The problem's name.
@@ -135,6 +143,12 @@ impl Plan {
         self.problem.labels()
     }
 
+    /// Materials for which each state is solved besides its own.
+    #[must_use]
+    pub fn draws(&self) -> usize {
+        self.draws.len()
+    }
+
     /// Effects on and off, and why.
     #[must_use]
     pub fn effects(&self) -> Vec<Effect> {
@@ -146,7 +160,14 @@ impl Plan {
     /// The method, a sentence each.
     #[must_use]
     pub fn method(&self) -> Vec<String> {
-        self.problem.method()
+        let mut sentences = self.problem.method();
+        if !self.draws.is_empty() {
+            sentences.push(format!(
+                "the error of the material: each state is solved for {} materials drawn from what the data leave open; their standard deviation is one standard uncertainty; fields have none",
+                self.draws.len()
+            ));
+        }
+        sentences
     }
 
     /// Characteristic numbers of the scene.
@@ -158,7 +179,7 @@ impl Plan {
     /// Predicted work of the whole sweep.
     #[must_use]
     pub fn predicted_work(&self) -> Work {
-        self.problem.predicted_work(self.states as u64)
+        self.problem.predicted_work(self.states as u64) * (1 + self.draws.len() as u64)
     }
 
     /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
@@ -166,11 +187,13 @@ impl Plan {
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
         let states = self.states as u64;
+        let draws = self.draws.len() as u64;
         let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
         let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
-        let rows = (self.problem.rows_of_a_state() * states).saturating_mul(row);
-        let fields = self.predicted_work().field_evaluations.saturating_mul(point);
-        let at_once = (rayon::current_num_threads() as u64).min(states);
+        // Rows of draws are held while their state is solved.
+        let rows = (self.problem.rows_of_a_state() * (states + draws)).saturating_mul(row);
+        let fields = self.problem.predicted_work(states).field_evaluations.saturating_mul(point);
+        let at_once = (rayon::current_num_threads() as u64).min(states * (1 + draws));
         BYTES_OF_THE_PROGRAM + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
     }
 
@@ -206,7 +229,9 @@ impl Plan {
 
     /// The same, telling a desk how far it is, and from the checkpoint that is there.
     fn solve_at(&self, desk: &Desk<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.problem.solve(state, swept, desk).into_iter().map(Row::settled).collect()
+        let mut rows: Vec<Row> = self.problem.solve(state, swept, desk).into_iter().map(Row::settled).collect();
+        propagate::attach(self.problem.as_ref(), &self.draws, &mut rows, swept, desk.progress());
+        rows
     }
 
     /// The model's assumptions held against the rows.
@@ -214,6 +239,7 @@ impl Plan {
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
         let mut validity = self.problem.validity(rows);
         validity.extend(material::validity(&self.material, self.visited));
+        validity.extend(propagate::validity(rows, &self.columns()));
         validity
     }
 

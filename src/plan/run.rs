@@ -124,6 +124,7 @@ pub fn run_planned(
         accuracy: scene.accuracy,
         labels: plan.labels(),
         field_columns: plan.field_columns(),
+        draws: plan.draws(),
     })
 }
 

@@ -5,6 +5,7 @@
 use super::catalogue::{self, Key, Kind, Range, Word};
 use super::diagnostic::{SceneError, nearest};
 use super::document::{Entry, Node, Value};
+use super::suggest::{self, Suggestion};
 use super::units::{Dimension, parse_quantity};
 
 /// Checks a whole scene.
@@ -53,13 +54,27 @@ fn unknown_key(entry: &Entry, table: &str, generic: &str) -> SceneError {
     let known: Vec<&str> = catalogue::names_in(generic).collect();
     let path = if table.is_empty() { entry.key.clone() } else { format!("{table}.{}", entry.key) };
     let place = if table.is_empty() { "a scene".to_owned() } else { format!("[{table}]") };
-    let meant = nearest(&entry.key, known.iter().copied());
-    let label = meant.map_or_else(|| "unknown key".to_owned(), |name| format!("did you mean `{name}`?"));
-    let elsewhere = catalogue::keys().find(|key| key.path.rsplit(['.', ']']).next() == Some(entry.key.as_str()));
+    let meant = suggest::for_key(&entry.key, generic);
     let mut help = if known.is_empty() { format!("{place} has no keys") } else { format!("{place} knows: {}", known.join(", ")) };
-    if let (None, Some(key)) = (meant, elsewhere) {
-        help.push_str(&format!("; `{}` exists", key.path));
-    }
+    let label = match &meant {
+        Some(Suggestion { path: Some(path), note }) => {
+            let parent = path.rsplit_once('.').map_or("", |(parent, _)| parent);
+            let own = parent == generic;
+            let name = if own { path.rsplit('.').next().unwrap_or(path) } else { path };
+            if !own {
+                help.push_str(&format!("; `{path}` exists"));
+            }
+            if !note.is_empty() {
+                help.push_str(&format!("; `{path}`: {note}"));
+            }
+            format!("did you mean `{name}`?")
+        }
+        Some(Suggestion { path: None, note }) => {
+            help = format!("{note}; {help}");
+            "unknown key".to_owned()
+        }
+        None => "unknown key".to_owned(),
+    };
     SceneError::at(&entry.key_place, format!("`{path}` is not a key"), label).help(help)
 }
 

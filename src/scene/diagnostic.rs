@@ -127,13 +127,28 @@ fn one_line(text: &str) -> String {
 /// Most characters of a message: what is longer quotes a file that is no table.
 const LONGEST_MESSAGE: usize = 600;
 
-/// The known name nearest to a misspelt one, if any is near enough to be meant.
+/// The known name nearest to a misspelt one, if it is near enough to be meant: a slip for every four letters, in the whole and in every word of it.
+/// So `shear_modulus` is not `glassy_modulus`, though most letters are the same.
 #[must_use]
 pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     known
         .into_iter()
-        .map(|name| (strsim::jaro_winkler(given, name), name))
-        .filter(|&(score, _)| score > 0.78)
-        .max_by(|left, right| left.0.total_cmp(&right.0))
+        .filter_map(|name| slips(given, name).map(|slips| (slips, name)))
+        .min_by_key(|&(slips, _)| slips)
         .map(|(_, name)| name)
+}
+
+/// Letters that differ, if they are few.
+fn slips(given: &str, name: &str) -> Option<usize> {
+    let few = |left: &str, right: &str| {
+        let slips = strsim::damerau_levenshtein(left, right);
+        let allowed = (left.chars().count().max(right.chars().count()).max(1) - 1) / 4 + 1;
+        (slips <= allowed).then_some(slips)
+    };
+    let words = |text: &str| text.split(['_', ' ', '-', '.']).map(str::to_owned).collect::<Vec<_>>();
+    let (left, right) = (words(given), words(name));
+    let close = left.len() != right.len() || left.iter().zip(&right).all(|(left, right)| few(left, right).is_some());
+    // A name of one or two letters is near to every other.
+    let long = given.chars().count() > 2;
+    few(given, name).filter(|_| close && long)
 }

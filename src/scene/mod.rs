@@ -16,6 +16,7 @@ pub mod document;
 mod frame;
 pub mod read;
 pub mod schema;
+pub mod suggest;
 pub mod sweep;
 pub mod template;
 pub mod typed;

@@ -12,6 +12,7 @@ use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 use crate::sliding::steady::ReachedBy;
+use std::sync::Arc;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
@@ -19,7 +20,9 @@ pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,
 };
-pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape};
+pub use indentation::{
+    CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape,
+};
 pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 
 /// A whole scene at one point of its sweep.
@@ -55,6 +58,8 @@ pub struct SceneMaterial {
     pub climate: Option<Climate>,
     /// What was chosen in reading its tables, a sentence each.
     pub notes: Vec<String>,
+    /// Series that the data leave possible, if a scene asks what they change; at the temperature of `series`.
+    pub draws: Option<Arc<[Material]>>,
 }
 
 /// What a scene asks for.

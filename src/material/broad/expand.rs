@@ -1,14 +1,16 @@
-//! The fewest terms for a wanted accuracy over a range of frequencies.
+//! Few terms for a wanted accuracy over a range of frequencies.
 //!
-//! Start: the spectrum by equal steps. Then for a number of terms n, strengths and times are refined together from the start spread over n
-//! places, until the largest relative error of E(ω) is as small as n terms make it (weights raised where the error is largest: Lawson's
-//! iteration); n is the least one that meets the accuracy. Both ends of the relaxation, E0 and E∞, are kept.
+//! The trapezoidal rule of the spectrum over ln ρ converges exponentially, at the rate of the best series (see the module above), so its places are
+//! kept: equal steps inside the range, growing ones beyond its ends, and shorter ones where a pole of the spectrum comes near to the axis. At these
+//! places the strengths are those of a linear least-squares problem; places with a negative strength are left out. The steps are the longest of a list at which the
+//! error against the closed modulus, at four times as many frequencies, meets the accuracy. Nothing is iterated, so the work is known.
+//! Both ends of the relaxation, E0 and E∞, are kept.
 
 use super::BroadLaw;
 use crate::material::fit::{Observation, Quantity, SeriesShape};
 use crate::material::{Material, RelaxationTerm};
 use crate::refusal::{Refusal, require_positive};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_2_PI, PI};
 
 /// A material made of a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,36 +19,38 @@ pub struct Expansion {
     pub material: Material,
     /// Largest |ΔE(ω)|/|E(ω)| over the range, on frequencies four times as dense as those of the fit.
     pub error: f64,
-    /// L ln(1/accuracy)/π²: terms that the best rational approximations need over the range, apart from a constant.
+    /// L ln(1/accuracy)/π²: terms that the best rational approximations need over the range, besides a constant.
     pub terms_by_rate: f64,
     /// Whether the accuracy was met.
     pub met: bool,
+    /// Linear systems that it took.
+    pub solves: usize,
 }
 
 /// Part of the accuracy below which a term does not count.
 const WEAK: f64 = 0.01;
+/// Part of the accuracy below which the spectrum at a place does not.
+const NEGLIGIBLE: f64 = 1e-3;
 /// Frequencies a decade in the fit.
 const PER_DECADE: f64 = 7.0;
 /// Longest range: 40 decades.
 const MOST_LENGTH: f64 = 92.2;
-/// Most terms.
-const MOST_TERMS: usize = 200;
-/// Most steps of a refinement, how many are taken between two looks at its largest error, and how often weights are raised.
-const STEPS: usize = 60;
-const BETWEEN_LOOKS: usize = 5;
-const RAISED: usize = 3;
-/// Part of the accuracy at which a refinement ends, as nothing is gained by more; and looks without a smaller largest error after which it ends.
-const ENOUGH: f64 = 0.95;
-const PATIENCE: u32 = 4;
-/// Cells beyond each end of the range, and how they grow.
-const END_CELLS: usize = 8;
-const END_GROWTH: f64 = 1.4;
-/// Beyond this in ln ρ nothing is left of a spectrum with an exponent of 0.1 and more.
-const FAR: f64 = 400.0;
 /// The limits E0 and E∞ are held this much more tightly than the rest.
 const LIMITS: f64 = 0.01;
+/// How far places reach beyond each end of the range in ln ρ, and how their steps grow: what is best depends on how much of the spectrum lies there.
+const BEYOND: [f64; 2] = [8.0, 20.0];
+const GROWTHS: [f64; 3] = [1.1, 1.25, 1.4];
+/// Steps over that of the rate: from the first down by the second, so many. The longest that meets the accuracy is taken.
+const LONGEST: f64 = 1.1;
+const SHORTER: f64 = 0.05;
+const TRIES: u32 = 16;
+const STRIDE: u32 = 3;
+/// The longest step: of half a decade the rule is no longer one of a smooth function.
+const MOST_STEP: f64 = 2.0;
+/// Points at which the density of places is summed.
+const DENSITY_POINTS: usize = 2000;
 
-/// Expands a law into the fewest terms over angular frequencies from the first to the second (rad/s).
+/// Expands a law into few terms over angular frequencies from the first to the second (rad/s).
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for a range or an accuracy (1e-10 to 0.5) that is none.
@@ -58,72 +62,58 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     if !(1e-10..=0.5).contains(&accuracy) {
         return Err(Refusal::out_of_range("the accuracy of an expansion", accuracy, "from 1e-10 to 0.5"));
     }
-    let length = (high / low).ln();
-    let by_rate = length * (1.0 / accuracy).ln() / (PI * PI);
     let data = observations(law, range, PER_DECADE)?;
     let test = observations(law, range, 4.0 * PER_DECADE)?;
-    let window = [1e-8 / high, 1e12 / low];
-    let start = graded_steps(law, range, (PI * PI / (10.0 / accuracy).ln()).min(1.0));
-    let attempt = |count: usize, from: &SeriesShape| {
-        let shape = minimax(&from.spread_over(count), &data, window, accuracy);
+    let ideal = (PI * PI / (1.0 / accuracy).ln()).min(MOST_STEP);
+    let mut solves = 0;
+    // The fewest terms that meet the accuracy; without any, those that come closest.
+    let (mut best, mut closest): (Option<(SeriesShape, f64)>, Option<(SeriesShape, f64)>) = (None, None);
+    let mut meets = |index: u32, growth: f64, beyond: f64| {
+        let step = ideal * (LONGEST - SHORTER * f64::from(index));
+        let (shape, taken) = SeriesShape::positive(law.relaxed_modulus, &places(law, range, (step, growth, beyond), accuracy), &data);
+        solves += taken;
         let error = largest_error(&shape, &test);
-        (shape, error)
+        let met = error <= accuracy;
+        let better = |kept: &Option<(SeriesShape, f64)>| {
+            kept.as_ref().is_none_or(|(other, least)| if met { shape.count() < other.count() } else { error < *least })
+        };
+        let kept = if met { &mut best } else { &mut closest };
+        if better(kept) {
+            *kept = Some((shape, error));
+        }
+        met
     };
-    let (mut best, mut error) = attempt(start.count().min(MOST_TERMS), &start);
-    let mut count = best.count();
-    if error <= accuracy {
-        // Down in halving strides.
-        let mut stride = (count / 8).max(1);
-        while count > 1 {
-            let fewer = count.saturating_sub(stride).max(1);
-            let (shape, reached) = attempt(fewer, &best);
-            if reached <= accuracy {
-                (best, error, count) = (shape, reached, fewer);
-            } else if stride == 1 {
-                break;
-            } else {
-                stride = (stride / 2).max(1);
-            }
-        }
-    } else {
-        let stride = (count / 16).max(2);
-        while error > accuracy && count < MOST_TERMS {
-            count += stride;
-            let (shape, reached) = attempt(count, &start);
-            if reached < error {
-                (best, error) = (shape, reached);
-            }
-        }
-    }
-    // Where the spectrum is weak, two neighbours may be one: many pairs at once while that goes well, then fewer.
-    let magnitude = |time: f64| law.complex_modulus(1.0 / time).map_or(f64::INFINITY, |modulus| modulus.magnitude());
-    let mut stride = best.count() / 8;
-    while error <= accuracy && best.count() > 1 {
-        let fewer = (0..stride.max(1)).fold(best.clone(), |shape, _| shape.weakest_joined(magnitude));
-        let shape = minimax(&fewer, &data, window, accuracy);
-        let reached = largest_error(&shape, &test);
-        if reached <= accuracy {
-            (best, error) = (shape, reached);
-        } else if stride <= 1 {
+    let mut any = false;
+    for (beyond, growth) in BEYOND.into_iter().flat_map(|beyond| GROWTHS.map(|growth| (beyond, growth))) {
+        // Further beyond the range only where nothing else helps.
+        if any && beyond > BEYOND[0] {
             break;
-        } else {
-            stride /= 2;
+        }
+        // In strides down to a step that meets the accuracy, then the longer steps that were left out.
+        if let Some(first) = (STRIDE..TRIES).step_by(STRIDE as usize).find(|&index| meets(index, growth, beyond)) {
+            any = true;
+            let _ = (first + 1 - STRIDE..first).rev().find(|&index| !meets(index, growth, beyond));
         }
     }
+    let (mut shape, mut error) = best.or(closest).ok_or_else(|| Refusal::Undefined {
+        quantity: "the expansion of a law",
+        reason: "its numbers are so far from each other that they overflow".into(),
+    })?;
     // Terms far weaker than the accuracy at their own frequency are nothing but work.
-    let stronger = best
+    let stronger = shape
         .without(|strength, time| law.complex_modulus(1.0 / time).is_ok_and(|modulus| strength < WEAK * accuracy * modulus.magnitude()));
     let reached = largest_error(&stronger, &test);
     if reached <= error.max(accuracy) {
-        (best, error) = (stronger, reached);
+        (shape, error) = (stronger, reached);
     }
     let terms: Vec<RelaxationTerm> =
-        best.terms().iter().map(|&(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
+        shape.terms().iter().map(|&(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
     Ok(Expansion {
         material: Material::from_relaxation(law.relaxed_modulus, &terms)?,
         error,
-        terms_by_rate: by_rate,
+        terms_by_rate: (high / low).ln() * (1.0 / accuracy).ln() / (PI * PI),
         met: error <= accuracy,
+        solves,
     })
 }
 
@@ -148,82 +138,43 @@ fn observations(law: &BroadLaw, range: [f64; 2], per_decade: f64) -> Result<Vec<
     Ok(data)
 }
 
-/// The spectrum by equal steps of ln ρ over the range, by growing steps beyond it, where a term shows less and less of its time.
-fn graded_steps(law: &BroadLaw, [low, high]: [f64; 2], step: f64) -> SeriesShape {
-    let gained = law.glassy_modulus - law.relaxed_modulus;
-    let (inner, outer) = (1.0 / high, 1.0 / low);
-    let count = ((outer / inner).ln() / step).ceil().max(1.0) as usize;
-    let width = (outer / inner).ln() / count as f64;
-    // Borders of the cells, in ln ρ, from the inside out on both sides.
-    let mut borders: Vec<f64> = (0..=count).map(|index| inner.ln() + width * index as f64).collect();
-    for direction in [-1.0, 1.0] {
-        let (mut growing, mut border) = (width, if direction < 0.0 { inner.ln() } else { outer.ln() });
-        for _ in 0..END_CELLS {
-            growing *= END_GROWTH;
-            border += direction * growing;
-            borders.push(border);
-        }
+/// Relaxation times: inside the range at equal steps of ln ρ, shorter ones near a pole of the spectrum, beyond both ends at growing ones.
+fn places(law: &BroadLaw, [low, high]: [f64; 2], (step, growth, beyond): (f64, f64, f64), accuracy: f64) -> Vec<f64> {
+    let (inner, outer) = (-high.ln(), -low.ln());
+    // The kernel's own poles lie π/2 from the axis: where one of the spectrum is nearer, steps are shorter in proportion.
+    let (centre, distance) = (law.time.ln(), law.pole_distance());
+    let density = |place: f64| 1.0 / (step * (FRAC_2_PI * (place - centre).hypot(distance)).min(1.0));
+    let width = (outer - inner) / DENSITY_POINTS as f64;
+    let mut sums = Vec::with_capacity(DENSITY_POINTS + 1);
+    let mut sum = 0.0;
+    sums.push(sum);
+    for index in 0..DENSITY_POINTS {
+        sum += width * density(inner + (index as f64 + 0.5) * width);
+        sums.push(sum);
     }
-    borders.sort_by(f64::total_cmp);
-    let mass = |from: f64, to: f64| {
-        // Fine enough for any spectrum with an exponent in the range allowed.
-        let parts = ((to - from) / 0.05).ceil().max(1.0);
-        let part = (to - from) / parts;
-        (0..parts as usize).map(|k| law.spectrum((from + (k as f64 + 0.5) * part).exp()) * part).sum::<f64>() * gained
+    let count = sum.ceil().max(1.0);
+    let mut logarithms = Vec::new();
+    let (mut cell, mut wanted) = (0, 0.5 / count * sum);
+    for window in sums.windows(2) {
+        let (from, to) = (window.first().copied().unwrap_or(0.0), window.last().copied().unwrap_or(0.0));
+        while wanted <= to && logarithms.len() < count as usize {
+            logarithms.push(inner + width * (f64::from(cell) + (wanted - from) / (to - from)));
+            wanted += sum / count;
+        }
+        cell += 1;
+    }
+    let (mut growing, mut border) = (step, 0.0);
+    while border < beyond {
+        growing *= growth;
+        logarithms.extend([inner - border - 0.5 * growing, outer + border + 0.5 * growing]);
+        border += growing;
+    }
+    // Where the spectrum is far below the accuracy, a strength would be one of rounding.
+    let counts = |time: &f64| {
+        let modulus = law.complex_modulus((1.0 / time).clamp(low, high)).map_or(0.0, |modulus| modulus.magnitude());
+        step * law.spectrum(*time) * (law.glassy_modulus - law.relaxed_modulus) > NEGLIGIBLE * accuracy * modulus
     };
-    let mut terms: Vec<(f64, f64)> = borders
-        .windows(2)
-        .filter_map(|pair| <[f64; 2]>::try_from(pair).ok())
-        .map(|[from, to]| (mass(from, to), (0.5 * (from + to)).exp()))
-        .collect();
-    // What lies still further out goes to the ends.
-    let (first, last) = (borders.first().copied().unwrap_or(0.0), borders.last().copied().unwrap_or(0.0));
-    if let Some(term) = terms.first_mut() {
-        term.0 += mass(first - FAR, first);
-    }
-    if let Some(term) = terms.last_mut() {
-        term.0 += mass(last, last + FAR);
-    }
-    terms.retain(|&(strength, _)| strength > 1e-16 * gained);
-    SeriesShape::new(law.relaxed_modulus, terms)
-}
-
-/// Refined until the largest error is as small as it gets, or small enough.
-fn minimax(start: &SeriesShape, data: &[Observation], window: [f64; 2], accuracy: f64) -> SeriesShape {
-    let mut weighted = data.to_vec();
-    let descended = |from: &SeriesShape, weighted: &[Observation]| {
-        let (mut shape, mut least, mut stale) = (from.clone(), f64::INFINITY, 0);
-        for _ in 0..STEPS / BETWEEN_LOOKS {
-            shape = shape.refined(weighted, window, BETWEEN_LOOKS);
-            let error = largest_error(&shape, data);
-            stale = if error < least { 0 } else { stale + 1 };
-            least = least.min(error);
-            if error <= ENOUGH * accuracy || stale == PATIENCE {
-                break;
-            }
-        }
-        let error = largest_error(&shape, data);
-        (shape, error)
-    };
-    let (mut best, mut reached) = descended(start, &weighted);
-    let mut current = best.clone();
-    for _ in 0..RAISED {
-        // Far off, weights do not help; near enough, they are not needed.
-        if reached <= accuracy || reached > 3.0 * accuracy {
-            break;
-        }
-        let errors = current.complex_errors(data);
-        let mean = errors.iter().sum::<f64>() / errors.len().max(1) as f64;
-        for (observation, error) in weighted.iter_mut().zip(&errors) {
-            observation.scale /= (error / mean).clamp(0.1, 10.0).sqrt();
-        }
-        let now;
-        (current, now) = descended(&current, &weighted);
-        if now < reached {
-            (best, reached) = (current.clone(), now);
-        }
-    }
-    best
+    logarithms.into_iter().map(f64::exp).filter(counts).collect()
 }
 
 /// The largest |ΔE|/|E|.

@@ -87,6 +87,14 @@ impl BroadLaw {
         }
     }
 
+    /// How far from the axis of ln ρ, at ρ = τ, the nearest pole of the spectrum lies; infinite if it has none.
+    fn pole_distance(&self) -> f64 {
+        match self.kind {
+            BroadKind::FractionalZener(exponent) => std::f64::consts::PI * (1.0 - exponent) / exponent,
+            BroadKind::ModifiedPowerLaw(_) => f64::INFINITY,
+        }
+    }
+
     /// The complex modulus at an angular frequency > 0 (rad/s).
     ///
     /// # Errors

@@ -17,6 +17,7 @@ mod descent;
 mod draws;
 mod joint;
 mod law;
+mod fixed_times;
 mod least_squares;
 mod normal;
 mod observation;

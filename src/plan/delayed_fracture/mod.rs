@@ -174,6 +174,10 @@ impl ProblemPlan for DelayedFracturePlan {
         u64::from(self.crack.output.points) + 4 * self.history.stretches().len() as u64 + 16
     }
 
+    fn abscissa(&self) -> Option<&'static str> {
+        Some("time")
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(self.units)
     }

@@ -55,6 +55,7 @@ impl IndentationPlan {
                 why: given(law.growing_zone, "law = \"growing\": with the square of the stress intensity", "the process zone is constant"),
             },
             Effect { name: "memory", on: terms > 0, why: memory },
+            Effect { name: "second body", on: self.indentation.counter_body.is_some(), why: self.second_body() },
             Effect { name: "relaxed start", on: self.indentation.start == IndentationStart::Relaxed, why: start.into() },
             Effect {
                 name: "frame",
@@ -88,6 +89,20 @@ impl IndentationPlan {
         ]
     }
 
+    /// What the second body changes.
+    fn second_body(&self) -> String {
+        let Some(body) = self.indentation.counter_body else { return "no [indentation.counter_body]: the indenter is rigid".into() };
+        let elastic = if body.elastic.is_some() {
+            "[indentation.counter_body] is elastic: its compliance adds at every time"
+        } else {
+            "[indentation.counter_body] is rigid"
+        };
+        match (body.radius, &self.indentation.shape) {
+            (Some(_), IndentationShape::Sphere { radius }) => format!("{elastic}; two spheres, R* = R1 R2/(R1 + R2) = {radius:.6e} m"),
+            _ => elastic.into(),
+        }
+    }
+
     /// Cycles of all oscillations, at most; none without an oscillation.
     fn oscillating_cycles(&self) -> Option<f64> {
         self.timeline.oscillates().then(|| self.timeline.legs.iter().map(super::timeline::Leg::cycles).sum())
@@ -101,6 +116,9 @@ impl IndentationPlan {
         if marched {
             sentences
                 .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
+        }
+        if self.flow.is_some() && marched {
+            sentences.push("the liquid flows by an element whose retardation time is 1e8 histories: what that changes is in the bounds".into());
         }
         if self.indentation.adhesion.is_some() {
             sentences
@@ -144,22 +162,24 @@ impl IndentationPlan {
         let group = |name: &str, value: f64, unit: &str| Group { name: name.into(), value, unit: unit.into() };
         let glassy = self.material.glassy_modulus();
         let mut groups =
-            vec![group("relaxed modulus E0*", self.relaxed, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
+            vec![group("relaxed modulus E0*", if self.flow.is_some() { 0.0 } else { self.relaxed }, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
         // A liquid has no other modulus to be stiffer than.
-        groups.push(match self.material.steady_viscosity() {
+        groups.push(match self.flow {
             None => group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),
             Some(viscosity) => group("steady viscosity η*", viscosity, "Pa s"),
         });
-        if let Some(longest) = self.material.longest_relaxation_time() {
+        if let Some(longest) = self.material.longest_relaxation_time().filter(|_| self.flow.is_none()) {
             groups.push(group("longest relaxation time", longest, pick("s", "reference time")));
         }
         if let Some(adhesion) = self.adhesion() {
             if let IndentationShape::Sphere { radius } = self.indentation.shape {
-                groups.push(group(
-                    "adhesion γ̃ = Δγ/(πE0*R)",
-                    adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
-                    "1",
-                ));
+                if self.flow.is_none() {
+                    groups.push(group(
+                        "adhesion γ̃ = Δγ/(πE0*R)",
+                        adhesion.work_of_adhesion / (std::f64::consts::PI * self.relaxed * radius),
+                        "1",
+                    ));
+                }
                 let pull_off = 1.5 * std::f64::consts::PI * radius * adhesion.work_of_adhesion;
                 groups.push(group("JKR pull-off (3/2)πRΔγ", pull_off / self.scale.force, pick("N", "πE0*R²")));
             }

@@ -160,7 +160,8 @@ impl IndentationPlan {
                 .collect();
             (points.len() > 1).then(|| Curve::new(label, points).with_line(line).with_colour(2))
         };
-        [of(self.relaxed, r"JKR, $E_0$", Line::Dashed), of(self.material.glassy_modulus(), r"JKR, $E_\infty$", Line::Dotted)]
+        let relaxed = if self.flow.is_some() { None } else { of(self.relaxed, r"JKR, $E_0$", Line::Dashed) };
+        [relaxed, of(self.material.glassy_modulus(), r"JKR, $E_\infty$", Line::Dotted)]
             .into_iter()
             .flatten()
             .collect()

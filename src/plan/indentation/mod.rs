@@ -14,7 +14,6 @@ mod scan;
 mod timeline;
 mod validity;
 
-use crate::elastic::PlaneState;
 use crate::indentation::Profile;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
@@ -22,8 +21,9 @@ use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
-use crate::scene::typed::{HistorySegment, Indentation, Scene, Units};
+use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, Scene, Units};
 use scale::Scale;
 use timeline::Timeline;
 
@@ -35,6 +35,8 @@ pub(super) struct IndentationPlan {
     material: Material,
     /// E0*.
     relaxed: f64,
+    /// η* of a liquid. With adhesion its flow is an element of a retardation time of [`LONG`] histories.
+    flow: Option<f64>,
     poisson_ratio: Option<f64>,
     scale: Scale,
     units: Units,
@@ -51,21 +53,19 @@ pub(super) struct IndentationPlan {
 
 impl IndentationPlan {
     pub(super) fn new(scene: &Scene, indentation: &Indentation) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let material = scene.material.series.stiffened(stiffening)?;
-        // Reduced moduli are over E0*; a process zone of a cohesive stress asks for it as well.
-        if indentation.adhesion.is_some() || scene.units == Units::Reduced {
-            material.solid_modulus("an indentation")?;
+        let material = plane_material(scene, indentation.counter_body.and_then(|body| body.elastic))?;
+        if scene.units == Units::Reduced {
+            material.solid_modulus("an indentation in reduced units")?;
+        }
+        if let (Some(adhesion), true) = (indentation.adhesion, material.relaxed_modulus() == 0.0) {
+            liquid_is_possible(indentation, adhesion.process_zone)?;
         }
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
         let mut plan = Self {
             indentation: indentation.clone(),
             relaxed: material.relaxed_modulus(),
+            flow: material.steady_viscosity(),
             material,
             poisson_ratio: scene.material.poisson_ratio,
             scale,
@@ -78,8 +78,10 @@ impl IndentationPlan {
             without_steps: false,
         };
         plan.without_steps = plan.problem()?.is_without_steps();
-        if !plan.without_steps {
-            plan.material.solid_modulus("an indentation")?;
+        if !plan.without_steps && plan.flow.is_some() {
+            let long = plan.timeline.duration() + plan.material.longest_relaxation_time().unwrap_or(0.0);
+            plan.material = flow_as_element(&plan.material, LONG * long)?;
+            plan.relaxed = plan.material.relaxed_modulus();
         }
         if plan.characteristic_numbers().iter().all(|group| group.value.is_finite()) {
             Ok(plan)
@@ -89,6 +91,27 @@ impl IndentationPlan {
                 reason: "the lengths, moduli, times and the work of adhesion are so far apart that numbers overflow".into(),
             })
         }
+    }
+}
+
+/// Retardation time of the element that a liquid flows by, over the duration of the history and its longest relaxation time.
+const LONG: f64 = 1e8;
+/// What that changes of any value, at most, relative: half of 1/[`LONG`] in the flow, a few times as much in what follows from it.
+const OF_FLOW: f64 = 1e-7;
+
+/// What a liquid cannot have.
+fn liquid_is_possible(indentation: &Indentation, zone: IndentationZone) -> Result<(), Refusal> {
+    let refused = |quantity, reason: &str| Err(Refusal::Undefined { quantity, reason: reason.to_owned() });
+    if indentation.start == IndentationStart::Relaxed {
+        let reason = "the material is a liquid (relaxed modulus 0): adhesion pulls it on for ever; use start = \"untouched\"";
+        return refused("a relaxed adhesive contact", reason);
+    }
+    match zone {
+        IndentationZone::Length(_) => Ok(()),
+        IndentationZone::Cohesive { .. } => refused(
+            "the process zone of a cohesive stress",
+            "it is αE0*Δγ/(πσ_c²), and the relaxed modulus E0 is 0; give process_zone = { length = ... }",
+        ),
     }
 }
 
@@ -161,6 +184,10 @@ impl ProblemPlan for IndentationPlan {
         Some([0.0, self.timeline.duration()]).filter(|visited| visited[1] > 0.0)
     }
 
+    fn abscissa(&self) -> Option<&'static str> {
+        Some("time")
+    }
+
     fn columns(&self) -> Vec<Column> {
         columns::columns(&self.indentation, self.units)
     }
@@ -177,7 +204,12 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        self.rows(state, swept, desk)
+        let mut rows = self.rows(state, swept, desk);
+        if self.flow.is_some() && !self.without_steps {
+            let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten().chain(row.fields.iter_mut().flat_map(|point| &mut point.values)));
+            values.filter(|estimate| estimate.error > 0.0).for_each(|estimate| estimate.error += OF_FLOW * estimate.value.abs());
+        }
+        rows
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {

@@ -32,6 +32,17 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
             ),
         }),
     }
+    if let MaterialOrigin::Data(_) = material.origin {
+        let draws = material.draws.as_ref().map(|draws| draws.len());
+        effects.push(Effect {
+            name: "error of the material",
+            on: draws.is_some(),
+            why: draws.map_or_else(
+                || "material.uncertainty is not \"propagate\": errors are those of the numbers alone".into(),
+                |draws| format!("material.uncertainty = \"propagate\": {draws} draws of the fit"),
+            ),
+        });
+    }
     if let Some(climate) = &material.climate {
         effects.push(Effect {
             name: "temperature",

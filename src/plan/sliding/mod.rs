@@ -11,22 +11,23 @@ mod extra_columns;
 mod extra_figures;
 mod extras;
 mod figures;
+mod liquid;
 mod scale;
 mod solve;
 mod strength_rows;
 mod validity;
 
 use crate::closure::work_by_speed::WorkBySpeed;
-use crate::elastic::PlaneState;
-use crate::material::{CreepTerm, Material};
+use crate::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    BranchParameter, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
@@ -38,6 +39,8 @@ pub(super) struct SlidingPlan {
     sliding: Sliding,
     /// Both bodies together, with plane moduli.
     material: Material,
+    /// The same contact of stiffer solids, of which a liquid is the limit; none of a solid.
+    stiffer: Vec<Self>,
     poisson_ratio: Option<f64>,
     /// How the works of adhesion follow kv, or v/L.
     work_by_rate: Option<WorkBySpeed>,
@@ -52,23 +55,16 @@ pub(super) struct SlidingPlan {
 
 impl SlidingPlan {
     pub(super) fn new(scene: &Scene, sliding: &Sliding) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let plane = scene.material.series.stiffened(stiffening)?;
-        let material = match sliding.counter_body {
-            Some(body) => with_counter_body(&plane, body)?,
-            None => plane,
-        };
+        let material = plane_material(scene, sliding.counter_body)?;
+        let (material, stiffer) = liquid::solids(sliding, material)?;
         let relaxed = material.solid_modulus("a steady sliding contact")?;
         let scale = Scale::new(sliding, relaxed, scene.units);
-        let plan = Self {
+        let mut plan = Self {
             work_by_rate: sliding.work_by_speed.as_ref().map(|law| law.in_unit(scale.length)),
             scale,
             sliding: sliding.clone(),
             material,
+            stiffer: Vec::new(),
             poisson_ratio: scene.material.poisson_ratio,
             units: scene.units,
             accuracy: scene.accuracy,
@@ -79,6 +75,7 @@ impl SlidingPlan {
                 (_, None) => vec![sliding.speed],
             },
         };
+        plan.stiffer = stiffer.into_iter().map(|material| plan.of(material)).collect();
         let Scale { length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width } = plan.scale;
         let scales = [length, displacement, slope, pressure, friction, load, work_of_adhesion, energy_per_width];
         let representable = |value: f64| value.is_finite() && value > 0.0;
@@ -90,6 +87,13 @@ impl SlidingPlan {
                 reason: "the lengths, moduli, loads and the work of adhesion are zero or so far apart that numbers overflow".into(),
             })
         }
+    }
+
+    /// The same contact of another material.
+    fn of(&self, material: Material) -> Self {
+        let scale = Scale::new(&self.sliding, material.relaxed_modulus(), self.units);
+        let work_by_rate = self.sliding.work_by_speed.as_ref().map(|law| law.in_unit(scale.length));
+        Self { material, scale, work_by_rate, stiffer: Vec::new(), ..self.clone() }
     }
 
     fn is_wave(&self) -> bool {
@@ -156,14 +160,6 @@ impl SlidingPlan {
     }
 }
 
-/// A material whose creep function is larger by the compliance of an elastic body at every time.
-fn with_counter_body(plane: &Material, body: ElasticBody) -> Result<Material, Refusal> {
-    plane.solid_modulus("a steady sliding contact")?;
-    let compliance = 1.0 / PlaneState::Strain.modulus(body.modulus, body.poisson_ratio)?;
-    let terms: Vec<CreepTerm> = plane.creep_terms().to_vec();
-    Material::from_creep(1.0 / (1.0 / plane.glassy_modulus() + compliance), &terms, None)
-}
-
 impl ProblemPlan for SlidingPlan {
     fn name(&self) -> &'static str {
         "steady sliding"
@@ -190,7 +186,7 @@ impl ProblemPlan for SlidingPlan {
     }
 
     fn predicted_work(&self, states: u64) -> Work {
-        self.work_of_states(states)
+        self.work_of_states(states) * (1 + self.stiffer.len() as u64)
     }
 
     fn rows_of_a_state(&self) -> u64 {
@@ -221,6 +217,13 @@ impl ProblemPlan for SlidingPlan {
             None => 1e-4 * length,
         };
         Some([0.1 * zone.min(1e-2 * length) / speed, 10.0 * length / speed])
+    }
+
+    fn abscissa(&self) -> Option<&'static str> {
+        match &self.sliding.task {
+            SlidingTask::Branch(branch) => Some(branch.parameter.word()),
+            _ => None,
+        }
     }
 
     fn columns(&self) -> Vec<Column> {
@@ -257,7 +260,7 @@ impl ProblemPlan for SlidingPlan {
 
     fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
         match &self.sliding.task {
-            SlidingTask::State => self.sliding.contacts.iter().map(|&contact| self.row(contact, state, swept)).collect(),
+            SlidingTask::State => self.sliding.contacts.iter().map(|&contact| self.limit_row(contact, state, swept)).collect(),
             SlidingTask::Branch(branch) => self.branch_rows(branch, state, swept),
             SlidingTask::Strength => vec![self.strength_row(state, swept)],
         }

@@ -81,6 +81,26 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "Where a sphere, cone, power law or profile ends with a sharp corner, as the round end of a cylinder does: the contact grows no further, and with adhesion the rim holds its edge until it lets go. Left out: the shape has no end.",
     },
     Key {
+        path: "indentation.counter_body",
+        kind: Kind::Table,
+        meaning: "The second body, if the viscoelastic one is pressed by an elastic one or if both are round. It adds (1 − ν²)/E to the creep compliance at every time; penetration is the approach of both bodies, displacements are of both surfaces together. A body with a rim is rigid.",
+    },
+    Key {
+        path: "indentation.counter_body.modulus",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (E0* is of both bodies together)" },
+        meaning: "Young's modulus of the elastic body; left out with its Poisson ratio, that body is rigid.",
+    },
+    Key {
+        path: "indentation.counter_body.poisson_ratio",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(-1.0, 0.5), reduced: "not available" },
+        meaning: "Its Poisson ratio.",
+    },
+    Key {
+        path: "indentation.counter_body.radius",
+        kind: SIZE,
+        meaning: "R2 of two spheres, of which indentation.sphere.radius is R1; which of both is the elastic one does not matter. The gap is that of R* = R1 R2/(R1 + R2). Left out: one of both bodies is flat.",
+    },
+    Key {
         path: "indentation.start",
         kind: Kind::Choice(&[
             Word {

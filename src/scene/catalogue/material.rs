@@ -78,6 +78,17 @@ pub(super) const KEYS: &[Key] = &[
         ]),
         meaning: "What the moduli or compliances of the file are of; must be said where a header that this table names begins with G.",
     },
+    Key {
+        path: "material.uncertainty",
+        kind: Kind::Choice(&[
+            Word { word: "none", meaning: "errors are those of the numbers alone; the default" },
+            Word {
+                word: "propagate",
+                meaning: "every state is solved again for 32 materials drawn from what the data leave open; each output gets their standard deviation as `material_uncertainty`, one standard uncertainty, beside its numerical error",
+            },
+        ]),
+        meaning: "Whether the error of a fit to material.data reaches the results. Fields, and points of a branch that lie elsewhere for each draw, get none.",
+    },
     Key { path: "material.columns.frequency", kind: Kind::Text, meaning: "Cycles per time." },
     Key { path: "material.columns.angular_frequency", kind: Kind::Text, meaning: "Radians per time." },
     Key { path: "material.columns.time", kind: Kind::Text, meaning: "Time since a step." },

@@ -1,5 +1,6 @@
 //! The `[indentation]`, `[adhesion]` and `[[history]]` tables of an indenter.
 
+use super::counter_body;
 use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
@@ -32,6 +33,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     }
     let shape = shape(&table, document)?;
     let rim_radius = rim_radius(&table, &shape)?;
+    let (shape, counter_body) = counter_body::of_indentation(&table, shape)?;
     let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
     let edge_law = edge_law.unwrap_or_default();
     let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
@@ -55,6 +57,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let fields = fields(&table, &history)?;
     Ok(Indentation {
         shape,
+        counter_body,
         rim_radius,
         start,
         at_start,

@@ -2,7 +2,7 @@
 
 use super::material_source::Shift;
 use super::section::Section;
-use super::{material_data, material_source};
+use super::{material_data, material_draws, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;
 use crate::scene::check::Units;
@@ -51,7 +51,8 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         notes.extend(fitted.data.notes.iter().cloned());
     }
     let (series, climate) = material_source::at_temperature(&table, shift, &origin, reference, series)?;
-    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, notes })
+    let draws = material_draws::draws(&table, &origin, climate.as_ref())?;
+    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, notes, draws })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.

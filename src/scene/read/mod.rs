@@ -2,6 +2,7 @@
 
 mod column_names;
 mod column_units;
+mod counter_body;
 mod crack;
 mod crack_history;
 mod force_curve_header;
@@ -12,6 +13,7 @@ mod material;
 mod material_choice;
 mod material_columns;
 mod material_data;
+mod material_draws;
 pub(super) mod material_memo;
 mod material_rows;
 mod material_shift;

@@ -1,11 +1,12 @@
 //! The [sliding], [adhesion] and [fields] tables of a sliding contact.
 
+use super::counter_body;
 use super::section::Section;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesive_stress, works};
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
-    ElasticBody, SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
+    SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
     SlidingZone,
 };
 use crate::sliding::steady::ReachedBy;
@@ -18,7 +19,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
         return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
     }
     let indenter = indenter(&sliding)?;
-    let counter_body = counter_body(&sliding)?;
+    let counter_body = counter_body::elastic(&sliding)?;
     let works = works::read(top)?;
     let task = sliding_branch::task(&sliding, works.is_some())?;
     let control = if sliding_branch::meets_every_load(&task) {
@@ -126,15 +127,6 @@ fn indenter(sliding: &Section<'_>) -> Result<SlidingIndenter, SceneError> {
         "wave" => SlidingIndenter::Wave { wavelength: size("wavelength", TAU)?, amplitude: size("amplitude", 1.0)? },
         _ => SlidingIndenter::Cylinder { radius: size("radius", 1.0)? },
     })
-}
-
-fn counter_body(sliding: &Section<'_>) -> Result<Option<ElasticBody>, SceneError> {
-    let Some(table) = sliding.table("counter_body") else { return Ok(None) };
-    if table.units() == Units::Reduced {
-        let message = "`sliding.counter_body`: in reduced units the moduli are those of both bodies together";
-        return Err(sliding.wrong("counter_body", message, "leave it out").help("or write the scene in SI units"));
-    }
-    Ok(Some(ElasticBody { modulus: table.required_number("modulus")?, poisson_ratio: table.required_number("poisson_ratio")? }))
 }
 
 fn control(sliding: &Section<'_>, indenter: SlidingIndenter) -> Result<SlidingLoad, SceneError> {

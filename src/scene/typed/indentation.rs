@@ -1,5 +1,6 @@
 //! An indenter in time, as a scene gives it.
 
+use super::ElasticBody;
 use super::history::{History, HistoryQuantity};
 use crate::indentation::EdgeLaw;
 use crate::indentation::scan::ScannedShape;
@@ -11,8 +12,10 @@ use std::sync::Arc;
 /// frame in πE0*R.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Indentation {
-    /// Its shape.
+    /// Its shape; of two spheres the gap between both, R* = R1 R2/(R1 + R2).
     pub shape: IndentationShape,
+    /// The body that presses on the viscoelastic one, if it is elastic, or if both are round.
+    pub counter_body: Option<CounterBody>,
     /// The radius at which the shape ends with a sharp corner (m; R in a reduced scene); a flat punch has its own.
     pub rim_radius: Option<f64>,
     /// How the history begins.
@@ -35,6 +38,15 @@ pub struct Indentation {
     pub energies: bool,
     /// Fields, if asked for.
     pub fields: Option<IndentationFields>,
+}
+
+/// The second body of an indentation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CounterBody {
+    /// Its elasticity; none for a rigid one.
+    pub elastic: Option<ElasticBody>,
+    /// The radius (m) of the second sphere; none if that body is flat.
+    pub radius: Option<f64>,
 }
 
 /// The shape of an indenter.
