@@ -2,7 +2,7 @@
 //!
 //! Goal: right, or refused with a reason; never a wrong number.
 //!
-//! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected.json`, with where it comes from: closed forms, quadratures, published values.
+//! Oracle: the value and the tolerance of each quantity in `tests/inputs/expected*.json`, with where it comes from: closed forms, quadratures, published values.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;
@@ -49,8 +49,10 @@ fn folder(input: &str) -> Folder {
     for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap() {
         let path = entry.unwrap().path();
         let (name, stem) = (path.file_name().unwrap().to_str().unwrap(), path.file_stem().unwrap().to_str().unwrap());
-        if stem == input || path.extension().is_some_and(|extension| extension == "csv") {
-            folder.write(name, std::fs::read_to_string(&path).unwrap());
+        // What a scene names has its own name, or is a table.
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
+        if stem == input || !["toml", "json"].contains(&extension) {
+            std::fs::write(folder.path(name), std::fs::read(&path).unwrap()).unwrap();
         }
     }
     folder
@@ -69,6 +71,11 @@ fn complaints(case: &Value) -> Vec<String> {
     }
     if refused {
         let silent = answer.stderr.trim().is_empty() && !answer.stdout.contains("not_converged");
+        // Words of the reason and of the remedy.
+        let unsaid = case["says"].as_array().into_iter().flatten().find(|word| !answer.stderr.contains(word.as_str().unwrap()));
+        if let Some(word) = unsaid {
+            return vec![format!("{input}: refused without the words {word}\n{}", answer.stderr)];
+        }
         return if silent { vec![format!("{input}: refused without a reason")] } else { Vec::new() };
     }
     let text = |name: &str| std::fs::read_to_string(folder.path("out").join(name)).unwrap();
@@ -102,11 +109,19 @@ fn complaints(case: &Value) -> Vec<String> {
         .collect()
 }
 
+/// The cases of every `expected*.json`, in the order of their names.
+fn cases() -> Vec<Value> {
+    let mut files: Vec<std::path::PathBuf> =
+        std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json"));
+    files.sort();
+    files.iter().flat_map(|path| serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap()).unwrap()).collect()
+}
+
 #[test]
 fn right_or_refused() {
-    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs/expected.json")).unwrap();
-    let cases: Vec<Value> = serde_json::from_str(&text).unwrap();
-    assert!(cases.len() >= 33);
+    let cases = cases();
+    assert!(cases.len() >= 67, "{}", cases.len());
     let wrong: Vec<String> = cases.iter().flat_map(complaints).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

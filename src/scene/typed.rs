@@ -12,6 +12,7 @@ use crate::elastic::PlaneState;
 use crate::elastic::pure_shear_strip::SidewaysStrain;
 use crate::material::Material;
 use crate::sliding::steady::ReachedBy;
+use std::sync::Arc;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
@@ -19,7 +20,10 @@ pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
 };
 pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
-pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
+pub use material::{
+    Climate, DeckOrigin, ExpandedLaw, FittedData, IsotropicSeries, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap,
+    PoissonRatio,
+};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +52,8 @@ pub struct SceneMaterial {
     pub series: Material,
     /// Constant Poisson ratio, if given.
     pub poisson_ratio: Option<f64>,
+    /// The shear and the bulk series, if they are given in place of a constant Poisson ratio.
+    pub isotropic: Option<Arc<IsotropicSeries>>,
     /// What the series was made of.
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.

@@ -22,7 +22,7 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
-use crate::scene::typed::{HistorySegment, Indentation, Scene, Units};
+use crate::scene::typed::{HistorySegment, Indentation, PoissonRatio, Scene, Units};
 use scale::Scale;
 use timeline::Timeline;
 
@@ -34,7 +34,7 @@ pub(super) struct IndentationPlan {
     material: Material,
     /// E0*.
     relaxed: f64,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     scale: Scale,
     units: Units,
     accuracy: f64,
@@ -50,12 +50,7 @@ pub(super) struct IndentationPlan {
 
 impl IndentationPlan {
     pub(super) fn new(scene: &Scene, indentation: &Indentation) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let material = scene.material.series.stiffened(stiffening)?;
+        let material = scene.material.plane_series(scene.units, PlaneState::Strain)?;
         // Reduced moduli are over E0*; a process zone of a cohesive stress asks for it as well.
         if indentation.adhesion.is_some() || scene.units == Units::Reduced {
             material.solid_modulus("an indentation")?;
@@ -66,7 +61,7 @@ impl IndentationPlan {
             indentation: indentation.clone(),
             relaxed: material.relaxed_modulus(),
             material,
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             scale,
             units: scene.units,
             accuracy: scene.accuracy,

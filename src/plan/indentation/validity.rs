@@ -5,7 +5,7 @@ use super::columns::{at, position};
 use crate::elastic::TaborNumber;
 use crate::indentation::{Adhesion, Profile};
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 
 /// The assumptions, in the order of [`IndentationPlan::assumptions`].
@@ -111,11 +111,7 @@ impl IndentationPlan {
                 "an edge rests, creeps and jumps: beyond the table its ends are held",
             ));
         }
-        entries.push(not_judged(
-            "constant Poisson ratio",
-            self.poisson_ratio,
-            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
-        ));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
         entries.push(not_judged(
             "no friction, inertia or heat",
             None,

@@ -26,7 +26,7 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, ElasticBody, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    BranchParameter, ElasticBody, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
@@ -38,7 +38,7 @@ pub(super) struct SlidingPlan {
     sliding: Sliding,
     /// Both bodies together, with plane moduli.
     material: Material,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     /// How the works of adhesion follow kv, or v/L.
     work_by_rate: Option<WorkBySpeed>,
     scale: Scale,
@@ -52,12 +52,7 @@ pub(super) struct SlidingPlan {
 
 impl SlidingPlan {
     pub(super) fn new(scene: &Scene, sliding: &Sliding) -> Result<Self, Refusal> {
-        let stiffening = match (scene.units, scene.material.poisson_ratio) {
-            (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-            // A reduced scene holds plane moduli.
-            _ => 1.0,
-        };
-        let plane = scene.material.series.stiffened(stiffening)?;
+        let plane = scene.material.plane_series(scene.units, PlaneState::Strain)?;
         let material = match sliding.counter_body {
             Some(body) => with_counter_body(&plane, body)?,
             None => plane,
@@ -69,7 +64,7 @@ impl SlidingPlan {
             scale,
             sliding: sliding.clone(),
             material,
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),

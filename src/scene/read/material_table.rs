@@ -18,7 +18,7 @@ use crate::scene::units::parse_quantity;
 
 /// Reads the files that the material of a document names.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
-    for path in ["material.data", "material.shift.table"] {
+    for path in ["material.data", "material.shift.table"].into_iter().chain(super::decks::PATHS) {
         let Some(node) = document.root.at(path) else { continue };
         let (Value::Text(name), place) = (node.value.clone(), node.place.clone()) else { continue };
         if document.attached(&name).is_some() {

@@ -2,6 +2,7 @@
 
 mod crack;
 mod crack_history;
+pub mod decks;
 pub mod history;
 mod include;
 mod indentation;
@@ -9,6 +10,7 @@ mod material;
 mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
+mod material_solid;
 mod material_source;
 mod material_table;
 mod measured_table;
