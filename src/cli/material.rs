@@ -5,6 +5,7 @@ use crate::outcome::folder::write_whole;
 use crate::outcome::plot;
 use crate::plan::material::{MaterialReport, material_file, screen, summary, tables};
 use crate::scene::typed::Units;
+use crate::scene::read::decks::recognised_file;
 use crate::scene::{Document, SceneError, read};
 use std::path::Path;
 
@@ -36,9 +37,12 @@ pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
 
 fn report(asked: &Asked<'_>) -> Result<MaterialReport, SceneError> {
     let is_data = asked.file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-    let mut document = if is_data {
-        let name = asked.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let text = format!("[material]\ndata = {}\n", crate::scene::document::toml_text(&name));
+    let name = asked.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    // A deck is known by what it holds.
+    let deck = if is_data { None } else { recognised_file(asked.file) };
+    let mut document = if is_data || deck.is_some() {
+        let key = deck.unwrap_or("data");
+        let text = format!("[material]\n{key} = {}\n", crate::scene::document::toml_text(&name));
         Document::parse(&asked.file.display().to_string(), text, asked.file.parent().unwrap_or_else(|| Path::new(".")))?
     } else {
         Document::load(asked.file)?

@@ -118,6 +118,60 @@ pub fn creep_from_relaxation(relaxed_modulus: f64, terms: &[RelaxationTerm]) -> 
     Ok((converted, errors))
 }
 
+/// A zero −r of A(s) + B(s), two relaxation series whose sum is a solid's: the creep term of 1/(A + B) there, and A(−r).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SumZero {
+    /// Creep compliance of the sum (1/Pa).
+    pub compliance: f64,
+    /// 1/r (s).
+    pub time: f64,
+    /// Bound on the relative errors of compliance and time together.
+    pub error: f64,
+    /// A(−r) (Pa), of either sign.
+    pub value: f64,
+    /// Bound on its error (Pa).
+    pub value_error: f64,
+}
+
+/// The zeros of a sum of two relaxation series. `relaxed` and the terms, sorted from the longest time, hold the sum and the part A of it.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] when a zero cannot be closed in on (numbers outside about 1e-150…1e150).
+pub(super) fn zeros_of_sum(relaxed: [f64; 2], terms: &[(f64, [f64; 2])]) -> Result<Vec<SumZero>, Refusal> {
+    let rest = Pole { rate: 0.0, time: f64::INFINITY, weight: relaxed[0] };
+    let poles: Vec<Pole> =
+        std::iter::once(rest).chain(terms.iter().map(|&(time, [weight, _])| Pole { rate: 1.0 / time, time, weight })).collect();
+    let parts: Vec<f64> = std::iter::once(relaxed[1]).chain(terms.iter().map(|&(_, [_, part])| part)).collect();
+    let mut zeros = Vec::with_capacity(terms.len());
+    for gap in 0..terms.len() {
+        let mut zero = secular_zero(&poles, gap, 0.0)?;
+        let near = &poles[zero.near];
+        let distance = |index: usize, pole: &Pole| if index == zero.near { -zero.shift } else { pole_difference(pole, near) - zero.shift };
+        // The weights are rounded sums of three products: what that does to the shift.
+        let (mut moved, mut slope) = (0.0, 0.0);
+        for (index, pole) in poles.iter().enumerate() {
+            let d = distance(index, pole).abs();
+            slope += pole.weight / d / d;
+            moved += pole.weight / d * (2.0 * f64::EPSILON);
+        }
+        let shift_error = zero.shift_error + moved / slope / zero.shift.abs();
+        let rate = near.rate + zero.shift;
+        let (mut value, mut value_error) = (0.0, 0.0);
+        for (index, (pole, part)) in poles.iter().zip(&parts).enumerate() {
+            let d = distance(index, pole);
+            let own = if index == zero.near { shift_error } else { shift_error * (zero.shift / d).abs() + 3.0 * f64::EPSILON };
+            let summand = part * (rate / d);
+            value -= summand;
+            value_error += summand.abs() * (own + shift_error * (zero.shift / rate).abs() + 4.0 * f64::EPSILON);
+        }
+        zero.shift_error = shift_error;
+        let (sum, error) = strength_sum(&poles, &zero, rate, |pole| pole.weight * pole.rate);
+        let error = error.time + error.strength + 2.0 * f64::EPSILON;
+        zeros.push(SumZero { compliance: 1.0 / (rate * sum), time: 1.0 / rate, error, value, value_error });
+    }
+    Ok(zeros)
+}
+
 /// The zero of `constant` + Σ w_k/(p_k − x) above pole number `gap`, and below the next pole if there is one.
 fn secular_zero(poles: &[Pole], gap: usize, constant: f64) -> Result<Zero, Refusal> {
     // Near pole n, x = p_n + s·μ with s = ±1 and μ > 0, and the equation reads w_n/μ = s·rest(μ) with rest = constant + Σ' w_k/(p_k − x).

@@ -23,6 +23,7 @@ pub mod broad;
 mod complex_modulus;
 pub mod conversion;
 pub mod fit;
+pub mod isotropic;
 mod running_mean;
 pub mod shift;
 mod time_functions;
@@ -258,7 +259,7 @@ impl Material {
         &self.conversion_errors
     }
 
-    /// Relative rounding error that [`Material::stiffened`] left in every modulus; zero for a material as given.
+    /// Relative error that [`Material::stiffened`] or [`isotropic`] left in every modulus; zero for a material as given.
     #[must_use]
     pub const fn modulus_rounding(&self) -> f64 {
         self.modulus_rounding

@@ -1,6 +1,7 @@
 //! Where a model may be doubted: numbers formed for every row, and the verdict on the worst of them.
 
 use crate::outcome::{Row, Validity, Verdict};
+use crate::scene::typed::PoissonRatio;
 
 /// Which way an assumption fails.
 #[derive(Clone, Copy)]
@@ -37,4 +38,10 @@ pub(super) fn judged(assumptions: &[Assumption], rows: &[Row]) -> Vec<Validity> 
 /// An assumption that the scene holds no number for.
 pub(super) fn not_judged(name: &str, value: Option<f64>, meaning: &str) -> Validity {
     Validity { name: name.into(), value, verdict: Verdict::NotJudged, meaning: meaning.into() }
+}
+
+/// The assumption of a constant Poisson ratio; none where it follows from the bulk modulus.
+pub(super) fn constant_poisson_ratio(ratio: PoissonRatio) -> Option<Validity> {
+    let meaning = "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state";
+    (!matches!(ratio, PoissonRatio::Following(_))).then(|| not_judged("constant Poisson ratio", ratio.constant(), meaning))
 }

@@ -3,18 +3,13 @@
 use crate::elastic::PlaneState;
 use crate::material::{CreepTerm, Material};
 use crate::refusal::Refusal;
-use crate::scene::typed::{ElasticBody, Scene, Units};
+use crate::scene::typed::{ElasticBody, Scene};
 
 /// The material in moduli E* = E/(1 − ν²); with a second body its creep function is larger by the compliance of that body at every time.
 ///
 /// Under one pressure the displacements of both surfaces add, so this is exact for half-spaces: 1/E* sums.
 pub(super) fn plane_material(scene: &Scene, second: Option<ElasticBody>) -> Result<Material, Refusal> {
-    let stiffening = match (scene.units, scene.material.poisson_ratio) {
-        (Units::Si, Some(ratio)) => PlaneState::Strain.stiffening(ratio)?,
-        // A reduced scene holds plane moduli.
-        _ => 1.0,
-    };
-    let plane = scene.material.series.stiffened(stiffening)?;
+    let plane = scene.material.plane_series(scene.units, PlaneState::Strain)?;
     let Some(body) = second else { return Ok(plane) };
     let compliance = 1.0 / PlaneState::Strain.modulus(body.modulus, body.poisson_ratio)?;
     Material::from_creep(1.0 / (1.0 / plane.glassy_modulus() + compliance), plane.creep_terms(), plane.steady_viscosity())

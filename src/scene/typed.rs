@@ -23,7 +23,10 @@ pub use history::{
 pub use indentation::{
     CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape,
 };
-pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
+pub use material::{
+    Climate, DeckOrigin, ExpandedLaw, FittedData, IsotropicSeries, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap,
+    PoissonRatio,
+};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +55,8 @@ pub struct SceneMaterial {
     pub series: Material,
     /// Constant Poisson ratio, if given.
     pub poisson_ratio: Option<f64>,
+    /// The shear and the bulk series, if they are given in place of a constant Poisson ratio.
+    pub isotropic: Option<Arc<IsotropicSeries>>,
     /// What the series was made of.
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.

@@ -33,6 +33,8 @@ enum Sense {
     Temperature,
     /// A temperature that was given in °C: no difference of two can be meant.
     Celsius,
+    /// A decay rate, where both could be meant.
+    Decay,
 }
 
 impl Dimension {
@@ -49,6 +51,8 @@ impl Dimension {
     pub const TIME: Self = Self::new([0, 0, 1, 0]);
     /// 1/s.
     pub const FREQUENCY: Self = Self::new([0, 0, -1, 0]);
+    /// 1/s of a decay, which is no number of cycles.
+    pub const DECAY_RATE: Self = Self { sense: Sense::Decay, ..Self::FREQUENCY };
     /// m/s.
     pub const SPEED: Self = Self::new([1, 0, -1, 0]);
     /// Pa.
@@ -92,6 +96,7 @@ impl Dimension {
             Self::LENGTH => "a length such as \"3 µm\"",
             Self::TIME => "a time such as \"2 ms\"",
             Self::FREQUENCY => "a frequency such as \"5 Hz\"",
+            Self::DECAY_RATE => "a decay rate such as \"10 1/s\"",
             Self::SPEED => "a speed such as \"10 µm/s\"",
             Self::PRESSURE => "a pressure such as \"0.7 MPa\"",
             Self::COMPLIANCE => "a compliance such as \"0.4 1/MPa\"",

@@ -18,7 +18,7 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
-use crate::scene::typed::{CohesiveLaw, DelayedFracture, ProcessZoneLaw, Scene, Units};
+use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZoneLaw, Scene, Units};
 
 /// A crack under a load history, ready to be solved.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub(super) struct DelayedFracturePlan {
     /// Both series with plane moduli.
     plane_material: Material,
     youngs_relaxed_modulus: f64,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     strip: Option<PureShearStrip>,
     /// K(t).
     history: LoadHistory,
@@ -48,10 +48,6 @@ const MOST_STEPS: u64 = 40_000_000;
 
 impl DelayedFracturePlan {
     pub(super) fn new(scene: &Scene, crack: &DelayedFracture) -> Result<Self, Refusal> {
-        let stiffening = match scene.material.poisson_ratio {
-            Some(ratio) => crack.plane.stiffening(ratio)?,
-            None => 1.0,
-        };
         let strip = match crack.strip {
             None => None,
             Some(strip) => {
@@ -62,9 +58,9 @@ impl DelayedFracturePlan {
         let (history, duration) = history::loads(&crack.history, strip.as_ref())?;
         let plan = Self {
             crack: crack.clone(),
-            plane_material: scene.material.series.stiffened(stiffening)?,
+            plane_material: scene.material.plane_series(scene.units, crack.plane)?,
             youngs_relaxed_modulus: scene.material.series.relaxed_modulus(),
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             strip,
             history,
             duration,

@@ -5,7 +5,7 @@ use super::solve::Scales;
 use crate::crack::delayed::GrowthProblem;
 use crate::crack::delayed::validity::growth_validity;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{ProcessZoneLaw, Units};
 
 /// The assumptions, in the order of [`DelayedFracturePlan::assumptions`].
@@ -77,11 +77,7 @@ impl DelayedFracturePlan {
     pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
         let mut entries = judged(&ASSUMPTIONS, rows);
         entries.extend(crate::plan::measured::records(&self.crack.history, self.accuracy));
-        entries.push(not_judged(
-            "constant Poisson ratio",
-            self.poisson_ratio,
-            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
-        ));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
         entries.push(not_judged(
             "healing, inertia and heat",
             None,

@@ -23,7 +23,7 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
-use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, Scene, Units};
+use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
 use scale::Scale;
 use timeline::Timeline;
 
@@ -37,7 +37,7 @@ pub(super) struct IndentationPlan {
     relaxed: f64,
     /// η* of a liquid. With adhesion its flow is an element of a retardation time of [`LONG`] histories.
     flow: Option<f64>,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     scale: Scale,
     units: Units,
     accuracy: f64,
@@ -67,7 +67,7 @@ impl IndentationPlan {
             relaxed: material.relaxed_modulus(),
             flow: material.steady_viscosity(),
             material,
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             scale,
             units: scene.units,
             accuracy: scene.accuracy,

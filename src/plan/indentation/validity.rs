@@ -5,8 +5,8 @@ use super::columns::{at, position};
 use crate::elastic::TaborNumber;
 use crate::indentation::{Adhesion, Profile, TabulatedShape};
 use crate::outcome::{Row, Validity};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::plan::measured::records;
-use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 
 /// The assumptions, in the order of [`IndentationPlan::assumptions`].
@@ -119,11 +119,7 @@ impl IndentationPlan {
         }
         entries.extend(self.of_the_scan());
         entries.extend(records(&self.indentation.history, self.accuracy));
-        entries.push(not_judged(
-            "constant Poisson ratio",
-            self.poisson_ratio,
-            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
-        ));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
         entries.push(not_judged(
             "no friction, inertia or heat",
             None,

@@ -8,6 +8,11 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
     let mut effects = Vec::new();
     match &material.origin {
         MaterialOrigin::Terms => {}
+        MaterialOrigin::Deck(deck) => effects.push(Effect {
+            name: "material from a deck",
+            on: true,
+            why: format!("{} relaxation terms of Young's modulus from the {} deck {:?}", material.series.relaxation_terms().len(), deck.program, deck.file),
+        }),
         MaterialOrigin::Data(fitted) => effects.push(Effect {
             name: "material from data",
             on: true,
@@ -43,6 +48,16 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
             ),
         });
     }
+    if let Some(solid) = &material.isotropic {
+        let [glassy, relaxed] = solid.at_temperature.poisson_ratios();
+        effects.push(Effect {
+            name: "bulk modulus",
+            on: true,
+            why: format!(
+                "Young's and the plane modulus are the exact series of 9KG/(3K + G) and 4G(3K + G)/(3K + 4G); Poisson's ratio goes from {glassy:.4} at once to {relaxed:.4} in the end"
+            ),
+        });
+    }
     if let Some(climate) = &material.climate {
         effects.push(Effect {
             name: "temperature",
@@ -67,6 +82,11 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
         .collect();
     entries.extend(match &material.origin {
         MaterialOrigin::Terms => Vec::new(),
+        MaterialOrigin::Deck(deck) => deck
+            .notes
+            .iter()
+            .map(|note| Validity { name: "deck of the material".into(), value: None, verdict: Verdict::NotJudged, meaning: note.clone() })
+            .collect(),
         MaterialOrigin::Data(fitted) => {
             let mut entries = vec![Validity {
                 name: "fit of the material".into(),

@@ -1,7 +1,7 @@
 //! The material as a TOML file that scenes include by `material.file`.
 
 use super::MaterialReport;
-use crate::material::GivenSeries;
+use crate::material::{GivenSeries, Material};
 use crate::material::shift::ShiftFactors;
 use crate::scene::typed::{MaterialOrigin, Units};
 use std::fmt::Write as _;
@@ -15,6 +15,7 @@ pub fn material_file(report: &MaterialReport) -> String {
     // Writing to a String cannot fail.
     let _ = match &material.origin {
         MaterialOrigin::Terms => writeln!(text, "# Terms as given."),
+        MaterialOrigin::Deck(deck) => writeln!(text, "# From the {} deck {:?} by viscotack {}.", deck.program, deck.file, env!("CARGO_PKG_VERSION")),
         MaterialOrigin::Data(fitted) => writeln!(
             text,
             "# Fitted to {:?} by viscotack {}: {} numbers followed within {:.2e} (root mean square), {:.2e} (largest).",
@@ -42,6 +43,11 @@ pub fn material_file(report: &MaterialReport) -> String {
             let _ = writeln!(text, "# Caution: {warning}.");
         }
     }
+    if let MaterialOrigin::Deck(deck) = &material.origin {
+        for note in &deck.notes {
+            let _ = writeln!(text, "# Note: {note}.");
+        }
+    }
     let units = if report.units == Units::Reduced { "reduced, for scenes with units = \"reduced\"" } else { "SI" };
     let _ = writeln!(text, "# Units: {units}.\n[material]");
     if let Some(name) = &material.name {
@@ -64,7 +70,17 @@ pub fn material_file(report: &MaterialReport) -> String {
             }
         };
     }
-    if series.given() == GivenSeries::Creep {
+    if let Some(solid) = &material.isotropic {
+        let solid = &solid.at_reference;
+        let relaxes = !solid.shear().is_elastic() || !solid.bulk().is_elastic();
+        if relaxes {
+            let _ = writeln!(text, "moduli = \"long_term\"");
+        }
+        for (name, series) in [("shear", solid.shear()), ("bulk", solid.bulk())] {
+            let _ = writeln!(text, "{name}_modulus = {:?}", series.relaxed_modulus());
+            relaxation(&mut text, &format!("{name}_relaxation"), series);
+        }
+    } else if series.given() == GivenSeries::Creep {
         let _ = writeln!(text, "glassy_modulus = {:?}", series.glassy_modulus());
         if let Some(viscosity) = series.steady_viscosity() {
             let _ = writeln!(text, "viscosity = {viscosity:?}");
@@ -78,13 +94,20 @@ pub fn material_file(report: &MaterialReport) -> String {
         }
     } else {
         let _ = writeln!(text, "relaxed_modulus = {:?}", series.relaxed_modulus());
-        if !series.relaxation_terms().is_empty() {
-            let _ = writeln!(text, "relaxation = [");
-            for term in series.relaxation_terms() {
-                let _ = writeln!(text, "  {{ modulus = {:?}, relaxation_time = {:?} }},", term.modulus, term.relaxation_time);
-            }
-            let _ = writeln!(text, "]");
-        }
+        relaxation(&mut text, "relaxation", series);
     }
     text
+}
+
+/// The relaxation terms under a key, if there are any.
+fn relaxation(text: &mut String, key: &str, series: &Material) {
+    if series.relaxation_terms().is_empty() {
+        return;
+    }
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "{key} = [");
+    for term in series.relaxation_terms() {
+        let _ = writeln!(text, "  {{ modulus = {:?}, relaxation_time = {:?} }},", term.modulus, term.relaxation_time);
+    }
+    let _ = writeln!(text, "]");
 }

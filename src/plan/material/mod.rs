@@ -52,7 +52,7 @@ impl MaterialReport {
                 [0.1 * low / self.factor(), 10.0 * high / self.factor()]
             }
             MaterialOrigin::Law(law) => law.range.map(|end| end / self.factor()),
-            MaterialOrigin::Terms => {
+            MaterialOrigin::Terms | MaterialOrigin::Deck(_) => {
                 let series = &self.material.series;
                 let longest = series.longest_retardation_time().or(series.longest_relaxation_time()).unwrap_or(1.0);
                 let shortest = series.relaxation_terms().last().map_or(longest, |term| term.relaxation_time);
@@ -86,7 +86,7 @@ impl MaterialReport {
                 fitted.fit.band.error(quantity, reduced)
             }
             MaterialOrigin::Law(law) => law.expansion.error * scale,
-            MaterialOrigin::Terms => 8.0 * f64::EPSILON * scale,
+            MaterialOrigin::Terms | MaterialOrigin::Deck(_) => (8.0 * f64::EPSILON + series.modulus_rounding()) * scale,
         };
         value.is_finite().then(|| Estimate::new(value, if error.is_finite() { error } else { value.abs().max(scale) }))
     }
@@ -103,7 +103,7 @@ impl MaterialReport {
         match &self.material.origin {
             MaterialOrigin::Data(fitted) => fitted.fit.met,
             MaterialOrigin::Law(law) => law.expansion.met,
-            MaterialOrigin::Terms => true,
+            MaterialOrigin::Terms | MaterialOrigin::Deck(_) => true,
         }
     }
 }

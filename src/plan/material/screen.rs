@@ -22,6 +22,9 @@ pub fn screen(report: &MaterialReport) -> String {
         MaterialOrigin::Terms => {
             let _ = writeln!(text, "terms as given");
         }
+        MaterialOrigin::Deck(deck) => {
+            let _ = writeln!(text, "read from  {} ({} deck)", deck.file, deck.program);
+        }
         MaterialOrigin::Data(fitted) => {
             let fit = &fitted.fit;
             let _ = writeln!(text, "fitted to  {}: {} rows, {} numbers", fitted.data.file, fitted.data.rows.len(), fit.observations);
@@ -89,6 +92,16 @@ pub fn screen(report: &MaterialReport) -> String {
     if let Some(viscosity) = series.steady_viscosity() {
         let _ = writeln!(text, "steady viscosity     {viscosity:.6e} {pressure} {time}");
     }
+    if let Some(solid) = &material.isotropic {
+        let solid = &solid.at_temperature;
+        let [glassy, relaxed] = solid.poisson_ratios();
+        for (name, series) in [("shear modulus G  ", solid.shear()), ("bulk modulus K   ", solid.bulk()), ("plane modulus E* ", solid.plane_strain())] {
+            let _ = writeln!(text, "{name}    {:.6e} {pressure} at once, {:.6e} {pressure} in the end", series.glassy_modulus(), series.relaxed_modulus());
+        }
+        let _ = writeln!(text, "Poisson ratio        {glassy:.6} at once, {relaxed:.6} in the end");
+    } else if let Some(ratio) = material.poisson_ratio {
+        let _ = writeln!(text, "Poisson ratio        {ratio} (constant)");
+    }
     let terms = series.relaxation_terms();
     if !terms.is_empty() {
         let _ = writeln!(
@@ -113,6 +126,11 @@ pub fn screen(report: &MaterialReport) -> String {
             let _ = writeln!(text, "\nCAUTION: {warning}");
         }
     }
+    if let MaterialOrigin::Deck(deck) = &material.origin {
+        for note in &deck.notes {
+            let _ = writeln!(text, "\nNOTE: {note}");
+        }
+    }
     text
 }
 
@@ -123,6 +141,9 @@ pub fn summary(report: &MaterialReport) -> Value {
     let series = &material.series;
     let origin = match &material.origin {
         MaterialOrigin::Terms => json!({ "kind": "terms" }),
+        MaterialOrigin::Deck(deck) => {
+            json!({ "kind": "deck", "file": deck.file, "program": deck.program, "name": deck.name, "notes": deck.notes })
+        }
         MaterialOrigin::Data(fitted) => json!({
             "kind": "data",
             "file": fitted.data.file,
@@ -169,6 +190,24 @@ pub fn summary(report: &MaterialReport) -> Value {
         "glassy_modulus": series.glassy_modulus(),
         "steady_viscosity": series.steady_viscosity(),
         "relaxation": series.relaxation_terms().iter().map(|term| json!({ "modulus": term.modulus, "relaxation_time": term.relaxation_time })).collect::<Vec<_>>(),
+        "poisson_ratio": material.poisson_ratio,
+        "solid": material.isotropic.as_ref().map(|solid| {
+            let solid = &solid.at_temperature;
+            let moduli = |series: &crate::material::Material| {
+                let terms = series.relaxation_terms().iter();
+                json!({
+                    "instantaneous": series.glassy_modulus(),
+                    "long_term": series.relaxed_modulus(),
+                    "relaxation": terms.map(|term| json!({ "modulus": term.modulus, "relaxation_time": term.relaxation_time })).collect::<Vec<_>>(),
+                })
+            };
+            json!({
+                "shear": moduli(solid.shear()),
+                "bulk": moduli(solid.bulk()),
+                "plane_strain": moduli(solid.plane_strain()),
+                "poisson_ratio": solid.poisson_ratios(),
+            })
+        }),
         "creep": series.creep_terms().iter().map(|term| json!({ "compliance": term.compliance, "retardation_time": term.retardation_time })).collect::<Vec<_>>(),
     })
 }

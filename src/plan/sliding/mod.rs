@@ -27,7 +27,7 @@ use crate::plan::desk::Desk;
 use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
+    BranchParameter, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
@@ -41,7 +41,7 @@ pub(super) struct SlidingPlan {
     material: Material,
     /// The same contact of stiffer solids, of which a liquid is the limit; none of a solid.
     stiffer: Vec<Self>,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     /// How the works of adhesion follow kv, or v/L.
     work_by_rate: Option<WorkBySpeed>,
     scale: Scale,
@@ -65,7 +65,7 @@ impl SlidingPlan {
             sliding: sliding.clone(),
             material,
             stiffer: Vec::new(),
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),

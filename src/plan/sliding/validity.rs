@@ -3,7 +3,7 @@
 use super::SlidingPlan;
 use super::columns::at;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{SlidingIndenter, SlidingZone, Units};
 
 /// The assumptions, in the order of [`SlidingPlan::assumptions`].
@@ -64,11 +64,7 @@ impl SlidingPlan {
 
     pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
         let mut entries = judged(&ASSUMPTIONS, rows);
-        entries.push(not_judged(
-            "constant Poisson ratio",
-            self.poisson_ratio,
-            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
-        ));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
         entries.push(not_judged(
             "inertia and heat",
             None,

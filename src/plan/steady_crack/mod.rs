@@ -20,7 +20,7 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
-use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
+use crate::scene::typed::{CohesiveLaw, CrackControl, PoissonRatio, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 
 /// A steady crack, ready to be solved.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ pub(super) struct SteadyCrackPlan {
     plane_material: Material,
     /// Young's moduli and the Poisson ratio, for strips and for the description.
     youngs_material: Material,
-    poisson_ratio: Option<f64>,
+    poisson_ratio: PoissonRatio,
     units: Units,
     accuracy: f64,
     /// Whether a sweep follows.
@@ -46,15 +46,11 @@ enum Prescribed {
 impl SteadyCrackPlan {
     pub(super) fn new(scene: &Scene, crack: &SteadyCrack) -> Result<Self, Refusal> {
         let youngs_material = scene.material.series.clone();
-        let stiffening = match scene.material.poisson_ratio {
-            Some(ratio) => crack.plane.stiffening(ratio)?,
-            None => 1.0,
-        };
         let plan = Self {
             crack: crack.clone(),
-            plane_material: youngs_material.stiffened(stiffening)?,
+            plane_material: scene.material.plane_series(scene.units, crack.plane)?,
             youngs_material,
-            poisson_ratio: scene.material.poisson_ratio,
+            poisson_ratio: scene.material.poisson(),
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
@@ -145,7 +141,7 @@ impl SteadyCrackPlan {
     }
 
     fn strip(&self, strip: &Strip) -> Result<PureShearStrip, Refusal> {
-        PureShearStrip::new(strip.half_height, strip.lateral, self.crack.plane, self.poisson_ratio.unwrap_or(0.0))
+        PureShearStrip::new(strip.half_height, strip.lateral, self.crack.plane, self.poisson_ratio.constant().unwrap_or(0.0))
     }
 
     /// Stress far ahead of the tip (Pa): given, or that of the relaxed material at the given strain.

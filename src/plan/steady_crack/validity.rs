@@ -4,7 +4,7 @@ use super::SteadyCrackPlan;
 use super::columns::at;
 use crate::estimate::Estimate;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
 
 /// The assumptions, in the order of [`SteadyCrackPlan::assumptions`].
@@ -85,11 +85,7 @@ impl SteadyCrackPlan {
 
     pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
         let mut entries = judged(&ASSUMPTIONS, rows);
-        entries.push(not_judged(
-            "constant Poisson ratio",
-            self.poisson_ratio,
-            "assumed at all times; it rises by up to 0.1 from the glassy to the rubbery state",
-        ));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
         entries.push(not_judged(
             "inertia and heat",
             None,

@@ -5,6 +5,7 @@ use crate::scene::units::Dimension;
 
 const MODULUS: Kind = Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "relaxed modulus E0" };
 const TIME: Kind = Kind::Number { dimension: Dimension::TIME, range: Range::Positive, reduced: "reference time" };
+const RATE: Kind = Kind::Number { dimension: Dimension::DECAY_RATE, range: Range::Positive, reduced: "1/reference time" };
 const FRACTION: Kind = Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 1.0), reduced: "1" };
 
 pub(super) const KEYS: &[Key] = &[
@@ -28,7 +29,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.poisson_ratio",
         kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(-1.0, 0.5), reduced: "1" },
-        meaning: "Constant Poisson ratio, needed in plane strain and on a half-space.",
+        meaning: "Constant Poisson ratio; in plane strain and on a half-space this or material.bulk_modulus is needed.",
     },
     Key {
         path: "material.viscosity",
@@ -52,9 +53,84 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.relaxation[].fraction",
         kind: FRACTION,
-        meaning: "E_i as a fraction of E∞ − E0; with both moduli, all fractions summing to 1.",
+        meaning: "E_i as a fraction. With glassy_modulus or relaxed_modulus alone: of the instantaneous modulus E∞, and what the fractions leave of 1 is the long-term part. With both moduli: of E∞ − E0, all summing to 1.",
     },
     Key { path: "material.relaxation[].relaxation_time", kind: TIME, meaning: "ρ_i, the time of a relaxation test." },
+    Key { path: "material.relaxation[].decay_rate", kind: RATE, meaning: "1/ρ_i, in place of relaxation_time." },
+    Key {
+        path: "material.shear_modulus",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::NonNegative, reduced: "not available" },
+        meaning: "Shear modulus G, in place of Young's moduli, with material.bulk_modulus or a constant material.poisson_ratio. If something relaxes, material.moduli says which modulus this is.",
+    },
+    Key {
+        path: "material.bulk_modulus",
+        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available" },
+        meaning: "Bulk modulus K beside material.shear_modulus: constant, unless material.bulk_relaxation is given. Young's and the plane modulus follow exactly, and Poisson's ratio changes with time.",
+    },
+    Key {
+        path: "material.moduli",
+        kind: Kind::Choice(&[
+            Word { word: "instantaneous", meaning: "of a load before anything relaxes, as MODULI=INSTANTANEOUS of Abaqus and the moduli of ANSYS" },
+            Word { word: "long_term", meaning: "of a load held for ever, as MODULI=LONG TERM of Abaqus and COMSOL's default" },
+        ]),
+        meaning: "Which moduli shear_modulus and bulk_modulus are (and those of material.comsol); fractions of terms are of the instantaneous one in both cases.",
+    },
+    Key { path: "material.shear_relaxation", kind: Kind::Tables, meaning: "Terms g_i exp(−t/ρ_i) of the shear modulus." },
+    Key {
+        path: "material.shear_relaxation[].fraction",
+        kind: FRACTION,
+        meaning: "g_i as a fraction of the instantaneous shear modulus; what the fractions leave of 1 is the long-term part.",
+    },
+    Key { path: "material.shear_relaxation[].modulus", kind: MODULUS, meaning: "g_i itself, in place of a fraction." },
+    Key { path: "material.shear_relaxation[].relaxation_time", kind: TIME, meaning: "ρ_i." },
+    Key { path: "material.shear_relaxation[].decay_rate", kind: RATE, meaning: "1/ρ_i, in place of relaxation_time." },
+    Key { path: "material.bulk_relaxation", kind: Kind::Tables, meaning: "Terms k_i exp(−t/ρ_i) of the bulk modulus; without them it is constant." },
+    Key {
+        path: "material.bulk_relaxation[].fraction",
+        kind: FRACTION,
+        meaning: "k_i as a fraction of the instantaneous bulk modulus; what the fractions leave of 1 is the long-term part.",
+    },
+    Key { path: "material.bulk_relaxation[].modulus", kind: MODULUS, meaning: "k_i itself, in place of a fraction." },
+    Key { path: "material.bulk_relaxation[].relaxation_time", kind: TIME, meaning: "ρ_i." },
+    Key { path: "material.bulk_relaxation[].decay_rate", kind: RATE, meaning: "1/ρ_i, in place of relaxation_time." },
+    Key {
+        path: "material.abaqus",
+        kind: Kind::Text,
+        meaning: "An Abaqus deck with *ELASTIC and *VISCOELASTIC, TIME=PRONY (and *TRS); relative to the scene, with material.deck_units.",
+    },
+    Key {
+        path: "material.ansys",
+        kind: Kind::Text,
+        meaning: "An ANSYS deck with MP,EX (or GXY), MP,NUXY (or PRXY) and TB,PRONY; relative to the scene, with material.deck_units.",
+    },
+    Key {
+        path: "material.ls_dyna",
+        kind: Kind::Text,
+        meaning: "An LS-DYNA deck with *MAT_GENERAL_VISCOELASTIC (076) or *MAT_VISCOELASTIC (006); relative to the scene, with material.deck_units.",
+    },
+    Key {
+        path: "material.comsol",
+        kind: Kind::Text,
+        meaning: "A COMSOL text file with parameters (E and nu, or G and K; G1, tau1, …) and rows of shear modulus and relaxation time; relative to the scene, with material.deck_units where a number has no unit in brackets.",
+    },
+    Key {
+        path: "material.moose",
+        kind: Kind::Text,
+        meaning: "A MOOSE input with a block of type GeneralizedMaxwellModel; relative to the scene, with material.deck_units.",
+    },
+    Key {
+        path: "material.deck_material",
+        kind: Kind::Text,
+        meaning: "Which material of the deck is meant, by its name or number; needed where the deck has several.",
+    },
+    Key { path: "material.deck_units", kind: Kind::Table, meaning: "What the numbers of the deck are measured in: a deck has no units." },
+    Key { path: "material.deck_units.pressure", kind: Kind::Text, meaning: "The unit of moduli, such as \"MPa\"." },
+    Key { path: "material.deck_units.time", kind: Kind::Text, meaning: "The unit of times, such as \"s\"; decay rates are in one over it." },
+    Key {
+        path: "material.deck_units.temperature",
+        kind: Kind::Text,
+        meaning: "The unit of temperatures, such as \"°C\"; needed where the deck has shift factors.",
+    },
     Key {
         path: "material.data",
         kind: Kind::Text,

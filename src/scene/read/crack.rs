@@ -45,7 +45,7 @@ pub(super) fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMate
         };
     }
     match crack.required_text("plane")? {
-        "strain" if material.poisson_ratio.is_none() => {
+        "strain" if !material.has_plane_strain_modulus() => {
             Err(top.required_table("material", "")?.missing("poisson_ratio").help("plane strain needs material.poisson_ratio"))
         }
         "strain" => Ok(PlaneState::Strain),
@@ -203,6 +203,13 @@ pub(super) fn lateral(
         Some("uniaxial") => SidewaysStrain::Free,
         _ => SidewaysStrain::Held,
     };
+    let follows = material.isotropic.is_some();
+    if follows && (lateral == SidewaysStrain::Held || plane == PlaneState::Strain) {
+        let message = "the stress intensity of this strip depends on Poisson's ratio, which changes with time where the bulk modulus is given: no exact treatment";
+        return Err(crack
+            .wrong("strip", message, "needs a constant Poisson ratio")
+            .help("write lateral = \"uniaxial\" in crack.strip and plane = \"stress\", or give material.poisson_ratio in place of material.bulk_modulus"));
+    }
     if lateral == SidewaysStrain::Held && material.poisson_ratio.is_none() {
         let message = "a strip clamped along its length needs material.poisson_ratio";
         return Err(crack.wrong("strip", message, "or write lateral = \"uniaxial\""));

@@ -25,7 +25,7 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     }
     let mut included: Vec<Entry> = included.clone();
     // What a material file names lies beside it.
-    for path in ["data", "shift.table"] {
+    for path in ["data", "shift.table", "abaqus", "ansys", "ls_dyna", "comsol", "moose"] {
         if let Some(node) = entry_at(&mut included, path)
             && let Value::Text(own) = &mut node.value
             && let Some(folder) = Path::new(&name).parent()

@@ -2,25 +2,39 @@
 
 use super::material_source::Shift;
 use super::section::Section;
-use super::{material_data, material_draws, material_source};
+use super::{decks, material_data, material_draws, material_solid, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
-use crate::scene::typed::{MaterialOrigin, SceneMaterial};
+use crate::scene::typed::{IsotropicSeries, MaterialOrigin, SceneMaterial};
+use std::sync::Arc;
 
 /// How far fractions may be from summing to one: the rounding of two-digit tables is more, so they are meant to be exact.
 const FRACTION_SLACK: f64 = 1e-9;
 
 pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMaterial, SceneError> {
     let table = top.required_table("material", "every problem has a deformable solid")?;
-    let poisson_ratio = table.number("poisson_ratio")?;
-    let (shift, mut notes) = material_source::shift(&table, document)?;
-    let reference = table.number("reference_temperature")?;
-    let way = table.at_most_one(&["creep", "relaxation", "data", "power_law", "fractional_zener"])?;
+    let mut poisson_ratio = table.number("poisson_ratio")?;
+    let (mut shift, mut notes) = material_source::shift(&table, document)?;
+    let mut reference = table.number("reference_temperature")?;
+    let way = way(&table)?;
     belonging(&table, way)?;
+    let mut made = None;
     let origin = match way {
+        Some("shear_modulus") => {
+            made = Some(material_solid::from_keys(&table)?);
+            MaterialOrigin::Terms
+        }
+        Some(form) if decks::is_deck(form) => {
+            let deck = decks::read(&table, document, form)?;
+            if let Some(factors) = deck.shift {
+                (shift, reference) = (Shift::Given(factors), deck.reference);
+            }
+            made = Some(deck.solid);
+            MaterialOrigin::Deck(Arc::new(deck.origin))
+        }
         Some("data") => material_data::from_data(&table, document, poisson_ratio, &shift, reference)?,
         Some(law @ ("power_law" | "fractional_zener")) => {
             let moduli = (relaxed(&table)?.or((table.units() == Units::Reduced).then_some(1.0)), table.number("glassy_modulus")?);
@@ -33,12 +47,18 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         let message = "`material.reference_temperature` has no effect without shift factors";
         return Err(table.wrong("reference_temperature", message, "leave it out, or add material.shift"));
     }
+    let isotropic = made.as_mut().and_then(|solid| solid.isotropic.take());
     let series = match (&origin, way) {
+        _ if made.is_some() => {
+            let solid = made.ok_or_else(|| table.missing("shear_modulus"))?;
+            poisson_ratio = solid.poisson_ratio;
+            solid.youngs
+        }
         (MaterialOrigin::Data(fitted), _) => fitted.fit.material.clone(),
         (MaterialOrigin::Law(law), _) => law.expansion.material.clone(),
-        (MaterialOrigin::Terms, Some("creep")) => from_creep(&table)?,
-        (MaterialOrigin::Terms, Some(_)) => from_relaxation(&table)?,
-        (MaterialOrigin::Terms, None) => elastic(&table)?,
+        (_, Some("creep")) => from_creep(&table)?,
+        (_, Some(_)) => from_relaxation(&table)?,
+        (_, None) => elastic(&table)?,
     };
     if table.units() == Units::Reduced && (series.relaxed_modulus() - 1.0).abs() > 1e-9 {
         let message = format!(
@@ -52,7 +72,43 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
     }
     let (series, climate) = material_source::at_temperature(&table, shift, &origin, reference, series)?;
     let draws = material_draws::draws(&table, &origin, climate.as_ref())?;
-    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, notes, draws })
+    let isotropic = isotropic
+        .map(|at_reference| {
+            let slowed = climate.as_ref().map_or_else(|| Ok(at_reference.clone()), |climate| at_reference.slowed(climate.factor));
+            let wrong = |refusal| table.wrong("temperature", format!("the solid cannot be shifted: {refusal}"), "to this temperature");
+            Ok::<_, SceneError>(Arc::new(IsotropicSeries { at_temperature: slowed.map_err(wrong)?, at_reference }))
+        })
+        .transpose()?;
+    let deck_name = if let MaterialOrigin::Deck(deck) = &origin { deck.name.clone() } else { None };
+    let name = table.text("name").map(str::to_owned).or(deck_name);
+    Ok(SceneMaterial { name, series, poisson_ratio, isotropic, origin, climate, notes, draws })
+}
+
+/// Keys that each say what the material is made of.
+const WAYS: [&str; 11] =
+    ["creep", "relaxation", "data", "power_law", "fractional_zener", "shear_modulus", "abaqus", "ansys", "ls_dyna", "comsol", "moose"];
+
+/// The one of [`WAYS`] that is given; keys that belong to some of them are refused beside the others.
+fn way(table: &Section<'_>) -> Result<Option<&'static str>, SceneError> {
+    let way = table.at_most_one(&WAYS)?;
+    let deck = way.is_some_and(decks::is_deck);
+    let of_shear: &[&str] = &["shear_relaxation", "bulk_modulus", "bulk_relaxation"];
+    let of_deck: &[&str] = &["deck_units", "deck_material"];
+    let of_youngs: &[&str] = &["relaxed_modulus", "glassy_modulus", "viscosity"];
+    let shear = way == Some("shear_modulus");
+    for (keys, stray, message, label) in [
+        (of_shear, !shear, "belongs to material.shear_modulus", "give shear_modulus as well, or leave this out"),
+        (&["moduli"], !shear && way != Some("comsol"), "says which shear and bulk modulus are given, and there are none", "leave it out"),
+        (of_deck, !deck, "belongs to the deck of a finite-element program, and there is none", "leave it out"),
+        (of_youngs, shear, "is Young's, and the moduli here are those of shear and volume", "leave it out"),
+        (of_youngs, deck, "follows from the deck", "leave it out"),
+        (&["poisson_ratio"], deck, "follows from the deck", "leave it out"),
+    ] {
+        if let Some(key) = keys.iter().find(|key| stray && table.node().get(key).is_some()) {
+            return Err(table.wrong(key, format!("`material.{key}` {message}"), label));
+        }
+    }
+    Ok(way)
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.
@@ -121,7 +177,7 @@ fn from_creep(table: &Section<'_>) -> Result<Material, SceneError> {
         return Err(table.wrong("creep", "`material.creep` is an empty list", "add a term, or leave the key out for an elastic material"));
     }
     let viscosity = table.number("viscosity")?;
-    let (strengths, times) = terms(&items, "compliance", "retardation_time")?;
+    let (strengths, times) = terms(&items, "compliance", |item| item.required_number("retardation_time"))?;
     let (relaxed, glassy) = (relaxed(table)?, table.number("glassy_modulus")?);
     if viscosity.is_some() && table.node().get("relaxed_modulus").is_some() {
         let message = "`material.viscosity` makes the relaxed modulus zero";
@@ -129,7 +185,11 @@ fn from_creep(table: &Section<'_>) -> Result<Material, SceneError> {
     }
     let (glassy, compliances) = match strengths {
         Strengths::Fractions(fractions) => {
+            summing_to_one(table, "creep", fractions.iter().sum(), "")?;
             let (relaxed, glassy) = both(table, relaxed, glassy)?;
+            if relaxed == 0.0 {
+                return Err(table.wrong("relaxed_modulus", "fractions need a relaxed modulus above 0", "give absolute terms instead"));
+            }
             // 1/E0 − 1/E∞ with the difference taken first.
             let gained = (glassy - relaxed) / glassy / relaxed;
             (glassy, fractions.iter().map(|fraction| fraction * gained).collect::<Vec<_>>())
@@ -171,12 +231,12 @@ fn from_relaxation(table: &Section<'_>) -> Result<Material, SceneError> {
         let message = "`material.viscosity` belongs to a creep series; a relaxation series flows if relaxed_modulus = 0";
         return Err(table.wrong("viscosity", message, "leave it out"));
     }
-    let (strengths, times) = terms(&items, "modulus", "relaxation_time")?;
+    let (strengths, times) = terms(&items, "modulus", material_solid::time)?;
     let (relaxed, glassy) = (relaxed(table)?, table.number("glassy_modulus")?);
     let (relaxed, moduli) = match strengths {
         Strengths::Fractions(fractions) => {
-            let (relaxed, glassy) = both(table, relaxed, glassy)?;
-            (relaxed, fractions.iter().map(|fraction| fraction * (glassy - relaxed)).collect::<Vec<_>>())
+            let (relaxed, lost) = of_fractions(table, &fractions, relaxed, glassy)?;
+            (relaxed, fractions.iter().map(|fraction| fraction * lost).collect::<Vec<_>>())
         }
         Strengths::Absolute(moduli) => {
             let lost: f64 = moduli.iter().sum();
@@ -204,7 +264,11 @@ enum Strengths {
     Absolute(Vec<f64>),
 }
 
-fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> Result<(Strengths, Vec<f64>), SceneError> {
+fn terms(
+    items: &[Section<'_>],
+    strength: &'static str,
+    time: impl Fn(&Section<'_>) -> Result<f64, SceneError>,
+) -> Result<(Strengths, Vec<f64>), SceneError> {
     let (mut strengths, mut times) = (Vec::with_capacity(items.len()), Vec::with_capacity(items.len()));
     let mut first_way = None;
     for item in items {
@@ -217,22 +281,50 @@ fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> R
             ));
         }
         strengths.push(item.required_number(way)?);
-        times.push(item.required_number(time)?);
+        times.push(time(item)?);
     }
-    if first_way == Some("fraction") {
-        let sum: f64 = strengths.iter().sum();
-        if (sum - 1.0).abs() > FRACTION_SLACK {
-            let message = format!(
-                "the fractions of `material.{}` sum to {sum}, not to 1",
-                if time == "retardation_time" { "creep" } else { "relaxation" }
-            );
-            return Err(items
-                .last()
-                .map_or_else(|| SceneError::general(message.clone()), |last| last.wrong("fraction", &message, "the last of them")));
+    Ok((if first_way == Some("fraction") { Strengths::Fractions(strengths) } else { Strengths::Absolute(strengths) }, times))
+}
+
+/// Refuses fractions that do not sum to one.
+fn summing_to_one(table: &Section<'_>, series: &str, sum: f64, help: &str) -> Result<(), SceneError> {
+    if (sum - 1.0).abs() <= FRACTION_SLACK {
+        return Ok(());
+    }
+    let message = format!("the fractions of `material.{series}` sum to {sum}, not to 1");
+    let last = table.items(series).last().map(|last| last.wrong("fraction", &message, "the last of them"));
+    let error = last.unwrap_or_else(|| SceneError::general(message));
+    Err(if help.is_empty() { error } else { error.help(help) })
+}
+
+/// E0, and the modulus that the fractions of relaxation terms are of: E∞ − E0 where both moduli are given, E∞ where one is.
+fn of_fractions(table: &Section<'_>, fractions: &[f64], relaxed: Option<f64>, glassy: Option<f64>) -> Result<(f64, f64), SceneError> {
+    let sum: f64 = fractions.iter().sum();
+    let left = 1.0 - sum;
+    if let (Some(_), Some(_)) = (relaxed, glassy) {
+        let help = format!(
+            "with both moduli, fractions are of E∞ − E0. Are they of the instantaneous modulus, as in finite-element decks? Then delete the line relaxed_modulus: it follows as {left:.6} of glassy_modulus"
+        );
+        summing_to_one(table, "relaxation", sum, if left > FRACTION_SLACK && table.units() == Units::Si { &help } else { "" })?;
+        let (relaxed, glassy) = both(table, relaxed, glassy)?;
+        return Ok((relaxed, glassy - relaxed));
+    }
+    if left < -FRACTION_SLACK {
+        summing_to_one(table, "relaxation", sum, "the fractions of relaxation terms are of the instantaneous modulus: they sum to at most 1")?;
+    }
+    if left <= FRACTION_SLACK {
+        let missing = if glassy.is_some() { "relaxed_modulus" } else { "glassy_modulus" };
+        let help = "the fractions sum to 1: with both moduli they are of E∞ − E0. Write relaxed_modulus = 0 if the material is a liquid, or the modulus it relaxes to";
+        return Err(if glassy.is_some() { table.missing(missing).help(help) } else { table.missing(missing) });
+    }
+    match (relaxed, glassy) {
+        (None, Some(glassy)) => Ok((glassy * left, glassy)),
+        (Some(relaxed), None) if relaxed > 0.0 => Ok((relaxed, relaxed / left)),
+        (Some(_), None) => {
+            let message = "fractions that leave a long-term part contradict a relaxed modulus of 0";
+            Err(table.wrong("relaxed_modulus", message, "give glassy_modulus in its place"))
         }
-        Ok((Strengths::Fractions(strengths), times))
-    } else {
-        Ok((Strengths::Absolute(strengths), times))
+        _ => Err(table.missing("glassy_modulus")),
     }
 }
 
@@ -240,9 +332,6 @@ fn terms(items: &[Section<'_>], strength: &'static str, time: &'static str) -> R
 fn both(table: &Section<'_>, relaxed: Option<f64>, glassy: Option<f64>) -> Result<(f64, f64), SceneError> {
     let relaxed = relaxed.ok_or_else(|| table.missing("relaxed_modulus"))?;
     let glassy = glassy.ok_or_else(|| table.missing("glassy_modulus"))?;
-    if relaxed == 0.0 {
-        return Err(table.wrong("relaxed_modulus", "fractions need a relaxed modulus above 0", "give absolute terms instead"));
-    }
     if relaxed > glassy {
         let message = format!("`material.relaxed_modulus` ({relaxed:e}) is above `material.glassy_modulus` ({glassy:e})");
         return Err(table.wrong("relaxed_modulus", message, "must be at most the glassy modulus"));

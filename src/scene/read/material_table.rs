@@ -20,7 +20,7 @@ use crate::scene::typed::{MaterialData, MeasuredRow, MeasuredSort};
 
 /// Reads the files that the material of a document names.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
-    for path in ["material.data", "material.shift.table"] {
+    for path in ["material.data", "material.shift.table"].into_iter().chain(super::decks::PATHS) {
         let Some(node) = document.root.at(path) else { continue };
         let (Value::Text(name), place) = (node.value.clone(), node.place.clone()) else { continue };
         document.attach_table(path, &name, &place)?;

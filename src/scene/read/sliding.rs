@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Sliding, SceneError> {
     let sliding = top.required_table("sliding", "it is the problem")?;
-    if sliding.units() == Units::Si && material.poisson_ratio.is_none() {
+    if sliding.units() == Units::Si && !material.has_plane_strain_modulus() {
         let help = "the half-plane is in plane strain, E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio";
         return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
     }

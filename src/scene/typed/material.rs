@@ -1,11 +1,15 @@
 //! What a material was made of: given terms, measured data, or a law; and the temperature it is at.
 
+use crate::elastic::PlaneState;
 use crate::material::Material;
 use crate::material::broad::{BroadLaw, Expansion};
 use crate::material::fit::SeriesFit;
 use crate::material::fit::consistency::Consistency;
 use crate::material::fit::superposition::Superposition;
+use crate::material::isotropic::IsotropicSolid;
 use crate::material::shift::ShiftFactors;
+use crate::refusal::Refusal;
+use crate::scene::check::Units;
 use std::sync::Arc;
 
 /// What the series of a material was made of.
@@ -17,6 +21,83 @@ pub enum MaterialOrigin {
     Data(Arc<FittedData>),
     /// A law expanded into terms.
     Law(Arc<ExpandedLaw>),
+    /// The deck of a finite-element program.
+    Deck(Arc<DeckOrigin>),
+}
+
+/// The deck of a finite-element program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeckOrigin {
+    /// Its file.
+    pub file: String,
+    /// The program.
+    pub program: &'static str,
+    /// What the deck calls the material.
+    pub name: Option<String>,
+    /// What was taken as what, and what was skipped, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// A solid by its shear and its bulk series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IsotropicSeries {
+    /// At the temperature of the scene.
+    pub at_temperature: IsotropicSolid,
+    /// At the reference temperature; the same without shift factors.
+    pub at_reference: IsotropicSolid,
+}
+
+/// What is known of Poisson's ratio.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PoissonRatio {
+    /// Nothing.
+    NotGiven,
+    /// It is taken as constant.
+    Constant(f64),
+    /// It follows from the shear and the bulk series: of an instantaneous load, and of one held for ever.
+    Following([f64; 2]),
+}
+
+impl PoissonRatio {
+    /// The ratio, if it is constant.
+    #[must_use]
+    pub const fn constant(self) -> Option<f64> {
+        if let Self::Constant(ratio) = self { Some(ratio) } else { None }
+    }
+}
+
+impl super::SceneMaterial {
+    /// What is known of Poisson's ratio.
+    #[must_use]
+    pub fn poisson(&self) -> PoissonRatio {
+        match (&self.isotropic, self.poisson_ratio) {
+            (Some(solid), _) => PoissonRatio::Following(solid.at_temperature.poisson_ratios()),
+            (None, Some(ratio)) => PoissonRatio::Constant(ratio),
+            (None, None) => PoissonRatio::NotGiven,
+        }
+    }
+
+    /// Whether the modulus of plane strain and of a half-space is known.
+    #[must_use]
+    pub fn has_plane_strain_modulus(&self) -> bool {
+        self.poisson() != PoissonRatio::NotGiven
+    }
+
+    /// The series that a contact or a crack sees: the one place where Young's modulus becomes a plane modulus.
+    ///
+    /// In plane stress it is Young's. In plane strain and on a half-space it is E/(1 − ν²) of a constant Poisson ratio, or the exact series of
+    /// 4G(3K + G)/(3K + 4G). A scene in reduced units holds plane moduli already.
+    ///
+    /// # Errors
+    /// [`Refusal::OutOfRange`] for a Poisson ratio out of range; [`Refusal::Undefined`] where a modulus overflows.
+    pub fn plane_series(&self, units: Units, state: PlaneState) -> Result<Material, Refusal> {
+        match (&self.isotropic, self.poisson_ratio) {
+            _ if units == Units::Reduced => Ok(self.series.clone()),
+            (Some(solid), _) if state == PlaneState::Strain => Ok(solid.at_temperature.plane_strain().clone()),
+            (None, Some(ratio)) => self.series.stiffened(state.stiffening(ratio)?),
+            _ => Ok(self.series.clone()),
+        }
+    }
 }
 
 /// What a table measured.

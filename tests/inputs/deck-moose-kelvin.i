@@ -1,0 +1,6 @@
+[Materials]
+  [kv]
+    type = GeneralizedKelvinVoigtModel
+    young_modulus = 10e9
+  []
+[]
