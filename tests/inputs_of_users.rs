@@ -116,7 +116,7 @@ fn complaints(case: &Value) -> Vec<String> {
 fn answered(case: &Value, folder: &Folder) -> Vec<String> {
     let input = case["input"].as_str().unwrap();
     let values = case["values"].as_array().unwrap();
-    let of_material = values.iter().any(|value| OF_MATERIAL.iter().any(|word| !value[word].is_null()));
+    let of_material = case["command"] == "material" || values.iter().any(|value| OF_MATERIAL.iter().any(|word| !value[word].is_null()));
     let scene = format!("{input}.toml");
     let answer: Answer = if of_material { folder.call(&["material", &scene, "--json"]) } else { folder.call(&["run", &scene, "--out", "out"]) };
     let refused = answer.code != 0;
@@ -140,8 +140,14 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
     values
         .iter()
         .filter_map(|wanted| {
+            let pointed = wanted["pointer"].as_str().map(|pointer| terms.pointer(pointer).cloned().unwrap_or_default());
+            if let Some(right) = wanted["is"].as_bool() {
+                return (pointed != Some(Value::Bool(right))).then(|| format!("{input}: {pointed:?} instead of {right}, {wanted}"));
+            }
             let right = wanted["value"].as_f64().unwrap();
-            let found = if of_material {
+            let found = if let Some(number) = pointed {
+                number.as_f64().unwrap_or(f64::NAN)
+            } else if of_material {
                 let word = OF_MATERIAL.iter().find(|word| !wanted[*word].is_null()).unwrap();
                 of_terms(&terms, word, wanted[word].as_f64().unwrap_or(0.0))
             } else {
@@ -156,7 +162,9 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
                     (force[0] - force[1]) / (depth[0] - depth[1])
                 }
             };
-            let fits = (found / right - 1.0).abs() <= wanted["tolerance"].as_f64().unwrap();
+            // Of zero the tolerance is absolute.
+            let scale = if right == 0.0 { 1.0 } else { right.abs() };
+            let fits = (found - right).abs() <= wanted["tolerance"].as_f64().unwrap() * scale;
             println!("{input}: {found:e}, right: {right:e} ({})", wanted["why"].as_str().unwrap());
             (!fits).then(|| format!("{input}: {found:e} instead of {right:e}, {wanted}"))
         })
