@@ -109,7 +109,7 @@ impl DelimitedTable {
                 }
             }
         }
-        let Chosen { decimal, grouped } = evidence.decide().map_err(|open| {
+        let Chosen { decimal, grouped, taken } = evidence.decide().map_err(|open| {
             let quoted = |cell: Cell| words(text, cell).to_owned();
             match open {
                 Open::Both(point, comma) => {
@@ -152,10 +152,13 @@ impl DelimitedTable {
             let mark = if decimal == Decimal::Point { "commas" } else { "points" };
             notes.push(format!("its {mark} group thousands, as in `{}` in line {}", words(text, cell), line(cell)));
         }
-        if let Some(cell) = unusual {
-            if let Some(value) = number::value(words(text, cell), decimal, 0, &mut String::new()) {
-                notes.push(format!("`{}` in line {} is read as {value}, and others like it", words(text, cell), line(cell)));
-            }
+        if let Some(cell) = taken {
+            notes.push(format!("its points are taken as decimal signs, as in `{}` in line {}", words(text, cell), line(cell)));
+        }
+        if let Some(cell) = unusual
+            && let Some(value) = number::value(words(text, cell), decimal, 0, &mut String::new())
+        {
+            notes.push(format!("`{}` in line {} is read as {value}, and others like it", words(text, cell), line(cell)));
         }
         let notes = notes.into_iter().map(|note| format!("{name:?}: {note}")).collect();
         Ok(Self { source: source.clone(), grid, blocks, separator, decimal, notes })
@@ -314,7 +317,11 @@ impl Reader<'_> {
         let own = names.filter(|index| self.is_text(*index) || before.is_none()).and_then(|index| self.grid.lines.get(index));
         let Some(names) = own else {
             let starts = !stated.is_empty() || above.iter().any(|index| self.is_text(*index));
-            let inherited = before.map_or_else(Block::default, |before| Block { header: before.header.clone(), units: before.units.clone(), ..Block::default() });
+            let inherited = before.map_or_else(Block::default, |before| Block {
+                header: before.header.clone(),
+                units: before.units.clone(),
+                ..Block::default()
+            });
             return (Block { stated, own_header: false, ..inherited }, starts);
         };
         let blanks = self.separator == Separator::Blanks;
@@ -336,9 +343,7 @@ impl Reader<'_> {
     /// Lines of text above a block that are neither names nor units nor stated values.
     fn passed(&self, above: &[usize], block: Option<&Block>) -> usize {
         let texts = above.iter().filter(|index| self.is_text(**index)).count();
-        let used = block.map_or(0, |block| {
-            if block.own_header { usize::from(!block.units.is_empty()) + 1 } else { 0 }
-        });
+        let used = block.map_or(0, |block| if block.own_header { usize::from(!block.units.is_empty()) + 1 } else { 0 });
         let said = block.map_or(0, |block| {
             let comment = |line: &Cell| words(self.text, *line).starts_with(['#', '%', '/']);
             block.stated.iter().filter(|stated| !comment(&stated.line)).count()

@@ -80,7 +80,7 @@ impl DelimitedTable {
     #[must_use]
     pub fn text(&self, cell: Cell) -> Cow<'_, str> {
         let words = words(self.source.text(), cell);
-        if !words.contains(char::is_control) && !(cell.quoted && words.contains('"')) {
+        if !(words.contains(char::is_control) || cell.quoted && words.contains('"')) {
             return Cow::Borrowed(words);
         }
         let text = if cell.quoted { words.replace("\"\"", "\"") } else { words.to_owned() };
