@@ -7,6 +7,7 @@
 //! ```
 //! A cell is a range of bytes: nothing is copied. A choice that is no matter of course is stated in a note; what would change a number and stays open is refused.
 
+mod blocks;
 mod class;
 mod decimal;
 pub mod decode;
@@ -17,8 +18,9 @@ mod open;
 mod scale;
 mod split;
 
+pub use blocks::Block;
 pub use class::{Stated, bare_unit};
-pub use layout::{Block, Options};
+pub use layout::Options;
 pub use number::Decimal;
 pub use open::open;
 pub use scale::Scale;
