@@ -118,7 +118,8 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
     let values = case["values"].as_array().unwrap();
     let of_material = case["command"] == "material" || values.iter().any(|value| OF_MATERIAL.iter().any(|word| !value[word].is_null()));
     let scene = format!("{input}.toml");
-    let answer: Answer = if of_material { folder.call(&["material", &scene, "--json"]) } else { folder.call(&["run", &scene, "--out", "out"]) };
+    let answer: Answer =
+        if of_material { folder.call(&["material", &scene, "--json"]) } else { folder.call(&["run", &scene, "--out", "out"]) };
     let refused = answer.code != 0;
     if refused != (case["outcome"] == "refused") {
         return vec![format!("{input}: exit {}, but expected: {}\n{}", answer.code, case["outcome"], answer.stderr)];
@@ -175,7 +176,9 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
 fn cases() -> Vec<Value> {
     let mut files: Vec<std::path::PathBuf> =
         std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|path| path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json"));
+    files.retain(|path| {
+        path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json")
+    });
     files.sort();
     files.iter().flat_map(|path| serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap()).unwrap()).collect()
 }

@@ -135,3 +135,53 @@ fn factors_relative_to_another_temperature() {
     let [relaxed, strength, time] = SOLID;
     same(solid(material(&folder, &data, &format!("temperature = \"40 °C\"\n{factors}"))), [relaxed, strength, 0.1 * time], "warm");
 }
+
+/// What is no table is refused before it is read: folders, devices, files beyond memory; and what holds no text.
+#[test]
+fn only_files_of_text_are_read() {
+    let folder = Folder::new();
+    let says = |data: &str, words: &str| {
+        folder.write("scene.toml", format!("[material]\ndata = \"{data}\"\n"));
+        let answer = folder.call(&["material", "scene.toml"]).ended(2);
+        assert!(answer.stderr.contains(words), "{}", answer.stderr);
+    };
+    std::fs::create_dir(folder.path("folder.csv")).unwrap();
+    says("folder.csv", "no regular file");
+    #[cfg(unix)]
+    says("/dev/zero", "no regular file");
+    folder.write("zero.csv", b"frequency (Hz), E' (Pa)\n1,\0\n");
+    says("zero.csv", "line 2 holds a zero byte");
+    // A file with a hole takes no place on the disk.
+    std::fs::File::create(folder.path("large.csv")).unwrap().set_len(1 << 32).unwrap();
+    says("large.csv", "more than 64 MiB");
+}
+
+/// Where two columns or two units stand for one quantity, the table says which, or is refused.
+#[test]
+fn what_contradicts_itself_is_refused() {
+    let folder = Folder::new();
+    let right = table("Frequency (Hz), Frequency [rad/s], E' (Pa), E'' (Pa)", &[], |t| t, [1.0, 1.0], 0.0);
+    let rows = |factor: f64| -> String {
+        (0..8)
+            .map(|k| {
+                let frequency = 10f64.powf(f64::from(k) / 2.0 - 2.0);
+                let [storage, loss] = moduli(frequency, SOLID[2]);
+                format!("{frequency:e}, {:e}, {storage:e}, {loss:e}\n", frequency * TAU * factor)
+            })
+            .collect()
+    };
+    for (data, says) in [
+        (format!("{right}{}", rows(1.02)), "is not 2π times the frequency"),
+        (format!("frequency (Hz), x, G' (Pa), E'' (Pa)\n{}", rows(1.0)), "of shear or of tension?"),
+        (format!("frequency (Hz), x, E' (Pa), E'' (Pa)\nHz, , MPa, Pa\n{}", rows(1.0)), "has two units"),
+        (format!("frequency (Hz), x, E' (Pa), E' (kPa)\n{}", rows(1.0)), "two columns hold the storage modulus"),
+        (
+            format!("frequency (Hz), x, E' (Pa), E'' (Pa)\n{}frequency (Hz), x, E' (Pa), E'' (Pa)\n{}", rows(1.0), rows(1.0)),
+            "of which temperature?",
+        ),
+    ] {
+        let answer = material(&folder, &data, "").ended(2);
+        assert!(answer.stderr.contains(says), "{says}: {}", answer.stderr);
+    }
+    same(solid(material(&folder, &format!("{right}{}", rows(1.0)), "")), SOLID, "both frequencies");
+}

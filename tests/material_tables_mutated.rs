@@ -67,7 +67,8 @@ enum Found {
 fn reference(bytes: &[u8], separator: char, decimal: char) -> Found {
     let Ok(text) = std::str::from_utf8(bytes) else { return Found::Unknown };
     let text = text.replace("\r\n", "\n").replace('\r', "\n");
-    let mut lines = text.split('\n').map(str::trim).filter(|line| !line.is_empty() && !line.starts_with(['#', '%']) && !line.starts_with("//"));
+    let mut lines =
+        text.split('\n').map(str::trim).filter(|line| !line.is_empty() && !line.starts_with(['#', '%']) && !line.starts_with("//"));
     let Some(header) = lines.next() else { return Found::Refused };
     let turn = std::f64::consts::TAU;
     let column = |cell: &str| -> Option<(usize, f64)> {
@@ -119,7 +120,10 @@ fn agree(data: &MaterialData, rows: &[[f64; 3]]) -> bool {
     let near = |one: f64, other: f64| (one - other).abs() <= 1e-12 * other.abs();
     data.rows.len() == rows.len()
         && data.rows.iter().zip(rows).all(|(row, right)| {
-            near(row.at, right[0]) && near(row.value, right[1]) && row.loss.is_none_or(|loss| near(loss, right[2])) && row.temperature.is_none()
+            near(row.at, right[0])
+                && near(row.value, right[1])
+                && row.loss.is_none_or(|loss| near(loss, right[2]))
+                && row.temperature.is_none()
         })
 }
 
@@ -171,7 +175,8 @@ fn spoilt_tables_give_what_they_hold_or_say_what_was_chosen() {
 fn every_spoilt_table_is_answered() {
     let files: Vec<PathBuf> = std::fs::read_dir(inputs()).unwrap().map(|entry| entry.unwrap().path()).collect();
     let tables = files.iter().filter(|path| {
-        path.file_stem().is_some_and(|stem| stem.to_str().unwrap().starts_with("table_")) && path.extension().is_some_and(|one| one != "toml")
+        path.file_stem().is_some_and(|stem| stem.to_str().unwrap().starts_with("table_"))
+            && path.extension().is_some_and(|one| one != "toml")
     });
     for path in tables {
         let bytes = std::fs::read(path).unwrap();

@@ -172,7 +172,11 @@ pub(super) const KEYS: &[Key] = &[
     Key { path: "material.columns.storage_modulus", kind: Kind::Text, meaning: "E′." },
     Key { path: "material.columns.loss_modulus", kind: Kind::Text, meaning: "E″." },
     Key { path: "material.columns.loss_tangent", kind: Kind::Text, meaning: "tan δ = E″/E′, in place of E″." },
-    Key { path: "material.columns.complex_modulus", kind: Kind::Text, meaning: "|E*|, with a phase angle or a loss tangent, in place of E′." },
+    Key {
+        path: "material.columns.complex_modulus",
+        kind: Kind::Text,
+        meaning: "|E*|, with a phase angle or a loss tangent, in place of E′.",
+    },
     Key { path: "material.columns.phase_angle", kind: Kind::Text, meaning: "δ, the phase between stress and strain, in deg or rad." },
     Key { path: "material.columns.relaxation_modulus", kind: Kind::Text, meaning: "R(t)." },
     Key { path: "material.columns.creep_compliance", kind: Kind::Text, meaning: "J(t)." },

@@ -113,9 +113,7 @@ pub(super) fn stated(text: &str, grid: &Grid, line: &Line, separator: Separator)
     let filled: Vec<&str> = cells.iter().map(|cell| words(text, *cell)).filter(|words| !words.is_empty()).collect();
     if let Some((key, value)) = full.split_once([':', '=']) {
         let first = filled.first().copied().unwrap_or("");
-        let leads = line.comment
-            || first.contains([':', '='])
-            || filled.get(1).is_some_and(|second| second.starts_with([':', '=']));
+        let leads = line.comment || first.contains([':', '=']) || filled.get(1).is_some_and(|second| second.starts_with([':', '=']));
         let few = line.comment || separator == Separator::Blanks || filled.len() <= 3;
         let key = key.trim().trim_end_matches([';', ',', '"', '\t', ' ']);
         let letters = key.chars().filter(|c| c.is_alphabetic()).count();
@@ -133,11 +131,7 @@ pub(super) fn stated(text: &str, grid: &Grid, line: &Line, separator: Separator)
     let is_key = letters >= 3 && key.starts_with(char::is_alphabetic) && letters > key.chars().filter(char::is_ascii_digit).count();
     let begins = value.trim_start_matches(['-', '−', '+']).starts_with(|c: char| c.is_ascii_digit());
     let unit_fits = unit.iter().all(|unit| !shape(unit).is_number());
-    (is_key && begins && unit_fits).then(|| Stated {
-        key: (*key).to_owned(),
-        value: [&[*value], unit].concat().join(" "),
-        line: whole,
-    })
+    (is_key && begins && unit_fits).then(|| Stated { key: (*key).to_owned(), value: [&[*value], unit].concat().join(" "), line: whole })
 }
 
 /// Whether a line of text can hold units: most of its cells do.

@@ -30,6 +30,8 @@ pub(super) enum Open {
 pub(super) struct Chosen {
     pub(super) decimal: Decimal,
     pub(super) grouped: Option<Cell>,
+    /// A number whose point is taken as the decimal sign, where no other number shows that it is.
+    pub(super) taken: Option<Cell>,
 }
 
 impl Evidence {
@@ -78,6 +80,7 @@ impl Evidence {
                 None => Decimal::Point,
             },
         };
-        Ok(Chosen { decimal, grouped: by_groups(decimal) })
+        let taken = if point.is_none() && decimal == Decimal::Point { self.doubtful_point } else { None };
+        Ok(Chosen { decimal, grouped: by_groups(decimal), taken })
     }
 }

@@ -7,6 +7,7 @@
 //! ```
 //! A cell is a range of bytes: nothing is copied. A choice that is no matter of course is stated in a note; what would change a number and stays open is refused.
 
+mod blocks;
 mod class;
 mod decimal;
 pub mod decode;
@@ -17,8 +18,9 @@ mod open;
 mod scale;
 mod split;
 
+pub use blocks::Block;
 pub use class::{Stated, bare_unit};
-pub use layout::{Block, Options};
+pub use layout::Options;
 pub use number::Decimal;
 pub use open::open;
 pub use scale::Scale;
@@ -80,7 +82,7 @@ impl DelimitedTable {
     #[must_use]
     pub fn text(&self, cell: Cell) -> Cow<'_, str> {
         let words = words(self.source.text(), cell);
-        if !words.contains(char::is_control) && !(cell.quoted && words.contains('"')) {
+        if !(words.contains(char::is_control) || cell.quoted && words.contains('"')) {
             return Cow::Borrowed(words);
         }
         let text = if cell.quoted { words.replace("\"\"", "\"") } else { words.to_owned() };

@@ -18,7 +18,8 @@ fn read(text: &str) -> Result<Vec<(String, Vec<Vec<Option<f64>>>)>, String> {
                 *name = format!("{name}|{}", table.text(*unit));
             }
             let said: Vec<String> = block.stated.iter().map(|stated| format!("{}={}; ", stated.key, stated.value)).collect();
-            let rows = table.rows(block).map(|row| row.iter().map(|cell| table.number(*cell, &Scale::ONE, &mut buffer)).collect()).collect();
+            let rows =
+                table.rows(block).map(|row| row.iter().map(|cell| table.number(*cell, &Scale::ONE, &mut buffer)).collect()).collect();
             (format!("{}{}", said.concat(), names.join("~")), rows)
         })
         .collect())
@@ -90,7 +91,11 @@ fn what_stays_open_is_refused() {
         assert!(refused.contains(says), "{text}\n{refused}");
     }
     // Either remedy works where it is pasted.
-    for (text, remedies) in [("f;E\n1,234;5\n2,345;6\n", ["1,2340", "1,234.0"]), ("f;E\n0,5;7\n1.234;6\n", ["1,234", "1.234,0"]), ("f;E\n0.5;7\n1,234;6\n", ["1.234", "1,234.0"])] {
+    for (text, remedies) in [
+        ("f;E\n1,234;5\n2,345;6\n", ["1,2340", "1,234.0"]),
+        ("f;E\n0,5;7\n1.234;6\n", ["1,234", "1.234,0"]),
+        ("f;E\n0.5;7\n1,234;6\n", ["1.234", "1,234.0"]),
+    ] {
         let refused = read(text).unwrap_err();
         let cell = if text.contains("1.234") { "1.234" } else { "1,234" };
         for (remedy, right) in remedies.iter().zip([1.234, 1234.0]) {

@@ -37,7 +37,17 @@ const ROLES: [Entry; 14] = [
         "angular_frequency",
         Dimension::FREQUENCY,
         &["ω", "w"],
-        &["angularfrequency", "angfrequency", "angularfreq", "angfreq", "omega", "kreisfrequenz", "winkelfrequenz", "pulsation", "fréquenceangulaire"],
+        &[
+            "angularfrequency",
+            "angfrequency",
+            "angularfreq",
+            "angfreq",
+            "omega",
+            "kreisfrequenz",
+            "winkelfrequenz",
+            "pulsation",
+            "fréquenceangulaire",
+        ],
     ),
     (Role::Time, "time", Dimension::TIME, &["t"], &["time", "zeit", "temps", "steptime", "schrittzeit", "abschnittszeit", "tempsd'étape"]),
     (
@@ -52,7 +62,17 @@ const ROLES: [Entry; 14] = [
         "storage_modulus",
         Dimension::PRESSURE,
         &["e'", "g'", "m'"],
-        &["storagemodulus", "storage", "estor", "estorage", "gstor", "gstorage", "speichermodul", "moduledeconservation", "moduledestockage"],
+        &[
+            "storagemodulus",
+            "storage",
+            "estor",
+            "estorage",
+            "gstor",
+            "gstorage",
+            "speichermodul",
+            "moduledeconservation",
+            "moduledestockage",
+        ],
     ),
     (
         Role::Loss,
@@ -66,7 +86,16 @@ const ROLES: [Entry; 14] = [
         "loss_tangent",
         Dimension::NUMBER,
         &["tanδ", "tan(δ)", "tandelta", "tan(delta)", "tand", "tan(d)"],
-        &["losstangent", "lossfactor", "dampingfactor", "verlustfaktor", "facteurdeperte", "facteurdepertes", "facteurd'amortissement", "δtan"],
+        &[
+            "losstangent",
+            "lossfactor",
+            "dampingfactor",
+            "verlustfaktor",
+            "facteurdeperte",
+            "facteurdepertes",
+            "facteurd'amortissement",
+            "δtan",
+        ],
     ),
     (
         Role::Complex,
@@ -80,7 +109,19 @@ const ROLES: [Entry; 14] = [
         "phase_angle",
         Dimension::NUMBER,
         &["δ", "delta", "φ", "phi"],
-        &["phase", "phaseangle", "phaseshift", "phaseshiftangle", "lossangle", "phasenwinkel", "phasenverschiebung", "phasenverschiebungswinkel", "déphasage", "angledephase", "angledeperte"],
+        &[
+            "phase",
+            "phaseangle",
+            "phaseshift",
+            "phaseshiftangle",
+            "lossangle",
+            "phasenwinkel",
+            "phasenverschiebung",
+            "phasenverschiebungswinkel",
+            "déphasage",
+            "angledephase",
+            "angledeperte",
+        ],
     ),
     (
         Role::Relaxation,
@@ -96,7 +137,13 @@ const ROLES: [Entry; 14] = [
         &["j", "j(t)", "d(t)"],
         &["creepcompliance", "compliance", "kriechnachgiebigkeit", "nachgiebigkeit", "complaisance", "complaisancedefluage"],
     ),
-    (Role::Factor, "factor", Dimension::NUMBER, &["at"], &["factor", "shiftfactor", "horizontalshiftfactor", "verschiebungsfaktor", "facteurdeglissement"]),
+    (
+        Role::Factor,
+        "factor",
+        Dimension::NUMBER,
+        &["at"],
+        &["factor", "shiftfactor", "horizontalshiftfactor", "verschiebungsfaktor", "facteurdeglissement"],
+    ),
     (Role::LogFactor, "log10_factor", Dimension::NUMBER, &["logat", "log10at", "log(at)", "log10(at)", "lgat", "lg(at)"], &["log10factor"]),
     (Role::NaturalLogFactor, "ln_factor", Dimension::NUMBER, &["lnat", "ln(at)"], &["lnfactor"]),
 ];
@@ -158,10 +205,8 @@ const STRAINED: [(&str, Strained); 8] = [
 /// What a name means, and what it says of the strain.
 pub(super) fn meaning(name: &str) -> Option<(Role, Option<Strained>)> {
     let plain = plain(name);
-    let (rest, said) = STRAINED
-        .iter()
-        .find_map(|(word, strained)| Some((plain.strip_prefix(word)?, Some(*strained))))
-        .unwrap_or((plain.as_str(), None));
+    let (rest, said) =
+        STRAINED.iter().find_map(|(word, strained)| Some((plain.strip_prefix(word)?, Some(*strained)))).unwrap_or((plain.as_str(), None));
     for (role, _, dimension, symbols, words) in &ROLES {
         let of_modulus = *dimension == Dimension::PRESSURE || *dimension == Dimension::COMPLIANCE;
         let lettered = |text: &str| match text.trim_start_matches(['|', '(']).chars().next() {
@@ -202,8 +247,7 @@ pub(super) fn split(header: &str, is_known: impl Fn(&str) -> bool) -> (String, O
     for (open, close) in [('[', ']'), ('(', ')'), ('<', '>')] {
         // A unit may hold brackets of its own: E (N/(mm^2)).
         for (at, _) in header.rmatch_indices(open) {
-            if let (Some(name), Some(unit)) =
-                (header.get(..at), header.get(at + 1..).and_then(|rest| rest.trim_end().strip_suffix(close)))
+            if let (Some(name), Some(unit)) = (header.get(..at), header.get(at + 1..).and_then(|rest| rest.trim_end().strip_suffix(close)))
                 && !name.trim().is_empty()
                 && (is_known(name.trim().trim_end_matches([',', ':'])) || parse_quantity(&format!("1 {unit}")).is_ok())
             {

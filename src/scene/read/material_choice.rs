@@ -108,7 +108,7 @@ fn moduli(
         }
         (false, false) => return Err(wrong(format!("{file:?} has no column with a frequency"))),
     };
-    choice.main = if has(Role::Storage) && !(says(Role::Complex) && !says(Role::Storage)) { Role::Storage } else { Role::Complex };
+    choice.main = if has(Role::Storage) && (says(Role::Storage) || !says(Role::Complex)) { Role::Storage } else { Role::Complex };
     // Two columns of it come before what may be missing.
     columns.get(choice.main)?;
     let seconds: &[Role] =

@@ -3,7 +3,7 @@
 use super::column_names::{Role, Strained, dimension, meaning, roles, split, word};
 use super::column_units::{Counted, unit};
 use super::section::Section;
-use crate::scene::delimited::Scale;
+use crate::scene::delimited::{Scale, bare_unit};
 use crate::scene::diagnostic::{Place, SceneError};
 use crate::scene::units::Dimension;
 
@@ -67,11 +67,17 @@ pub(super) fn column(header: &Header<'_>, stated: &[StatedColumn]) -> Option<(Ro
     if by_scene.is_none() && stated.iter().any(|entry| entry.0 == role) {
         return None;
     }
-    let unit = by_scene
-        .and_then(|entry| entry.2.clone())
-        .or(own_unit)
-        .or_else(|| header.unit_below.map(str::to_owned))
-        .unwrap_or_default();
+    let of_scene = by_scene.and_then(|entry| entry.2.clone());
+    if let (None, Some(own), Some(below)) = (&of_scene, &own_unit, header.unit_below)
+        && !matches!(bare_unit(below), "" | "-" | "1")
+        && bare_unit(own) != bare_unit(below)
+    {
+        let message = format!("the column `{text}` has two units, and below it stands {below:?}");
+        let error = SceneError::at(&header.place, message, "which of the two?")
+            .help(format!("write one of them, or state it in [material.columns]: {} = \"{text} in UNIT\"", word(role)));
+        return Some((role, Err(error)));
+    }
+    let unit = of_scene.or(own_unit).or_else(|| header.unit_below.map(str::to_owned)).unwrap_or_default();
     let strained = said.and_then(|entry| entry.1).or_else(|| {
         // `G prime` means nothing here, and still begins with the letter of shear.
         let letter = super::column_names::plain(&name).starts_with('g');
@@ -124,15 +130,14 @@ fn with_unit(header: &Header<'_>, role: Role, written: &str, by_scene: bool) -> 
     match (role, counted) {
         (Role::Frequency, Some(Counted::Radians)) => Ok((Role::AngularFrequency, scale)),
         (Role::AngularFrequency, Some(Counted::Cycles)) => {
-            let message = format!("the column `{text}` is an angular frequency in {}", crate::scene::delimited::bare_unit(written));
+            let message = format!("the column `{text}` is an angular frequency in {}", bare_unit(written));
             Err(SceneError::at(place, message, "rad/s, or a frequency in Hz?")
                 .help("name it frequency if it counts cycles; write rad/s if it counts radians"))
         }
         (Role::Frequency, None) => {
             let message = format!("the column `{text}` does not say whether it counts cycles or radians");
-            Err(SceneError::at(place, message, "Hz or rad/s?").help(format!(
-                "write into [material.columns]: frequency = \"{text} in Hz\", or angular_frequency = \"{text} in rad/s\""
-            )))
+            Err(SceneError::at(place, message, "Hz or rad/s?")
+                .help(format!("write into [material.columns]: frequency = \"{text} in Hz\", or angular_frequency = \"{text} in rad/s\"")))
         }
         _ => Ok((role, scale)),
     }

@@ -1,6 +1,6 @@
 //! A table of a material as blocks of rows whose columns have roles.
 
-use super::column_names::{EXAMPLE, Role, meaning, spoken, split, word};
+use super::column_names::{EXAMPLE, Role, meaning, split, spoken, word};
 use super::column_units::unit;
 use super::material_columns::{Column, Header, StatedColumn, column, stated_columns};
 use super::section::Section;
@@ -130,6 +130,9 @@ fn columns(table: &DelimitedTable, block: &Block, stated: &[StatedColumn], tempe
     Columns { found, names, temperature, header: table.row_place(&block.header) }
 }
 
+/// The note on temperatures that stand above blocks.
+const OF_LINES: &str = "a line above gives the temperature of the rows below it";
+
 fn place_is_comment(place: &Place) -> bool {
     place.source.text().get(place.span.clone()).is_some_and(|line| line.starts_with(['#', '%', '/']))
 }
@@ -148,19 +151,25 @@ fn block_temperature(table: &DelimitedTable, block: &Block, first: bool, notes: 
             continue;
         }
         let Some((digits, own)) = DelimitedTable::quantity(&stated.value) else {
-            notes.push(format!("{:?}: line {} states no single temperature and is passed over", place.source.name(), table.line(stated.line)));
+            notes.push(format!(
+                "{:?}: line {} states no single temperature and is passed over",
+                place.source.name(),
+                table.line(stated.line)
+            ));
             continue;
         };
         let written = if own.is_empty() { unit_of_key.unwrap_or_default() } else { own };
-        let wrong = |message: String| {
-            SceneError::at(&place, message, "must be such as: Temperature: 25 °C")
-        };
+        let wrong = |message: String| SceneError::at(&place, message, "must be such as: Temperature: 25 °C");
         let known = unit(&written).map_err(|error| wrong(format!("the unit of this temperature cannot be read: {error}")))?;
         if !known.0.dimension.measures(Dimension::TEMPERATURE) {
             return Err(wrong(format!("this temperature has the unit {written:?}")));
         }
         let spelt = crate::scene::delimited::bare_unit(&written).replace(['º', '˚'], "°").replace("° ", "°");
-        let kelvin = parse_quantity(&format!("{digits} {spelt}")).map_err(|error| wrong(format!("this temperature cannot be read: {error}")))?;
+        let kelvin =
+            parse_quantity(&format!("{digits} {spelt}")).map_err(|error| wrong(format!("this temperature cannot be read: {error}")))?;
+        if !notes.iter().any(|note| note.contains(OF_LINES)) {
+            notes.push(format!("{:?}: {OF_LINES}, as in line {}", place.source.name(), table.line(stated.line)));
+        }
         return Ok(Some(kelvin.value));
     }
     Ok(None)

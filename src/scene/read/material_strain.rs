@@ -35,8 +35,7 @@ pub(super) fn stretch_to_young(
                 .help("write of = \"shear\" or of = \"tension\" into [material.columns]"));
         }
         (None, Some(column), None) if column.by_scene => {
-            let message =
-                format!("`{}` is named like a shear modulus, and [material.columns] does not say of what it is", column.text);
+            let message = format!("`{}` is named like a shear modulus, and [material.columns] does not say of what it is", column.text);
             return Err(SceneError::at(&column.place, message, "of shear or of tension?")
                 .help("write of = \"shear\" or of = \"tension\" into [material.columns]"));
         }

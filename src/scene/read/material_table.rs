@@ -10,9 +10,9 @@
 
 use super::column_names::{Role, spoken, word};
 use super::material_choice::{Choice, chosen};
-use super::material_taking::Taking;
 use super::material_rows::{Columns, MaterialRows};
 use super::material_strain::stretch_to_young;
+use super::material_taking::Taking;
 use super::section::Section;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
@@ -92,9 +92,11 @@ fn temperatures_given(rows: &MaterialRows, file: &str) -> Result<(), SceneError>
     let lacking = rows.blocks().filter(|(_, columns)| lacks(columns)).last();
     let some = rows.blocks.iter().any(|columns| !lacks(columns));
     let Some((_, columns)) = lacking.filter(|_| own > 1 || some) else { return Ok(()) };
-    let message = format!("{file:?} has {} blocks of rows, and nothing gives the temperature of the one below this line", rows.blocks.len());
-    Err(SceneError::at(&columns.header, message, "of which temperature?")
-        .help("put a line such as `Temperature: 25 °C` above each block; or leave repeated headers out, if all rows are of one temperature"))
+    let message =
+        format!("{file:?} has {} blocks of rows, and nothing gives the temperature of the one below this line", rows.blocks.len());
+    Err(SceneError::at(&columns.header, message, "of which temperature?").help(
+        "put a line such as `Temperature: 25 °C` above each block; or leave repeated headers out, if all rows are of one temperature",
+    ))
 }
 
 /// Moduli outside are no solid's: a unit is wrong.

@@ -58,7 +58,13 @@ impl<'t> Taking<'t> {
     }
 
     /// One row in SI units, of tension; none if a used column has no value there.
-    pub(super) fn row(&mut self, row: &[Cell], columns: &Columns, choice: &Choice, stretch: f64) -> Result<Option<MeasuredRow>, SceneError> {
+    pub(super) fn row(
+        &mut self,
+        row: &[Cell],
+        columns: &Columns,
+        choice: &Choice,
+        stretch: f64,
+    ) -> Result<Option<MeasuredRow>, SceneError> {
         let value = self.number(row, columns, Some(choice.main))?;
         let place = self.number(row, columns, Some(choice.place))?;
         let second = self.number(row, columns, choice.second)?;
