@@ -19,7 +19,9 @@ pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,
 };
-pub use indentation::{Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape};
+pub use indentation::{
+    Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape,
+};
 pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 
 /// A whole scene at one point of its sweep.

@@ -69,14 +69,12 @@ impl IndentationPlan {
         let Some(shape) = self.tabulated() else { return Vec::new() };
         let reach = scan.reach();
         let shown: Vec<(f64, f64)> = thinned(scan.levelled.clone(), DRAWN);
-        let line: Vec<(f64, f64)> = (0..=400)
-            .map(|place| reach * (f64::from(place) / 200.0 - 1.0))
-            .map(|r| (r, shape.height(r.abs())))
-            .collect();
-        let left: Vec<(f64, f64)> =
-            shown.iter().filter(|(r, _)| r.abs() <= reach).map(|(r, h)| (*r, h - shape.height(r.abs()))).collect();
+        let line: Vec<(f64, f64)> =
+            (0..=400).map(|place| reach * (f64::from(place) / 200.0 - 1.0)).map(|r| (r, shape.height(r.abs()))).collect();
+        let left: Vec<(f64, f64)> = shown.iter().filter(|(r, _)| r.abs() <= reach).map(|(r, h)| (*r, h - shape.height(r.abs()))).collect();
         let radius = || Axis::linear(self.label("distance from the apex", "$r$", " (m)", "$r/R$"));
-        let marks = |label: &str, points: Vec<(f64, f64)>| Curve::new(label, points).with_line(Line::None).with_marker(Marker::Plus).with_colour(1);
+        let marks =
+            |label: &str, points: Vec<(f64, f64)>| Curve::new(label, points).with_line(Line::None).with_marker(Marker::Plus).with_colour(1);
         let height = Axis::linear(self.label("height", "$z$", " (m)", "$z/R$"));
         let residual = Axis::linear(self.label("scan minus shape", r"$z - z(r)$", " (m)", "$(z - z(r))/R$"));
         vec![

@@ -5,8 +5,8 @@ use super::columns::{at, position};
 use crate::elastic::TaborNumber;
 use crate::indentation::{Adhesion, Profile, TabulatedShape};
 use crate::outcome::{Row, Validity};
-use crate::plan::measured::records;
 use crate::plan::assumptions::{Assumption, Limit, judged, not_judged};
+use crate::plan::measured::records;
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 
 /// The assumptions, in the order of [`IndentationPlan::assumptions`].
