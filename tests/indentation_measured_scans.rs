@@ -136,6 +136,8 @@ fn flat_surroundings_are_left_out_by_a_reach() {
     let found = axisymmetric(&scan, &ScanOptions { to: Some(3.9e-6), ..OPTIONS }).unwrap();
     assert!((found.centre[0] - 0.4e-6).abs() < 1e-8 && found.reach() <= 3.9e-6, "{:?}", found.centre);
     near(force_over_modulus(&found, 0.2e-6), hertz(10e-6, 0.2e-6), 0.02);
+    let beyond = axisymmetric(&scan, &ScanOptions { to: Some(11e-6), ..OPTIONS }).unwrap_err().to_string();
+    assert!(beyond.contains("not all sides"), "{beyond}");
 }
 
 #[test]
@@ -144,7 +146,7 @@ fn what_is_no_round_shape_is_refused() {
     let one_side = line(|r| r * r / 10e-6, (1e-6, 7e-6, 61), 0.9e-6, 0.0, 0.0);
     assert!(reason(&one_side).contains("both sides"), "{}", reason(&one_side));
     let noisy = line(|r| r * r / 10e-6, (-5e-6, 7e-6, 61), 1e-6, 0.0, 1.5e-6);
-    assert!(reason(&noisy).contains("rise"), "{}", reason(&noisy));
+    assert!(reason(&noisy).contains("rings"), "{}", reason(&noisy));
     let straight: Vec<[f64; 3]> = (0..20).map(|place| [f64::from(place), 0.0, 2.0 * f64::from(place)]).collect();
     axisymmetric(&straight, &OPTIONS).unwrap_err();
     assert!(axisymmetric(&one_side[..5], &OPTIONS).is_err());

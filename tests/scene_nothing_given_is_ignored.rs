@@ -119,14 +119,18 @@ const FILES: &[(&str, &str)] = &[
     ("other_shape.csv", "r (m), z (m)\n0, 0\n1e-4, 6e-6\n2e-4, 2.4e-5\n3e-4, 5.4e-5\n4e-4, 9.6e-5\n"),
     ("history.csv", "time (s), penetration (m)\n0, 0\n1, 1e-6\n2, 2e-6\n"),
     ("other_history.csv", "time (s), penetration (m)\n0, 0\n1, 1.5e-6\n2, 2e-6\n"),
-    ("named.csv", "a, b, c, d, e, f\n0, 0, 0, 0, 0, 0\n1, 1e-6, 1e-4, 2e-6, 1e3, 1.1e3\n2, 1.8e-6, 2e-4, 3e-6, 2e3, 2.2e3\n3, 3.1e-6, 4e-4, 4e-6, 3e3, 3.3e3\n4, 3.8e-6, 5e-4, 5e-6, 5e3, 5.5e3\n5, 5.2e-6, 6e-4, 6e-6, 6e3, 6.6e3\n"),
-    ("scan.csv", "u, v, w\n-4e-4, -3e-4, 8.1e-5\n-3e-4, -2e-4, 4.6e-5\n-2e-4, -1e-4, 2.1e-5\n-1e-4, 0, 6e-6\n0, 1e-4, 1e-6\n1e-4, 2e-4, 6e-6\n2e-4, 3e-4, 2.1e-5\n3e-4, 4e-4, 4.6e-5\n4e-4, 5e-4, 8.1e-5\n"),
+    (
+        "named.csv",
+        "a, b, c, d, e, f\n0, 0, 0, 0, 0, 0\n1, 1e-6, 1e-4, 2e-6, 1e3, 1.1e3\n2, 1.8e-6, 2e-4, 3e-6, 2e3, 2.2e3\n3, 3.1e-6, 4e-4, 4e-6, 3e3, 3.3e3\n4, 3.8e-6, 5e-4, 5e-6, 5e3, 5.5e3\n5, 5.2e-6, 6e-4, 6e-6, 6e3, 6.6e3\n",
+    ),
+    ("scan.csv", SCAN),
     ("face.csv", "u, v, w\n0, 0, 0\n1e-4, 1.1e-4, 5e-6\n2e-4, 2.1e-4, 2e-5\n3e-4, 3.1e-4, 4.5e-5\n4e-4, 4.1e-4, 8e-5\n"),
     ("map.csv", MAP),
     ("load.csv", "time (s), stress_intensity (Pa √m)\n0, 0\n1, 1000\n2, 2000\n"),
     ("other_load.csv", "time (s), stress_intensity (Pa √m)\n0, 0\n1, 1100\n2, 2000\n"),
 ];
 
+const SCAN: &str = "u, v, w\n-0.0005, -0.0004, 0.000126\n-0.00045, -0.00035, 0.00010225\n-0.0004, -0.0003, 8.1e-05\n-0.00035, -0.00025, 6.225e-05\n-0.0003, -0.0002, 4.6e-05\n-0.00025, -0.00015, 3.225e-05\n-0.0002, -0.0001, 2.1e-05\n-0.00015, -5e-05, 1.225e-05\n-0.0001, 0, 6e-06\n-5e-05, 5e-05, 2.25e-06\n0, 0.0001, 1e-06\n5e-05, 0.00015, 2.25e-06\n0.0001, 0.0002, 6e-06\n0.00015, 0.00025, 1.225e-05\n0.0002, 0.0003, 2.1e-05\n0.00025, 0.00035, 3.225e-05\n0.0003, 0.0004, 4.6e-05\n0.00035, 0.00045, 6.225e-05\n0.0004, 0.0005, 8.1e-05\n0.00045, 0.00055, 0.00010225\n0.0005, 0.0006, 0.000126\n";
 const MAP: &str = "u, v, w\n-0.0003, -0.00033, 9.945000e-05\n-0.0003, -0.00022, 6.920000e-05\n-0.0003, -0.00011, 5.105000e-05\n-0.0003, 0, 4.500000e-05\n-0.0003, 0.00011, 5.105000e-05\n-0.0003, 0.00022, 6.920000e-05\n-0.0003, 0.00033, 9.945000e-05\n-0.0002, -0.00033, 7.445000e-05\n-0.0002, -0.00022, 4.420000e-05\n-0.0002, -0.00011, 2.605000e-05\n-0.0002, 0, 2.000000e-05\n-0.0002, 0.00011, 2.605000e-05\n-0.0002, 0.00022, 4.420000e-05\n-0.0002, 0.00033, 7.445000e-05\n-0.0001, -0.00033, 5.945000e-05\n-0.0001, -0.00022, 2.920000e-05\n-0.0001, -0.00011, 1.105000e-05\n-0.0001, 0, 5.000000e-06\n-0.0001, 0.00011, 1.105000e-05\n-0.0001, 0.00022, 2.920000e-05\n-0.0001, 0.00033, 5.945000e-05\n0, -0.00033, 5.445000e-05\n0, -0.00022, 2.420000e-05\n0, -0.00011, 6.050000e-06\n0, 0, 0.000000e+00\n0, 0.00011, 6.050000e-06\n0, 0.00022, 2.420000e-05\n0, 0.00033, 5.445000e-05\n0.0001, -0.00033, 5.945000e-05\n0.0001, -0.00022, 2.920000e-05\n0.0001, -0.00011, 1.105000e-05\n0.0001, 0, 5.000000e-06\n0.0001, 0.00011, 1.105000e-05\n0.0001, 0.00022, 2.920000e-05\n0.0001, 0.00033, 5.945000e-05\n0.0002, -0.00033, 7.445000e-05\n0.0002, -0.00022, 4.420000e-05\n0.0002, -0.00011, 2.605000e-05\n0.0002, 0, 2.000000e-05\n0.0002, 0.00011, 2.605000e-05\n0.0002, 0.00022, 4.420000e-05\n0.0002, 0.00033, 7.445000e-05\n0.0003, -0.00033, 9.945000e-05\n0.0003, -0.00022, 6.920000e-05\n0.0003, -0.00011, 5.105000e-05\n0.0003, 0, 4.500000e-05\n0.0003, 0.00011, 5.105000e-05\n0.0003, 0.00022, 6.920000e-05\n0.0003, 0.00033, 9.945000e-05\n";
 
 const CREEP: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 0.6, retardation_time = 1.0 }, { fraction = 0.4, retardation_time = 0.1 }]\n";
@@ -206,7 +210,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("body of a power", press(SOFT, "power_law = { radius = 1e-3, exponent = 3.0 }\n", ramp)),
         ("profile", press(SOFT, "profile = \"shape.csv\"\n", ramp)),
         ("profile, named", press(SOFT, "profile = \"face.csv\"\nscan.columns = { r = \"u in m\", z = \"w in m\" }\n", ramp)),
-        ("profile of a line", press(SOFT, "profile = \"scan.csv\"\nscan = { apex = \"lowest\", to = 3e-4, largest_residual = 0.1 }\n[indentation.scan.columns]\nx = \"u in m\"\nz = \"w in m\"\n", ramp)),
+        ("profile of a line", press(SOFT, "profile = \"scan.csv\"\nscan = { apex = \"lowest\", to = 4e-4, largest_residual = 0.1, columns = { x = \"u in m\", z = \"w in m\" } }\n", ramp)),
         ("profile of a map", press(SOFT, "profile = \"map.csv\"\nscan.columns = { x = \"u in m\", y = \"v in m\", z = \"w in m\" }\n", ramp)),
         ("sphere by named columns", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"penetration\"\ncontact_point = 1e-8\ninvert = false\ntolerance = 1e-8\nnoise = \"followed\"\ncolumns = { time = \"a in s\", penetration = \"b in m\", force = \"c in N\" }\n")),
         ("sphere by a named force", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"force\"\ncolumns = { time = \"a in s\", force = \"c in N\" }\n")),

@@ -124,6 +124,14 @@ pub fn axisymmetric(points: &[[f64; 3]], options: &ScanOptions) -> Result<Scanne
             break;
         }
     }
+    let reach = centre::reach(&own, fit.centre, lines);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > reach * (1.0 + ROUNDING)) {
+        return Err(Refusal::NoSuchState {
+            reason: format!("the shape shall end at {:.4e}, and not all sides of the scan reach so far", wanted * frame.width),
+            limit_name: "where the nearest side ends",
+            limit: reach * frame.width,
+        });
+    }
     let levelled: Vec<(f64, f64)> = used.iter().map(|point| (distance(point, fit.centre), fit.levelled(point))).collect();
     let (shape, found) = rings::rising_shape(&levelled, lines)?;
     let residuals = || levelled.iter().map(|(r, h)| h - found.apex_height - shape.height(*r));
@@ -180,7 +188,7 @@ impl Frame {
             return Err(Refusal::out_of_range("extent of a scan", width.min(height), "greater than 0 in width and height"));
         }
         // The middle of a line of one y is that y, to the bit.
-        let middle = |ends: (f64, f64)| if ends.0 == ends.1 { ends.0 } else { 0.5 * ends.0 + 0.5 * ends.1 };
+        let middle = |ends: (f64, f64)| ends.0 + 0.5 * (ends.1 - ends.0);
         Ok(Self { middle: [middle(x), middle(y), z.0], width, height })
     }
 

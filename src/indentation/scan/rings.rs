@@ -9,7 +9,7 @@ use crate::indentation::shape::TabulatedShape;
 use crate::refusal::Refusal;
 
 /// Numbers of rings that are tried, after every radius by itself.
-const RINGS: [usize; 9] = [96, 64, 48, 32, 24, 16, 12, 8, 6];
+const RINGS: [usize; 10] = [96, 64, 48, 32, 24, 16, 12, 8, 6, 4];
 /// More radii than these are always averaged.
 const MOST_RADII: usize = 300;
 /// Radii this near to each other, over the largest, are one.
@@ -39,13 +39,13 @@ pub(super) fn rising_shape(points: &[(f64, f64)], line: bool) -> Result<(Tabulat
     let mut sorted = points.to_vec();
     sorted.sort_by(|first, second| first.0.total_cmp(&second.0));
     let reach = sorted.last().map_or(0.0, |point| point.0);
-    let mut last: Result<(), Refusal> = Ok(());
+    let mut flattens = false;
     let single = single_radii(&sorted, SAME * reach);
     if single.len() <= MOST_RADII {
         match shape(&sorted, &single) {
             Ok((made, found, 0)) => return Ok((made, found)),
             Ok(_) => {}
-            Err(wrong) => last = Err(wrong),
+            Err(_) => flattens = true,
         }
     }
     // At least two points of a line, one on each side, make a ring.
@@ -54,14 +54,17 @@ pub(super) fn rising_shape(points: &[(f64, f64)], line: bool) -> Result<(Tabulat
         match shape(&sorted, &equal_rings(&sorted, count)) {
             Ok((made, found, pooled)) if pooled as f64 <= POOLED * count as f64 => return Ok((made, found)),
             Ok(_) => {}
-            Err(wrong) => last = Err(wrong),
+            Err(_) => flattens = true,
         }
     }
-    let why = last.err().map_or_else(String::new, |wrong| format!(": {wrong}"));
     Err(Refusal::NoSuchState {
-        reason: format!("no means over rings of the scan rise from its apex outwards{why}"),
-        limit_name: "fewest rings that were tried",
-        limit: 6.0,
+        reason: if flattens {
+            "the means over its rings flatten outwards so much that the contact of the shape would not be one circle".into()
+        } else {
+            "the means over its rings do not rise from the apex outwards".into()
+        },
+        limit_name: "the fewest rings that were tried",
+        limit: 4.0,
     })
 }
 

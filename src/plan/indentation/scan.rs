@@ -10,8 +10,9 @@ use crate::scene::typed::{IndentationShape, MeasuredShape, Units};
 
 /// A residual above this share of the height is a caution.
 const LARGE: f64 = 0.02;
-/// Points of the scan and of the shape that a figure shows.
-const DRAWN: usize = 1500;
+/// Points of the scan beside its shape, and in the figure of what is left.
+const BESIDE: usize = 60;
+const LEFT: usize = 800;
 
 impl IndentationPlan {
     fn measured_shape(&self) -> Option<&MeasuredShape> {
@@ -65,25 +66,25 @@ impl IndentationPlan {
     /// The levelled scan with its shape, and what is left of it.
     pub(super) fn scan_figures(&self) -> Vec<(String, Figure)> {
         let Some(scan) = self.measured_shape().and_then(|measured| measured.scan.as_ref()) else { return Vec::new() };
-        let IndentationShape::Table { .. } = self.indentation.shape else { return Vec::new() };
         let Some(shape) = self.tabulated() else { return Vec::new() };
         let reach = scan.reach();
-        let shown: Vec<(f64, f64)> = thinned(scan.levelled.clone(), DRAWN);
-        let line: Vec<(f64, f64)> = (0..=400)
-            .map(|place| reach * (f64::from(place) / 200.0 - 1.0))
-            .map(|r| (r, shape.height(r.abs())))
+        let line: Vec<(f64, f64)> =
+            (0..=400).map(|place| reach * (f64::from(place) / 200.0 - 1.0)).map(|r| (r, shape.height(r.abs()))).collect();
+        let left: Vec<(f64, f64)> = thinned(scan.levelled.clone(), LEFT)
+            .into_iter()
+            .filter(|(r, _)| r.abs() <= reach)
+            .map(|(r, h)| (r, h - shape.height(r.abs())))
             .collect();
-        let left: Vec<(f64, f64)> =
-            shown.iter().filter(|(r, _)| r.abs() <= reach).map(|(r, h)| (*r, h - shape.height(r.abs()))).collect();
         let radius = || Axis::linear(self.label("distance from the apex", "$r$", " (m)", "$r/R$"));
-        let marks = |label: &str, points: Vec<(f64, f64)>| Curve::new(label, points).with_line(Line::None).with_marker(Marker::Plus).with_colour(1);
+        let marks =
+            |label: &str, points: Vec<(f64, f64)>| Curve::new(label, points).with_line(Line::None).with_marker(Marker::Plus).with_colour(1);
         let height = Axis::linear(self.label("height", "$z$", " (m)", "$z/R$"));
         let residual = Axis::linear(self.label("scan minus shape", r"$z - z(r)$", " (m)", "$(z - z(r))/R$"));
         vec![
             (
                 "shape_against_scan".to_owned(),
                 Figure::new(radius(), height)
-                    .with_curve(marks("scan, levelled", shown))
+                    .with_curve(marks("scan, levelled", thinned(scan.levelled.clone(), BESIDE)))
                     .with_curve(Curve::new("shape", line).with_line(Line::Solid).with_colour(0)),
             ),
             ("scan_residual".to_owned(), Figure::new(radius(), residual).with_curve(marks("", left))),

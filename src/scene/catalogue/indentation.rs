@@ -60,7 +60,11 @@ pub(super) const KEYS: &[Key] = &[
         ]),
         meaning: "Which point of the scan is the apex. Default: the lowest one if the parabola nearest to the scan opens upwards, else the highest one.",
     },
-    Key { path: "indentation.scan.to", kind: SIZE, meaning: "The largest distance from the apex that belongs to the shape. Default: as far as all sides reach." },
+    Key {
+        path: "indentation.scan.to",
+        kind: SIZE,
+        meaning: "The largest distance from the apex that belongs to the shape. Default: as far as all sides reach.",
+    },
     Key {
         path: "indentation.scan.largest_residual",
         kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 1.0), reduced: "1" },

@@ -13,7 +13,9 @@ pub(super) fn laid_open(source: &SourceText) -> Option<String> {
     };
     text.lines().any(|line| key_of(line).is_some()).then(|| {
         text.split_inclusive('\n')
-            .map(|line| key_of(line).map_or_else(|| line.to_owned(), |length| format!("{}{}", " ".repeat(length), line.get(length..).unwrap_or(""))))
+            .map(|line| {
+                key_of(line).map_or_else(|| line.to_owned(), |length| format!("{}{}", " ".repeat(length), line.get(length..).unwrap_or("")))
+            })
             .collect()
     })
 }

@@ -37,4 +37,3 @@ pub(super) fn lines_of(source: &SourceText) -> impl Iterator<Item = Place> + '_ 
 pub(super) fn written(place: &Place) -> &str {
     place.source.text().get(place.span.clone()).unwrap_or("")
 }
-

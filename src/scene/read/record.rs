@@ -40,23 +40,29 @@ fn names(word: &str) -> &'static [&'static str] {
 }
 
 /// The record that a segment names; `accuracy` is that of the scene.
-pub(super) fn record(item: &Section<'_>, document: &Document, quantity: HistoryQuantity, accuracy: f64) -> Result<MeasuredTable, SceneError> {
+pub(super) fn record(
+    item: &Section<'_>,
+    document: &Document,
+    quantity: HistoryQuantity,
+    accuracy: f64,
+) -> Result<MeasuredTable, SceneError> {
     let file = item.required_text("table")?;
     let Some(attached) = document.attached(file) else {
         let message = format!("`{}` = {file:?} was not read with the scene", item.full("table"));
         return Err(item.wrong("table", message, "this file"));
     };
     let help = example(quantity);
-    let source = laid_open(attached).map_or_else(|| attached.clone(), |text| SourceText::decoded(attached.name(), text, attached.encoding()));
+    let source =
+        laid_open(attached).map_or_else(|| attached.clone(), |text| SourceText::decoded(attached.name(), text, attached.encoding()));
     let table = DelimitedTable::read(&source, &Options { help: &help })?;
     let stated = item.table("columns");
-    let path = item.full("columns");
+    let path = ("columns", "in this segment of the history");
     let Some(first) = table.blocks().first() else { return Err(item.wrong("table", format!("{file:?} is empty"), "this file")) };
-    let columns = Columns::new(&table, first, file, item.units(), (&path, stated.as_ref()), &help);
+    let columns = Columns::new(&table, first, file, item.units(), (path, stated.as_ref()), &help);
     columns.checked()?;
     let mut notes = table.notes().to_vec();
     let time = time_column(&columns, file, &help, &mut notes)?;
-    let controlled = controlled_column(&columns, quantity, file, &help, &path)?;
+    let controlled = controlled_column(&columns, quantity, file, &help)?;
     let reading = Reading::of(item, quantity)?;
     let mut compared = Vec::new();
     for (word, dimension) in COMPARED.into_iter().filter(|entry| entry.0 != quantity.word()) {
@@ -69,10 +75,11 @@ pub(super) fn record(item: &Section<'_>, document: &Document, quantity: HistoryQ
         return Err(stated.wrong(word, message, "leave it out"));
     }
     let reader = Reader { table: &table, time, controlled, compared, reading, quantity };
-    let mut rows = Rows { times: Vec::new(), values: Vec::new(), others: reader.compared.iter().map(|_| Vec::new()).collect(), repeated: 0 };
+    let mut rows =
+        Rows { times: Vec::new(), values: Vec::new(), others: reader.compared.iter().map(|_| Vec::new()).collect(), repeated: 0 };
     for (number, block) in table.blocks().iter().enumerate() {
         same_columns(&table, first, block, file)?;
-        reader.add(&mut rows, &Columns::new(&table, block, file, item.units(), (&path, stated.as_ref()), &help), block, number > 0)?;
+        reader.add(&mut rows, &Columns::new(&table, block, file, item.units(), (path, stated.as_ref()), &help), block, number > 0)?;
     }
     let Reader { time, controlled, compared, .. } = reader;
     if rows.times.len() < 2 {
@@ -92,8 +99,13 @@ pub(super) fn record(item: &Section<'_>, document: &Document, quantity: HistoryQ
     } else {
         notes.push(format!("{file:?}: the first row of {} parts repeats the time before it, and is left out", rows.repeated));
     }
-    let unused: Vec<String> =
-        columns.headers().into_iter().enumerate().filter(|(index, name)| !taken.contains(index) && !name.is_empty()).map(|(_, name)| format!("`{name}`")).collect();
+    let unused: Vec<String> = columns
+        .headers()
+        .into_iter()
+        .enumerate()
+        .filter(|(index, name)| !taken.contains(index) && !name.is_empty())
+        .map(|(_, name)| format!("`{name}`"))
+        .collect();
     if !unused.is_empty() {
         notes.push(format!("{file:?}: not used: {}", unused.join(", ")));
     }
@@ -129,14 +141,17 @@ fn time_column(columns: &Columns<'_>, file: &str, help: &str, notes: &mut Vec<St
     })
 }
 
-fn controlled_column(columns: &Columns<'_>, quantity: HistoryQuantity, file: &str, help: &str, path: &str) -> Result<Column, SceneError> {
+fn controlled_column(columns: &Columns<'_>, quantity: HistoryQuantity, file: &str, help: &str) -> Result<Column, SceneError> {
     let word = quantity.word();
     let wanted = Wanted { word, dimension: quantity.dimension(), names: names(word) };
     columns.find(&wanted)?.ok_or_else(|| {
         let headers = columns.headers();
         let near = nearest(word, headers.iter().map(String::as_str));
         let label = near.map_or_else(|| "no such column".to_owned(), |name| format!("did you mean `{name}` to be it?"));
-        let naming = format!("{help}; or name the column in the scene: {path} = {{ {word} = \"NAME in {}\" }}", quantity.dimension().si_unit());
+        let naming = format!(
+            "{help}; or name the column in this segment of the history: columns = {{ {word} = \"NAME in {}\" }}",
+            quantity.dimension().si_unit()
+        );
         SceneError::at(&columns.header_place(), format!("{file:?} has no column `{word}`"), label).help(naming)
     })
 }
@@ -155,7 +170,8 @@ fn same_columns(table: &DelimitedTable, first: &Block, block: &Block, file: &str
     }
     let line = block.header.first().map_or(0, |cell| table.line(*cell));
     let message = format!("{file:?} has other columns from line {line} on than above");
-    Err(SceneError::at(&table.row_place(&block.header), message, "all parts of a record have the same columns").help("put the parts into files of their own, one segment of the history each"))
+    Err(SceneError::at(&table.row_place(&block.header), message, "all parts of a record have the same columns")
+        .help("put the parts into files of their own, one segment of the history each"))
 }
 
 /// From what the instrument shows to the controlled quantity.
@@ -210,14 +226,19 @@ impl Reader<'_> {
                     rows.repeated += 1;
                     continue;
                 }
-                let message = format!("`{}` = {} does not increase: the row before has {before:e}", self.time.name, self.shown(row, &self.time));
+                let message =
+                    format!("`{}` = {} does not increase: the row before has {before:e}", self.time.name, self.shown(row, &self.time));
                 let wrong = SceneError::at(&self.place(row, &self.time), message, "must be later");
                 let help = "its time begins anew in each part: name a column that counts through all of them, or put the parts into files of their own";
                 return Err(if begins { wrong.help(help) } else { wrong });
             }
             if !self.quantity.range().holds(value) {
                 let message = format!("`{}` = {} is out of range", self.controlled.name, self.shown(row, &self.controlled));
-                return Err(SceneError::at(&self.place(row, &self.controlled), message, format!("must be {}", self.quantity.range().words())));
+                return Err(SceneError::at(
+                    &self.place(row, &self.controlled),
+                    message,
+                    format!("must be {}", self.quantity.range().words()),
+                ));
             }
             rows.times.push(now);
             rows.values.push(value);

@@ -4,8 +4,8 @@ use super::history::dependent;
 use super::section::Section;
 use crate::continuation::polyline::{Thinned, noise, thinned};
 use crate::scene::catalogue::Range;
-use crate::scene::diagnostic::SceneError;
 use crate::scene::check::Units;
+use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{HistoryQuantity, RecordThinning};
 use crate::scene::units::Dimension;
 
@@ -48,7 +48,8 @@ pub(super) fn corners(
     let tolerance = if left_out { wanted.max(OF_THE_NOISE * found_noise) } else { wanted };
     let floor = if quantity.range() == Range::Finite { f64::NEG_INFINITY } else { 0.0 };
     let within = |tolerance: f64| -> Result<Thinned, SceneError> {
-        thinned(&rows, tolerance, floor).map_err(|refusal| item.wrong("table", format!("{file:?} cannot be followed: {refusal}"), "this file"))
+        thinned(&rows, tolerance, floor)
+            .map_err(|refusal| item.wrong("table", format!("{file:?} cannot be followed: {refusal}"), "this file"))
     };
     let found = within(tolerance)?;
     if found.corners.len() > MOST_CORNERS {
@@ -58,7 +59,11 @@ pub(super) fn corners(
             enough *= 1.25;
         }
         let unit = unit_of(item.units(), quantity.dimension());
-        let message = format!("{file:?} has {} rows, and within {tolerance:.3e}{unit} of them {} corners remain: its noise is {found_noise:.1e}{unit}", rows.len(), found.corners.len());
+        let message = format!(
+            "{file:?} has {} rows, and within {tolerance:.3e}{unit} of them {} corners remain: its noise is {found_noise:.1e}{unit}",
+            rows.len(),
+            found.corners.len()
+        );
         let help = format!("add tolerance = {:e} to this segment, or noise = \"left_out\" to have its noise left out", rounded_up(enough));
         return Err(item.wrong("table", message, format!("at most {MOST_CORNERS} corners can be followed")).help(help));
     }

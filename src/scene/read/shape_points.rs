@@ -23,7 +23,8 @@ const ROWS: std::ops::RangeInclusive<usize> = 4..=2000;
 const MOST_POINTS: usize = 2_000_000;
 /// The largest residual over the height of a scan, if the scene states none.
 const LARGEST_RESIDUAL: f64 = 0.05;
-const HELP: &str = "the header is such as: r (µm), z (nm), from the axis outwards; or of a scan x (µm), z (nm); of a map x (µm), y (µm), z (nm)";
+const HELP: &str =
+    "the header is such as: r (µm), z (nm), from the axis outwards; or of a scan x (µm), z (nm); of a map x (µm), y (µm), z (nm)";
 const NAMES: [(&str, &[&str]); 4] = [
     ("r", &["r", "radius"]),
     ("x", &["x", "lateral", "position", "distance", "xposition", "scanlength"]),
@@ -46,9 +47,9 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
     let read = DelimitedTable::read(source, &Options { help: HELP })?;
     let scan = table.table("scan");
     let stated = scan.as_ref().and_then(|scan| scan.table("columns"));
-    let path = table.full("scan.columns");
+    let path = ("scan.columns", "in [indentation]");
     let Some(block) = read.blocks().first() else { return Err(table.wrong(key, format!("{file:?} is empty"), "this file")) };
-    let columns = Columns::new(&read, block, file, table.units(), (&path, stated.as_ref()), HELP);
+    let columns = Columns::new(&read, block, file, table.units(), (path, stated.as_ref()), HELP);
     columns.checked()?;
     if let Some(second) = read.blocks().get(1) {
         let line = read.rows(second).next().and_then(|row| row.first().map(|cell| read.line(*cell))).unwrap_or(0);
@@ -64,23 +65,35 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
     };
     let [radius, along, across] = [find("r")?, find("x")?, find("y")?];
     let mut notes = read.notes().to_vec();
-    let used: Vec<usize> = [Some(&height), radius.as_ref(), along.as_ref(), across.as_ref()].into_iter().flatten().map(|column| column.index).collect();
-    let unused: Vec<String> =
-        columns.headers().into_iter().enumerate().filter(|(index, name)| !used.contains(index) && !name.is_empty()).map(|(_, name)| format!("`{name}`")).collect();
+    let used: Vec<usize> =
+        [Some(&height), radius.as_ref(), along.as_ref(), across.as_ref()].into_iter().flatten().map(|column| column.index).collect();
+    let unused: Vec<String> = columns
+        .headers()
+        .into_iter()
+        .enumerate()
+        .filter(|(index, name)| !used.contains(index) && !name.is_empty())
+        .map(|(_, name)| format!("`{name}`"))
+        .collect();
     if !unused.is_empty() {
         notes.push(format!("{file:?}: not used: {}", unused.join(", ")));
     }
     let rows: Vec<_> = read.rows(block).collect();
     let mut buffer = String::new();
-    let mut numbers = |column: &Column| rows.iter().map(|row| columns.number(row, column, &mut buffer)).collect::<Result<Vec<f64>, SceneError>>();
+    let mut numbers =
+        |column: &Column| rows.iter().map(|row| columns.number(row, column, &mut buffer)).collect::<Result<Vec<f64>, SceneError>>();
     match (radius, along) {
         (Some(_), Some(second)) => {
             let message = format!("{file:?} has both `r` and `x`");
             Err(SceneError::at(&second.place, message, "a shape or a scan?").help("leave one of the two columns out"))
         }
-        (None, None) => Err(SceneError::at(&columns.header_place(), format!("{file:?} has neither a column `r` nor a column `x`"), "no such column").help(HELP)),
+        (None, None) => {
+            Err(SceneError::at(&columns.header_place(), format!("{file:?} has neither a column `r` nor a column `x`"), "no such column")
+                .help(HELP))
+        }
         (Some(radius), None) => {
-            if let (Some(scan), Some(key)) = (&scan, OF_A_SCAN.into_iter().find(|key| scan.as_ref().is_some_and(|scan| scan.node().get(key).is_some()))) {
+            if let (Some(scan), Some(key)) =
+                (&scan, OF_A_SCAN.into_iter().find(|key| scan.as_ref().is_some_and(|scan| scan.node().get(key).is_some())))
+            {
                 let message = format!("`{}` belongs to a scan of x and z, but {file:?} has the shape itself, over r", scan.full(key));
                 return Err(scan.wrong(key, message, "leave it out"));
             }
@@ -101,8 +114,12 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
             let found = axisymmetric(&points, &options).map_err(|refusal| {
                 let message = format!("{file:?} gives no shape of an indenter: {refusal}");
                 let wrong = SceneError::at(&columns.header_place(), message, "in this scan");
-                let remedy = remedy(&points, &options);
-                wrong.help(remedy.unwrap_or_else(|| "the apex must lie inside the scan, and the heights must change steadily from it on both sides".to_owned()))
+                let own = columns.headers();
+                let names = [&along, &height].map(|column| own.get(column.index).cloned().unwrap_or_default());
+                let remedy = as_a_shape(&points, &names).or_else(|| remedy(&points, &options));
+                wrong.help(remedy.unwrap_or_else(|| {
+                    "the apex must lie inside the scan, and the heights must change steadily from it on both sides".to_owned()
+                }))
             })?;
             Ok((found.points.clone(), MeasuredShape { file: file.to_owned(), scan: Some(found), notes }))
         }
@@ -124,6 +141,14 @@ fn options(scan: Option<&Section<'_>>) -> Result<ScanOptions, SceneError> {
     Ok(options)
 }
 
+/// What to type if the points over x are the shape itself, from its axis on.
+fn as_a_shape(points: &[[f64; 3]], [along, height]: &[String; 2]) -> Option<String> {
+    let starts = points.first().is_some_and(|first| first[0] == 0.0 && first[2] == 0.0);
+    let rises = points.windows(2).all(|pair| matches!(pair, [one, other] if other[0] > one[0] && other[2] > one[2]));
+    (starts && rises && ROWS.contains(&points.len()))
+        .then(|| format!("if x is the distance from the axis, say so in [indentation]: scan.columns = {{ r = {along:?}, z = {height:?} }}"))
+}
+
 /// What to type so that the scan gives a shape, tried before it is offered.
 fn remedy(points: &[[f64; 3]], options: &ScanOptions) -> Option<String> {
     let works = |options: &ScanOptions| axisymmetric(points, options).ok();
@@ -135,7 +160,9 @@ fn remedy(points: &[[f64; 3]], options: &ScanOptions) -> Option<String> {
             && let Some(found) = works(&ScanOptions { largest_residual: residual, ..*options })
         {
             let part = found.residual / found.height();
-            return Some(format!("if that is meant, add indentation.scan.largest_residual = {residual} (it is {part:.2}), or end the shape earlier by indentation.scan.to"));
+            return Some(format!(
+                "if that is meant, add [indentation.scan] largest_residual = {residual} (it is {part:.3}), or end the shape earlier by `to`"
+            ));
         }
     }
     let x = points.iter().map(|point| point[0]);
@@ -143,7 +170,7 @@ fn remedy(points: &[[f64; 3]], options: &ScanOptions) -> Option<String> {
     let whole = options.to.unwrap_or(0.5 * (high - low));
     (1..12).find_map(|step| {
         let to: f64 = format!("{:.2e}", whole * 0.8_f64.powi(step)).parse().ok()?;
-        works(&ScanOptions { to: Some(to), ..*options }).map(|_| format!("end the shape earlier: indentation.scan.to = {to:e} gives one"))
+        works(&ScanOptions { to: Some(to), ..*options }).map(|_| format!("end the shape earlier: [indentation.scan] to = {to:e} gives one"))
     })
 }
 
@@ -158,18 +185,22 @@ fn rising(
 ) -> Result<Vec<(f64, f64)>, SceneError> {
     let mut before: Option<(f64, f64)> = None;
     for (row, point) in rows.iter().zip(&points) {
-        for (name, column, now, last) in [("r", both[0], point.0, before.map(|last| last.0)), ("z", both[1], point.1, before.map(|last| last.1))] {
+        for (name, column, now, last) in
+            [("r", both[0], point.0, before.map(|last| last.0)), ("z", both[1], point.1, before.map(|last| last.1))]
+        {
             let cell = row.get(column.index).copied();
             let place = cell.map_or_else(|| column.place.clone(), |cell| read.place(cell));
             let written = cell.map(|cell| read.text(cell).into_owned()).unwrap_or_default();
             match last {
                 None if now != 0.0 => {
                     let message = format!("`{name}` = {written} in the first row: the shape starts on its axis, at its lowest point");
-                    return Err(SceneError::at(&place, message, "must be 0").help("a scan over both sides has a column x instead of r: it is centred and levelled"));
+                    return Err(SceneError::at(&place, message, "must be 0")
+                        .help("a scan over both sides has a column x instead of r: it is centred and levelled"));
                 }
                 Some(last) if now <= last => {
                     let message = format!("`{name}` = {written} does not increase: the row before has {last:e}");
-                    return Err(SceneError::at(&place, message, "must be larger").help("a scan over both sides has a column x instead of r: it is centred and averaged"));
+                    return Err(SceneError::at(&place, message, "must be larger")
+                        .help("a scan over both sides has a column x instead of r: it is centred and averaged"));
                 }
                 _ => {}
             }

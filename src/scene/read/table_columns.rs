@@ -34,7 +34,8 @@ pub(super) struct Columns<'c> {
     units: Units,
     /// The table of columns of the scene, if there is one, and what it is called in messages.
     stated: Option<&'c Section<'c>>,
-    path: &'c str,
+    /// The key of that table as a remedy writes it, and where.
+    path: (&'c str, &'c str),
     help: &'c str,
 }
 
@@ -76,7 +77,7 @@ impl<'c> Columns<'c> {
         block: &'c Block,
         file: &'c str,
         units: Units,
-        (path, stated): (&'c str, Option<&'c Section<'c>>),
+        (path, stated): ((&'c str, &'c str), Option<&'c Section<'c>>),
         help: &'c str,
     ) -> Self {
         Self { table, block, file, units, stated, path, help }
@@ -138,7 +139,7 @@ impl<'c> Columns<'c> {
             (Units::Si, Some(unit)) => format!(" in {unit}"),
             (Units::Si, None) => format!(" in {}", wanted.dimension.si_unit()),
         };
-        format!("name it in the scene: {} = {{ {} = \"{name}{unit}\" }}", self.path, wanted.word)
+        format!("say which {}: {} = {{ {} = \"{name}{unit}\" }}", self.path.1, self.path.0, wanted.word)
     }
 
     /// The column that the scene names.
@@ -151,7 +152,8 @@ impl<'c> Columns<'c> {
         };
         let Some((index, header)) = index.and_then(|index| Some((index, headers.get(index)?))) else {
             let message = format!("`{}` = {text:?}: {:?} has no such column", columns.full(wanted.word), self.file);
-            let label = nearest(text, headers.iter().map(String::as_str)).map_or_else(|| "no such column".to_owned(), |near| format!("did you mean `{near}`?"));
+            let label = nearest(text, headers.iter().map(String::as_str))
+                .map_or_else(|| "no such column".to_owned(), |near| format!("did you mean `{near}`?"));
             return Err(columns.wrong(wanted.word, message, label).help(format!("its columns are: {}", headers.join(", "))));
         };
         let (name, own) = split(header);
@@ -182,13 +184,26 @@ impl<'c> Columns<'c> {
                 return Err(SceneError::at(&place, message, "leave the unit out"));
             }
             (Units::Si, "") if wanted.dimension != Dimension::NUMBER => {
-                let help = format!("write it into the header, or into the scene: {} = {{ {} = \"{name} in {}\" }}", self.path, wanted.word, wanted.dimension.si_unit());
+                let help = format!(
+                    "write it into the header; or, if it is {1}, {2}: {3} = {{ {0} = \"{name} in {1}\" }}",
+                    wanted.word,
+                    wanted.dimension.si_unit(),
+                    self.path.1,
+                    self.path.0
+                );
                 return Err(SceneError::at(&place, format!("the column `{name}` has no unit"), "here").help(help));
             }
             // Å without its ring, as profilometers write it: no current is measured here.
             (Units::Si, "A") if wanted.dimension == Dimension::LENGTH => Scale::of("Å").unwrap_or(Scale::ONE),
             (Units::Si, unit) => Scale::of(unit).map_err(|error| {
-                let help = format!("or write its unit into the scene: {} = {{ {} = \"{name} in {}\" }}", self.path, wanted.word, wanted.dimension.si_unit());
+                let help = format!(
+                    "it must be {4}; if its numbers are in {1} whatever the header says, {2}: {3} = {{ {0} = \"{name} in {1}\" }}",
+                    wanted.word,
+                    wanted.dimension.si_unit(),
+                    self.path.1,
+                    self.path.0,
+                    wanted.dimension.example()
+                );
                 SceneError::at(&place, format!("the unit of the column `{text}` cannot be read: {error}"), "here").help(help)
             })?,
         };
