@@ -66,7 +66,8 @@ const WEIGHTLESS: f64 = 16.0;
 /// The times between which terms may lie.
 pub(super) fn window(sample: &Sample) -> [f64; 2] {
     let [low, high] = sample.times();
-    [low / BEYOND, high * BEYOND]
+    // Of creep, what is over before the first datum is the instantaneous compliance: a term in its place would leave none.
+    [low / if sample.is_creep() { 1.0 } else { BEYOND }, high * BEYOND]
 }
 
 /// Fits a series.

@@ -17,8 +17,9 @@ pub(super) fn differences(points: &LogCurve, lines: &LogCurve) -> Vec<f64> {
     points
         .iter()
         .filter_map(|&(place, value)| {
-            let pair = lines.windows(2).filter_map(|pair| <[(f64, f64); 2]>::try_from(pair).ok());
-            let [(from, low), (to, high)] = pair.into_iter().find(|[from, to]| from.0 <= place && place <= to.0 && to.0 > from.0)?;
+            let after = lines.partition_point(|point| point.0 <= place).min(lines.len().checked_sub(1)?);
+            let (&(from, low), &(to, high)) = (lines.get(after.checked_sub(1)?)?, lines.get(after)?);
+            (from <= place && place <= to && to > from).then_some(())?;
             Some(value - low - (high - low) * (place - from) / (to - from))
         })
         .collect()

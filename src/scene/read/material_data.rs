@@ -58,7 +58,7 @@ pub(super) const TEMPERATURE_TOLERANCE: f64 = 1.0;
 
 /// The temperatures (K) of a table, rising. An instrument that holds a temperature lets it wander: rows whose temperatures follow each other closely, and as a whole lie
 /// within twice the tolerance, get their mean.
-pub(super) fn isotherms(data: &mut MaterialData, tolerance: f64) -> Vec<f64> {
+pub(super) fn isotherms(data: &mut MaterialData, tolerance: f64, then: &str) -> Vec<f64> {
     let mut every: Vec<f64> = data.rows.iter().filter_map(|row| row.temperature).collect();
     every.sort_by(f64::total_cmp);
     let mut means = Vec::new();
@@ -85,7 +85,7 @@ pub(super) fn isotherms(data: &mut MaterialData, tolerance: f64) -> Vec<f64> {
     }
     if wandering > 0 {
         data.warnings.push(format!(
-            "{wandering} temperatures wander by up to {widest:.2} K: rows within {tolerance} K of each other are one isotherm; each is shifted from its own temperature"
+            "{wandering} temperatures wander by up to {widest:.2} K: rows within {tolerance} K of each other are one isotherm; {then}"
         ));
     }
     means.dedup();
@@ -102,7 +102,7 @@ fn shifted(
     let stated = table.number("temperature_tolerance")?;
     let tolerance = stated.unwrap_or(TEMPERATURE_TOLERANCE);
     let own: Vec<Option<f64>> = data.rows.iter().map(|row| row.temperature).collect();
-    let temperatures = isotherms(data, tolerance);
+    let temperatures = isotherms(data, tolerance, "each row is shifted from its own temperature");
     if stated.is_some() && temperatures.is_empty() {
         let message = "`material.temperature_tolerance` has no effect on a table without temperatures";
         return Err(table.wrong("temperature_tolerance", message, "leave it out"));
@@ -119,7 +119,7 @@ fn shifted(
             let message = format!("the data were measured at {} temperatures", temperatures.len());
             return Err(table
                 .wrong("data", message, "this file")
-                .help("give material.shift and material.reference_temperature, so that they make one curve"));
+                .help("write shift = \"automatic\" into [material] to find the shift factors from the data; or give material.shift and material.reference_temperature"));
         }
         return Ok(None);
     };

@@ -24,7 +24,7 @@ pub(super) fn superposed(
         let message = format!("an automatic shift needs the temperature of each row, and {:?} has no column with it", data.file);
         return Err(wrong(message, "add a column such as temperature (°C), or leave the shift out"));
     }
-    let temperatures = isotherms(data, tolerance.unwrap_or(TEMPERATURE_TOLERANCE));
+    let temperatures = isotherms(data, tolerance.unwrap_or(TEMPERATURE_TOLERANCE), "it is shifted as a whole");
     if temperatures.len() < 2 {
         return Err(wrong("an automatic shift needs data at two temperatures or more, and there is one".into(), "leave it out"));
     }
