@@ -116,7 +116,10 @@ fn right_or_refused() {
     files.sort();
     let cases: Vec<Value> = files
         .iter()
-        .flat_map(|path| serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap()).unwrap_or_else(|error| panic!("{}: {error}", path.display())))
+        .flat_map(|path| {
+            serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap())
+                .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+        })
         .collect();
     assert!(cases.len() >= 33);
     let wrong: Vec<String> = cases.iter().flat_map(complaints).collect();

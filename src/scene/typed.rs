@@ -19,7 +19,9 @@ pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
 };
-pub use indentation::{CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone};
+pub use indentation::{
+    CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone,
+};
 pub use material::{Climate, ExpandedLaw, FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 
 /// A whole scene at one point of its sweep.

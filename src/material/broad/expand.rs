@@ -10,7 +10,7 @@ use super::BroadLaw;
 use crate::material::fit::{Observation, Quantity, SeriesShape};
 use crate::material::{Material, RelaxationTerm};
 use crate::refusal::{Refusal, require_positive};
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::{FRAC_2_PI, LN_10, PI};
 
 /// A material made of a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,8 +31,9 @@ pub struct Expansion {
 const WEAK: f64 = 0.01;
 /// Part of the accuracy below which the spectrum at a place does not.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Frequencies a decade in the fit.
+/// Frequencies a decade in the fit, at least, and for each place.
 const PER_DECADE: f64 = 7.0;
+const PER_PLACE: f64 = 2.5;
 /// Longest range: 40 decades.
 const MOST_LENGTH: f64 = 92.2;
 /// The limits E0 and E∞ are held this much more tightly than the rest.
@@ -62,9 +63,10 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     if !(1e-10..=0.5).contains(&accuracy) {
         return Err(Refusal::out_of_range("the accuracy of an expansion", accuracy, "from 1e-10 to 0.5"));
     }
-    let data = observations(law, range, PER_DECADE)?;
-    let test = observations(law, range, 4.0 * PER_DECADE)?;
     let ideal = (PI * PI / (1.0 / accuracy).ln()).min(MOST_STEP);
+    let per_decade = PER_DECADE.max(PER_PLACE * LN_10 / ideal);
+    let data = observations(law, range, per_decade)?;
+    let test = observations(law, range, 4.0 * per_decade)?;
     let mut solves = 0;
     // The fewest terms that meet the accuracy; without any, those that come closest.
     let (mut best, mut closest): (Option<(SeriesShape, f64)>, Option<(SeriesShape, f64)>) = (None, None);

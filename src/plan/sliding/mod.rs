@@ -27,8 +27,7 @@ use crate::plan::desk::Desk;
 use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
-    Units,
+    BranchParameter, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone, Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 use scale::Scale;
