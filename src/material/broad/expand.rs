@@ -51,6 +51,9 @@ const MOST_STEP: f64 = 2.0;
 /// Points at which the density of places is summed.
 const DENSITY_POINTS: usize = 2000;
 
+/// A series and its largest error.
+type Found = (SeriesShape, f64);
+
 /// Expands a law into few terms over angular frequencies from the first to the second (rad/s).
 ///
 /// # Errors
@@ -69,14 +72,14 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     let test = observations(law, range, 4.0 * per_decade)?;
     let mut solves = 0;
     // The fewest terms that meet the accuracy; without any, those that come closest.
-    let (mut best, mut closest): (Option<(SeriesShape, f64)>, Option<(SeriesShape, f64)>) = (None, None);
+    let (mut best, mut closest): (Option<Found>, Option<Found>) = (None, None);
     let mut meets = |index: u32, growth: f64, beyond: f64| {
         let step = ideal * (LONGEST - SHORTER * f64::from(index));
         let (shape, taken) = SeriesShape::positive(law.relaxed_modulus, &places(law, range, (step, growth, beyond), accuracy), &data);
         solves += taken;
         let error = largest_error(&shape, &test);
         let met = error <= accuracy;
-        let better = |kept: &Option<(SeriesShape, f64)>| {
+        let better = |kept: &Option<Found>| {
             kept.as_ref().is_none_or(|(other, least)| if met { shape.count() < other.count() } else { error < *least })
         };
         let kept = if met { &mut best } else { &mut closest };
