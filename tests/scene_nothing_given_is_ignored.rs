@@ -84,6 +84,10 @@ const FILES: &[(&str, &str)] = &[
         "a, b, c, d, e, f\n0.1, 0.2, 1.3e6, 5e5, 293.15, 303.15\n1, 2, 3.2e6, 1.9e6, 293.15, 303.15\n10, 20, 8e6, 2e6, 293.15, 303.15\n0.1, 0.2, 1.1e6, 2e5, 303.15, 313.15\n1, 2, 1.6e6, 9e5, 303.15, 313.15\n10, 20, 4e6, 2e6, 303.15, 313.15\n",
     ),
     (
+        "isotherms.csv",
+        "a, b, c, d, e\n0.01, 0.01, 1.092e+06, 3.562e+05, 293.15\n0.03, 0.03, 1.488e+06, 7.086e+05, 293.15\n0.1, 0.1, 2.089e+06, 9.363e+05, 293.15\n0.3, 0.3, 2.942e+06, 1.329e+06, 293.15\n1, 1, 3.952e+06, 1.338e+06, 293.15\n3, 3, 4.947e+06, 1.934e+06, 293.15\n10, 10, 7.119e+06, 1.723e+06, 293.15\n0.01, 0.01, 1.062e+06, 6.103e+04, 303.15\n0.03, 0.03, 1.081e+06, 1.805e+05, 303.15\n0.1, 0.1, 1.257e+06, 5.204e+05, 303.15\n0.3, 0.3, 1.808e+06, 8.295e+05, 303.15\n1, 1, 2.463e+06, 1.153e+06, 303.15\n3, 3, 3.558e+06, 1.431e+06, 303.15\n10, 10, 4.462e+06, 1.563e+06, 303.15\n",
+    ),
+    (
         "relaxation.csv",
         "a, b, c, d\n0.001, 0.002, 9.9e6, 9.8e6\n0.01, 0.02, 9e6, 8.8e6\n0.1, 0.2, 4.3e6, 4e6\n1, 2, 1.05e6, 1.03e6\n10, 20, 1e6, 1e6\n",
     ),
@@ -145,6 +149,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("data, propagated", crack_of("[material]\ndata = \"moduli.csv\"\nfit_error = 0.1\nuncertainty = \"propagate\"\npoisson_ratio = 0.4\n[material.columns]\nangular_frequency = \"a in rad/s\"\nstorage_modulus = \"c in Pa\"\nloss_modulus = \"d in Pa\"\n")),
         ("data, tangent", crack_of("[material]\ndata = \"tangent.csv\"\nfit_error = 0.1\npoisson_ratio = 0.4\n[material.columns]\nfrequency = \"a in Hz\"\nstorage_modulus = \"c in Pa\"\nloss_tangent = \"d in 1\"\n")),
         ("data, warm", crack_of("[material]\ndata = \"warm.csv\"\nfit_error = 0.2\npoisson_ratio = 0.4\ntemperature = 300.0\nreference_temperature = 293.15\nshift = { wlf = { c1 = 10.0, c2 = 100.0 } }\n[material.columns]\nfrequency = \"a in Hz\"\nstorage_modulus = \"c in Pa\"\nloss_modulus = \"d in Pa\"\ntemperature = \"e in K\"\n")),
+        ("data, shift found", crack_of("[material]\ndata = \"isotherms.csv\"\nfit_error = 0.1\npoisson_ratio = 0.4\ntemperature = 300.0\nreference_temperature = 293.15\nshift = \"automatic\"\n[material.columns]\nfrequency = \"a in Hz\"\nstorage_modulus = \"c in Pa\"\nloss_modulus = \"d in Pa\"\ntemperature = \"e in K\"\n")),
         ("data, relaxation", crack_of("[material]\ndata = \"relaxation.csv\"\nfit_error = 0.1\npoisson_ratio = 0.4\n[material.columns]\ntime = \"a in s\"\nrelaxation_modulus = \"c in Pa\"\n")),
         ("data, creep", crack_of("[material]\ndata = \"creep.csv\"\nfit_error = 0.1\npoisson_ratio = 0.4\n[material.columns]\ntime = \"a in s\"\ncreep_compliance = \"c in 1/Pa\"\n")),
         ("wave", format!("accuracy = 1e-4\n{CREEP}{}[sliding]\ncontacts = [\"adhesive\", \"adhesiveless\"]\ncolumns = [\"friction_parts\", \"elastic_companion\", \"sensitivities\"]\nspeed = 1e-5\nmean_pressure = 5e3\n{WAVE}[sliding.counter_body]\nmodulus = 1e8\npoisson_ratio = 0.3\n[fields]\npoints = 4\n", STICKY.replace("2e-6", "5e-7"))),
@@ -269,7 +274,10 @@ fn trials(key: &Key, present: Option<&Node>) -> Vec<String> {
         Kind::Flag => ["true", "false"].into_iter().filter(|flag| *flag != written).map(str::to_owned).collect(),
         Kind::Text => vec!["\"another one\"".into()],
         // Tables are tested by their members; one without members by its being there.
-        Kind::Table | Kind::Tables | Kind::TableOrTables => match present {
+        Kind::TableOrWord(list) if present.is_none_or(|node| matches!(node.value, Value::Text(_))) => {
+            words(list).into_iter().filter(|word| *word != written).map(|word| format!("{word:?}")).collect()
+        }
+        Kind::Table | Kind::Tables | Kind::TableOrTables | Kind::TableOrWord(_) => match present {
             None if !keys().any(|other| other.path.strip_prefix(key.path).is_some_and(|rest| rest.starts_with(['.', '[']))) => {
                 vec!["{}".into()]
             }

@@ -111,6 +111,10 @@ fn check_value(node: &Node, key: &Key, path: &str, units: Units) -> Result<(), S
         },
         Kind::Table => check_subtable(node, path, key.path, units),
         Kind::Tables => check_list(node, path, &format!("{}[]", key.path), units),
+        Kind::TableOrWord(words) => match &node.value {
+            Value::Text(_) => choice(node, path, words).map(|_| ()),
+            _ => check_subtable(node, path, key.path, units),
+        },
         Kind::TableOrTables => match &node.value {
             Value::List(_) => check_list(node, path, key.path, units),
             _ => check_subtable(node, path, key.path, units),

@@ -50,6 +50,7 @@ fn of_key(key: &Key) -> Value {
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Table => table(key.path),
         Kind::Tables => json!({ "type": "array", "items": table(&format!("{}[]", key.path)) }),
+        Kind::TableOrWord(words) => json!({ "anyOf": [table(key.path), choice(words)] }),
         Kind::TableOrTables => json!({ "anyOf": [table(key.path), { "type": "array", "items": table(key.path) }] }),
     };
     if let Value::Object(members) = &mut value {

@@ -13,6 +13,7 @@ pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod event_lists;
+pub mod fits;
 pub mod hard_cases;
 pub mod held_contacts;
 pub mod honesty;
@@ -74,5 +75,6 @@ pub const STUDIES: &[Study] = &[
     beside("held_contacts", held_contacts::study),
     beside("seeded_sweep", seeded_sweep::study),
     beside("event_lists", event_lists::study),
+    alone("fits", fits::study),
     alone("effects", effects::study),
 ];

@@ -1,8 +1,12 @@
-//! The best fit, and the number of terms.
+//! The number of terms, and whether the material is a solid or a liquid.
 
 use super::band::Band;
+use super::best::{ROUNDING, best_fit, one_fewer};
+use super::joint::{self, Free};
 use super::observation::{Observation, Quantity};
-use super::series::Series;
+use super::rest::{AtRest, is_general};
+use super::sample::Sample;
+use super::series::{Ends, Series};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::{Refusal, require_positive};
 
@@ -24,7 +28,7 @@ pub struct SeriesFit {
     pub rms_error: f64,
     /// The largest relative residual.
     pub largest_error: f64,
-    /// Root mean square of the relative residuals of the best fit that positive strengths allow, with any number of terms.
+    /// Root mean square of the relative residuals of the best fit that was found with positive strengths and any number of terms.
     pub best_rms_error: f64,
     /// Terms of that best fit.
     pub best_terms: usize,
@@ -34,30 +38,36 @@ pub struct SeriesFit {
     pub observations: usize,
     /// How well the data fix the curves.
     pub band: Band,
-    /// Whether the series is one of creep terms.
-    pub(super) creep: bool,
+    /// Solid or liquid.
+    pub rest: AtRest,
 }
 
-/// Grid times a decade of the first stage.
-const PER_DECADE: f64 = 10.0;
+/// One series of those that may be the right one, with the shifts of its isotherms.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Candidate {
+    pub(super) series: Series,
+    pub(super) shifts: Vec<(f64, f64)>,
+    pub(super) misfit: f64,
+    /// Schwarz's criterion.
+    pub(super) criterion: f64,
+}
+
 /// Times reach this factor beyond those that the data span: a term further out shows only its tail.
 const BEYOND: f64 = 3.0;
 /// Fewer data than this are no curve.
-const LEAST_DATA: usize = 3;
-/// Double precision ends here: smaller residuals say nothing.
-const ROUNDING: f64 = 1e-14;
-/// A further term is worth its while if it lowers the misfit by this part: of noise, a thousandth is nothing.
-const WORTH: f64 = 1e-3;
+pub(super) const LEAST_DATA: usize = 3;
 /// Data over more decades than these are none: each decade is a number of columns.
 const MOST_DECADES: f64 = 61.0;
-/// Most terms of a series.
-const MOST_TERMS: usize = 120;
+/// A kind whose best fit is worse by this much of the criterion is not followed to its best number of terms.
+const HOPELESS: f64 = 60.0;
+/// Candidates this far above the lowest criterion weigh nothing.
+const WEIGHTLESS: f64 = 16.0;
 
 /// The times between which terms may lie.
-fn window(data: &[Observation]) -> [f64; 2] {
-    let times = data.iter().map(|observation| if observation.quantity.by_frequency() { 1.0 / observation.at } else { observation.at });
-    let (low, high) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
-    [low / BEYOND, high * BEYOND]
+pub(super) fn window(sample: &Sample) -> [f64; 2] {
+    let [low, high] = sample.times();
+    // Of creep, what is over before the first datum is the instantaneous compliance: a term in its place would leave none.
+    [low / if sample.is_creep() { 1.0 } else { BEYOND }, high * BEYOND]
 }
 
 /// Fits a series.
@@ -67,35 +77,122 @@ fn window(data: &[Observation]) -> [f64; 2] {
 /// fewer than three data, moduli and creep mixed, or data that no positive series resembles.
 pub fn fit(data: &[Observation], wanted: Wanted) -> Result<SeriesFit, Refusal> {
     check(data, wanted)?;
-    let window = window(data);
-    let best = best_fit(data, window);
-    let chosen = fewest(best.clone(), data, window, wanted);
-    let count = data.len() as f64;
-    let rms = |series: &Series| (series.misfit(data) / count).sqrt();
-    let rms_error = rms(&chosen);
-    let largest_error = chosen.residuals(data).iter().fold(0.0_f64, |largest, residual| largest.max(residual.abs()));
-    let met = match wanted {
-        Wanted::Error(error) => rms_error <= error,
-        Wanted::Scatter => true,
+    fitted(&Sample::combined(std::iter::once(data)), &[(0.0, 0.0)], Free::NONE, wanted, std::iter::once(data))
+}
+
+/// What may be the right series, and the one that is wanted.
+pub(super) struct Chosen {
+    pub(super) best: Candidate,
+    pub(super) chosen: Candidate,
+    candidates: Vec<Candidate>,
+}
+
+/// Chooses a series for isotherms whose shifts are nearly known.
+pub(super) fn chosen(sample: &Sample, shifts: &[(f64, f64)], free: Free, wanted: Wanted) -> Chosen {
+    let shifted = sample.shifted(shifts);
+    let window = window(&shifted);
+    let count = sample.count as f64;
+    let floor = ROUNDING * ROUNDING * count;
+    let candidate = |series: Series, shifts: Vec<(f64, f64)>, misfit: f64| {
+        let freedom = (series.freedom() + free.count()) as f64;
+        // N ln(misfit/N) + freedom·ln N.
+        let criterion = count * (misfit.max(floor) / count).ln() + freedom * count.ln();
+        Candidate { series, shifts, misfit, criterion }
     };
+    let of = |series: Series| {
+        let misfit = series.misfit(&shifted);
+        candidate(series, shifts.to_vec(), misfit)
+    };
+    let general = general(sample);
+    let restricted = if sample.is_creep() { Ends { flow: false, ..general } } else { Ends { constant: false, ..general } };
+    let best = of(best_fit(&shifted, window, general));
+    let mut candidates = path(best.clone(), &shifted, window, wanted, &of);
+    // The same without what only the general form has, unless it is far worse.
+    if candidates.iter().any(|one| is_general(&one.series, sample)) {
+        let times: Vec<f64> = best.series.terms.iter().map(|term| term.1).collect();
+        let other = of(Series::at_times(&times, &shifted, restricted).refined(&shifted, window, 20));
+        let far = |other: &Candidate, border: f64| count * (other.misfit.max(floor) / best.misfit.max(floor)).ln() > border;
+        let other = if far(&other, 5.0 * HOPELESS) { other } else { of(best_fit(&shifted, window, restricted)) };
+        if far(&other, HOPELESS) {
+            candidates.push(other);
+        } else {
+            candidates.extend(path(other, &shifted, window, wanted, &of));
+        }
+    }
+    let border = candidates.iter().map(|one| one.criterion).fold(f64::INFINITY, f64::min) + WEIGHTLESS;
+    let meets = |one: &Candidate| matches!(wanted, Wanted::Error(error) if (one.misfit / count).sqrt() <= error);
+    let fewest = candidates.iter().filter(|one| meets(one)).map(|one| one.series.freedom()).min();
+    // The lightest of each kind stays, so that both kinds can be compared.
+    let kinds = [false, true].map(|kind| {
+        candidates.iter().filter(|one| is_general(&one.series, sample) == kind).map(|one| one.criterion).fold(f64::INFINITY, f64::min)
+    });
+    candidates.retain(|one| {
+        let lightest = kinds.iter().any(|lowest| one.criterion <= *lowest);
+        one.criterion <= border || lightest || (meets(one) && Some(one.series.freedom()) == fewest)
+    });
+    if free.count() > 0 {
+        for one in &mut candidates {
+            let (series, shifts) = joint::refined(one.series.clone(), one.shifts.clone(), sample, free, window, 100);
+            let misfit = series.misfit(&sample.shifted(&shifts));
+            *one = candidate(series, shifts, misfit);
+        }
+    }
+    let wanted_one = match wanted {
+        Wanted::Error(_) => candidates.iter().filter(|one| meets(one)).min_by_key(|one| one.series.freedom()).or(Some(&best)),
+        Wanted::Scatter => candidates.iter().min_by(|left, right| left.criterion.total_cmp(&right.criterion)),
+    };
+    Chosen { chosen: wanted_one.unwrap_or(&best).clone(), best, candidates }
+}
+
+/// All that a series may have besides its terms.
+pub(super) fn general(sample: &Sample) -> Ends {
+    Ends { constant: true, flow: sample.is_creep() }
+}
+
+/// Fits a series to isotherms whose shifts are nearly known.
+pub(super) fn fitted<'a>(
+    sample: &Sample,
+    shifts: &[(f64, f64)],
+    free: Free,
+    wanted: Wanted,
+    isotherms: impl Iterator<Item = &'a [Observation]>,
+) -> Result<SeriesFit, Refusal> {
+    let Chosen { best, chosen, candidates } = chosen(sample, shifts, free, wanted);
+    let count = sample.count as f64;
+    let rest = AtRest::of(&chosen, &candidates, sample);
+    let rms_error = (chosen.misfit / count).sqrt();
+    let closest = if best.misfit <= chosen.misfit { &best } else { &chosen };
     Ok(SeriesFit {
-        material: material(&chosen, is_creep(data))?,
+        material: material(&chosen.series, sample.is_creep())?,
         rms_error,
-        largest_error,
-        best_rms_error: rms(&best),
-        best_terms: best.terms.len(),
-        met,
-        observations: data.len(),
-        band: Band::new(chosen, best, data, window),
-        creep: is_creep(data),
+        largest_error: largest(&chosen, isotherms),
+        best_rms_error: (closest.misfit / count).sqrt(),
+        best_terms: closest.series.terms.len(),
+        met: match wanted {
+            Wanted::Error(error) => rms_error <= error,
+            Wanted::Scatter => true,
+        },
+        observations: sample.count,
+        band: Band::new(chosen, candidates, sample, free, window(&sample.shifted(shifts))),
+        rest,
     })
 }
 
-fn is_creep(data: &[Observation]) -> bool {
-    data.iter().any(|observation| observation.quantity == Quantity::Creep)
+/// The largest relative residual of the data themselves.
+fn largest<'a>(chosen: &Candidate, isotherms: impl Iterator<Item = &'a [Observation]>) -> f64 {
+    let mut largest = 0.0_f64;
+    for (group, data) in isotherms.enumerate() {
+        let (a, b) = chosen.shifts.get(group).copied().unwrap_or((0.0, 0.0));
+        for one in data {
+            let at = one.at * if one.quantity.by_frequency() { a } else { -a }.exp();
+            let value = chosen.series.value(one.quantity, at) * if one.quantity == Quantity::Creep { b } else { -b }.exp();
+            largest = largest.max(((value - one.value) / one.scale).abs());
+        }
+    }
+    largest
 }
 
-fn check(data: &[Observation], wanted: Wanted) -> Result<(), Refusal> {
+pub(super) fn check(data: &[Observation], wanted: Wanted) -> Result<(), Refusal> {
     for observation in data {
         require_positive("the frequency or time of an observation", observation.at)?;
         require_positive("the scale of an observation", observation.scale)?;
@@ -110,12 +207,13 @@ fn check(data: &[Observation], wanted: Wanted) -> Result<(), Refusal> {
     if data.len() < LEAST_DATA {
         return undefined("there are fewer than three data");
     }
-    let [low, high] = window(data);
+    let is_creep = data.iter().any(|observation| observation.quantity == Quantity::Creep);
+    if is_creep && data.iter().any(|observation| observation.quantity != Quantity::Creep) {
+        return undefined("creep and moduli are mixed: they are linear in different series");
+    }
+    let [low, high] = window(&Sample::plain(data));
     if !(high / low).is_finite() || (high / low).log10() > MOST_DECADES {
         return undefined("the data span more than 60 decades of frequency or time: a shift factor or a unit is wrong");
-    }
-    if is_creep(data) && data.iter().any(|observation| observation.quantity != Quantity::Creep) {
-        return undefined("creep and moduli are mixed: they are linear in different series");
     }
     Ok(())
 }
@@ -131,7 +229,7 @@ pub(super) fn material(series: &Series, creep: bool) -> Result<Material, Refusal
         }
         let terms: Vec<CreepTerm> =
             series.terms.iter().map(|&(compliance, retardation_time)| CreepTerm { compliance, retardation_time }).collect();
-        Material::from_creep(1.0 / series.constant, &terms, None)
+        Material::from_creep(1.0 / series.constant, &terms, (series.flow > 0.0).then(|| 1.0 / series.flow))
     } else {
         let terms: Vec<RelaxationTerm> =
             series.terms.iter().map(|&(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time }).collect();
@@ -139,155 +237,23 @@ pub(super) fn material(series: &Series, creep: bool) -> Result<Material, Refusal
     }
 }
 
-/// Log-spaced times over a window.
-fn grid(window: [f64; 2], per_decade: f64) -> Vec<f64> {
-    let decades = (window[1] / window[0]).log10();
-    let steps = (decades * per_decade).ceil().max(1.0);
-    (0..=steps as usize).map(|index| window[0] * 10f64.powf(decades * index as f64 / steps)).collect()
-}
-
-/// The best fit that positive strengths allow, whatever its number of terms.
-pub(super) fn best_fit(data: &[Observation], window: [f64; 2]) -> Series {
-    let on_grid = Series::at_times(&grid(window, PER_DECADE), data);
-    let mut series = joined(&on_grid).refined(data, window, 60);
-    let fine = grid(window, 4.0 * PER_DECADE);
-    let floor = ROUNDING * ROUNDING * data.len() as f64;
-    // As long as a new term somewhere lowers the misfit, add it there: at the optimum the gradient is positive nowhere.
-    for _ in 0..MOST_TERMS {
-        let misfit = series.misfit(data);
-        if misfit <= floor || series.terms.len() >= MOST_TERMS {
-            break;
-        }
-        let Some(time) = steepest(&series, data, &fine) else { break };
-        let mut times: Vec<f64> = series.terms.iter().map(|term| term.1).collect();
-        times.push(time);
-        let trial = joined_close(&Series::at_times(&times, data)).refined(data, window, 30);
-        let reached = trial.misfit(data);
-        if reached < misfit {
-            series = trial;
-        }
-        if reached > misfit * (1.0 - WORTH) {
-            break;
-        }
-    }
-    series
-}
-
-/// Where a small new term would lower the misfit most, relative to its own reach.
-fn steepest(series: &Series, data: &[Observation], times: &[f64]) -> Option<f64> {
-    let residuals = series.residuals(data);
-    let size = residuals.iter().map(|residual| residual * residual).sum::<f64>().sqrt();
-    times
-        .iter()
-        .map(|&time| {
-            let (mut gain, mut length) = (0.0, 0.0);
-            for (observation, residual) in data.iter().zip(&residuals) {
-                let value = observation.quantity.kernel(observation.argument(time)).0 / observation.scale;
-                gain -= value * residual;
-                length += value * value;
-            }
-            (gain / length.sqrt() / size, time)
-        })
-        .filter(|&(gain, _)| gain > 1e-6)
-        .max_by(|left, right| left.0.total_cmp(&right.0))
-        .map(|(_, time)| time)
-}
-
-/// Neighbours on the grid are one term between two places of it.
-fn joined(series: &Series) -> Series {
-    join(series, 10f64.powf(1.5 / PER_DECADE))
-}
-
-/// Two terms this close are one.
-fn joined_close(series: &Series) -> Series {
-    join(series, 1.02)
-}
-
-fn join(series: &Series, ratio: f64) -> Series {
-    let mut terms: Vec<(f64, f64)> = Vec::with_capacity(series.terms.len());
-    let mut previous = 0.0;
-    for &(strength, time) in &series.terms {
-        match terms.last_mut() {
-            Some(last) if time <= previous * ratio => *last = one_of_two(*last, (strength, time)),
-            _ => terms.push((strength, time)),
-        }
-        previous = time;
-    }
-    Series { constant: series.constant, terms }
-}
-
-/// One term with the strength of two, at the mean of the logarithms of their times.
-pub(super) fn one_of_two(left: (f64, f64), right: (f64, f64)) -> (f64, f64) {
-    let strength = left.0 + right.0;
-    (strength, left.1 * (right.1 / left.1).powf(right.0 / strength))
-}
-
-/// Neighbouring pairs that are tried at each removal, the most promising first.
-const TRIED: usize = 3;
-
-/// The series with one term fewer that fits best.
-pub(super) fn one_fewer(series: &Series, data: &[Observation], window: [f64; 2], steps: usize) -> Option<Series> {
-    let count = series.terms.len();
-    if count == 0 {
-        return None;
-    }
-    let merged = |index: usize| {
-        let mut terms = series.terms.clone();
-        if index + 1 < terms.len() {
-            let one = one_of_two(terms[index], terms[index + 1]);
-            terms.splice(index..index + 2, [one]);
-        } else {
-            terms.pop();
-        }
-        Series { constant: series.constant, terms }
-    };
-    let mut shorter: Vec<(f64, Series)> = (0..count)
-        .map(|index| {
-            let times: Vec<f64> = merged(index).terms.iter().map(|term| term.1).collect();
-            let trial = Series::at_times(&times, data);
-            (trial.misfit(data), trial)
-        })
-        .collect();
-    shorter.sort_by(|left, right| left.0.total_cmp(&right.0));
-    shorter
-        .into_iter()
-        .take(TRIED)
-        .map(|(_, trial)| {
-            let refined = trial.refined(data, window, steps);
-            (refined.misfit(data), refined)
-        })
-        .min_by(|left, right| left.0.total_cmp(&right.0))
-        .map(|(_, refined)| refined)
-}
-
-/// The fewest terms for the wanted error.
-fn fewest(best: Series, data: &[Observation], window: [f64; 2], wanted: Wanted) -> Series {
-    let count = data.len() as f64;
-    let floor = ROUNDING * ROUNDING * count;
-    // Schwarz's criterion: N ln(misfit/N) + freedom·ln N.
-    let criterion = |series: &Series| count * ((series.misfit(data).max(floor)) / count).ln() + series.freedom() as f64 * count.ln();
-    let mut chosen = best.clone();
-    let mut lowest = criterion(&best);
+/// The best series of each number of terms, from a best fit down, as far as the wanted error or the criterion may want it.
+fn path(best: Candidate, shifted: &Sample, window: [f64; 2], wanted: Wanted, of: &dyn Fn(Series) -> Candidate) -> Vec<Candidate> {
+    let count = shifted.count as f64;
+    let mut lowest = best.criterion;
+    let mut all = vec![best.clone()];
     let mut current = best;
-    while let Some(shorter) = one_fewer(&current, data, window, 40) {
-        match wanted {
-            Wanted::Error(error) => {
-                if (shorter.misfit(data) / count).sqrt() > error {
-                    break;
-                }
-                chosen = shorter.clone();
-            }
-            Wanted::Scatter => {
-                let value = criterion(&shorter);
-                if value < lowest {
-                    lowest = value;
-                    chosen = shorter.clone();
-                } else if value > lowest + 20.0 * count.ln() {
-                    break;
-                }
-            }
+    while let Some(shorter) = one_fewer(&current.series, shifted, window, 40) {
+        let shorter = of(shorter);
+        lowest = lowest.min(shorter.criterion);
+        let meets = matches!(wanted, Wanted::Error(error) if (shorter.misfit / count).sqrt() <= error);
+        // Two terms fewer may still be better than one.
+        let over = shorter.criterion > lowest + 2.0 * WEIGHTLESS + 4.0 * count.ln();
+        all.push(shorter.clone());
+        if over && !meets {
+            break;
         }
         current = shorter;
     }
-    chosen
+    all
 }

@@ -5,8 +5,10 @@
 //!   badly together, the two belong to different spectra.
 //! - The local relation E″ ≈ (π/2) dE′/d ln ω (Booij and Thoone, 1982, *Rheol. Acta* 21, 15), good to some ten per cent on broad spectra.
 
-use super::choose::best_fit;
+use super::best::best_fit;
 use super::observation::{Observation, Quantity};
+use super::sample::Sample;
+use super::series::Ends;
 
 /// What the checks gave.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,18 +48,24 @@ pub fn check(data: &[Observation]) -> Option<Consistency> {
     let rms = |part: &[Observation]| {
         let (low, high) = part.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), one| (low.min(one.at), high.max(one.at)));
         // Spectra reach beyond the measured range; each part alone is helped by terms out there as the common fit is.
-        (best_fit(part, [0.1 / high, 10.0 / low]).misfit(part) / part.len() as f64).sqrt()
+        let sample = Sample::combined(std::iter::once(part));
+        let best = best_fit(&sample, [0.1 / high, 10.0 / low], Ends { constant: true, flow: false });
+        (best.misfit(&sample) / part.len() as f64).sqrt()
     };
     let both: Vec<Observation> = storage.iter().chain(&loss).copied().collect();
     Some(Consistency { storage_alone: rms(&storage), loss_alone: rms(&loss), together: rms(&both), local: local(&storage, &loss) })
 }
 
-/// The local relation at every measured loss that lies inside the measured storage moduli.
+/// A median needs no more places than this.
+const PLACES: usize = 1000;
+
+/// The local relation at measured losses that lie inside the measured storage moduli: at all of them, or evenly at a thousand.
 fn local(storage: &[Observation], loss: &[Observation]) -> Option<f64> {
     let mut points: Vec<(f64, f64)> = storage.iter().map(|one| (one.at.ln(), one.value)).collect();
     points.sort_by(|left, right| left.0.total_cmp(&right.0));
     let mut deviations: Vec<f64> = loss
         .iter()
+        .step_by(loss.len().div_ceil(PLACES).max(1))
         .filter(|one| one.value > 0.0)
         .filter_map(|one| {
             let slope = slope(&points, one.at.ln())?;
@@ -70,7 +78,10 @@ fn local(storage: &[Observation], loss: &[Observation]) -> Option<f64> {
 
 /// dE′/d ln ω by a straight line through the points within half a decade: at least three on both sides.
 fn slope(points: &[(f64, f64)], at: f64) -> Option<f64> {
-    let near: Vec<&(f64, f64)> = points.iter().filter(|point| (point.0 - at).abs() <= 0.5 * std::f64::consts::LN_10).collect();
+    let reach = 0.5 * std::f64::consts::LN_10;
+    let first = points.partition_point(|point| point.0 < at - reach);
+    let last = points.partition_point(|point| point.0 <= at + reach);
+    let near = points.get(first..last)?;
     let sides = |sign: f64| near.iter().any(|point| (point.0 - at) * sign > 0.0);
     if near.len() < 3 || !sides(1.0) || !sides(-1.0) {
         return None;

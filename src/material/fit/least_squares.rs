@@ -9,6 +9,34 @@ use faer::linalg::solvers::SolveLstsq;
 /// A column whose gain is below this part of its length times the length of the data is at rounding.
 const ROUNDING: f64 = 1e-14;
 
+/// Columns of equal length as a matrix.
+pub(super) fn matrix<'a>(columns: impl ExactSizeIterator<Item = &'a [f64]>, rows: usize) -> Mat<f64> {
+    let mut matrix = Mat::zeros(rows, columns.len());
+    for (j, column) in columns.enumerate() {
+        for (place, value) in matrix.col_as_slice_mut(j).iter_mut().zip(column) {
+            *place = *value;
+        }
+    }
+    matrix
+}
+
+/// Sum of the products of two columns.
+pub(super) fn product(left: &[f64], right: &[f64]) -> f64 {
+    left.iter().zip(right).map(|(one, other)| one * other).sum()
+}
+
+/// The same least squares on few rows: the triangle of the columns, its columns.
+pub(super) fn reduced(columns: &[Vec<f64>], rows: usize) -> Vec<Vec<f64>> {
+    if rows <= columns.len() {
+        return columns.to_vec();
+    }
+    let factor = matrix(columns.iter().map(Vec::as_slice), rows).qr();
+    let triangle = factor.thin_R().to_owned();
+    (0..columns.len())
+        .map(|j| triangle.col_as_slice(j).iter().enumerate().map(|(i, &value)| if i <= j { value } else { 0.0 }).collect())
+        .collect()
+}
+
 /// x of min ‖Ax − b‖ by Householder QR with column pivoting; none if a number of the answer is not finite.
 pub(super) fn free(matrix: &Mat<f64>, right: &[f64]) -> Option<Vec<f64>> {
     if matrix.ncols() == 0 {
@@ -32,36 +60,34 @@ fn finite(solution: &Mat<f64>, rows: usize) -> Option<Vec<f64>> {
     answer.iter().all(|value| value.is_finite()).then_some(answer)
 }
 
-/// x ≥ 0 of min ‖Ax − b‖.
-pub(super) fn non_negative(matrix: &Mat<f64>, right: &[f64]) -> Vec<f64> {
-    let (rows, columns) = (matrix.nrows(), matrix.ncols());
-    let lengths: Vec<f64> = (0..columns).map(|j| (0..rows).map(|i| matrix[(i, j)].powi(2)).sum::<f64>().sqrt()).collect();
+/// x ≥ 0 of min ‖Ax − b‖, A by its columns.
+pub(super) fn non_negative(given: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
+    let columns = given.len();
+    let lengths: Vec<f64> = given.iter().map(|column| product(column, column).sqrt()).collect();
     // [A/lengths | b] → R: the same residuals up to the part of b that no column reaches.
-    let whole = Mat::from_fn(rows, columns + 1, |i, j| {
-        if j == columns {
-            right[i]
-        } else if lengths[j] > 0.0 {
-            matrix[(i, j)] / lengths[j]
-        } else {
-            0.0
-        }
-    });
+    let mut whole = matrix(given.iter().map(Vec::as_slice).chain(std::iter::once(right)).collect::<Vec<_>>().into_iter(), right.len());
+    for (j, &length) in lengths.iter().enumerate().filter(|(_, length)| **length > 0.0) {
+        whole.col_as_slice_mut(j).iter_mut().for_each(|value| *value /= length);
+    }
     let factor = whole.qr();
-    let triangle = factor.thin_R();
+    let triangle = factor.thin_R().to_owned();
     let small_rows = triangle.nrows();
-    let column = |j: usize| (0..small_rows).map(move |i| triangle[(i, j)]);
-    let data: Vec<f64> = column(columns).collect();
-    let size = data.iter().map(|value| value * value).sum::<f64>().sqrt();
+    // Nothing stands below the diagonal.
+    let column = |j: usize| triangle.col_as_slice(j).get(..small_rows.min(j + 1)).unwrap_or(&[]);
+    let mut data = vec![0.0; small_rows];
+    data.iter_mut().zip(column(columns)).for_each(|(place, value)| *place = *value);
+    let size = product(&data, &data).sqrt();
     let mut x = vec![0.0; columns];
     let mut passive: Vec<usize> = Vec::new();
     for _ in 0..10 * columns.max(10) {
         let mut residual = data.clone();
         for &j in &passive {
+            let strength = x[j];
             for (rest, entry) in residual.iter_mut().zip(column(j)) {
-                *rest -= entry * x[j];
+                *rest -= entry * strength;
             }
         }
-        let gain = |j: usize| column(j).zip(&residual).map(|(entry, rest)| entry * rest).sum::<f64>();
+        let gain = |j: usize| product(column(j), &residual);
         let best = (0..columns)
             .filter(|&j| lengths[j] > 0.0 && !passive.contains(&j))
             .map(|j| (gain(j), j))
@@ -70,8 +96,9 @@ pub(super) fn non_negative(matrix: &Mat<f64>, right: &[f64]) -> Vec<f64> {
         passive.push(entering);
         // Back from the free answer to the border, as often as it crosses it.
         while !passive.is_empty() {
-            let part = Mat::from_fn(small_rows, passive.len(), |i, j| triangle[(i, passive[j])]);
-            let Some(trial) = free(&part, &data) else {
+            let reach = passive.iter().map(|&j| j + 1).max().unwrap_or(0).min(small_rows);
+            let part = matrix(passive.iter().map(|&j| column(j)), reach);
+            let Some(trial) = free(&part, data.get(..reach).unwrap_or(&data)) else {
                 passive.pop();
                 continue;
             };

@@ -10,18 +10,28 @@
 //! Stat.* 6, 461, for the number of terms where no error is asked for.
 
 mod band;
+mod best;
 mod choose;
 pub mod consistency;
+mod descent;
 mod draws;
 mod fixed_times;
+mod joint;
+mod law;
 mod least_squares;
 mod normal;
 mod observation;
 pub mod overlap;
+mod rest;
+mod sample;
 mod series;
 mod shape;
+mod starts;
+pub mod superposition;
 
 pub use band::Band;
 pub use choose::{SeriesFit, Wanted, fit};
+pub use law::LawFit;
 pub use observation::{Observation, Quantity, complex_modulus};
+pub use rest::AtRest;
 pub use shape::SeriesShape;

@@ -3,7 +3,7 @@
 //! Every observation is a constant plus a sum over the terms, linear in the strengths, with a kernel of x = ωρ or t/ρ alone:
 //! ```text
 //! storage      E′(ω) = E0 + Σ E_i x²/(1+x²)          relaxation    R(t) = E0 + Σ E_i e^{−x}
-//! loss         E″(ω) =      Σ E_i x/(1+x²)           creep         J(t) = 1/E∞ + Σ J_j (1 − e^{−x})
+//! loss         E″(ω) =      Σ E_i x/(1+x²)           creep         J(t) = 1/E∞ + t/η + Σ J_j (1 − e^{−x})
 //! ```
 
 /// What is observed; a set of observations is of moduli (the first three) or of creep, never of both.
@@ -26,6 +26,19 @@ impl Quantity {
             Self::Loss => 0.0,
             _ => 1.0,
         }
+    }
+
+    /// What a unit of flow 1/η adds: t to a creep compliance. The moduli of a liquid need no flow, they are without a constant.
+    pub(super) const fn flow(self, at: f64) -> f64 {
+        match self {
+            Self::Creep => at,
+            _ => 0.0,
+        }
+    }
+
+    /// x = ωρ or t/ρ.
+    pub(super) fn argument(self, at: f64, time: f64) -> f64 {
+        if self.by_frequency() { at * time } else { at / time }
     }
 
     /// The kernel at x = ωρ (or t/ρ), and its derivative by ln ρ.
@@ -76,13 +89,6 @@ pub struct Observation {
     pub value: f64,
     /// What residuals are divided by, > 0: a value and its scale in the same unit make relative residuals.
     pub scale: f64,
-}
-
-impl Observation {
-    /// ω·ρ or t/ρ.
-    pub(super) fn argument(&self, time: f64) -> f64 {
-        if self.quantity.by_frequency() { self.at * time } else { self.at / time }
-    }
 }
 
 /// A loss below this part of |E| is measured no better than this part of |E| (phase angles are read to about 1e-3 rad).

@@ -13,7 +13,7 @@ pub fn mismatch(left: &LogCurve, right: &LogCurve) -> Option<f64> {
 }
 
 /// The points of one curve against the other's straight lines between its points; both sorted by place.
-fn differences(points: &LogCurve, lines: &LogCurve) -> Vec<f64> {
+pub(super) fn differences(points: &LogCurve, lines: &LogCurve) -> Vec<f64> {
     points
         .iter()
         .filter_map(|&(place, value)| {

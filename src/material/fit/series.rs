@@ -1,146 +1,181 @@
-//! A series while it is being fitted, and the refinement of its strengths and times together.
+//! A series while it is being fitted.
 
+use super::descent::{Descent, descended};
 use super::least_squares;
-use super::observation::Observation;
-use faer::Mat;
+use super::observation::Quantity;
+use super::sample::Sample;
 
-/// c + Σ s_k·kernel(x_k): strengths and times, sorted from the shortest time.
+/// What a series may have besides its terms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Ends {
+    /// A constant: E0, or 1/E∞ of creep.
+    pub(super) constant: bool,
+    /// Flow t/η of creep.
+    pub(super) flow: bool,
+}
+
+/// c + (1/η)·t + Σ s_k·kernel(x_k): strengths and times, sorted from the shortest time.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Series {
     pub(super) constant: f64,
+    /// 1/η of creep, else 0.
+    pub(super) flow: f64,
     /// (strength, time).
     pub(super) terms: Vec<(f64, f64)>,
+    pub(super) ends: Ends,
 }
 
 impl Series {
-    pub(super) fn value(&self, observation: &Observation) -> f64 {
-        let terms: f64 =
-            self.terms.iter().map(|&(strength, time)| strength * observation.quantity.kernel(observation.argument(time)).0).sum();
-        self.constant * observation.quantity.constant() + terms
+    pub(super) fn value(&self, quantity: Quantity, at: f64) -> f64 {
+        let terms: f64 = self.terms.iter().map(|&(strength, time)| strength * quantity.kernel(quantity.argument(at, time)).0).sum();
+        self.constant * quantity.constant() + self.flow * quantity.flow(at) + terms
     }
 
-    pub(super) fn residuals(&self, data: &[Observation]) -> Vec<f64> {
-        data.iter().map(|observation| (self.value(observation) - observation.value) / observation.scale).collect()
+    pub(super) fn residuals(&self, sample: &Sample) -> Vec<f64> {
+        let mut rows = sample.rows(sample.places.iter().map(|place| self.value(place.quantity, place.at)).collect());
+        for (row, target) in rows.iter_mut().zip(&sample.targets) {
+            *row -= target;
+        }
+        rows
     }
 
     /// Half the sum of squares is what a fit makes small; this is the whole sum.
-    pub(super) fn misfit(&self, data: &[Observation]) -> f64 {
-        self.residuals(data).iter().map(|residual| residual * residual).sum()
+    pub(super) fn misfit(&self, sample: &Sample) -> f64 {
+        sample.rest + self.residuals(sample).iter().map(|residual| residual * residual).sum::<f64>()
+    }
+
+    /// The columns of the ends, then of terms with the given times and unit strength.
+    pub(super) fn unit_columns(times: &[f64], sample: &Sample, ends: Ends) -> Vec<Vec<f64>> {
+        let column =
+            |value: &dyn Fn(Quantity, f64) -> f64| sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect());
+        let mut columns = Vec::with_capacity(times.len() + 2);
+        if ends.constant {
+            columns.push(column(&|quantity, _| quantity.constant()));
+        }
+        if ends.flow {
+            columns.push(column(&|quantity, at| quantity.flow(at)));
+        }
+        columns.extend(times.iter().map(|&time| column(&|quantity, at| quantity.kernel(quantity.argument(at, time)).0)));
+        columns
     }
 
     /// The best strengths for the given times; terms without strength are dropped.
-    pub(super) fn at_times(times: &[f64], data: &[Observation]) -> Self {
-        let matrix = Mat::from_fn(data.len(), times.len() + 1, |i, j| {
-            let observation = &data[i];
-            let entry =
-                if j == 0 { observation.quantity.constant() } else { observation.quantity.kernel(observation.argument(times[j - 1])).0 };
-            entry / observation.scale
-        });
-        let right: Vec<f64> = data.iter().map(|observation| observation.value / observation.scale).collect();
-        let strengths = least_squares::non_negative(&matrix, &right);
-        let (constant, terms) = strengths.split_first().map_or((0.0, &[][..]), |(first, rest)| (*first, rest));
-        let mut terms: Vec<(f64, f64)> = terms.iter().copied().zip(times.iter().copied()).filter(|&(strength, _)| strength > 0.0).collect();
+    pub(super) fn at_times(times: &[f64], sample: &Sample, ends: Ends) -> Self {
+        let strengths = least_squares::non_negative(&Self::unit_columns(times, sample, ends), &sample.targets);
+        Self::with_strengths(&strengths, times, ends)
+    }
+
+    /// The series of strengths in the order of [`Self::unit_columns`].
+    pub(super) fn with_strengths(strengths: &[f64], times: &[f64], ends: Ends) -> Self {
+        let mut numbers = strengths.iter().copied();
+        let constant = if ends.constant { numbers.next().unwrap_or(0.0) } else { 0.0 };
+        let flow = if ends.flow { numbers.next().unwrap_or(0.0) } else { 0.0 };
+        let mut terms: Vec<(f64, f64)> = numbers.zip(times.iter().copied()).filter(|&(strength, _)| strength > 0.0).collect();
         terms.sort_by(|left, right| left.1.total_cmp(&right.1));
-        Self { constant, terms }
+        Self { constant, flow, terms, ends }
+    }
+
+    /// Numbers before those of the terms.
+    fn own(&self) -> usize {
+        usize::from(self.constant > 0.0) + usize::from(self.flow > 0.0)
     }
 
     /// Number of free numbers.
     pub(super) fn freedom(&self) -> usize {
-        2 * self.terms.len() + usize::from(self.constant > 0.0)
+        2 * self.terms.len() + self.own()
     }
 
-    /// Derivatives of the residuals by ln c (if c > 0), then by ln s_k and ln ρ_k of each term; frozen times have zero columns.
-    pub(super) fn jacobian(&self, data: &[Observation], window: [f64; 2]) -> Mat<f64> {
-        let own = usize::from(self.constant > 0.0);
-        Mat::from_fn(data.len(), self.freedom(), |i, j| {
-            let observation = &data[i];
-            let Some(place) = j.checked_sub(own) else {
-                return self.constant * observation.quantity.constant() / observation.scale;
-            };
-            let (strength, time) = self.terms[place / 2];
-            let (value, slope) = observation.quantity.kernel(observation.argument(time));
-            let derivative = if place % 2 == 0 {
-                value
-            } else if time <= window[0] || time >= window[1] {
-                0.0
-            } else {
-                slope
-            };
-            strength * derivative / observation.scale
-        })
+    /// Derivatives of the rows by ln c (if c > 0), ln 1/η (if it flows), then by ln s_k and ln ρ_k of each term; frozen times have zero columns.
+    pub(super) fn columns(&self, sample: &Sample, window: [f64; 2]) -> Vec<Vec<f64>> {
+        let values =
+            |value: &dyn Fn(Quantity, f64) -> f64| sample.rows(sample.places.iter().map(|place| value(place.quantity, place.at)).collect());
+        let mut columns = Vec::with_capacity(self.freedom());
+        if self.constant > 0.0 {
+            columns.push(values(&|quantity, _| self.constant * quantity.constant()));
+        }
+        if self.flow > 0.0 {
+            columns.push(values(&|quantity, at| self.flow * quantity.flow(at)));
+        }
+        for &(strength, time) in &self.terms {
+            let both: Vec<(f64, f64)> =
+                sample.places.iter().map(|place| place.quantity.kernel(place.quantity.argument(place.at, time))).collect();
+            columns.push(sample.rows(both.iter().map(|both| strength * both.0).collect()));
+            let free = time > window[0] && time < window[1];
+            columns.push(sample.rows(both.iter().map(|both| if free { strength * both.1 } else { 0.0 }).collect()));
+        }
+        columns
+    }
+
+    /// Derivatives of a value by the same numbers.
+    pub(super) fn gradient(&self, quantity: Quantity, at: f64, window: [f64; 2]) -> Vec<f64> {
+        let mut gradient = Vec::with_capacity(self.freedom());
+        if self.constant > 0.0 {
+            gradient.push(self.constant * quantity.constant());
+        }
+        if self.flow > 0.0 {
+            gradient.push(self.flow * quantity.flow(at));
+        }
+        for &(strength, time) in &self.terms {
+            let (value, slope) = quantity.kernel(quantity.argument(at, time));
+            gradient.push(strength * value);
+            gradient.push(if time > window[0] && time < window[1] { strength * slope } else { 0.0 });
+        }
+        gradient
+    }
+
+    /// The derivative of a value by the logarithm of all times together, as a shift factor changes them.
+    pub(super) fn slope(&self, quantity: Quantity, at: f64) -> f64 {
+        let terms: f64 = self.terms.iter().map(|&(strength, time)| strength * quantity.kernel(quantity.argument(at, time)).1).sum();
+        terms - self.flow * quantity.flow(at)
     }
 
     /// The series after a step in the logarithms, times kept in the window.
     pub(super) fn moved(&self, step: &[f64], window: [f64; 2]) -> Self {
         // No step changes a number by more than e³: the linear picture ends long before.
-        let factor = |value: f64| value.clamp(-3.0, 3.0).exp();
-        let own = usize::from(self.constant > 0.0);
-        let constant = if own == 1 { self.constant * factor(step[0]) } else { 0.0 };
+        let mut factors = step.iter().map(|value| value.clamp(-3.0, 3.0).exp());
+        let mut factor = || factors.next().unwrap_or(1.0);
+        let constant = if self.constant > 0.0 { self.constant * factor() } else { 0.0 };
+        let flow = if self.flow > 0.0 { self.flow * factor() } else { 0.0 };
         let terms = self
             .terms
             .iter()
-            .enumerate()
-            .map(|(k, &(strength, time))| {
-                let place = own + 2 * k;
-                (strength * factor(step[place]), (time * factor(step[place + 1])).clamp(window[0], window[1]))
+            .map(|&(strength, time)| {
+                let strength = strength * factor();
+                (strength, (time * factor()).clamp(window[0], window[1]))
             })
             .collect();
-        Self { constant, terms }
+        Self { constant, flow, terms, ends: self.ends }
     }
 
     /// Levenberg and Marquardt's descent from here; at most so many steps.
-    pub(super) fn refined(mut self, data: &[Observation], window: [f64; 2], steps: usize) -> Self {
-        let mut misfit = self.misfit(data);
-        let mut damping = 1e-3;
-        for _ in 0..steps {
-            let jacobian = self.jacobian(data, window);
-            let (rows, columns) = (jacobian.nrows(), jacobian.ncols());
-            if columns == 0 {
-                break;
-            }
-            let residuals = self.residuals(data);
-            let lengths: Vec<f64> = (0..columns).map(|j| (0..rows).map(|i| jacobian[(i, j)].powi(2)).sum::<f64>().sqrt()).collect();
-            // [J | r] → R once a step; every damping is then tried on the small triangle.
-            let whole = Mat::from_fn(rows, columns + 1, |i, j| if j == columns { residuals[i] } else { jacobian[(i, j)] });
-            let factor = whole.qr();
-            let triangle = factor.thin_R();
-            let small = triangle.nrows();
-            let mut better = None;
-            for _ in 0..12 {
-                let damped = Mat::from_fn(small + columns, columns, |i, j| {
-                    if i < small {
-                        triangle[(i, j)]
-                    } else if i - small == j {
-                        // A frozen number has no length: it is held by its own damping.
-                        if lengths[j] > 0.0 { damping * lengths[j] } else { 1.0 }
-                    } else {
-                        0.0
-                    }
-                });
-                let right: Vec<f64> = (0..small + columns).map(|i| if i < small { -triangle[(i, columns)] } else { 0.0 }).collect();
-                let Some(step) = least_squares::damped(&damped, &right) else { break };
-                let trial = self.moved(&step, window);
-                let reached = trial.misfit(data);
-                if reached < misfit {
-                    better = Some((trial, reached));
-                    damping = (damping * 0.1).max(1e-12);
-                    break;
-                }
-                damping *= 10.0;
-                if damping > 1e6 {
-                    break;
-                }
-            }
-            let Some((trial, reached)) = better else { break };
-            let gained = (misfit - reached) / misfit;
-            self = trial;
-            misfit = reached;
-            // A descent this slow is at its end, or in a valley that leads nowhere.
-            if gained < 1e-6 {
-                break;
-            }
-        }
-        self.terms.sort_by(|left, right| left.1.total_cmp(&right.1));
-        self
+    pub(super) fn refined(self, sample: &Sample, window: [f64; 2], steps: usize) -> Self {
+        let mut series = descended(Refined { series: self, sample, window }, steps).series;
+        series.terms.sort_by(|left, right| left.1.total_cmp(&right.1));
+        series
+    }
+}
+
+/// A series on its way.
+struct Refined<'a> {
+    series: Series,
+    sample: &'a Sample,
+    window: [f64; 2],
+}
+
+impl Descent for Refined<'_> {
+    fn residuals(&self) -> Vec<f64> {
+        self.series.residuals(self.sample)
+    }
+
+    fn rest(&self) -> f64 {
+        self.sample.rest
+    }
+
+    fn jacobian(&self) -> Vec<Vec<f64>> {
+        self.series.columns(self.sample, self.window)
+    }
+
+    fn moved(&self, step: &[f64]) -> Self {
+        Self { series: self.series.moved(step, self.window), sample: self.sample, window: self.window }
     }
 }

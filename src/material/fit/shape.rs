@@ -1,7 +1,8 @@
 //! A series of moduli without the promise to be a material: what expansions of laws are made of.
 
 use super::observation::{Observation, Quantity};
-use super::series::Series;
+use super::sample::Sample;
+use super::series::{Ends, Series};
 
 /// Strengths and times, sorted from the shortest time.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,7 +13,7 @@ impl SeriesShape {
     #[must_use]
     pub fn new(constant: f64, mut terms: Vec<(f64, f64)>) -> Self {
         terms.sort_by(|left, right| left.1.total_cmp(&right.1));
-        Self(Series { constant, terms })
+        Self(Series { constant, flow: 0.0, terms, ends: Ends { constant: true, flow: false } })
     }
 
     /// (strength, time), shortest time first.
@@ -36,7 +37,7 @@ impl SeriesShape {
     /// Residuals relative to their scales; a storage and the loss that follows it share the length of both.
     #[must_use]
     pub fn complex_errors(&self, data: &[Observation]) -> Vec<f64> {
-        let residuals = self.0.residuals(data);
+        let residuals = self.0.residuals(&Sample::plain(data));
         let mut errors: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
         for index in 1..data.len() {
             let pair = data[index - 1].quantity == Quantity::Storage && data[index].quantity == Quantity::Loss;

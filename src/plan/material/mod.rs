@@ -5,6 +5,7 @@ mod figures;
 mod file;
 mod reach;
 mod screen;
+mod shifts;
 mod tables;
 
 pub use file::material_file;
@@ -82,18 +83,7 @@ impl MaterialReport {
         let error = match &self.material.origin {
             MaterialOrigin::Data(fitted) => {
                 let reduced = if by_frequency { at * self.factor() } else { at / self.factor() };
-                let creep = fitted.data.sort == MeasuredSort::Creep;
-                // Of the other series, whose errors are not followed, the relative error of the one that was fitted.
-                match (creep, quantity) {
-                    (true, Quantity::Creep) | (false, Quantity::Storage | Quantity::Loss | Quantity::Relaxation) => {
-                        fitted.fit.band.error(quantity, reduced)
-                    }
-                    (false, Quantity::Creep) => value * fitted.fit.band.error(Quantity::Relaxation, reduced) / series.relaxation(at),
-                    (true, _) => {
-                        value.abs().max(scale) * fitted.fit.band.error(Quantity::Creep, if by_frequency { 1.0 / reduced } else { reduced })
-                            / series.creep(if by_frequency { 1.0 / at } else { at })
-                    }
-                }
+                fitted.fit.band.error(quantity, reduced)
             }
             MaterialOrigin::Law(law) => law.expansion.error * scale,
             MaterialOrigin::Terms => 8.0 * f64::EPSILON * scale,

@@ -1,6 +1,6 @@
 //! A material on the screen, and as JSON.
 
-use super::MaterialReport;
+use super::{MaterialReport, shifts};
 use crate::scene::typed::{MaterialOrigin, Units};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -28,7 +28,7 @@ pub fn screen(report: &MaterialReport) -> String {
             let _ = writeln!(text, "misfit     {:.2e} (root mean square, relative), {:.2e} (largest)", fit.rms_error, fit.largest_error);
             let _ = writeln!(
                 text,
-                "best fit   {:.2e} with {} terms: no series with positive strengths comes closer",
+                "best fit   {:.2e} with {} terms: the closest series with positive strengths that was found",
                 fit.best_rms_error, fit.best_terms
             );
             if let Some(consistency) = &fitted.consistency {
@@ -42,6 +42,7 @@ pub fn screen(report: &MaterialReport) -> String {
                     consistency.local.map_or_else(String::new, |local| format!("; local relation within {local:.1e} (median)"))
                 );
             }
+            let _ = writeln!(text, "at rest    {}", shifts::at_rest(fit));
             if let Some(overlap) = &fitted.overlap {
                 let _ = writeln!(
                     text,
@@ -51,6 +52,9 @@ pub fn screen(report: &MaterialReport) -> String {
                     overlap.temperatures - 1,
                     overlap.worst
                 );
+            }
+            if let Some(superposition) = &fitted.superposition {
+                text.push_str(&shifts::screen(superposition));
             }
         }
         MaterialOrigin::Law(law) => {
@@ -131,6 +135,13 @@ pub fn summary(report: &MaterialReport) -> Value {
                 "together": consistency.together,
                 "local": consistency.local,
             })),
+            "at_rest": {
+                "liquid": fitted.fit.rest.liquid,
+                "decided": fitted.fit.rest.decided(),
+                "solid_rms_error": fitted.fit.rest.solid_rms_error,
+                "liquid_rms_error": fitted.fit.rest.liquid_rms_error,
+            },
+            "shifts": fitted.superposition.as_ref().map(shifts::summary),
             "warnings": fitted.warnings,
         }),
         MaterialOrigin::Law(law) => json!({

@@ -1,6 +1,6 @@
 //! The tables of a material: curves against frequency and time, terms, and the data beside the fit.
 
-use super::MaterialReport;
+use super::{MaterialReport, shifts};
 use crate::estimate::Estimate;
 use crate::material::fit::Quantity;
 use crate::outcome::csv_table::plain;
@@ -118,6 +118,9 @@ pub fn tables(report: &MaterialReport) -> Result<Vec<(String, Vec<u8>)>, csv::Er
             }
         };
         tables.push(("data.csv".to_owned(), plain(header, &rows)?));
+        if let Some(superposition) = &fitted.superposition {
+            tables.push(("shift_factors.csv".to_owned(), plain(shifts::HEADER, &shifts::rows(superposition))?));
+        }
     }
     Ok(tables)
 }

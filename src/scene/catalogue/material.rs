@@ -106,7 +106,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.reference_temperature",
         kind: Kind::Number { dimension: Dimension::TEMPERATURE, range: Range::Positive, reduced: "not available" },
-        meaning: "Temperature at which the terms hold, and to which data are shifted.",
+        meaning: "Temperature at which the terms hold, and to which data are shifted; with an automatic shift, the middle one of the measured temperatures by default.",
     },
     Key {
         path: "material.temperature_tolerance",
@@ -115,8 +115,17 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key {
         path: "material.shift",
-        kind: Kind::Table,
-        meaning: "Time–temperature shift: every time is multiplied by a_T. Exactly one of wlf, arrhenius, factors, table.",
+        kind: Kind::TableOrWord(&[
+            Word {
+                word: "automatic",
+                meaning: "factors a_T found from material.data, where the curves of neighbouring temperatures overlap",
+            },
+            Word {
+                word: "automatic_with_vertical",
+                meaning: "the same, and a vertical factor b_T for each temperature: E(a_T ω; T_ref) = b_T E(ω; T)",
+            },
+        ]),
+        meaning: "Time–temperature shift: every time is multiplied by a_T. A table with exactly one of wlf, arrhenius, factors, table; or a word: the factors are found from the data, each with its error.",
     },
     Key {
         path: "material.shift.wlf",

@@ -62,6 +62,8 @@ pub enum Kind {
     Tables,
     /// A table or a list of tables.
     TableOrTables,
+    /// A table or one of a few words.
+    TableOrWord(&'static [Word]),
 }
 
 /// A word that a choice allows.

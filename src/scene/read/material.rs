@@ -1,5 +1,6 @@
 //! The [material] table: moduli, creep or relaxation terms, data or a law, and what must fit together.
 
+use super::material_source::Shift;
 use super::section::Section;
 use super::{material_data, material_draws, material_source};
 use crate::material::{CreepTerm, Material, RelaxationTerm};
@@ -20,7 +21,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
     let way = table.at_most_one(&["creep", "relaxation", "data", "power_law", "fractional_zener"])?;
     belonging(&table, way)?;
     let origin = match way {
-        Some("data") => material_data::from_data(&table, document, poisson_ratio, shift.as_ref(), reference)?,
+        Some("data") => material_data::from_data(&table, document, poisson_ratio, &shift, reference)?,
         Some(law @ ("power_law" | "fractional_zener")) => {
             let moduli = (relaxed(&table)?.or((table.units() == Units::Reduced).then_some(1.0)), table.number("glassy_modulus")?);
             material_source::from_law(&table, document, law, moduli)?
@@ -28,7 +29,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         _ => MaterialOrigin::Terms,
     };
     let measured_warm = matches!(&origin, MaterialOrigin::Data(fitted) if fitted.data.rows.iter().any(|row| row.temperature.is_some()));
-    if reference.is_some() && shift.is_none() && !measured_warm && table.node().get("temperature").is_none() {
+    if reference.is_some() && shift == Shift::None && !measured_warm && table.node().get("temperature").is_none() {
         let message = "`material.reference_temperature` has no effect without shift factors";
         return Err(table.wrong("reference_temperature", message, "leave it out, or add material.shift"));
     }
@@ -46,7 +47,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         );
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
-    let (series, climate) = material_source::at_temperature(&table, shift, reference, series)?;
+    let (series, climate) = material_source::at_temperature(&table, shift, &origin, reference, series)?;
     let draws = material_draws::draws(&table, &origin, climate.as_ref())?;
     Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, draws })
 }

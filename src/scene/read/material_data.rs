@@ -1,5 +1,7 @@
 //! From a measured table to a series: shifted to one temperature, fitted, checked.
 
+use super::material_shift::{superposed, unfixed};
+use super::material_source::Shift;
 use super::material_table::material_data;
 use super::section::Section;
 use crate::material::fit::consistency::{check, widest_gap};
@@ -8,7 +10,7 @@ use crate::material::fit::{Observation, Quantity, Wanted, complex_modulus, fit};
 use crate::material::shift::ShiftFactors;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
-use crate::scene::typed::{FittedData, MaterialData, MaterialOrigin, MeasuredSort, Overlap};
+use crate::scene::typed::{FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 use std::sync::Arc;
 
 /// Curves of neighbouring temperatures that differ by more than this where they meet do not lie on each other.
@@ -19,7 +21,7 @@ pub(super) fn from_data(
     table: &Section<'_>,
     document: &Document,
     poisson_ratio: Option<f64>,
-    shift: Option<&ShiftFactors>,
+    shift: &Shift,
     reference: Option<f64>,
 ) -> Result<MaterialOrigin, SceneError> {
     let wanted = table.number("fit_error")?.map_or(Wanted::Scatter, Wanted::Error);
@@ -29,22 +31,34 @@ pub(super) fn from_data(
     let words = format!("{:?} {columns} {wanted:?} {poisson_ratio:?} {shift:?} {reference:?} {tolerance:?}", table.text("data"));
     document.materials().get(&words, || {
         let mut data = material_data(table, document, poisson_ratio)?;
-        let overlap = shifted(table, &mut data, shift, reference)?;
-        let observations = observations(&data);
         let refused = |refusal| table.wrong("data", format!("no series can be fitted to the data: {refusal}"), "this file");
-        let fit = fit(&observations, wanted).map_err(refused)?;
+        let (overlap, superposition) = match shift {
+            Shift::Automatic { vertical } => {
+                let (overlap, superposition) = superposed(table, &mut data, tolerance, reference, *vertical, wanted)?;
+                (Some(overlap), Some(superposition))
+            }
+            Shift::Given(factors) => (shifted(table, &mut data, Some(factors), reference)?, None),
+            Shift::None => (shifted(table, &mut data, None, reference)?, None),
+        };
+        let observations = observations(&data.rows, data.sort);
+        let fit = match &superposition {
+            Some(superposition) => superposition.fit.clone(),
+            None => fit(&observations, wanted).map_err(refused)?,
+        };
         let consistency = check(&observations);
         let warnings = warnings(&data, &observations, wanted, &fit, consistency.as_ref(), overlap.as_ref());
-        Ok(MaterialOrigin::Data(Arc::new(FittedData { data, fit, consistency, overlap, warnings })))
+        let mut fitted = FittedData { data, fit, consistency, overlap, superposition, warnings };
+        unfixed(table, &mut fitted)?;
+        Ok(MaterialOrigin::Data(Arc::new(fitted)))
     })
 }
 
 /// Temperatures no further apart (K) are one isotherm.
-const TEMPERATURE_TOLERANCE: f64 = 1.0;
+pub(super) const TEMPERATURE_TOLERANCE: f64 = 1.0;
 
 /// The temperatures (K) of a table, rising. An instrument that holds a temperature lets it wander: rows whose temperatures follow each other closely, and as a whole lie
 /// within twice the tolerance, get their mean.
-fn isotherms(data: &mut MaterialData, tolerance: f64) -> Vec<f64> {
+pub(super) fn isotherms(data: &mut MaterialData, tolerance: f64) -> Vec<f64> {
     let mut every: Vec<f64> = data.rows.iter().filter_map(|row| row.temperature).collect();
     every.sort_by(f64::total_cmp);
     let mut means = Vec::new();
@@ -116,9 +130,11 @@ fn shifted(
         })?;
         row.at *= if data.sort == MeasuredSort::Moduli { factor } else { 1.0 / factor };
     }
-    if temperatures.len() < 2 {
-        return Ok(None);
-    }
+    Ok((temperatures.len() > 1).then(|| overlap(data, &temperatures)))
+}
+
+/// How well the shifted curves of neighbouring temperatures lie on each other.
+pub(super) fn overlap(data: &MaterialData, temperatures: &[f64]) -> Overlap {
     let curve = |temperature: f64, value: &dyn Fn(&crate::scene::typed::MeasuredRow) -> Option<f64>| -> LogCurve {
         let mut points: LogCurve = data
             .rows
@@ -137,17 +153,17 @@ fn shifted(
         meeting += usize::from(!differences.is_empty());
         worst = differences.into_iter().fold(worst, f64::max);
     }
-    Ok(Some(Overlap { temperatures: temperatures.len(), meeting, worst }))
+    Overlap { temperatures: temperatures.len(), meeting, worst }
 }
 
-/// The rows as observations, each relative to itself.
-fn observations(data: &MaterialData) -> Vec<Observation> {
-    let mut rows: Vec<_> = data.rows.iter().collect();
+/// Rows as observations, each relative to itself, in the order of frequency or time.
+pub(super) fn observations(rows: &[MeasuredRow], sort: MeasuredSort) -> Vec<Observation> {
+    let mut rows: Vec<_> = rows.iter().collect();
     rows.sort_by(|left, right| left.at.total_cmp(&right.at));
     rows.into_iter()
         .flat_map(|row| {
             let one = |quantity| vec![Observation { quantity, at: row.at, value: row.value, scale: row.value }];
-            match (data.sort, row.loss) {
+            match (sort, row.loss) {
                 (MeasuredSort::Moduli, Some(loss)) => complex_modulus(row.at, row.value, loss).to_vec(),
                 (MeasuredSort::Moduli, None) => one(Quantity::Storage),
                 (MeasuredSort::Relaxation, _) => one(Quantity::Relaxation),
@@ -187,7 +203,7 @@ fn warnings(
     }
     if let Some(consistency) = consistency.filter(|consistency| !consistency.holds()) {
         odd.push(format!(
-            "E′ and E″ are not those of one passive solid (Kramers and Kronig): alone they are followed within {:.1} % and {:.1} %, together within {:.1} %",
+            "E′ and E″ do not belong together (Kramers and Kronig): series of positive terms follow each alone within {:.1} % and {:.1} %, both together within {:.1} %",
             100.0 * consistency.storage_alone,
             100.0 * consistency.loss_alone,
             100.0 * consistency.together
@@ -195,12 +211,15 @@ fn warnings(
     }
     if let (Wanted::Error(error), false) = (wanted, fit.met) {
         odd.push(format!(
-            "the wanted error {error:.1e} is not met: positive strengths follow the data within {:.1e} at best",
+            "the wanted error {error:.1e} is not met: the closest series of positive terms that was found follows the data within {:.1e}",
             fit.best_rms_error
         ));
     }
     if fit.rms_error > 0.2 {
-        odd.push(format!("the fit misses the data by {:.0} %: they are not those of a passive solid", 100.0 * fit.rms_error));
+        odd.push(format!(
+            "the fit misses the data by {:.0} %: no series of positive terms that was tried follows them",
+            100.0 * fit.rms_error
+        ));
     }
     odd
 }

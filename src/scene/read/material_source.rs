@@ -48,14 +48,32 @@ pub(super) fn from_law(
     })
 }
 
-/// The shift factors, if the material has some.
-pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Option<ShiftFactors>, SceneError> {
-    let Some(shift) = table.table("shift") else { return Ok(None) };
+/// The shift factors that a scene gives, or how they are found.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shift {
+    None,
+    Given(ShiftFactors),
+    /// From the data, with vertical factors or without.
+    Automatic {
+        vertical: bool,
+    },
+}
+
+/// The shift of the material.
+pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Shift, SceneError> {
+    let Some(shift) = table.table("shift") else { return Ok(Shift::None) };
+    if let Some(word) = table.text("shift") {
+        if table.node().get("data").is_none() {
+            let message = format!("`material.shift` = {word:?} finds the factors from material.data, and there is none");
+            return Err(table.wrong("shift", message, "give factors by wlf, arrhenius, factors or table"));
+        }
+        return Ok(Shift::Automatic { vertical: word == "automatic_with_vertical" });
+    }
     if table.units() == Units::Reduced {
         return Err(table.wrong("shift", "`material.shift` needs temperatures, and a scene in reduced units has none", "leave it out"));
     }
     let reference = || table.required_number("reference_temperature");
-    Ok(Some(match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
+    Ok(Shift::Given(match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
         "wlf" => {
             let Some(wlf) = shift.table("wlf") else { return Err(shift.missing("wlf")) };
             ShiftFactors::WilliamsLandelFerry { c1: wlf.required_number("c1")?, c2: wlf.required_number("c2")?, reference: reference()? }
@@ -93,14 +111,28 @@ fn table_of(shift: &Section<'_>, key: &str, mut points: Vec<(f64, f64)>, referen
     Ok(ShiftFactors::Table(points))
 }
 
+/// The factors, given or found, and the temperature that they are relative to.
+fn found(shift: Shift, origin: &MaterialOrigin, reference: Option<f64>) -> (Option<ShiftFactors>, Option<f64>) {
+    match (shift, origin) {
+        (Shift::Given(factors), _) => (Some(factors), reference),
+        (Shift::Automatic { .. }, MaterialOrigin::Data(fitted)) => match &fitted.superposition {
+            Some(superposition) => (Some(superposition.factors()), Some(superposition.reference)),
+            None => (None, reference),
+        },
+        (Shift::None | Shift::Automatic { .. }, _) => (None, reference),
+    }
+}
+
 /// The material at `material.temperature`.
 pub(super) fn at_temperature(
     table: &Section<'_>,
-    shift: Option<ShiftFactors>,
+    shift: Shift,
+    origin: &MaterialOrigin,
     reference: Option<f64>,
     series: Material,
 ) -> Result<(Material, Option<Climate>), SceneError> {
     let temperature = table.number("temperature")?;
+    let (shift, reference) = found(shift, origin, reference);
     let Some(shift) = shift else {
         if let (Some(temperature), reference) = (temperature, reference)
             && reference.is_none_or(|reference| (reference - temperature).abs() > 1e-9 * temperature)

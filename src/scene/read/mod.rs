@@ -11,6 +11,7 @@ mod material_columns;
 mod material_data;
 mod material_draws;
 pub(super) mod material_memo;
+mod material_shift;
 mod material_source;
 mod material_table;
 mod measured_table;

@@ -4,6 +4,7 @@ use crate::material::Material;
 use crate::material::broad::{BroadLaw, Expansion};
 use crate::material::fit::SeriesFit;
 use crate::material::fit::consistency::Consistency;
+use crate::material::fit::superposition::Superposition;
 use crate::material::shift::ShiftFactors;
 use std::sync::Arc;
 
@@ -66,6 +67,8 @@ pub struct FittedData {
     pub consistency: Option<Consistency>,
     /// How well curves of neighbouring temperatures lie on each other.
     pub overlap: Option<Overlap>,
+    /// Shifts that were found from the data, if the scene asks for them.
+    pub superposition: Option<Superposition>,
     /// All that is odd, a sentence each.
     pub warnings: Vec<String>,
 }
