@@ -59,7 +59,9 @@ fn a_liquid_under_a_fast_wave_is_glassy_and_any_is_the_limit_of_solids() {
     // Slower: a solid of 1/1000 of the modulus at rest lies off by about that much, one of a tenth of it by a tenth.
     for adhesion in ["", "[adhesion]\nwork_of_adhesion = 1e-3\nprocess_zone = { length = 1e-7 }"] {
         let liquid = run(&wave(MAXWELL, 1e-3, 3e3, adhesion));
-        let solid = |relaxed: f64| run(&wave(&MAXWELL.replace("relaxed_modulus = 0", &format!("relaxed_modulus = {relaxed}")), 1e-3, 3e3, adhesion));
+        let solid = |relaxed: f64| {
+            run(&wave(&MAXWELL.replace("relaxed_modulus = 0", &format!("relaxed_modulus = {relaxed}")), 1e-3, 3e3, adhesion))
+        };
         let [soft, softer] = [1e3, 1e2].map(solid);
         for column in ["half_width", "friction_stress", "penetration"] {
             let (value, bound) = cell(&liquid, column);
@@ -91,7 +93,7 @@ fn an_adhesive_liquid_sphere_is_pulled_off() {
     // A solid of nearly no modulus at rest is the same when there is time.
     let slow = pull_off(&run(&scene(20.0, liquid)));
     let solid = pull_off(&run(&scene(20.0, &liquid.replace("relaxed_modulus = 0", "relaxed_modulus = 1e-2"))));
-    assert!(slow < 1.2 * fast && (slow / solid - 1.0).abs() < 2e-2, "{slow:e} {solid:e} {fast:e}");
+    assert!(slow < fast && (slow / solid - 1.0).abs() < 2e-2, "{slow:e} {solid:e} {fast:e}");
 }
 
 #[test]
@@ -100,13 +102,19 @@ fn what_a_liquid_cannot_have_is_refused_with_a_remedy() {
         "[material]\npoisson_ratio = 0.5\n{MAXWELL}\n[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ length = 2e-6 }}\n[indentation]\nsphere = {{ radius = 1e-3 }}\nstart = \"relaxed\"\nforce = 0\n[[history]]\npenetration = -3e-5\nduration = 1\n"
     );
     let sliding = wave(MAXWELL, 1e-3, 3e3, "[adhesion]\nwork_of_adhesion = 1e-3\nprocess_zone = { cohesive_stress = 1e5 }");
-    let cylinder = format!("[material]\npoisson_ratio = 0.4\n{MAXWELL}\n[sliding]\nspeed = 1e-3\nhalf_width = 1e-5\ncylinder = {{ radius = 1e-3 }}\n");
+    let cylinder =
+        format!("[material]\npoisson_ratio = 0.4\n{MAXWELL}\n[sliding]\nspeed = 1e-3\nhalf_width = 1e-5\ncylinder = {{ radius = 1e-3 }}\n");
     for (text, says) in [
         (sphere, "use start = \"untouched\""),
         (sliding.clone(), "process_zone = { length"),
         (cylinder, "it is infinite; give a wave"),
         (wave(MAXWELL, 0.0, 3e3, ""), "give a speed"),
-        (wave(MAXWELL, 1e-3, 3e3, "").replace("mean_pressure = 3000", "[sliding.strength]").replace("[sliding.wave]", "[adhesion]\nwork_of_adhesion = 1e-3\nprocess_zone = { length = 1e-7 }\n[sliding.wave]"), "sweep the load"),
+        (
+            wave(MAXWELL, 1e-3, 3e3, "")
+                .replace("mean_pressure = 3000", "[sliding.strength]")
+                .replace("[sliding.wave]", "[adhesion]\nwork_of_adhesion = 1e-3\nprocess_zone = { length = 1e-7 }\n[sliding.wave]"),
+            "sweep the load",
+        ),
     ] {
         let answer = Folder::with(&text).call(&["run", "scene.toml"]).ended(2);
         assert!(answer.stderr.contains("liquid") || answer.stderr.contains("relaxed modulus E0 is 0"), "{}", answer.stderr);

@@ -45,7 +45,9 @@ fn measured(uniform: &mut Uniform) -> String {
 const MATERIAL: &str = "[material]\ndata = \"dma.csv\"\nuncertainty = \"propagate\"\npoisson_ratio = 0.4\n";
 
 fn crack(control: &str) -> String {
-    format!("{MATERIAL}[adhesion]\nwork_of_adhesion = 0.7\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nbody = \"against_rigid\"\nplane = \"stress\"\n{control}\n")
+    format!(
+        "{MATERIAL}[adhesion]\nwork_of_adhesion = 0.7\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nbody = \"against_rigid\"\nplane = \"stress\"\n{control}\n"
+    )
 }
 
 fn folder(scene: &str) -> Folder {
@@ -128,9 +130,13 @@ fn the_scatter_over_data_sets_is_the_stated_one() {
 
 #[test]
 fn every_problem_has_it_and_every_output_shows_it() {
-    let sliding = format!("accuracy = 1e-4\n{MATERIAL}[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ length = 1e-6 }}\n[sliding]\nspeed = 1e-4\nmean_pressure = 3e4\n[sliding.wave]\nwavelength = 1e-4\namplitude = 1e-6\n");
+    let sliding = format!(
+        "accuracy = 1e-4\n{MATERIAL}[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ length = 1e-6 }}\n[sliding]\nspeed = 1e-4\nmean_pressure = 3e4\n[sliding.wave]\nwavelength = 1e-4\namplitude = 1e-6\n"
+    );
     let delayed = crack("points = 3\n[[history]]\nstress_intensity = 4e3\nduration = 0.5\n[[history]]\nhold = 1.0");
-    let sphere = format!("accuracy = 1e-2\n{MATERIAL}[indentation]\nsphere = {{ radius = 1e-3 }}\ninstants = 2\n[[history]]\npenetration = 2e-5\nduration = 1.0\n");
+    let sphere = format!(
+        "accuracy = 1e-2\n{MATERIAL}[indentation]\nsphere = {{ radius = 1e-3 }}\ninstants = 2\n[[history]]\npenetration = 2e-5\nduration = 1.0\n"
+    );
     for (scene, column) in [(sliding, "friction_stress"), (delayed, "process_zone"), (sphere, "force")] {
         let folder = folder(&scene);
         let json = folder.call(&["run", "scene.toml", "--json", "--out", "out"]).ended(0).json();
@@ -148,8 +154,11 @@ fn every_problem_has_it_and_every_output_shows_it() {
         assert!(said.contains("one standard uncertainty") && said.contains("material ±"), "{said}");
         // The work is that of 33 states, predicted and spent.
         let none = ["--set", "material.uncertainty=\"none\""];
-        let work = |answer: serde_json::Value, key: &str| answer[key]["kernel_evaluations"].as_u64().unwrap();
-        let explained = |sets: &[&str]| work(folder.call(&[&["explain", "scene.toml", "--json"], sets].concat()).ended(0).json(), "predicted_work");
+        let counters = ["closure_evaluations", "kernel_evaluations", "linear_solves"];
+        let work =
+            |answer: serde_json::Value, key: &str| counters.iter().map(|counter| answer[key][counter].as_u64().unwrap()).sum::<u64>();
+        let explained =
+            |sets: &[&str]| work(folder.call(&[&["explain", "scene.toml", "--json"], sets].concat()).ended(0).json(), "predicted_work");
         assert_eq!(explained(&[]), 33 * explained(&none));
         let plain = folder.call(&[&["run", "scene.toml", "--json"][..], &none].concat()).ended(0).json();
         let ratio = work(json.clone(), "work") as f64 / work(plain.clone(), "work") as f64;
@@ -164,11 +173,13 @@ fn every_problem_has_it_and_every_output_shows_it() {
 fn draws_in_another_state_are_counted_not_averaged() {
     // A load at which G = Δγ for the fitted E0: about half of the draws do not tear.
     let probe = folder(&crack("speed = 1e-16"));
-    let threshold = probe.call(&["run", "scene.toml", "--json"]).ended(0).json()["results"][0]["values"]["stress_intensity"]["value"].as_f64().unwrap();
+    let threshold =
+        probe.call(&["run", "scene.toml", "--json"]).ended(0).json()["results"][0]["values"]["stress_intensity"]["value"].as_f64().unwrap();
     let scene = crack(&format!("stress_intensity = {:e}", threshold * 1.001));
     let json = folder(&scene).call(&["run", "scene.toml", "--json"]).ended(0).json();
     let draws = &json["results"][0]["material_draws"];
-    let (used, other, failed) = (draws["used"].as_u64().unwrap(), draws["other_state"].as_u64().unwrap(), draws["failed"].as_u64().unwrap());
+    let (used, other, failed) =
+        (draws["used"].as_u64().unwrap(), draws["other_state"].as_u64().unwrap(), draws["failed"].as_u64().unwrap());
     assert!(other > 4 && used > 4 && used + other + failed == 32, "{draws}");
     assert!(draws["note"].as_str().unwrap().contains(&format!("{used} of 32 draws have this state")), "{draws}");
     let validity = json["validity"].as_array().unwrap().iter().find(|entry| entry["name"] == "draws of the material").unwrap();

@@ -46,7 +46,13 @@ fn two_elastic_spheres_are_those_of_hertz_in_two_unit_systems() {
         close(value(&folder, "contact_radius", None), (radius * depth).sqrt(), 1e-6, "Hertz");
     }
     // Which of both is the material does not matter.
-    let swapped = si.replace("3.1e6", "@").replace("7.7e6", "3.1e6").replace('@', "7.7e6").replace("0.47", "@").replace("0.31", "0.47").replace('@', "0.31");
+    let swapped = si
+        .replace("3.1e6", "@")
+        .replace("7.7e6", "3.1e6")
+        .replace('@', "7.7e6")
+        .replace("0.47", "@")
+        .replace("0.31", "0.47")
+        .replace('@', "0.31");
     close(value(&Folder::with(&swapped), "force", None), force, 1e-6, "the other way round");
     // A rigid second sphere only changes the radius.
     let rigid = si.replace("modulus = 7.7e6, poisson_ratio = 0.31, ", "");
@@ -88,7 +94,13 @@ fn a_viscoelastic_sphere_on_an_elastic_one_is_that_of_lee_and_radok() {
     let integrand = |x: f64| relaxation(end * (1.0 - x * x)) * 3.0 * x * x;
     let simpson: f64 = (0..=steps)
         .map(|index| {
-            let weight = if index == 0 || index == steps { 1.0 } else if index % 2 == 1 { 4.0 } else { 2.0 };
+            let weight = if index == 0 || index == steps {
+                1.0
+            } else if index % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            };
             weight * integrand(f64::from(index) / f64::from(steps))
         })
         .sum::<f64>()
@@ -105,7 +117,13 @@ fn a_viscoelastic_sphere_on_an_elastic_one_is_that_of_lee_and_radok() {
     let integrand = |x: f64| stiff * (-(end * (1.0 - x * x)) / time).exp() * 3.0 * x * x;
     let simpson: f64 = (0..=steps)
         .map(|index| {
-            let weight = if index == 0 || index == steps { 1.0 } else if index % 2 == 1 { 4.0 } else { 2.0 };
+            let weight = if index == 0 || index == steps {
+                1.0
+            } else if index % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            };
             weight * integrand(f64::from(index) / f64::from(steps))
         })
         .sum::<f64>()
@@ -136,7 +154,9 @@ fn what_is_not_exact_is_refused() {
         let answer = scene(shape, body).call(&["run", "scene.toml"]).ended(2);
         assert!(answer.stderr.contains(says), "{shape} {body}: {}", answer.stderr);
     }
-    let reduced = Folder::with("units = \"reduced\"\n[material]\n[indentation]\nsphere = {}\ncounter_body = { modulus = 1, poisson_ratio = 0.3 }\n[[history]]\npenetration = 0.1\nduration = 1\n");
+    let reduced = Folder::with(
+        "units = \"reduced\"\n[material]\n[indentation]\nsphere = {}\ncounter_body = { modulus = 1, poisson_ratio = 0.3 }\n[[history]]\npenetration = 0.1\nduration = 1\n",
+    );
     assert!(reduced.call(&["run", "scene.toml"]).ended(2).stderr.contains("of both bodies together"));
     // A cone on an elastic half-space is exact: F = 2E*δ²/(π slope).
     let cone = scene("cone = { slope = 0.1 }", elastic);

@@ -51,7 +51,10 @@ fn every_listed_unit_has_the_size_of_its_definition() {
         assert!(!group.units.is_empty(), "{}", group.what);
         for unit in &group.units {
             let size = SIZES.iter().find(|(name, _)| *name == unit.unit).unwrap_or_else(|| panic!("`{}` is not in the table", unit.unit)).1;
-            assert!((unit.size / size - 1.0).abs() <= 4.0 * f64::EPSILON.max(if unit.zero == 0.0 { 0.0 } else { 1e-15 }), "{unit:?} {size}");
+            assert!(
+                (unit.size / size - 1.0).abs() <= 4.0 * f64::EPSILON.max(if unit.zero == 0.0 { 0.0 } else { 1e-15 }),
+                "{unit:?} {size}"
+            );
             let quantity = parse_quantity(&format!("3 {}", unit.unit)).unwrap();
             assert!(quantity.dimension.measures(group.dimension), "{unit:?}");
             assert!((quantity.value / (3.0 * size + unit.zero) - 1.0).abs() <= 4.0 * f64::EPSILON, "{unit:?}");

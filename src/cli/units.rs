@@ -12,9 +12,7 @@ pub(super) fn units(as_json: bool) -> Result<u8, Failure> {
 }
 
 fn group_as_json(group: &UnitGroup) -> Value {
-    let unit = |unit: &crate::scene::units::ListedUnit| {
-        json!({ "unit": unit.unit, "size": unit.size, "zero": unit.zero, "prefixes": unit.prefixes })
-    };
+    let unit = |unit: &crate::scene::units::ListedUnit| json!({ "unit": unit.unit, "size": unit.size, "zero": unit.zero, "prefixes": unit.prefixes });
     json!({ "what": group.what, "si_unit": group.dimension.si_unit(), "units": group.units.iter().map(unit).collect::<Vec<_>>() })
 }
 

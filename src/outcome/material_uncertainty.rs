@@ -49,7 +49,11 @@ impl MaterialUncertainty {
                 // A count or an answer to yes or no is not averaged.
                 let whole = own.error == 0.0 && own.value.fract() == 0.0;
                 let found = same.iter().map(|draw| draw.values.get(index).copied().flatten());
-                let values: Vec<f64> = found.flatten().filter(|value| !(whole && value.error == 0.0 && (value.value - own.value).abs() > 0.0)).map(|value| value.value).collect();
+                let values: Vec<f64> = found
+                    .flatten()
+                    .filter(|value| !(whole && value.error == 0.0 && (value.value - own.value).abs() > 0.0))
+                    .map(|value| value.value)
+                    .collect();
                 let changed = same.len() - values.len();
                 Spread { deviation: (changed == 0 && enough).then(|| deviation(&values)), changed }
             })

@@ -95,7 +95,8 @@ fn sweep(text: &mut String, outcome: &Outcome) {
     let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
     let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
     if outcome.draws > 0 {
-        let relative = |row: &Row, index: usize| row.material_deviation(index).zip(row.value(index)).map(|(deviation, value)| deviation / value.abs());
+        let relative =
+            |row: &Row, index: usize| row.material_deviation(index).zip(row.value(index)).map(|(deviation, value)| deviation / value.abs());
         for index in &shown {
             let all = outcome.rows.iter().filter_map(|row| relative(row, *index)).filter(|part| part.is_finite());
             let (low, high) = all.fold((f64::INFINITY, 0.0_f64), |(low, high), part| (low.min(part), high.max(part)));

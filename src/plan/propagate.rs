@@ -43,7 +43,9 @@ pub(super) fn attach(problem: &dyn ProblemPlan, draws: &[Draw], rows: &mut [Row]
     let solved: Vec<Result<Vec<Row>, &Refusal>> = draws
         .par_iter()
         .map(|draw| {
-            let rows = draw.as_ref().map(|plan| plan.solve(state, swept, &Desk::new(state, None, &|_| ())).into_iter().map(Row::settled).collect());
+            let rows = draw
+                .as_ref()
+                .map(|plan| plan.solve(state, swept, &Desk::new(state, None, &|_| ())).into_iter().map(Row::settled).collect());
             progress(Stage::Draws { state, finished: finished.fetch_add(1, Ordering::Relaxed) + 1, total: draws.len() });
             rows
         })
@@ -79,7 +81,9 @@ fn spread(rows: &[Row], index: usize, solved: &[Result<Vec<Row>, &Refusal>], abs
         let broken = |row: &&Row| matches!(row.status, Status::Undefined | Status::Invalid | Status::NotConverged | Status::Inadmissible);
         let found = counterpart(rows, index, draw, abscissa);
         match found {
-            Some(found) if found.labels == row.labels && found.status.has_values() == row.status.has_values() && !broken(&found) => same.push(found),
+            Some(found) if found.labels == row.labels && found.status.has_values() == row.status.has_values() && !broken(&found) => {
+                same.push(found)
+            }
             _ => match found.into_iter().chain(draw).find(broken) {
                 Some(found) => fail(&mut counts, found.reason.clone().unwrap_or_else(|| found.status.word().to_owned())),
                 None => counts.other_state += 1,
@@ -96,7 +100,9 @@ fn counterpart<'r>(rows: &[Row], index: usize, others: &'r [Row], abscissa: Opti
     let place = |row: &Row| abscissa.filter(|_| !is_event(row)).and_then(|column| row.value(column));
     let own = place(row);
     let alike = |other: &Row| match (own, place(other)) {
-        (Some(own), Some(other_place)) => row.label(0) == other.label(0) && (own - other_place).abs() <= SAME * own.abs().max(other_place.abs()),
+        (Some(own), Some(other_place)) => {
+            row.label(0) == other.label(0) && (own - other_place).abs() <= SAME * own.abs().max(other_place.abs())
+        }
         (None, None) if is_event(row) => row.labels == other.labels,
         (None, None) => row.label(0) == other.label(0) && !is_event(other),
         _ => false,
@@ -107,13 +113,16 @@ fn counterpart<'r>(rows: &[Row], index: usize, others: &'r [Row], abscissa: Opti
 
 /// Whether a row is an event of a history or a turn of a branch: its last label names it.
 fn is_event(row: &Row) -> bool {
-    row.labels.len() > 1 && row.labels.first().is_some_and(|label| label == "event") || row.labels.len() > 3 && row.labels.last().is_some_and(|label| !label.is_empty())
+    row.labels.len() > 1 && row.labels.first().is_some_and(|label| label == "event")
+        || row.labels.len() > 3 && row.labels.last().is_some_and(|label| !label.is_empty())
 }
 
 /// How much of the results rests on draws, for the validity block.
 pub(super) fn validity(rows: &[Row], columns: &[Column]) -> Option<Validity> {
     let spreads = || rows.iter().filter_map(|row| row.material.as_ref());
-    let fewest = spreads().map(|spread| (spread.counts.used as f64 / (spread.counts.draws.max(1)) as f64, spread)).min_by(|left, right| left.0.total_cmp(&right.0))?;
+    let fewest = spreads()
+        .map(|spread| (spread.counts.used as f64 / (spread.counts.draws.max(1)) as f64, spread))
+        .min_by(|left, right| left.0.total_cmp(&right.0))?;
     let noted = spreads().find_map(|spread| spread.note(columns));
     let (verdict, meaning) = match noted {
         None => (Verdict::Good, "part of the draws of the material that have the state of each row: all".to_owned()),

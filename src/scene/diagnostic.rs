@@ -131,11 +131,7 @@ const LONGEST_MESSAGE: usize = 600;
 /// So `shear_modulus` is not `glassy_modulus`, though most letters are the same.
 #[must_use]
 pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    known
-        .into_iter()
-        .filter_map(|name| slips(given, name).map(|slips| (slips, name)))
-        .min_by_key(|&(slips, _)| slips)
-        .map(|(_, name)| name)
+    known.into_iter().filter_map(|name| slips(given, name).map(|slips| (slips, name))).min_by_key(|&(slips, _)| slips).map(|(_, name)| name)
 }
 
 /// Letters that differ, if they are few.

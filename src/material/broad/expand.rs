@@ -10,7 +10,7 @@ use super::BroadLaw;
 use crate::material::fit::{Observation, Quantity, SeriesShape};
 use crate::material::{Material, RelaxationTerm};
 use crate::refusal::{Refusal, require_positive};
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::{FRAC_2_PI, LN_10, PI};
 
 /// A material made of a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,8 +31,9 @@ pub struct Expansion {
 const WEAK: f64 = 0.01;
 /// Part of the accuracy below which the spectrum at a place does not.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Frequencies a decade in the fit.
+/// Frequencies a decade in the fit, at least, and for each place.
 const PER_DECADE: f64 = 7.0;
+const PER_PLACE: f64 = 2.5;
 /// Longest range: 40 decades.
 const MOST_LENGTH: f64 = 92.2;
 /// The limits E0 and E∞ are held this much more tightly than the rest.
@@ -50,6 +51,9 @@ const MOST_STEP: f64 = 2.0;
 /// Points at which the density of places is summed.
 const DENSITY_POINTS: usize = 2000;
 
+/// A series and its largest error.
+type Found = (SeriesShape, f64);
+
 /// Expands a law into few terms over angular frequencies from the first to the second (rad/s).
 ///
 /// # Errors
@@ -62,19 +66,20 @@ pub fn expand(law: &BroadLaw, range: [f64; 2], accuracy: f64) -> Result<Expansio
     if !(1e-10..=0.5).contains(&accuracy) {
         return Err(Refusal::out_of_range("the accuracy of an expansion", accuracy, "from 1e-10 to 0.5"));
     }
-    let data = observations(law, range, PER_DECADE)?;
-    let test = observations(law, range, 4.0 * PER_DECADE)?;
     let ideal = (PI * PI / (1.0 / accuracy).ln()).min(MOST_STEP);
+    let per_decade = PER_DECADE.max(PER_PLACE * LN_10 / ideal);
+    let data = observations(law, range, per_decade)?;
+    let test = observations(law, range, 4.0 * per_decade)?;
     let mut solves = 0;
     // The fewest terms that meet the accuracy; without any, those that come closest.
-    let (mut best, mut closest): (Option<(SeriesShape, f64)>, Option<(SeriesShape, f64)>) = (None, None);
+    let (mut best, mut closest): (Option<Found>, Option<Found>) = (None, None);
     let mut meets = |index: u32, growth: f64, beyond: f64| {
         let step = ideal * (LONGEST - SHORTER * f64::from(index));
         let (shape, taken) = SeriesShape::positive(law.relaxed_modulus, &places(law, range, (step, growth, beyond), accuracy), &data);
         solves += taken;
         let error = largest_error(&shape, &test);
         let met = error <= accuracy;
-        let better = |kept: &Option<(SeriesShape, f64)>| {
+        let better = |kept: &Option<Found>| {
             kept.as_ref().is_none_or(|(other, least)| if met { shape.count() < other.count() } else { error < *least })
         };
         let kept = if met { &mut best } else { &mut closest };

@@ -19,7 +19,7 @@ impl SeriesShape {
         for system in 1..=MOST_SYSTEMS {
             let matrix = Mat::from_fn(data.len(), times.len(), |i, j| {
                 let observation = &data[i];
-                observation.quantity.kernel(observation.argument(times[j])).0 / observation.scale
+                observation.quantity.kernel(observation.quantity.argument(observation.at, times[j])).0 / observation.scale
             });
             // Columns are nearly dependent where places are close: with pivoting, small strengths stay small.
             let Some(strengths) = least_squares::free(&matrix, &right) else { break };

@@ -118,7 +118,8 @@ impl IndentationPlan {
                 .push("each step of time is exact for an edge and a penetration that move straight, for any number of terms".to_owned());
         }
         if self.flow.is_some() && marched {
-            sentences.push("the liquid flows by an element whose retardation time is 1e8 histories: what that changes is in the bounds".into());
+            sentences
+                .push("the liquid flows by an element whose retardation time is 1e8 histories: what that changes is in the bounds".into());
         }
         if self.indentation.adhesion.is_some() {
             sentences
@@ -161,8 +162,10 @@ impl IndentationPlan {
         let pick = |of_si: &'static str, reduced: &'static str| if si { of_si } else { reduced };
         let group = |name: &str, value: f64, unit: &str| Group { name: name.into(), value, unit: unit.into() };
         let glassy = self.material.glassy_modulus();
-        let mut groups =
-            vec![group("relaxed modulus E0*", if self.flow.is_some() { 0.0 } else { self.relaxed }, pick("Pa", "E0*")), group("glassy modulus E∞*", glassy, pick("Pa", "E0*"))];
+        let mut groups = vec![
+            group("relaxed modulus E0*", if self.flow.is_some() { 0.0 } else { self.relaxed }, pick("Pa", "E0*")),
+            group("glassy modulus E∞*", glassy, pick("Pa", "E0*")),
+        ];
         // A liquid has no other modulus to be stiffer than.
         groups.push(match self.flow {
             None => group("stiffening β = E∞/E0", self.material.stiffening_ratio(), "1"),

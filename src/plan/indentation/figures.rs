@@ -161,10 +161,7 @@ impl IndentationPlan {
             (points.len() > 1).then(|| Curve::new(label, points).with_line(line).with_colour(2))
         };
         let relaxed = if self.flow.is_some() { None } else { of(self.relaxed, r"JKR, $E_0$", Line::Dashed) };
-        [relaxed, of(self.material.glassy_modulus(), r"JKR, $E_\infty$", Line::Dotted)]
-            .into_iter()
-            .flatten()
-            .collect()
+        [relaxed, of(self.material.glassy_modulus(), r"JKR, $E_\infty$", Line::Dotted)].into_iter().flatten().collect()
     }
 
     /// A quantity against time.

@@ -206,7 +206,9 @@ impl ProblemPlan for IndentationPlan {
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
         let mut rows = self.rows(state, swept, desk);
         if self.flow.is_some() && !self.without_steps {
-            let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten().chain(row.fields.iter_mut().flat_map(|point| &mut point.values)));
+            let values = rows
+                .iter_mut()
+                .flat_map(|row| row.values.iter_mut().flatten().chain(row.fields.iter_mut().flat_map(|point| &mut point.values)));
             values.filter(|estimate| estimate.error > 0.0).for_each(|estimate| estimate.error += OF_FLOW * estimate.value.abs());
         }
         rows

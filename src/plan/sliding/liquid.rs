@@ -5,6 +5,8 @@
 //! and the polynomial through them. A single cylinder has wavelengths without end, and its friction on a liquid grows without bound.
 
 use super::SlidingPlan;
+use super::columns::{Measure, definitions};
+use super::scale::Scale;
 use crate::estimate::Estimate;
 use crate::material::Material;
 use crate::outcome::{Row, Status};
@@ -21,9 +23,14 @@ const LEAST_GAIN: f64 = 0.3;
 /// The softest solid and the stiffer ones that stand for a liquid; a solid alone.
 pub(super) fn solids(sliding: &Sliding, material: Material) -> Result<(Material, Vec<Material>), Refusal> {
     let Some(viscosity) = material.steady_viscosity() else { return Ok((material, Vec::new())) };
-    let refused = |quantity, reason: &str| Err(Refusal::Undefined { quantity, reason: format!("the material is a liquid (relaxed modulus 0): {reason}") });
+    let refused = |quantity, reason: &str| {
+        Err(Refusal::Undefined { quantity, reason: format!("the material is a liquid (relaxed modulus 0): {reason}") })
+    };
     let SlidingIndenter::Wave { wavelength, .. } = sliding.indenter else {
-        return refused("the friction of a single cylinder", "every wavelength has a part in it, the longest as much as the others, so it is infinite; give a wave");
+        return refused(
+            "the friction of a single cylinder",
+            "every wavelength has a part in it, the longest as much as the others, so it is infinite; give a wave",
+        );
     };
     if sliding.task != SlidingTask::State {
         return refused("a branch or a strength of sliding contacts", "it is measured in the relaxed modulus; sweep the load instead");
@@ -56,7 +63,10 @@ impl SlidingPlan {
             return row;
         }
         if others.iter().any(|other| !other.status.has_values() || other.labels != row.labels || other.fields.len() != row.fields.len()) {
-            row.refuse(&Refusal::NotConverged { what: "the limit of solids that a liquid is", detail: "they are not all the same state".into() });
+            row.refuse(&Refusal::NotConverged {
+                what: "the limit of solids that a liquid is",
+                detail: "they are not all the same state".into(),
+            });
             return row;
         }
         let [middle, stiffest] = &others;
@@ -72,12 +82,29 @@ impl SlidingPlan {
                 }
             }
         }
-        let worst = row.values.iter().flatten().map(Estimate::relative_error).filter(|error| error.is_finite()).fold(0.0, f64::max);
-        if row.status == Status::Solved && worst > self.accuracy {
-            row.status = Status::Inaccurate;
-            row.reason = Some(format!("the limit of solids that a liquid is has an error of {worst:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
-        }
+        self.judge_limit(&mut row);
         row
+    }
+}
+
+impl SlidingPlan {
+    /// Flags a limit whose bounds are too wide. Its scales are those of a solid of |E(kv)|, as it has no modulus at rest.
+    fn judge_limit(&self, row: &mut Row) {
+        if row.status == Status::Inaccurate {
+            (row.status, row.reason) = (Status::Solved, None);
+        }
+        let scale = Scale::new(&self.sliding, self.material.relaxed_modulus() / PARTS[0], self.units);
+        let definitions = definitions(&self.sliding);
+        let works = self.works_of_adhesion();
+        let shortfall = definitions.iter().zip(&row.values).skip(1).find_map(|(definition, value)| {
+            let estimate = value.filter(|_| definition.measure != Measure::Ratio)?;
+            let error = estimate.error / estimate.value.abs().max(definition.factor(&scale, works));
+            (error > self.accuracy).then_some((definition.name, error))
+        });
+        if let Some((name, error)) = shortfall {
+            row.status = Status::Inaccurate;
+            row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
+        }
     }
 }
 
@@ -93,5 +120,9 @@ fn limit(soft: Option<Estimate>, middle: Option<Estimate>, stiff: Option<Estimat
     let value = line + (line - wide) / 99.0;
     // What the last order adds, and the bounds of all three with their weights.
     let error = 2.0 * (value - line).abs() + 1.2 * soft.error + 0.2 * middle.error + 0.01 * stiff.error;
-    Some(if noise > 0.0 && (soft.error > 0.0 || near != 0.0) { Estimate::new(value, error + 4.0 * f64::EPSILON * value.abs()) } else { soft })
+    Some(if noise > 0.0 && (soft.error > 0.0 || near != 0.0) {
+        Estimate::new(value, error + 4.0 * f64::EPSILON * value.abs())
+    } else {
+        soft
+    })
 }

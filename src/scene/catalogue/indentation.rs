@@ -91,7 +91,11 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key {
         path: "indentation.counter_body.modulus",
-        kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::Positive, reduced: "not available (E0* is of both bodies together)" },
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "not available (E0* is of both bodies together)",
+        },
         meaning: "Young's modulus of the elastic body; left out with its Poisson ratio, that body is rigid.",
     },
     Key {

@@ -12,10 +12,7 @@ pub(super) fn elastic(parent: &Section<'_>) -> Result<Option<ElasticBody>, Scene
 }
 
 /// `indentation.counter_body`, and the shape of the gap between both bodies.
-pub(super) fn of_indentation(
-    parent: &Section<'_>,
-    shape: IndentationShape,
-) -> Result<(IndentationShape, Option<CounterBody>), SceneError> {
+pub(super) fn of_indentation(parent: &Section<'_>, shape: IndentationShape) -> Result<(IndentationShape, Option<CounterBody>), SceneError> {
     let Some(table) = in_si(parent)? else { return Ok((shape, None)) };
     let rimmed = matches!(shape, IndentationShape::FlatPunch { .. }) || parent.node().get("rim_radius").is_some();
     let elastic = match (table.number("modulus")?, table.number("poisson_ratio")?, table.number("radius")?) {
@@ -23,7 +20,10 @@ pub(super) fn of_indentation(
         _ => elastic(parent)?,
     };
     if rimmed && elastic.is_some() {
-        let message = format!("`{}`: a body that ends with a sharp rim is no half-space, so both compliances do not add", parent.full("counter_body"));
+        let message = format!(
+            "`{}`: a body that ends with a sharp rim is no half-space, so both compliances do not add",
+            parent.full("counter_body")
+        );
         return Err(parent.wrong("counter_body", message, "leave it out: a body with a rim is rigid here"));
     }
     let radius = table.number("radius")?;

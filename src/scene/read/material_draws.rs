@@ -12,7 +12,11 @@ const DRAWS: usize = 32;
 const SEED: u64 = 39;
 
 /// The draws of `material.uncertainty = "propagate"`, at the temperature of the material.
-pub(super) fn draws(table: &Section<'_>, origin: &MaterialOrigin, climate: Option<&Climate>) -> Result<Option<Arc<[Material]>>, SceneError> {
+pub(super) fn draws(
+    table: &Section<'_>,
+    origin: &MaterialOrigin,
+    climate: Option<&Climate>,
+) -> Result<Option<Arc<[Material]>>, SceneError> {
     if table.text("uncertainty") != Some("propagate") {
         return Ok(None);
     }
@@ -22,11 +26,18 @@ pub(super) fn draws(table: &Section<'_>, origin: &MaterialOrigin, climate: Optio
             let refused = |refusal| wrong(format!("the fit's error cannot be propagated: {refusal}"), "leave it out");
             let drawn = fitted.fit.draws(DRAWS, SEED).map_err(refused)?;
             let factor = climate.map_or(1.0, |climate| climate.factor);
-            return drawn.iter().map(|series| series.slowed(factor)).collect::<Result<Vec<_>, _>>().map(|all| Some(all.into())).map_err(refused);
+            return drawn
+                .iter()
+                .map(|series| series.slowed(factor))
+                .collect::<Result<Vec<_>, _>>()
+                .map(|all| Some(all.into()))
+                .map_err(refused);
         }
         MaterialOrigin::Terms => "its moduli and terms",
         MaterialOrigin::Law(_) => "a law",
     };
-    let message = format!("`material.uncertainty` = \"propagate\" needs measured data: this material is given by {given}, which have no stated error");
+    let message = format!(
+        "`material.uncertainty` = \"propagate\" needs measured data: this material is given by {given}, which have no stated error"
+    );
     Err(wrong(message, "leave it out, or give material.data"))
 }

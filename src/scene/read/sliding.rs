@@ -6,8 +6,7 @@ use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, sliding_branch, without_cohesi
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
-    SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
-    SlidingZone,
+    SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
 };
 use crate::sliding::steady::ReachedBy;
 use std::f64::consts::TAU;

@@ -207,5 +207,7 @@ pub(super) fn nearest(unknown: &str) -> Option<String> {
         .find(|name| !mega(name))
         .or_else(|| same().next())
         // Two letters are one letter away from nearly everything.
-        .or_else(|| every().find(|name| name.chars().count() >= 3 && small.chars().count() >= 3 && strsim::damerau_levenshtein(name, unknown) == 1))
+        .or_else(|| {
+            every().find(|name| name.chars().count() >= 3 && small.chars().count() >= 3 && strsim::damerau_levenshtein(name, unknown) == 1)
+        })
 }

@@ -127,7 +127,8 @@ fn parse_power(text: &str) -> Result<(i8, &str), UnitError> {
         if let Some((inside, rest)) = after.strip_prefix('(').and_then(|inside| inside.split_once(')')) {
             return Ok((halves_of(inside.trim())?, rest));
         }
-        let length = after.bytes().enumerate().take_while(|&(at, byte)| byte.is_ascii_digit() || byte == b'.' || (at == 0 && byte == b'-')).count();
+        let length =
+            after.bytes().enumerate().take_while(|&(at, byte)| byte.is_ascii_digit() || byte == b'.' || (at == 0 && byte == b'-')).count();
         let (digits, rest) = after.split_at(length);
         return Ok((halves_of(digits)?, rest));
     }
