@@ -113,7 +113,9 @@ fn complaints(case: &Value) -> Vec<String> {
 fn cases() -> Vec<Value> {
     let mut files: Vec<std::path::PathBuf> =
         std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|path| path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json"));
+    files.retain(|path| {
+        path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json")
+    });
     files.sort();
     files.iter().flat_map(|path| serde_json::from_str::<Vec<Value>>(&std::fs::read_to_string(path).unwrap()).unwrap()).collect()
 }

@@ -5,7 +5,7 @@ use super::columns::{at, position};
 use crate::elastic::TaborNumber;
 use crate::indentation::{Adhesion, Profile};
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
 
 /// The assumptions, in the order of [`IndentationPlan::assumptions`].

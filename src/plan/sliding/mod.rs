@@ -26,8 +26,8 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::{
-    BranchParameter, ElasticBody, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
-    Units,
+    BranchParameter, ElasticBody, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask,
+    SlidingZone, Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 use scale::Scale;

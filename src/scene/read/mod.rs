@@ -9,6 +9,7 @@ mod indentation;
 mod material;
 mod material_columns;
 mod material_data;
+mod material_fractions;
 pub(super) mod material_memo;
 mod material_solid;
 mod material_source;
