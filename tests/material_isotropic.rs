@@ -125,7 +125,10 @@ fn random_series_and_bulk_moduli() {
         let joined: Vec<(f64, f64)> = shear_terms.iter().copied().chain(bulk_terms.iter().map(|&(k, time)| (3.0 * k, time))).collect();
         let together = series(relaxed + 3.0 * bulk_scale, &joined);
         for (index, material) in [solid.youngs(), solid.plane_strain()].into_iter().enumerate() {
-            let ends = [(material.glassy_modulus(), shear.glassy_modulus(), bulk.glassy_modulus()), (material.relaxed_modulus(), relaxed, bulk_scale)];
+            let ends = [
+                (material.glassy_modulus(), shear.glassy_modulus(), bulk.glassy_modulus()),
+                (material.relaxed_modulus(), relaxed, bulk_scale),
+            ];
             for (found, g, k) in ends {
                 let right = elastic(g, k)[index];
                 assert!((found - right).abs() <= 1e-12 * right, "draw {draw}: {found:e} for {right:e}");
@@ -144,12 +147,13 @@ fn random_series_and_bulk_moduli() {
                 let error = relative(modulus(material, frequency), right);
                 assert!(error < 1e-12, "draw {draw} at {frequency:e}: {error:e}");
                 let t = 1.0 / frequency;
-                let creep = if index == 0 {
-                    shear.creep(t) / 3.0 + bulk.creep(t) / 9.0
-                } else {
-                    shear.creep(t) / 4.0 + 0.75 * together.creep(t)
-                };
-                assert!((material.creep(t) / creep - 1.0).abs() < 1e-10, "draw {draw} creep at {t:e}: {:e}", material.creep(t) / creep - 1.0);
+                let creep =
+                    if index == 0 { shear.creep(t) / 3.0 + bulk.creep(t) / 9.0 } else { shear.creep(t) / 4.0 + 0.75 * together.creep(t) };
+                assert!(
+                    (material.creep(t) / creep - 1.0).abs() < 1e-10,
+                    "draw {draw} creep at {t:e}: {:e}",
+                    material.creep(t) / creep - 1.0
+                );
             }
         }
     }
@@ -191,7 +195,8 @@ fn times_a_few_rounding_units_apart() {
     for time in [1.0945794310200747, 3.7e-9, 0.7, 8.1e6] {
         for ulps in (0..=100).filter(|ulps| *ulps < 12 || ulps % 11 == 1) {
             for count in [2usize, 3] {
-                let close: Vec<f64> = (0..count).map(|index| if index == 1 { far(time, ulps) } else { far(time, ulps / 2 * index as u64) }).collect();
+                let close: Vec<f64> =
+                    (0..count).map(|index| if index == 1 { far(time, ulps) } else { far(time, ulps / 2 * index as u64) }).collect();
                 let others = [(0.3e6, 0.03 * time), (0.2e6, 50.0 * time)];
                 let apart: Vec<(f64, f64)> = close.iter().map(|&time| (0.8e6, time)).chain(others).collect();
                 let together: Vec<(f64, f64)> = std::iter::once((0.8e6 * count as f64, time)).chain(others).collect();

@@ -4,8 +4,8 @@ use super::{Failure, print};
 use crate::outcome::folder::write_whole;
 use crate::outcome::plot;
 use crate::plan::material::{MaterialReport, material_file, screen, summary, tables};
-use crate::scene::typed::Units;
 use crate::scene::read::decks::recognised_file;
+use crate::scene::typed::Units;
 use crate::scene::{Document, SceneError, read};
 use std::path::Path;
 

@@ -133,15 +133,17 @@ pub(super) struct SumZero {
     pub value_error: f64,
 }
 
-/// The zeros of a sum of two relaxation series. `relaxed` and the terms, sorted from the longest time, hold the sum and the part A of it.
+/// The zeros of a sum A + B of two relaxation series. `relaxed` and the terms, sorted from the longest time, hold A and B.
+///
+/// A(−r) is −B(−r), so it is taken from the one whose sum cancels less.
 ///
 /// # Errors
 /// [`Refusal::NotConverged`] when a zero cannot be closed in on (numbers outside about 1e-150…1e150).
 pub(super) fn zeros_of_sum(relaxed: [f64; 2], terms: &[(f64, [f64; 2])]) -> Result<Vec<SumZero>, Refusal> {
-    let rest = Pole { rate: 0.0, time: f64::INFINITY, weight: relaxed[0] };
+    let rest = Pole { rate: 0.0, time: f64::INFINITY, weight: relaxed[0] + relaxed[1] };
     let poles: Vec<Pole> =
-        std::iter::once(rest).chain(terms.iter().map(|&(time, [weight, _])| Pole { rate: 1.0 / time, time, weight })).collect();
-    let parts: Vec<f64> = std::iter::once(relaxed[1]).chain(terms.iter().map(|&(_, [_, part])| part)).collect();
+        std::iter::once(rest).chain(terms.iter().map(|&(time, [a, b])| Pole { rate: 1.0 / time, time, weight: a + b })).collect();
+    let parts: Vec<[f64; 2]> = std::iter::once(relaxed).chain(terms.iter().map(|&(_, parts)| parts)).collect();
     let mut zeros = Vec::with_capacity(terms.len());
     for gap in 0..terms.len() {
         let mut zero = secular_zero(&poles, gap, 0.0)?;
@@ -156,14 +158,17 @@ pub(super) fn zeros_of_sum(relaxed: [f64; 2], terms: &[(f64, [f64; 2])]) -> Resu
         }
         let shift_error = zero.shift_error + moved / slope / zero.shift.abs();
         let rate = near.rate + zero.shift;
-        let (mut value, mut value_error) = (0.0, 0.0);
-        for (index, (pole, part)) in poles.iter().zip(&parts).enumerate() {
+        let (mut values, mut value_errors) = ([0.0; 2], [0.0; 2]);
+        for (index, (pole, [a, b])) in poles.iter().zip(&parts).enumerate() {
             let d = distance(index, pole);
             let own = if index == zero.near { shift_error } else { shift_error * (zero.shift / d).abs() + 3.0 * f64::EPSILON };
-            let summand = part * (rate / d);
-            value -= summand;
-            value_error += summand.abs() * (own + shift_error * (zero.shift / rate).abs() + 4.0 * f64::EPSILON);
+            let summands = [a, b].map(|part| part * (rate / d));
+            values = [values[0] - summands[0], values[1] + summands[1]];
+            let each = own + shift_error * (zero.shift / rate).abs() + 4.0 * f64::EPSILON;
+            value_errors = [value_errors[0] + summands[0].abs() * each, value_errors[1] + summands[1].abs() * each];
         }
+        let (value, value_error) =
+            if value_errors[1] < value_errors[0] { (values[1], value_errors[1]) } else { (values[0], value_errors[0]) };
         zero.shift_error = shift_error;
         let (sum, error) = strength_sum(&poles, &zero, rate, |pole| pole.weight * pole.rate);
         let error = error.time + error.strength + 2.0 * f64::EPSILON;

@@ -73,10 +73,7 @@ impl IsotropicSolid {
     #[must_use]
     pub fn poisson_ratios(&self) -> [f64; 2] {
         let ratio = |shear: f64, bulk: f64| (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
-        [
-            ratio(self.shear.glassy_modulus(), self.bulk.glassy_modulus()),
-            ratio(self.shear.relaxed_modulus(), self.bulk.relaxed_modulus()),
-        ]
+        [ratio(self.shear.glassy_modulus(), self.bulk.glassy_modulus()), ratio(self.shear.relaxed_modulus(), self.bulk.relaxed_modulus())]
     }
 
     /// The same solid with every time multiplied by `factor`, in shear and in volume alike: what a temperature does.
@@ -133,10 +130,11 @@ fn elastic(shear: f64, bulk: f64, multiple: f64) -> f64 {
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 fn combined(shear: &Material, bulk: &Material, times: &[Joint], multiple: f64) -> Result<Material, Refusal> {
-    let sum = |shear: f64, bulk: f64| 3.0 * bulk + multiple * shear;
-    let weights: Vec<(f64, [f64; 2])> = times.iter().map(|joint| (joint.time, [sum(joint.shear, joint.bulk), joint.bulk])).collect();
+    // 3K and mG, whose values at a zero are opposite.
+    let parts = |shear: f64, bulk: f64| [3.0 * bulk, multiple * shear];
+    let weights: Vec<(f64, [f64; 2])> = times.iter().map(|joint| (joint.time, parts(joint.shear, joint.bulk))).collect();
     let (relaxed_shear, relaxed_bulk) = (shear.relaxed_modulus(), bulk.relaxed_modulus());
-    let zeros = conversion::zeros_of_sum([sum(relaxed_shear, relaxed_bulk), relaxed_bulk], &weights)?;
+    let zeros = conversion::zeros_of_sum(parts(relaxed_shear, relaxed_bulk), &weights)?;
     // (term, bound on its relative error)
     let mut terms: Vec<(RelaxationTerm, f64)> = Vec::with_capacity(zeros.len() + times.len());
     for joint in times.iter().filter(|joint| joint.shear > 0.0 && (joint.bulk > 0.0 || multiple > 1.0)) {
@@ -144,9 +142,9 @@ fn combined(shear: &Material, bulk: &Material, times: &[Joint], multiple: f64) -
         terms.push((RelaxationTerm { modulus, relaxation_time: joint.time }, ROUNDING));
     }
     for SumZero { compliance, time, error, value, value_error } in zeros {
-        // Where K and G vanish together there is no pole: the bulk modulus is zero within its rounding.
+        // `value` is 3K. Where K and G vanish together there is no pole: it is zero within its rounding.
         if value.abs() > value_error {
-            let modulus = 27.0 / multiple * (value * compliance) * value;
+            let modulus = 3.0 / multiple * (value * compliance) * value;
             terms.push((RelaxationTerm { modulus, relaxation_time: time }, error + 2.0 * value_error / value.abs() + ROUNDING));
         }
     }

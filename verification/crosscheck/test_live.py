@@ -17,6 +17,7 @@ SCRIPTS = {
     "indentation": ["mpmath"],
     "steady_crack": ["mpmath"],
     "broad_laws": ["mpmath"],
+    "isotropic_solid": ["mpmath"],
     "memory_clausen": ["mpmath"],
     "cohesive_kernel": ["mpmath"],
     "periodic_green": ["mpmath"],

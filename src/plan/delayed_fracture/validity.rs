@@ -5,7 +5,7 @@ use super::solve::Scales;
 use crate::crack::delayed::GrowthProblem;
 use crate::crack::delayed::validity::growth_validity;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{ProcessZoneLaw, Units};
 
 /// The assumptions, in the order of [`DelayedFracturePlan::assumptions`].

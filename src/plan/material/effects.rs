@@ -11,7 +11,12 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
         MaterialOrigin::Deck(deck) => effects.push(Effect {
             name: "material from a deck",
             on: true,
-            why: format!("{} relaxation terms of Young's modulus from the {} deck {:?}", material.series.relaxation_terms().len(), deck.program, deck.file),
+            why: format!(
+                "{} relaxation terms of Young's modulus from the {} deck {:?}",
+                material.series.relaxation_terms().len(),
+                deck.program,
+                deck.file
+            ),
         }),
         MaterialOrigin::Data(fitted) => effects.push(Effect {
             name: "material from data",

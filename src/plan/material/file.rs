@@ -1,8 +1,8 @@
 //! The material as a TOML file that scenes include by `material.file`.
 
 use super::MaterialReport;
-use crate::material::{GivenSeries, Material};
 use crate::material::shift::ShiftFactors;
+use crate::material::{GivenSeries, Material};
 use crate::scene::typed::{MaterialOrigin, Units};
 use std::fmt::Write as _;
 
@@ -15,7 +15,9 @@ pub fn material_file(report: &MaterialReport) -> String {
     // Writing to a String cannot fail.
     let _ = match &material.origin {
         MaterialOrigin::Terms => writeln!(text, "# Terms as given."),
-        MaterialOrigin::Deck(deck) => writeln!(text, "# From the {} deck {:?} by viscotack {}.", deck.program, deck.file, env!("CARGO_PKG_VERSION")),
+        MaterialOrigin::Deck(deck) => {
+            writeln!(text, "# From the {} deck {:?} by viscotack {}.", deck.program, deck.file, env!("CARGO_PKG_VERSION"))
+        }
         MaterialOrigin::Data(fitted) => writeln!(
             text,
             "# Fitted to {:?} by viscotack {}: {} numbers followed within {:.2e} (root mean square), {:.2e} (largest).",

@@ -95,8 +95,15 @@ pub fn screen(report: &MaterialReport) -> String {
     if let Some(solid) = &material.isotropic {
         let solid = &solid.at_temperature;
         let [glassy, relaxed] = solid.poisson_ratios();
-        for (name, series) in [("shear modulus G  ", solid.shear()), ("bulk modulus K   ", solid.bulk()), ("plane modulus E* ", solid.plane_strain())] {
-            let _ = writeln!(text, "{name}    {:.6e} {pressure} at once, {:.6e} {pressure} in the end", series.glassy_modulus(), series.relaxed_modulus());
+        for (name, series) in
+            [("shear modulus G  ", solid.shear()), ("bulk modulus K   ", solid.bulk()), ("plane modulus E* ", solid.plane_strain())]
+        {
+            let _ = writeln!(
+                text,
+                "{name}    {:.6e} {pressure} at once, {:.6e} {pressure} in the end",
+                series.glassy_modulus(),
+                series.relaxed_modulus()
+            );
         }
         let _ = writeln!(text, "Poisson ratio        {glassy:.6} at once, {relaxed:.6} in the end");
     } else if let Some(ratio) = material.poisson_ratio {

@@ -3,7 +3,7 @@
 use super::SlidingPlan;
 use super::columns::at;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{SlidingIndenter, SlidingZone, Units};
 
 /// The assumptions, in the order of [`SlidingPlan::assumptions`].

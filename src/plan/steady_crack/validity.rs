@@ -4,7 +4,7 @@ use super::SteadyCrackPlan;
 use super::columns::at;
 use crate::estimate::Estimate;
 use crate::outcome::{Row, Validity};
-use crate::plan::assumptions::{constant_poisson_ratio, Assumption, Limit, judged, not_judged};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
 
 /// The assumptions, in the order of [`SteadyCrackPlan::assumptions`].

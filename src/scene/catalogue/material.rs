@@ -70,7 +70,10 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.moduli",
         kind: Kind::Choice(&[
-            Word { word: "instantaneous", meaning: "of a load before anything relaxes, as MODULI=INSTANTANEOUS of Abaqus and the moduli of ANSYS" },
+            Word {
+                word: "instantaneous",
+                meaning: "of a load before anything relaxes, as MODULI=INSTANTANEOUS of Abaqus and the moduli of ANSYS",
+            },
             Word { word: "long_term", meaning: "of a load held for ever, as MODULI=LONG TERM of Abaqus and COMSOL's default" },
         ]),
         meaning: "Which moduli shear_modulus and bulk_modulus are (and those of material.comsol); fractions of terms are of the instantaneous one in both cases.",
@@ -84,7 +87,11 @@ pub(super) const KEYS: &[Key] = &[
     Key { path: "material.shear_relaxation[].modulus", kind: MODULUS, meaning: "g_i itself, in place of a fraction." },
     Key { path: "material.shear_relaxation[].relaxation_time", kind: TIME, meaning: "ρ_i." },
     Key { path: "material.shear_relaxation[].decay_rate", kind: RATE, meaning: "1/ρ_i, in place of relaxation_time." },
-    Key { path: "material.bulk_relaxation", kind: Kind::Tables, meaning: "Terms k_i exp(−t/ρ_i) of the bulk modulus; without them it is constant." },
+    Key {
+        path: "material.bulk_relaxation",
+        kind: Kind::Tables,
+        meaning: "Terms k_i exp(−t/ρ_i) of the bulk modulus; without them it is constant.",
+    },
     Key {
         path: "material.bulk_relaxation[].fraction",
         kind: FRACTION,
@@ -125,7 +132,11 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key { path: "material.deck_units", kind: Kind::Table, meaning: "What the numbers of the deck are measured in: a deck has no units." },
     Key { path: "material.deck_units.pressure", kind: Kind::Text, meaning: "The unit of moduli, such as \"MPa\"." },
-    Key { path: "material.deck_units.time", kind: Kind::Text, meaning: "The unit of times, such as \"s\"; decay rates are in one over it." },
+    Key {
+        path: "material.deck_units.time",
+        kind: Kind::Text,
+        meaning: "The unit of times, such as \"s\"; decay rates are in one over it.",
+    },
     Key {
         path: "material.deck_units.temperature",
         kind: Kind::Text,

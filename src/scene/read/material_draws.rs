@@ -35,6 +35,7 @@ pub(super) fn draws(
         }
         MaterialOrigin::Terms => "its moduli and terms",
         MaterialOrigin::Law(_) => "a law",
+        MaterialOrigin::Deck(_) => "a deck",
     };
     let message = format!(
         "`material.uncertainty` = \"propagate\" needs measured data: this material is given by {given}, which have no stated error"

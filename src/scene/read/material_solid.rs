@@ -1,13 +1,11 @@
 //! A solid as its shear modulus with a bulk modulus or a Poisson ratio: what keys and finite-element decks have in common.
 
+use super::material_fractions::FRACTION_SLACK;
 use super::section::Section;
 use crate::material::isotropic::IsotropicSolid;
 use crate::material::{Material, RelaxationTerm};
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
-
-/// How far a sum of fractions may be from one and count as one: the rounding of decimal numbers.
-const FRACTION_SLACK: f64 = 1e-9;
 
 /// Which modulus is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,14 +77,19 @@ impl Relaxing {
             (Strength::Fraction, Moduli::Instantaneous) if whole => (0.0, self.modulus),
             (Strength::Fraction, Moduli::Instantaneous) => (self.modulus * (1.0 - sum), self.modulus),
             (Strength::Fraction, Moduli::LongTerm) if whole => {
-                return Err(format!("the fractions of the {name} sum to 1, which leaves no long-term part, but its long-term value is given"));
+                return Err(format!(
+                    "the fractions of the {name} sum to 1, which leaves no long-term part, but its long-term value is given"
+                ));
             }
             (Strength::Fraction, Moduli::LongTerm) => (self.modulus, self.modulus / (1.0 - sum)),
             (Strength::Modulus, Moduli::LongTerm) => (self.modulus, 1.0),
             (Strength::Modulus, Moduli::Instantaneous) => {
                 let left = self.modulus - sum;
                 if left < -FRACTION_SLACK * self.modulus {
-                    return Err(format!("the terms of the {name} sum to {sum:e} Pa, more than its instantaneous value {:e} Pa", self.modulus));
+                    return Err(format!(
+                        "the terms of the {name} sum to {sum:e} Pa, more than its instantaneous value {:e} Pa",
+                        self.modulus
+                    ));
                 }
                 // A sum of decimal numbers that is meant to be the whole modulus differs from it by rounding.
                 (if left <= FRACTION_SLACK * self.modulus && !self.terms.is_empty() { 0.0 } else { left }, 1.0)
@@ -160,9 +163,9 @@ pub(super) fn from_keys(table: &Section<'_>) -> Result<MadeSolid, SceneError> {
             return Err(table.wrong("shear_modulus", message, "of this solid").help(help));
         }
     };
-    Solid { shear: relaxing(shear_modulus, shear), volume }
-        .made()
-        .map_err(|message| table.wrong(if given("shear_relaxation") { "shear_relaxation" } else { "shear_modulus" }, message, "from these numbers"))
+    Solid { shear: relaxing(shear_modulus, shear), volume }.made().map_err(|message| {
+        table.wrong(if given("shear_relaxation") { "shear_relaxation" } else { "shear_modulus" }, message, "from these numbers")
+    })
 }
 
 /// The strengths and times of a list of relaxation terms, if it is given.
@@ -196,7 +199,8 @@ pub(super) fn time(term: &Section<'_>) -> Result<f64, SceneError> {
     match term.exactly_one(&["relaxation_time", "decay_rate"])? {
         "decay_rate" => {
             if let Some(word) = term.text("decay_rate").filter(|word| word.contains("Hz")) {
-                let message = format!("`{}` = {word:?} is measured in cycles, and a decay rate is 1/relaxation time", term.full("decay_rate"));
+                let message =
+                    format!("`{}` = {word:?} is measured in cycles, and a decay rate is 1/relaxation time", term.full("decay_rate"));
                 return Err(term.wrong("decay_rate", message, "write it in 1/s"));
             }
             Ok(1.0 / term.required_number("decay_rate")?)

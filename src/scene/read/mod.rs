@@ -15,6 +15,7 @@ mod material_choice;
 mod material_columns;
 mod material_data;
 mod material_draws;
+mod material_fractions;
 pub(super) mod material_memo;
 mod material_rows;
 mod material_shift;

@@ -61,7 +61,10 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
         let line = block.keywords.iter().find(|keyword| keyword.name.starts_with("HYPER")).map(|keyword| keyword.line);
         let help = "add the moduli of small strains, for example:\n*ELASTIC, MODULI=LONG TERM\n 3.0, 0.49";
         let message = "the material has no *ELASTIC";
-        let error = line.map_or_else(|| source.missing(message, "this deck"), |line| source.wrong(&line, message, "this law of large strains is not read"));
+        let error = line.map_or_else(
+            || source.missing(message, "this deck"),
+            |line| source.wrong(&line, message, "this law of large strains is not read"),
+        );
         return Err(error.help(help));
     };
     let (youngs, ratio) = elastic_constants(source, elastic)?;
@@ -94,7 +97,8 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
     let mut names: Vec<(String, usize)> = unused.map(|keyword| (format!("*{}", keyword.name), keyword.line.number)).collect();
     names.extend(others);
     notes.extend(skipped(&names));
-    let solid = by_youngs(source.pressure(youngs)?, ratio, moduli, shear, bulk).map_err(|message| source.wrong(&elastic.line, message, "here"))?;
+    let solid =
+        by_youngs(source.pressure(youngs)?, ratio, moduli, shear, bulk).map_err(|message| source.wrong(&elastic.line, message, "here"))?;
     Ok(Deck { name: block.name.clone(), solid, shift, notes })
 }
 

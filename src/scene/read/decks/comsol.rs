@@ -9,8 +9,8 @@
 //! Only the shear modulus relaxes; the bulk modulus is constant. The elastic moduli are long-term, COMSOL's default, unless `material.moduli` says
 //! otherwise. Numbers without a unit are in `material.deck_units`. Source: COMSOL Structural Mechanics Module User's Guide, Viscoelasticity.
 
-use super::source::{DeckSource, Line, skipped};
 use super::Deck;
+use super::source::{DeckSource, Line, skipped};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::read::material_solid::{Moduli, Relaxing, Solid, Strength, Volume};
 use crate::scene::units::{Dimension, parse_quantity};
@@ -60,7 +60,9 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
         }
         _ => {
             let help = "write two of them as lines of the file, for example:\nG  0.5[MPa]\nK  2[GPa]";
-            return Err(source.missing("needs either E and nu, or G and K, or G and nu of the linear elastic material", "this file").help(help));
+            return Err(source
+                .missing("needs either E and nu, or G and K, or G and nu of the linear elastic material", "this file")
+                .help(help));
         }
     };
     let mut terms = Vec::new();
@@ -69,13 +71,18 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
         let Some(index) = branch(name, "g") else { continue };
         let time_name = format!("tau{index}");
         let Some((_, (word, line))) = parts.parameters.iter().find(|(key, _)| *key == time_name) else {
-            return Err(source.wrong(&cell.1, format!("the branch {name} has no {time_name}"), "this branch").help(format!("add a line: {time_name} 1[s]")));
+            return Err(source
+                .wrong(&cell.1, format!("the branch {name} has no {time_name}"), "this branch")
+                .help(format!("add a line: {time_name} 1[s]")));
         };
         terms.push((pressure(cell, name)?, quantity(source, line, word, &time_name, Dimension::TIME)?));
         used.extend([name.clone(), time_name]);
     }
     for [modulus, (word, line)] in &parts.rows {
-        terms.push((pressure(modulus, "the shear modulus of a branch")?, quantity(source, line, word, "the relaxation time of a branch", Dimension::TIME)?));
+        terms.push((
+            pressure(modulus, "the shear modulus of a branch")?,
+            quantity(source, line, word, "the relaxation time of a branch", Dimension::TIME)?,
+        ));
     }
     if let Some((name, (_, line))) = parts.parameters.iter().find(|(name, _)| branch(name, "tau").is_some() && !used.contains(name)) {
         return Err(source.wrong(line, format!("{name} has no shear modulus beside it"), "this time"));
@@ -87,13 +94,21 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
     let (moduli, mut notes) = match source.moduli() {
         Some("instantaneous") => (Moduli::Instantaneous, Vec::new()),
         Some(_) => (Moduli::LongTerm, Vec::new()),
-        None => (Moduli::LongTerm, vec!["the elastic moduli are taken as long-term, COMSOL's default; material.moduli can say otherwise".to_owned()]),
+        None => (
+            Moduli::LongTerm,
+            vec!["the elastic moduli are taken as long-term, COMSOL's default; material.moduli can say otherwise".to_owned()],
+        ),
     };
     notes.push("only the shear modulus relaxes, as in COMSOL".to_owned());
     let idle: Vec<(String, usize)> =
         parts.parameters.iter().filter(|(name, _)| !used.contains(name)).map(|(name, (_, line))| (name.clone(), line.number)).collect();
     notes.extend(skipped(&idle));
-    Ok(Deck { name: None, solid: Solid { shear: Relaxing { modulus: shear, moduli, strength: Strength::Modulus, terms }, volume }, shift: None, notes })
+    Ok(Deck {
+        name: None,
+        solid: Solid { shear: Relaxing { modulus: shear, moduli, strength: Strength::Modulus, terms }, volume },
+        shift: None,
+        notes,
+    })
 }
 
 /// The constant bulk modulus of a shear modulus and a Poisson ratio.
@@ -132,7 +147,13 @@ fn parts<'a>(source: &DeckSource<'a>) -> Result<Parts<'a>, SceneError> {
                 let message = format!("a row of {} columns", found.len());
                 return Err(source.wrong(&line, message, "must be: shear modulus, relaxation time"));
             }
-            _ => return Err(source.wrong(&line, "neither a parameter nor a branch", "must be: name value[unit], or: shear modulus, relaxation time")),
+            _ => {
+                return Err(source.wrong(
+                    &line,
+                    "neither a parameter nor a branch",
+                    "must be: name value[unit], or: shear modulus, relaxation time",
+                ));
+            }
         }
     }
     Ok(parts)
@@ -147,7 +168,11 @@ fn quantity(source: &DeckSource<'_>, line: &Line<'_>, word: &str, name: &str, di
                 Ok(quantity) if quantity.dimension.measures(dimension) => quantity.value,
                 _ => {
                     let example = if dimension == Dimension::TIME { "[s] or [ms]" } else { "[Pa] or [MPa]" };
-                    return Err(source.wrong(line, format!("{name} = {word:?} is in no unit that fits"), &format!("for example {example}")));
+                    return Err(source.wrong(
+                        line,
+                        format!("{name} = {word:?} is in no unit that fits"),
+                        &format!("for example {example}"),
+                    ));
                 }
             }
         }
@@ -156,5 +181,9 @@ fn quantity(source: &DeckSource<'_>, line: &Line<'_>, word: &str, name: &str, di
             if dimension == Dimension::TIME { source.time(number)? } else { source.pressure(number)? }
         }
     };
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(source.wrong(line, format!("{name} = {word:?} is not positive"), "must be greater than 0")) }
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(source.wrong(line, format!("{name} = {word:?} is not positive"), "must be greater than 0"))
+    }
 }

@@ -7,8 +7,8 @@
 //! Cards have fields of 10 columns, or commas. Comments begin with `$`; `_TITLE` puts a line with the name first; an empty line is a card
 //! of zeros. Source: LS-DYNA Keyword User's Manual, Vol. II.
 
-use super::source::{DeckSource, Line, skipped};
 use super::Deck;
+use super::source::{DeckSource, Line, skipped};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::read::material_solid::{Moduli, Relaxing, Solid, Strength, Volume};
 
@@ -26,7 +26,8 @@ struct Block<'a> {
 impl Block<'_> {
     fn number(&self) -> String {
         let first = self.cards.first().map_or("", |card| card.text);
-        let field: String = if first.contains(',') { first.split(',').next().unwrap_or("").to_owned() } else { first.chars().take(WIDTH).collect() };
+        let field: String =
+            if first.contains(',') { first.split(',').next().unwrap_or("").to_owned() } else { first.chars().take(WIDTH).collect() };
         field.trim().to_owned()
     }
 }
@@ -106,7 +107,8 @@ fn fields(source: &DeckSource<'_>, line: &Line<'_>, names: &[&str]) -> Result<Ve
             return Err(source.wrong(line, format!("field {} of this card, {word:?}, has no meaning here", index + 1), "leave it out"));
         };
         if word.contains(char::is_whitespace) {
-            let message = format!("columns {} to {} hold {word:?}: the card is not in fields of 10 columns", index * WIDTH + 1, (index + 1) * WIDTH);
+            let message =
+                format!("columns {} to {} hold {word:?}: the card is not in fields of 10 columns", index * WIDTH + 1, (index + 1) * WIDTH);
             return Err(source.wrong(line, message, "align it, or write commas between the fields"));
         }
         numbers.push(if word.is_empty() { 0.0 } else { source.number(line, word, name)? });
@@ -142,7 +144,11 @@ fn general(source: &DeckSource<'_>, block: &Block<'_>, notes: &mut Vec<String>) 
             [(g, beta, &mut shear, &mut lasting_shear, "GI"), (k, beta_k, &mut volume, &mut lasting_bulk, "KI")]
         {
             if strength < 0.0 || rate < 0.0 {
-                return Err(source.wrong(line, format!("{name} = {strength} with the decay rate {rate}: one is negative"), "must be 0 or more"));
+                return Err(source.wrong(
+                    line,
+                    format!("{name} = {strength} with the decay rate {rate}: one is negative"),
+                    "must be 0 or more",
+                ));
             }
             if strength > 0.0 && rate == 0.0 {
                 *lasting += source.pressure(strength)?;

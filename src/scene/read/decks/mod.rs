@@ -91,7 +91,11 @@ pub fn recognised_file(path: &std::path::Path) -> Option<&'static str> {
 pub(super) fn read(table: &Section<'_>, document: &Document, form: &'static str) -> Result<ReadDeck, SceneError> {
     let file = table.required_text(form)?;
     if table.units() == Units::Reduced {
-        return Err(table.wrong(form, format!("`material.{form}` is a deck in units, and the scene is in reduced ones"), "write units = \"si\""));
+        return Err(table.wrong(
+            form,
+            format!("`material.{form}` is a deck in units, and the scene is in reduced ones"),
+            "write units = \"si\"",
+        ));
     }
     let Some(text) = document.attached(file) else {
         return Err(table.wrong(form, format!("`material.{form}` = {file:?} was not read"), "this file"));

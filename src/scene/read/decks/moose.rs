@@ -28,13 +28,18 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
         let help = "give its chain as material.creep terms: compliance 1/creep_modulus, retardation_time creep_viscosity";
         return Err(source.wrong(&block.line, "GeneralizedKelvinVoigtModel is not read", "this block").help(help));
     }
-    let others: Vec<(String, usize)> = blocks.extract_if(.., |block| value(block, "type").is_none_or(|(word, _)| word != MODEL)).map(|block| {
-        let kind = value(&block, "type").map_or_else(String::new, |(word, _)| format!(" ({word})"));
-        (format!("[{}]{kind}", block.name), block.line.number)
-    }).collect();
+    let others: Vec<(String, usize)> = blocks
+        .extract_if(.., |block| value(block, "type").is_none_or(|(word, _)| word != MODEL))
+        .map(|block| {
+            let kind = value(&block, "type").map_or_else(String::new, |(word, _)| format!(" ({word})"));
+            (format!("[{}]{kind}", block.name), block.line.number)
+        })
+        .collect();
     let block = source.chosen(&blocks, |block| vec![block.name.clone()], "block with type = GeneralizedMaxwellModel")?;
     let needed = |name: &str, example: &str| {
-        value(block, name).ok_or_else(|| source.wrong(&block.line, format!("{name} is missing"), "in this block").help(format!("write {name} = {example}")))
+        value(block, name).ok_or_else(|| {
+            source.wrong(&block.line, format!("{name} is missing"), "in this block").help(format!("write {name} = {example}"))
+        })
     };
     let (youngs, line) = needed("young_modulus", "10e9")?;
     let youngs = source.positive(line, youngs, "young_modulus")?;
@@ -56,7 +61,8 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
     let times: Vec<f64> = times.into_iter().map(|time| source.time(time)).collect::<Result<_, _>>()?;
     let ratios = match value(block, "creep_ratio") {
         Some((words, line)) => {
-            let ratios: Vec<f64> = words.split_whitespace().map(|word| source.ratio(line, word, "creep_ratio")).collect::<Result<_, _>>()?;
+            let ratios: Vec<f64> =
+                words.split_whitespace().map(|word| source.ratio(line, word, "creep_ratio")).collect::<Result<_, _>>()?;
             if ratios.len() != moduli.len() {
                 let message = format!("creep_ratio has {} numbers and creep_modulus {}", ratios.len(), moduli.len());
                 return Err(source.wrong(line, message, "both must have as many"));
@@ -67,13 +73,16 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
     };
     let solid = if ratios.iter().all(|one| one.to_bits() == ratio.to_bits()) {
         let terms: Vec<(f64, f64)> = moduli.iter().zip(&times).map(|(modulus, time)| (modulus / youngs, *time)).collect();
-        by_youngs(source.pressure(youngs)?, ratio, Moduli::Instantaneous, terms.clone(), terms).map_err(|message| source.wrong(line, message, "here"))?
+        by_youngs(source.pressure(youngs)?, ratio, Moduli::Instantaneous, terms.clone(), terms)
+            .map_err(|message| source.wrong(line, message, "here"))?
     } else if ratio >= 0.5 || ratios.iter().any(|&one| one >= 0.5) {
         return Err(source.wrong(line, "a Poisson ratio of 0.5 has no finite bulk modulus that could relax", "must be below 0.5"));
     } else {
         let relaxing = |part: &dyn Fn(f64, f64) -> f64| -> Result<Relaxing, SceneError> {
             let parts = moduli.iter().zip(&ratios).zip(&times);
-            let terms = parts.map(|((&modulus, &ratio), &time)| Ok((source.pressure(part(modulus, ratio))?, time))).collect::<Result<_, SceneError>>()?;
+            let terms = parts
+                .map(|((&modulus, &ratio), &time)| Ok((source.pressure(part(modulus, ratio))?, time)))
+                .collect::<Result<_, SceneError>>()?;
             let modulus = source.pressure(part(youngs, ratio))?;
             Ok(Relaxing { modulus, moduli: Moduli::Instantaneous, strength: Strength::Modulus, terms })
         };
@@ -81,9 +90,11 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
         Solid { shear, volume: Volume::Bulk(relaxing(&|modulus, ratio| modulus / (3.0 * (1.0 - 2.0 * ratio)))?) }
     };
     let known = ["type", "young_modulus", "poisson_ratio", "creep_modulus", "creep_viscosity", "creep_ratio"];
-    let idle = block.parameters.iter().filter(|(name, ..)| !known.contains(&name.as_str())).map(|(name, _, line)| (name.clone(), line.number));
+    let idle =
+        block.parameters.iter().filter(|(name, ..)| !known.contains(&name.as_str())).map(|(name, _, line)| (name.clone(), line.number));
     let names: Vec<(String, usize)> = idle.chain(others).collect();
-    let mut notes = vec!["young_modulus and poisson_ratio are taken as instantaneous, creep_viscosity as relaxation times, as MOOSE does".to_owned()];
+    let mut notes =
+        vec!["young_modulus and poisson_ratio are taken as instantaneous, creep_viscosity as relaxation times, as MOOSE does".to_owned()];
     notes.extend(skipped(&names));
     Ok(Deck { name: Some(block.name.clone()), solid, shift: None, notes })
 }

@@ -81,7 +81,9 @@ impl<'a> DeckSource<'a> {
             Ok(value) if value.is_finite() => Ok(value),
             _ => {
                 let message = format!("{name} = {:?} is no number", word.trim());
-                Err(self.wrong(line, message, "here").help("viscotack reads numbers only: write the value in place of a parameter or a formula"))
+                Err(self
+                    .wrong(line, message, "here")
+                    .help("viscotack reads numbers only: write the value in place of a parameter or a formula"))
             }
         }
     }
@@ -162,9 +164,8 @@ impl<'a> DeckSource<'a> {
         let also = if key == "temperature" { ", temperature = \"°C\"" } else { "" };
         let message = format!("a deck has no units, and `material.deck_units.{key}` does not say what its {key} is measured in");
         let line = format!("deck_units = {{ pressure = \"MPa\", time = \"s\"{also} }}");
-        self.missing(message, "the units of this deck").help(format!(
-            "with the units of your deck, write in [material]: {line}; on the command line: --set 'material.{line}'"
-        ))
+        self.missing(message, "the units of this deck")
+            .help(format!("with the units of your deck, write in [material]: {line}; on the command line: --set 'material.{line}'"))
     }
 
     /// A note on units that no number of the deck needed, if there are any.
@@ -197,7 +198,9 @@ impl<'a> DeckSource<'a> {
             (None, [first, ..]) => {
                 let name = names(first).into_iter().next().unwrap_or_default();
                 let message = format!("holds {} materials: {}", materials.len(), list());
-                Err(self.missing(message, "which one is meant?").help(format!("write deck_material = {name:?} in [material], or another of them")))
+                Err(self
+                    .missing(message, "which one is meant?")
+                    .help(format!("write deck_material = {name:?} in [material], or another of them")))
             }
         }
     }
