@@ -1,6 +1,6 @@
 //! Files that the history and the indenter of a scene name, read with it.
 
-use crate::scene::diagnostic::{Place, SceneError, SourceText};
+use crate::scene::diagnostic::{Place, SceneError};
 use crate::scene::document::{Document, Node, Value};
 
 /// Reads the files that the history and the indenter of a document name, so that the document holds all that its result depends on.
@@ -18,22 +18,4 @@ fn file_of<'k>(key: &'k str, node: &Node) -> Option<(&'k str, String, Place)> {
         Value::Text(name) => Some((key, name.clone(), node.place.clone())),
         _ => None,
     }
-}
-
-/// The lines that say something.
-pub(super) fn lines_of(source: &SourceText) -> impl Iterator<Item = Place> + '_ {
-    let mut start = 0;
-    source.text().split_inclusive('\n').filter_map(move |line| {
-        let begin = start;
-        start += line.len();
-        // A byte-order mark is no part of a name.
-        let skip = line.len() - line.trim_start_matches(['\u{feff}', ' ', '\t']).len();
-        let words = line.trim_start_matches(['\u{feff}', ' ', '\t']).trim_end();
-        (!words.is_empty() && !words.starts_with('#'))
-            .then(|| Place { source: source.clone(), span: begin + skip..begin + skip + words.len() })
-    })
-}
-
-pub(super) fn written(place: &Place) -> &str {
-    place.source.text().get(place.span.clone()).unwrap_or("")
 }
