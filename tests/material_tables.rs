@@ -129,6 +129,12 @@ fn factors_relative_to_another_temperature() {
     let data = table("temperature (°C), frequency (Hz), E' (Pa), E'' (Pa)", &[0.0, 20.0, 40.0], |t| t, [1.0, 1.0], 0.0);
     folder.write("shift.csv", "temperature (K), log10_factor\n273.15, 0\n293.15, -1\n313.15, -2\n");
     same(solid(material(&folder, &data, "shift = { table = \"shift.csv\" }\n")), SOLID, "table");
+    folder.write("shift.txt", "Temperatur [°C];log aT;Fehler\n0,0;1,0;0,1\n20,0;0,0;0,1\n40,0;-1,0;0,1\n");
+    let answer = material(&folder, &data, "shift = { table = \"shift.txt\" }\n");
+    assert!(answer.stdout.contains("decimal commas") && answer.stdout.contains("`Fehler`"), "{}", answer.stdout);
+    same(solid(answer), SOLID, "decimal commas");
+    folder.write("shift.txt", "T/°C\tln(aT)\n0\t2.302585093\n20\t0\n40\t-2.302585093\n");
+    same(solid(material(&folder, &data, "shift = { table = \"shift.txt\" }\n")), SOLID, "natural logarithm");
     let factors = "shift = { factors = [{ temperature = \"0 °C\", factor = 4e3 }, { temperature = \"20 °C\", factor = 4e2 }, { temperature = \"40 °C\", factor = 40 }] }\n";
     same(solid(material(&folder, &data, factors)), SOLID, "factors");
     // Warmer by one step: ten times faster.

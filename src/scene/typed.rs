@@ -52,7 +52,7 @@ pub struct SceneMaterial {
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.
     pub climate: Option<Climate>,
-    /// What was chosen in reading its tables, a sentence each.
+    /// What was chosen in reading its tables, and those of works of adhesion; a sentence each.
     pub notes: Vec<String>,
 }
 

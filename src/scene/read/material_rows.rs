@@ -72,7 +72,7 @@ impl MaterialRows {
         let Some(source) = document.attached(file) else {
             return Err(section.wrong(key, format!("`{}` = {file:?} was not read with the scene", section.full(key)), "this file"));
         };
-        let table = DelimitedTable::read(source, &Options { help: EXAMPLE, quantities: false })?;
+        let table = DelimitedTable::read(source, &Options { help: EXAMPLE })?;
         let stated = stated_columns(section)?;
         let mut notes = table.notes().to_vec();
         let (mut blocks, mut temperature): (Vec<Columns>, Option<f64>) = (Vec::new(), None);

@@ -96,7 +96,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let top = Section::top(root, units);
     let file = std::path::Path::new(root.place.source.name());
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let material = material::read(&top, document)?;
+    let mut material = material::read(&top, document)?;
+    material.notes.extend(document.notes().iter().cloned());
     let problem = match the_problem(&top)? {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
