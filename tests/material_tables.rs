@@ -191,3 +191,16 @@ fn what_contradicts_itself_is_refused() {
     }
     same(solid(material(&folder, &format!("{right}{}", rows(1.0)), "")), SOLID, "both frequencies");
 }
+
+/// The export of an instrument is known by what it holds, whatever its name.
+#[test]
+fn the_command_takes_an_export_as_it_is() {
+    let folder = Folder::new();
+    let data = table("temperature (°C); frequency (Hz); E' (Pa); E'' (Pa)", &[20.0], |t| t, [1.0, 1.0], 0.0).replace(", ", ";");
+    for name in ["export.txt", "export.DAT", "export", "export.csv"] {
+        folder.write(name, format!("Instrument 7\n{data}"));
+        same(solid(folder.call(&["material", name, "--json"])), SOLID, name);
+    }
+    folder.write("other.txt", "[material]\nrelaxed_modulus = 1e6\n");
+    assert_eq!(folder.call(&["material", "other.txt", "--json"]).ended(0).json()["relaxed_modulus"].as_f64(), Some(1e6));
+}

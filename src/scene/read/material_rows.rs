@@ -5,7 +5,7 @@ use super::column_units::unit;
 use super::material_columns::{Column, Header, StatedColumn, column, stated_columns};
 use super::section::Section;
 use crate::scene::delimited::{Block, Cell, DelimitedTable, Options};
-use crate::scene::diagnostic::{Place, SceneError, nearest};
+use crate::scene::diagnostic::{Place, SceneError, SourceText, nearest};
 use crate::scene::document::Document;
 use crate::scene::units::{Dimension, parse_quantity};
 
@@ -117,6 +117,16 @@ impl MaterialRows {
         let message = format!("`{}` = {:?} is no number, in line {}", word(column.role), self.table.shown(cell), self.table.line(cell));
         Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit"))
     }
+}
+
+/// Whether a text is a table with a column of a modulus or a compliance.
+pub(super) fn holds_material(source: &SourceText) -> bool {
+    let Ok(table) = DelimitedTable::read(source, &Options { help: EXAMPLE }) else { return false };
+    let mains = [Role::Storage, Role::Complex, Role::Relaxation, Role::Creep];
+    table.blocks().first().is_some_and(|block| {
+        let columns = columns(&table, block, &[], None);
+        columns.found.iter().any(|(role, column)| mains.contains(role) && column.is_ok())
+    })
 }
 
 fn columns(table: &DelimitedTable, block: &Block, stated: &[StatedColumn], temperature: Option<f64>) -> Columns {

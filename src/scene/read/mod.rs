@@ -145,6 +145,12 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     Ok(material)
 }
 
+/// Whether a file is delimited text whose header names a modulus or a compliance with a known name.
+#[must_use]
+pub fn holds_material_table(path: &std::path::Path) -> bool {
+    super::delimited::open(path, "").is_ok_and(|source| material_rows::holds_material(&source))
+}
+
 /// Reads the table of `material.data` as rows in SI units, before a series is fitted to them; none if the material has no table.
 ///
 /// # Errors
