@@ -192,6 +192,27 @@ fn what_contradicts_itself_is_refused() {
     same(solid(material(&folder, &format!("{right}{}", rows(1.0)), "")), SOLID, "both frequencies");
 }
 
+/// What an error offers to type is right: the unit that is misspelt, not another one.
+#[test]
+fn remedies_of_units_work_where_they_are_pasted() {
+    let folder = Folder::new();
+    for (header, written, factors, key) in [
+        (
+            "Temp (F), frequency (Hz), E' (Pa), E'' (Pa)",
+            (|t| 1.8 * t + 32.0) as fn(f64) -> f64,
+            [1.0, 1.0],
+            "temperature = \"Temp (F) in °F\"",
+        ),
+        ("temperature (°C), frequency (HZ), E' (Pa), E'' (Pa)", |t| t, [1.0, 1.0], "frequency = \"frequency (HZ) in Hz\""),
+        ("temperature (°C), frequency (Hz), E' (MPA), E'' (MPa)", |t| t, [1.0, 1e-6], "storage_modulus = \"E' (MPA) in MPa\""),
+    ] {
+        let data = table(header, &[0.0, 20.0, 40.0], written, factors, 0.0);
+        let answer = material(&folder, &data, "").ended(2);
+        assert!(answer.stderr.contains(key), "{}", answer.stderr);
+        same(solid(material(&folder, &data, &format!("[material.columns]\n{key}\n"))), SOLID, header);
+    }
+}
+
 /// The export of an instrument is known by what it holds, whatever its name.
 #[test]
 fn the_command_takes_an_export_as_it_is() {

@@ -55,8 +55,15 @@ impl Columns {
             return one.as_ref().map(Some).map_err(Clone::clone);
         }
         let place = second.as_ref().map_or_else(|_| self.header.clone(), |column| column.place.clone());
-        Err(SceneError::at(&place, format!("two columns hold the {}", spoken(role)), "the second")
-            .help(format!("name the right one in [material.columns]: {} = \"HEADER in UNIT\"", word(role))))
+        let text = |column: &Result<Column, SceneError>| column.as_ref().map_or_else(|_| String::new(), |column| column.text.clone());
+        let same = first.is_some_and(|first| text(first) == text(second));
+        let help = if same {
+            "their headers are the same: rename or delete the one that is not meant".to_owned()
+        } else {
+            let named = first.map_or_else(String::new, text);
+            format!("name the right one in [material.columns], such as: {} = \"{named}\"", word(role))
+        };
+        Err(SceneError::at(&place, format!("two columns hold the {}", spoken(role)), "the second").help(help))
     }
 
     /// Headers of columns that are none of some.
@@ -115,7 +122,8 @@ impl MaterialRows {
             return Ok(None);
         }
         let message = format!("`{}` = {:?} is no number, in line {}", word(column.role), self.table.shown(cell), self.table.line(cell));
-        Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit"))
+        Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit")
+            .help("mend the cell; a line that is no row of the table is passed over if it begins with #"))
     }
 }
 
