@@ -129,6 +129,12 @@ fn factors_relative_to_another_temperature() {
     let data = table("temperature (°C), frequency (Hz), E' (Pa), E'' (Pa)", &[0.0, 20.0, 40.0], |t| t, [1.0, 1.0], 0.0);
     folder.write("shift.csv", "temperature (K), log10_factor\n273.15, 0\n293.15, -1\n313.15, -2\n");
     same(solid(material(&folder, &data, "shift = { table = \"shift.csv\" }\n")), SOLID, "table");
+    folder.write("shift.txt", "Temperatur [°C];log aT;Fehler\n0,0;1,0;0,1\n20,0;0,0;0,1\n40,0;-1,0;0,1\n");
+    let answer = material(&folder, &data, "shift = { table = \"shift.txt\" }\n");
+    assert!(answer.stdout.contains("decimal commas") && answer.stdout.contains("`Fehler`"), "{}", answer.stdout);
+    same(solid(answer), SOLID, "decimal commas");
+    folder.write("shift.txt", "T/°C\tln(aT)\n0\t2.302585093\n20\t0\n40\t-2.302585093\n");
+    same(solid(material(&folder, &data, "shift = { table = \"shift.txt\" }\n")), SOLID, "natural logarithm");
     let factors = "shift = { factors = [{ temperature = \"0 °C\", factor = 4e3 }, { temperature = \"20 °C\", factor = 4e2 }, { temperature = \"40 °C\", factor = 40 }] }\n";
     same(solid(material(&folder, &data, factors)), SOLID, "factors");
     // Warmer by one step: ten times faster.
@@ -184,4 +190,38 @@ fn what_contradicts_itself_is_refused() {
         assert!(answer.stderr.contains(says), "{says}: {}", answer.stderr);
     }
     same(solid(material(&folder, &format!("{right}{}", rows(1.0)), "")), SOLID, "both frequencies");
+}
+
+/// What an error offers to type is right: the unit that is misspelt, not another one.
+#[test]
+fn remedies_of_units_work_where_they_are_pasted() {
+    let folder = Folder::new();
+    for (header, written, factors, key) in [
+        (
+            "Temp (F), frequency (Hz), E' (Pa), E'' (Pa)",
+            (|t| 1.8 * t + 32.0) as fn(f64) -> f64,
+            [1.0, 1.0],
+            "temperature = \"Temp (F) in °F\"",
+        ),
+        ("temperature (°C), frequency (HZ), E' (Pa), E'' (Pa)", |t| t, [1.0, 1.0], "frequency = \"frequency (HZ) in Hz\""),
+        ("temperature (°C), frequency (Hz), E' (MPA), E'' (MPa)", |t| t, [1.0, 1e-6], "storage_modulus = \"E' (MPA) in MPa\""),
+    ] {
+        let data = table(header, &[0.0, 20.0, 40.0], written, factors, 0.0);
+        let answer = material(&folder, &data, "").ended(2);
+        assert!(answer.stderr.contains(key), "{}", answer.stderr);
+        same(solid(material(&folder, &data, &format!("[material.columns]\n{key}\n"))), SOLID, header);
+    }
+}
+
+/// The export of an instrument is known by what it holds, whatever its name.
+#[test]
+fn the_command_takes_an_export_as_it_is() {
+    let folder = Folder::new();
+    let data = table("temperature (°C); frequency (Hz); E' (Pa); E'' (Pa)", &[20.0], |t| t, [1.0, 1.0], 0.0).replace(", ", ";");
+    for name in ["export.txt", "export.DAT", "export", "export.csv"] {
+        folder.write(name, format!("Instrument 7\n{data}"));
+        same(solid(folder.call(&["material", name, "--json"])), SOLID, name);
+    }
+    folder.write("other.txt", "[material]\nrelaxed_modulus = 1e6\n");
+    assert_eq!(folder.call(&["material", "other.txt", "--json"]).ended(0).json()["relaxed_modulus"].as_f64(), Some(1e6));
 }

@@ -158,6 +158,20 @@ fn rows_have_the_works_of_their_edges_and_speed() {
         let row = plan.solve(0, &[]).remove(0);
         plan.columns().iter().zip(&row.values).filter_map(|(column, value)| Some((column.name, (*value)?))).collect::<Values>()
     };
+    // The same with decimal commas, units in the header, and a line that is none of the table.
+    std::fs::write(
+        folder.join("commas.csv"),
+        "Klebstoff 7\nspeed (µm/s);leading work of adhesion (mJ/m²);trailing work of adhesion (mJ/m²)\n1,0;10,0;7,0\n10000;8,1;28,0\n",
+    )
+    .unwrap();
+    let commas = read::read(&document(&with_table("[adhesion.by_speed]\nfile = \"commas.csv\""), &folder)).unwrap();
+    assert!(commas.material.notes.iter().any(|note| note.contains("decimal commas")), "{:?}", commas.material.notes);
+    assert!(commas.material.notes.iter().any(|note| note.contains("passed over")), "{:?}", commas.material.notes);
+    let from_commas = {
+        let plan = Plan::new(&commas).unwrap();
+        let row = plan.solve(0, &[]).remove(0);
+        plan.columns().iter().zip(&row.values).filter_map(|(column, value)| Some((column.name, (*value)?))).collect::<Values>()
+    };
     std::fs::remove_dir_all(&folder).unwrap();
     // Γ₀(1 + (v/v₀)ⁿ) = 2.5 Γ₀ at v = 2.25 v₀ with n = ½.
     let law = |works: [f64; 2]| {
@@ -165,7 +179,9 @@ fn rows_have_the_works_of_their_edges_and_speed() {
         scene(INPUTS, &format!("{}\n{by_speed}", per_edge(works.map(|work| work / 2.5))), "mean_pressure = 9e3")
     };
     let constant = solved(&state(INPUTS, ""));
-    for (name, found) in [("table", solved(&with_table(&table))), ("file", from_file), ("law", solved(&law(INPUTS.works)))] {
+    for (name, found) in
+        [("table", solved(&with_table(&table))), ("file", from_file), ("commas", from_commas), ("law", solved(&law(INPUTS.works)))]
+    {
         for (column, expected) in &constant {
             let found = found.get(column).unwrap_or_else(|| panic!("{name}: no {column}"));
             let allowed = found.error + expected.error + 1e-12 * expected.value.abs();

@@ -35,6 +35,12 @@ pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
     Ok(code)
 }
 
+/// Whether a file is a table: by its name, or because its header names the moduli or the compliance of a material.
+fn is_table(path: &Path) -> bool {
+    let named = |word: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(word));
+    named("csv") || (!named("toml") && read::holds_material_table(path))
+}
+
 fn report(asked: &Asked<'_>) -> Result<MaterialReport, SceneError> {
     let is_data = asked.file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     let name = asked.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());

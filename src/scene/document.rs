@@ -101,6 +101,8 @@ pub struct Document {
     hash: String,
     /// Further files that the scene names, by the names it gives them.
     attached: Vec<(String, SourceText)>,
+    /// What was chosen in reading tables.
+    notes: Vec<String>,
     /// What was made of the material's data or law, so that states of a sweep do not make it again.
     materials: MaterialMemo,
 }
@@ -130,8 +132,14 @@ impl Document {
     pub fn parse(name: &str, text: String, folder: &Path) -> Result<Self, SceneError> {
         let source = SourceText::new(name, text);
         let root = parse_tree(&source)?;
-        let mut document =
-            Self { root, folder: folder.to_owned(), hash: String::new(), attached: Vec::new(), materials: MaterialMemo::default() };
+        let mut document = Self {
+            root,
+            folder: folder.to_owned(),
+            hash: String::new(),
+            attached: Vec::new(),
+            notes: Vec::new(),
+            materials: MaterialMemo::default(),
+        };
         document.add_to_hash(&source);
         Ok(document)
     }
@@ -168,6 +176,17 @@ impl Document {
         })?;
         self.attach(name, source);
         Ok(())
+    }
+
+    /// Adds what was chosen in reading a table.
+    pub(super) fn note(&mut self, notes: Vec<String>) {
+        self.notes.extend(notes);
+    }
+
+    /// What was chosen in reading tables whose rows stand in the tree, a sentence each.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Materials made before from the same data, shared by all copies of the document.

@@ -61,7 +61,7 @@ pub struct SceneMaterial {
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.
     pub climate: Option<Climate>,
-    /// What was chosen in reading its tables, a sentence each.
+    /// What was chosen in reading its tables, and those of works of adhesion; a sentence each.
     pub notes: Vec<String>,
     /// Series that the data leave possible, if a scene asks what they change; at the temperature of `series`.
     pub draws: Option<Arc<[Material]>>,

@@ -83,7 +83,7 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
     let mut entries: Vec<Validity> = material
         .notes
         .iter()
-        .map(|note| Validity { name: "table of the material".into(), value: None, verdict: Verdict::Good, meaning: note.clone() })
+        .map(|note| Validity { name: "reading of a table".into(), value: None, verdict: Verdict::Good, meaning: note.clone() })
         .collect();
     entries.extend(match &material.origin {
         MaterialOrigin::Terms => Vec::new(),

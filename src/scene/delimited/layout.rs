@@ -13,8 +13,6 @@ use crate::scene::diagnostic::{Place, SceneError, SourceText};
 pub struct Options<'o> {
     /// An example of a header.
     pub help: &'o str,
-    /// Whether a number may carry its unit in its own cell.
-    pub quantities: bool,
 }
 
 impl DelimitedTable {
@@ -23,17 +21,29 @@ impl DelimitedTable {
     /// # Errors
     /// No header, no rows, a row with other cells than the header, or a decimal sign that stays open, with the place and what to type.
     pub fn read(source: &SourceText, options: &Options<'_>) -> Result<Self, SceneError> {
+        Self::read_as(source, options, false)
+    }
+
+    /// Reads a text in which a number may carry its unit in its own cell.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn read_with_units(source: &SourceText, options: &Options<'_>) -> Result<Self, SceneError> {
+        Self::read_as(source, options, true)
+    }
+
+    fn read_as(source: &SourceText, options: &Options<'_>, quantities: bool) -> Result<Self, SceneError> {
         let text = source.text();
         let name = source.name();
         let place = |cell: Cell| Place { source: source.clone(), span: cell.start as usize..cell.end as usize };
         let line = |cell: Cell| decode::line_at(text, cell.start as usize);
-        let separator = separator_of(text, options.quantities).unwrap_or_else(|| separator_of_names(text));
+        let separator = separator_of(text, quantities).unwrap_or_else(|| separator_of_names(text));
         let grid = Grid::of(text, separator);
         let Some(first) = grid.lines.iter().find(|line| !line.comment) else {
             let nowhere = Place { source: source.clone(), span: 0..0 };
             return Err(SceneError::at(&nowhere, format!("{name:?} is empty"), "here").help(options.help));
         };
-        let classes = Classes::of(text, &grid, separator, options.quantities);
+        let classes = Classes::of(text, &grid, separator, quantities);
         let reader = Reader { text, grid: &grid, classes: &classes, separator };
         let (blocks, mut notes) = reader.blocks();
         let Some(top) = blocks.first() else {

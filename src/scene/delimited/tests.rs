@@ -3,7 +3,7 @@
 
 use super::*;
 
-const OPTIONS: Options<'_> = Options { help: "name, name", quantities: false };
+const OPTIONS: Options<'_> = Options { help: "name, name" };
 
 /// Names with units, and numbers, of every block.
 fn read(text: &str) -> Result<Vec<(String, Vec<Vec<Option<f64>>>)>, String> {

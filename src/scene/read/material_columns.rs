@@ -95,18 +95,40 @@ pub(super) fn column(header: &Header<'_>, stated: &[StatedColumn]) -> Option<(Ro
     Some((made.as_ref().map_or(role, |column| column.role), made))
 }
 
+/// The unit that is likely meant by a misspelt one.
+fn meant(written: &str) -> Option<&'static str> {
+    let plain = bare_unit(written).to_lowercase();
+    let known = ["Pa", "kPa", "MPa", "GPa", "Hz", "mHz", "kHz", "rad/s", "s", "ms", "min", "h", "1/Pa", "1/MPa", "psi", "K", "°C", "°F"];
+    match plain.as_str() {
+        "c" | "celsius" => Some("°C"),
+        "f" | "fahrenheit" => Some("°F"),
+        "kelvin" => Some("K"),
+        _ => known.into_iter().find(|unit| unit.to_lowercase() == plain),
+    }
+}
+
+/// A unit in which a role is often given.
+const fn usual(role: Role) -> &'static str {
+    match role {
+        Role::Frequency => "Hz",
+        Role::AngularFrequency => "rad/s",
+        Role::Time => "s",
+        Role::Temperature => "°C",
+        Role::Creep => "1/MPa",
+        _ => "MPa",
+    }
+}
+
 /// The role that a unit leaves, and the scale.
 fn with_unit(header: &Header<'_>, role: Role, written: &str, by_scene: bool) -> Result<(Role, Scale), SceneError> {
     let (text, place) = (header.text, &header.place);
-    let example = || {
-        let unit = if role == Role::Frequency { "Hz".to_owned() } else { dimension(role).si_unit() };
-        let unit = if role == Role::Temperature { "°C".to_owned() } else { unit };
-        format!("{} = \"{text} in {unit}\"", word(role))
-    };
+    let as_in = |unit: &str| format!("{} = \"{text} in {unit}\"", word(role));
     let (scale, counted) = unit(written).map_err(|error| {
         let message = format!("the unit of the column `{text}` cannot be read: {error}");
-        SceneError::at(place, message, format!("must be that of {}", dimension(role).example()))
-            .help(format!("write another unit into the header, or into [material.columns]: {}", example()))
+        SceneError::at(place, message, format!("must be that of {}", dimension(role).example())).help(match meant(written) {
+            Some(unit) => format!("if {unit} is meant, write it into the header, or into [material.columns]: {}", as_in(unit)),
+            None => format!("write another unit into the header, or into [material.columns] in place of UNIT: {}", as_in("UNIT")),
+        })
     })?;
     // `T` with a unit of temperature is no time.
     if role == Role::Time && !by_scene && scale.dimension.measures(Dimension::TEMPERATURE) {
@@ -114,9 +136,9 @@ fn with_unit(header: &Header<'_>, role: Role, written: &str, by_scene: bool) -> 
     }
     let wanted = dimension(role);
     if (written.is_empty() || (counted.is_none() && role == Role::Phase)) && (wanted != Dimension::NUMBER || role == Role::Phase) {
-        let help = if role == Role::Phase { format!("{} = \"{text} in deg\", or in rad", word(role)) } else { example() };
+        let help = if role == Role::Phase { format!("{}, or in rad", as_in("deg")) } else { as_in(usual(role)) };
         return Err(SceneError::at(place, format!("the column `{text}` has no unit"), "here")
-            .help(format!("write it into the header, or into [material.columns]: {help}")));
+            .help(format!("write it into the header, or into [material.columns], such as: {help}")));
     }
     if !scale.dimension.measures(wanted) {
         let message = format!(

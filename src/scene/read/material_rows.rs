@@ -5,7 +5,7 @@ use super::column_units::unit;
 use super::material_columns::{Column, Header, StatedColumn, column, stated_columns};
 use super::section::Section;
 use crate::scene::delimited::{Block, Cell, DelimitedTable, Options};
-use crate::scene::diagnostic::{Place, SceneError, nearest};
+use crate::scene::diagnostic::{Place, SceneError, SourceText, nearest};
 use crate::scene::document::Document;
 use crate::scene::units::{Dimension, parse_quantity};
 
@@ -55,8 +55,15 @@ impl Columns {
             return one.as_ref().map(Some).map_err(Clone::clone);
         }
         let place = second.as_ref().map_or_else(|_| self.header.clone(), |column| column.place.clone());
-        Err(SceneError::at(&place, format!("two columns hold the {}", spoken(role)), "the second")
-            .help(format!("name the right one in [material.columns]: {} = \"HEADER in UNIT\"", word(role))))
+        let text = |column: &Result<Column, SceneError>| column.as_ref().map_or_else(|_| String::new(), |column| column.text.clone());
+        let same = first.is_some_and(|first| text(first) == text(second));
+        let help = if same {
+            "their headers are the same: rename or delete the one that is not meant".to_owned()
+        } else {
+            let named = first.map_or_else(String::new, text);
+            format!("name the right one in [material.columns], such as: {} = \"{named}\"", word(role))
+        };
+        Err(SceneError::at(&place, format!("two columns hold the {}", spoken(role)), "the second").help(help))
     }
 
     /// Headers of columns that are none of some.
@@ -72,7 +79,7 @@ impl MaterialRows {
         let Some(source) = document.attached(file) else {
             return Err(section.wrong(key, format!("`{}` = {file:?} was not read with the scene", section.full(key)), "this file"));
         };
-        let table = DelimitedTable::read(source, &Options { help: EXAMPLE, quantities: false })?;
+        let table = DelimitedTable::read(source, &Options { help: EXAMPLE })?;
         let stated = stated_columns(section)?;
         let mut notes = table.notes().to_vec();
         let (mut blocks, mut temperature): (Vec<Columns>, Option<f64>) = (Vec::new(), None);
@@ -115,8 +122,19 @@ impl MaterialRows {
             return Ok(None);
         }
         let message = format!("`{}` = {:?} is no number, in line {}", word(column.role), self.table.shown(cell), self.table.line(cell));
-        Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit"))
+        Err(SceneError::at(&self.table.place(cell), message, "must be a finite number without a unit")
+            .help("mend the cell; a line that is no row of the table is passed over if it begins with #"))
     }
+}
+
+/// Whether a text is a table with a column of a modulus or a compliance.
+pub(super) fn holds_material(source: &SourceText) -> bool {
+    let Ok(table) = DelimitedTable::read(source, &Options { help: EXAMPLE }) else { return false };
+    let mains = [Role::Storage, Role::Complex, Role::Relaxation, Role::Creep];
+    table.blocks().first().is_some_and(|block| {
+        let columns = columns(&table, block, &[], None);
+        columns.found.iter().any(|(role, column)| mains.contains(role) && column.is_ok())
+    })
 }
 
 fn columns(table: &DelimitedTable, block: &Block, stated: &[StatedColumn], temperature: Option<f64>) -> Columns {

@@ -109,7 +109,8 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let top = Section::top(root, units);
     let file = std::path::Path::new(root.place.source.name());
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let material = material::read(&top, document)?;
+    let mut material = material::read(&top, document)?;
+    material.notes.extend(document.notes().iter().cloned());
     let problem = match the_problem(&top)? {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
@@ -155,6 +156,12 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     let material = material::read(&top, document)?;
     top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
     Ok(material)
+}
+
+/// Whether a file is delimited text whose header names a modulus or a compliance with a known name.
+#[must_use]
+pub fn holds_material_table(path: &std::path::Path) -> bool {
+    super::delimited::open(path, "").is_ok_and(|source| material_rows::holds_material(&source))
 }
 
 /// Reads the table of `material.data` as rows in SI units, before a series is fitted to them; none if the material has no table.

@@ -29,7 +29,9 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     }
     document.attach_table("adhesion.by_speed.file", &name, &place)?;
     let Some(source) = document.attached(&name).cloned() else { return Ok(()) };
-    let list = Node { value: Value::List(entries(&source)?), place: place.clone() };
+    let (entries, notes) = entries(&source)?;
+    let list = Node { value: Value::List(entries), place: place.clone() };
+    document.note(notes);
     if let Some(Value::Table(given)) = value_at(&mut document.root, &["adhesion", "by_speed"]) {
         given.retain(|entry| entry.key != "file");
         given.push(Entry { key: "table".into(), key_place: place, node: list });
@@ -46,8 +48,8 @@ fn value_at<'a>(node: &'a mut Node, path: &[&str]) -> Option<&'a mut Value> {
 }
 
 /// The rows as tables, by the names of the header.
-fn entries(source: &SourceText) -> Result<Vec<Node>, SceneError> {
-    let table = DelimitedTable::read(source, &Options { help: HELP, quantities: true })?;
+fn entries(source: &SourceText) -> Result<(Vec<Node>, Vec<String>), SceneError> {
+    let table = DelimitedTable::read_with_units(source, &Options { help: HELP })?;
     let mut found: Vec<Node> = Vec::new();
     for block in table.blocks() {
         let names = names(&table, block);
@@ -68,7 +70,13 @@ fn entries(source: &SourceText) -> Result<Vec<Node>, SceneError> {
             found.push(Node { value: Value::Table(members), place: whole });
         }
     }
-    Ok(found)
+    let mut notes = table.notes().to_vec();
+    for stated in table.blocks().iter().flat_map(|block| &block.stated) {
+        if !table.text(stated.line).starts_with(['#', '%', '/']) {
+            notes.push(format!("{:?}: line {} is passed over", source.name(), table.line(stated.line)));
+        }
+    }
+    Ok((found, notes))
 }
 
 /// A column: the key that its cells stand for, and its unit, if the header has one.
