@@ -92,3 +92,36 @@ fn changed_bytes_never_panic_and_give_no_number_that_is_none() {
     }
     assert!(accepted > 40 && refused > 40, "{accepted} accepted, {refused} refused");
 }
+
+/// The scene of an input with a line added, read as users have it.
+fn read_with(input: &str, anchor: &str, added: &str) -> Result<viscotack::scene::typed::Scene, String> {
+    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+    let text = std::fs::read_to_string(inputs.join(format!("{input}.toml"))).unwrap();
+    let at = text.find(anchor).unwrap() + anchor.len();
+    let text = format!("{}\n{added}\n{}", &text[..at], &text[at..]);
+    let mut document = Document::parse("scene.toml", text, &inputs).map_err(|error| error.rendered())?;
+    read::resolve_includes(&mut document).and_then(|()| read::read(&document)).map_err(|error| error.rendered())
+}
+
+#[test]
+fn what_an_error_offers_works_when_pasted() {
+    for (input, anchor, remedy, pasted) in [
+        ("records-two-loads", "quantity = \"force\"", "columns = { force = \"force in µN\" }", "columns = { force = \"force in µN\" }"),
+        ("records-tolerance-below-the-noise", "quantity = \"penetration\"", "tolerance = 1.9e-9", "noise = \"left_out\""),
+        (
+            "records-one-side",
+            "profile = \"records-one-side.csv\"",
+            "scan.columns = { r = \"x (µm)\", z = \"z (nm)\" }",
+            "scan.columns = { r = \"x (µm)\", z = \"z (nm)\" }",
+        ),
+        ("records-cap-with-base", "profile = \"records-cap.csv\"", "[indentation.scan] to = 4.51e-6", "scan = { to = 4.51e-6 }"),
+    ] {
+        let refused = read_with(input, anchor, "").unwrap_err();
+        assert!(refused.contains(remedy), "{input}: {refused}");
+        read_with(input, anchor, pasted).unwrap_or_else(|error| panic!("{input}: {error}"));
+    }
+    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+    let text = std::fs::read_to_string(inputs.join("records-tolerance-below-the-noise.toml")).unwrap();
+    let mut document = Document::parse("scene.toml", text.replace("\"0.05 nm\"", "1.9e-9"), &inputs).unwrap();
+    read::resolve_includes(&mut document).and_then(|()| read::read(&document)).unwrap();
+}
