@@ -1,6 +1,8 @@
 //! One error about a scene: where, what, what is allowed.
 
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};
+use super::delimited::decode::Encoding;
+use super::frame::{Frame, Framed};
+use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -8,26 +10,39 @@ use std::sync::Arc;
 /// A text that keys were read from: a scene file, a material file, or one `--set` of the command line.
 #[derive(Debug, Clone)]
 pub struct SourceText {
-    inner: Arc<NamedSource<String>>,
+    inner: Arc<(String, String)>,
+    encoding: Encoding,
 }
 
 impl SourceText {
     /// A named text.
     #[must_use]
     pub fn new(name: &str, text: String) -> Self {
-        Self { inner: Arc::new(NamedSource::new(name, text)) }
+        Self::decoded(name, text, Encoding::Utf8)
+    }
+
+    /// A named text that was bytes of some encoding.
+    #[must_use]
+    pub fn decoded(name: &str, text: String, encoding: Encoding) -> Self {
+        Self { inner: Arc::new((name.to_owned(), text)), encoding }
+    }
+
+    /// How its bytes were read.
+    #[must_use]
+    pub const fn encoding(&self) -> Encoding {
+        self.encoding
     }
 
     /// The name given to it.
     #[must_use]
     pub fn name(&self) -> &str {
-        self.inner.name()
+        &self.inner.0
     }
 
     /// Its content.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.inner.inner()
+        &self.inner.1
     }
 }
 
@@ -69,12 +84,23 @@ impl SceneError {
         self
     }
 
+    /// What stands under the caret.
+    pub(super) fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// What is allowed, or what to do.
+    pub(super) fn remedy(&self) -> Option<&str> {
+        self.help.as_deref()
+    }
+
     /// The message with a caret under the place, file, line and column, for a terminal.
     #[must_use]
     pub fn rendered(&self) -> String {
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_wrap_lines(false).with_context_lines(1);
-        match handler.render_report(&mut text, self) {
+        let framed = Framed { error: self, frame: self.place.as_ref().map(Frame::of) };
+        match handler.render_report(&mut text, &framed) {
             Ok(()) => text,
             Err(_) => format!("{self}\n"),
         }
@@ -89,26 +115,17 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
-impl Diagnostic for SceneError {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.place.as_ref().map(|place| place.source.inner.as_ref() as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let place = self.place.as_ref()?;
-        let label = (!self.label.is_empty()).then(|| self.label.clone());
-        Some(Box::new(std::iter::once(LabeledSpan::new(label, place.span.start, place.span.len()))))
-    }
-}
-
 /// A message on one line: keys and values from a file may hold line feeds, or codes that command a terminal.
 fn one_line(text: &str) -> String {
-    text.chars().map(|character| if character.is_control() { ' ' } else { character }).collect()
+    let clean = |character: char| if character.is_control() { ' ' } else { character };
+    match text.char_indices().nth(LONGEST_MESSAGE) {
+        None => text.chars().map(clean).collect(),
+        Some((end, _)) => text.get(..end).unwrap_or("").chars().map(clean).chain(['…']).collect(),
+    }
 }
+
+/// Most characters of a message: what is longer quotes a file that is no table.
+const LONGEST_MESSAGE: usize = 600;
 
 /// The known name nearest to a misspelt one, if any is near enough to be meant.
 #[must_use]

@@ -154,6 +154,22 @@ impl Document {
         self.attached.push((name.to_owned(), source));
     }
 
+    /// Reads the table that `key` of the scene names, and attaches it; once for a name.
+    ///
+    /// # Errors
+    /// A file that cannot be read or holds no text.
+    pub(super) fn attach_table(&mut self, key: &str, name: &str, place: &Place) -> Result<(), SceneError> {
+        if self.attached(name).is_some() {
+            return Ok(());
+        }
+        let source = super::delimited::open(&self.folder.join(name), name).map_err(|error| {
+            SceneError::at(place, format!("`{key}` = {name:?} cannot be read: {error}"), "this file")
+                .help("relative paths start at the scene")
+        })?;
+        self.attach(name, source);
+        Ok(())
+    }
+
     /// Materials made before from the same data, shared by all copies of the document.
     pub(super) const fn materials(&self) -> &MaterialMemo {
         &self.materials

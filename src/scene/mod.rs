@@ -10,8 +10,10 @@
 
 pub mod catalogue;
 pub mod check;
+pub mod delimited;
 pub mod diagnostic;
 pub mod document;
+mod frame;
 pub mod read;
 pub mod schema;
 pub mod sweep;

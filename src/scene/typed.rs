@@ -52,6 +52,8 @@ pub struct SceneMaterial {
     pub origin: MaterialOrigin,
     /// Temperature and shift factors, if given.
     pub climate: Option<Climate>,
+    /// What was chosen in reading its tables, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// What a scene asks for.

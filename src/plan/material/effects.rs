@@ -49,7 +49,12 @@ pub(in crate::plan) fn effects(material: &SceneMaterial) -> Vec<Effect> {
 pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 2]>) -> Vec<Validity> {
     let caution =
         |name: &str, value: Option<f64>, meaning: String| Validity { name: name.into(), value, verdict: Verdict::Caution, meaning };
-    match &material.origin {
+    let mut entries: Vec<Validity> = material
+        .notes
+        .iter()
+        .map(|note| Validity { name: "table of the material".into(), value: None, verdict: Verdict::Good, meaning: note.clone() })
+        .collect();
+    entries.extend(match &material.origin {
         MaterialOrigin::Terms => Vec::new(),
         MaterialOrigin::Data(fitted) => {
             let mut entries = vec![Validity {
@@ -82,5 +87,6 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
             }
             entries
         }
-    }
+    });
+    entries
 }

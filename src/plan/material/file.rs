@@ -34,6 +34,9 @@ pub fn material_file(report: &MaterialReport) -> String {
             law.range[1]
         ),
     };
+    for note in &material.notes {
+        let _ = writeln!(text, "# Note: {note}.");
+    }
     if let MaterialOrigin::Data(fitted) = &material.origin {
         for warning in &fitted.warnings {
             let _ = writeln!(text, "# Caution: {warning}.");

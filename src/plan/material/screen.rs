@@ -105,6 +105,9 @@ pub fn screen(report: &MaterialReport) -> String {
             let _ = writeln!(text, "  … {} more in terms.csv", terms.len() - MOST_TERMS);
         }
     }
+    for note in &material.notes {
+        let _ = writeln!(text, "\nNote: {note}");
+    }
     if let MaterialOrigin::Data(fitted) = &material.origin {
         for warning in &fitted.warnings {
             let _ = writeln!(text, "\nCAUTION: {warning}");
@@ -158,6 +161,7 @@ pub fn summary(report: &MaterialReport) -> Value {
         "title": report.title,
         "units": if report.units == Units::Si { "si" } else { "reduced" },
         "origin": origin,
+        "notes": material.notes,
         "met": report.met(),
         "temperature": material.climate.as_ref().map(|climate| climate.temperature),
         "shift_factor": material.climate.as_ref().map(|climate| climate.factor),

@@ -58,7 +58,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.data",
         kind: Kind::Text,
-        meaning: "A CSV file with storage and loss moduli against frequency (at one temperature or several), or with a creep or relaxation curve; a series is fitted to it. Relative to the scene.",
+        meaning: "A table (CSV or other delimited text, as instruments export it) with storage and loss moduli against frequency (at one temperature or several), or with a creep or relaxation curve; a series is fitted to it. Relative to the scene.",
     },
     Key {
         path: "material.fit_error",
@@ -68,7 +68,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.columns",
         kind: Kind::Table,
-        meaning: "The columns of the CSV file, where their headers do not tell: each is a header, or \"HEADER in UNIT\".",
+        meaning: "The columns of the table, where their headers do not tell: each is a header, or \"HEADER in UNIT\".",
     },
     Key {
         path: "material.columns.of",
@@ -85,6 +85,12 @@ pub(super) const KEYS: &[Key] = &[
     Key { path: "material.columns.storage_modulus", kind: Kind::Text, meaning: "E′." },
     Key { path: "material.columns.loss_modulus", kind: Kind::Text, meaning: "E″." },
     Key { path: "material.columns.loss_tangent", kind: Kind::Text, meaning: "tan δ = E″/E′, in place of E″." },
+    Key {
+        path: "material.columns.complex_modulus",
+        kind: Kind::Text,
+        meaning: "|E*|, with a phase angle or a loss tangent, in place of E′.",
+    },
+    Key { path: "material.columns.phase_angle", kind: Kind::Text, meaning: "δ, the phase between stress and strain, in deg or rad." },
     Key { path: "material.columns.relaxation_modulus", kind: Kind::Text, meaning: "R(t)." },
     Key { path: "material.columns.creep_compliance", kind: Kind::Text, meaning: "J(t)." },
     Key {
@@ -155,7 +161,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "material.shift.table",
         kind: Kind::Text,
-        meaning: "A CSV file with columns `temperature` and `factor`, or `log10_factor`, as in factors; its path is relative to the scene.",
+        meaning: "A table with columns `temperature` and `factor`, `log10_factor` or `ln_factor`, as in factors; its path is relative to the scene.",
     },
     Key {
         path: "material.power_law",

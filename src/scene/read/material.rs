@@ -16,7 +16,7 @@ const FRACTION_SLACK: f64 = 1e-9;
 pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMaterial, SceneError> {
     let table = top.required_table("material", "every problem has a deformable solid")?;
     let poisson_ratio = table.number("poisson_ratio")?;
-    let shift = material_source::shift(&table, document)?;
+    let (shift, mut notes) = material_source::shift(&table, document)?;
     let reference = table.number("reference_temperature")?;
     let way = table.at_most_one(&["creep", "relaxation", "data", "power_law", "fractional_zener"])?;
     belonging(&table, way)?;
@@ -47,8 +47,11 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         );
         return Err(table.wrong("relaxed_modulus", message, "must be 1 (or left out)").help("or write the scene in SI units"));
     }
+    if let MaterialOrigin::Data(fitted) = &origin {
+        notes.extend(fitted.data.notes.iter().cloned());
+    }
     let (series, climate) = material_source::at_temperature(&table, shift, &origin, reference, series)?;
-    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate })
+    Ok(SceneMaterial { name: table.text("name").map(str::to_owned), series, poisson_ratio, origin, climate, notes })
 }
 
 /// Refuses keys that belong to data or to a law where there is none, and moduli beside data.

@@ -1,7 +1,7 @@
 //! Laws with a continuous spectrum, shift factors, and the temperature of a material.
 
-use super::material_table::shift_table;
 use super::section::Section;
+use super::shift_table::shift_table;
 use crate::material::Material;
 use crate::material::broad::{BroadKind, BroadLaw, expand};
 use crate::material::shift::ShiftFactors;
@@ -59,21 +59,22 @@ pub(super) enum Shift {
     },
 }
 
-/// The shift of the material.
-pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Shift, SceneError> {
-    let Some(shift) = table.table("shift") else { return Ok(Shift::None) };
+/// The shift of the material, and what was chosen in reading it.
+pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<(Shift, Vec<String>), SceneError> {
+    let Some(shift) = table.table("shift") else { return Ok((Shift::None, Vec::new())) };
     if let Some(word) = table.text("shift") {
         if table.node().get("data").is_none() {
             let message = format!("`material.shift` = {word:?} finds the factors from material.data, and there is none");
             return Err(table.wrong("shift", message, "give factors by wlf, arrhenius, factors or table"));
         }
-        return Ok(Shift::Automatic { vertical: word == "automatic_with_vertical" });
+        return Ok((Shift::Automatic { vertical: word == "automatic_with_vertical" }, Vec::new()));
     }
     if table.units() == Units::Reduced {
         return Err(table.wrong("shift", "`material.shift` needs temperatures, and a scene in reduced units has none", "leave it out"));
     }
     let reference = || table.required_number("reference_temperature");
-    Ok(Shift::Given(match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
+    let mut notes = Vec::new();
+    let factors = match shift.exactly_one(&["wlf", "arrhenius", "factors", "table"])? {
         "wlf" => {
             let Some(wlf) = shift.table("wlf") else { return Err(shift.missing("wlf")) };
             ShiftFactors::WilliamsLandelFerry { c1: wlf.required_number("c1")?, c2: wlf.required_number("c2")?, reference: reference()? }
@@ -90,8 +91,13 @@ pub(super) fn shift(table: &Section<'_>, document: &Document) -> Result<Shift, S
             points.sort_by(|left, right| left.0.total_cmp(&right.0));
             table_of(&shift, "factors", points, reference()?)?
         }
-        _ => table_of(&shift, "table", shift_table(&shift, document)?, reference()?)?,
-    }))
+        _ => {
+            let table = shift_table(&shift, document)?;
+            notes = table.notes;
+            table_of(&shift, "table", table.points, reference()?)?
+        }
+    };
+    Ok((Shift::Given(factors), notes))
 }
 
 /// Factors of at least two different temperatures, divided by that at the reference temperature: a table may be relative to any temperature of its own.

@@ -1,20 +1,27 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
+mod column_names;
+mod column_units;
 mod crack;
 mod crack_history;
 pub mod history;
 mod include;
 mod indentation;
 mod material;
+mod material_choice;
 mod material_columns;
 mod material_data;
 pub(super) mod material_memo;
+mod material_rows;
 mod material_shift;
 mod material_source;
+mod material_strain;
 mod material_table;
+mod material_taking;
 mod measured_table;
 mod section;
 mod shape_points;
+mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
@@ -136,6 +143,17 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     let material = material::read(&top, document)?;
     top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
     Ok(material)
+}
+
+/// Reads the table of `material.data` as rows in SI units, before a series is fitted to them; none if the material has no table.
+///
+/// # Errors
+/// The first thing that is wrong with it.
+pub fn read_material_table(document: &Document) -> Result<Option<super::typed::MaterialData>, SceneError> {
+    check(&document.root)?;
+    let top = Section::top(&document.root, Units::of(&document.root));
+    let Some(table) = top.table("material").filter(|table| table.node().get("data").is_some()) else { return Ok(None) };
+    material_table::material_data(&table, document, table.number("poisson_ratio")?).map(Some)
 }
 
 /// The one problem table of a scene.

@@ -1,4 +1,4 @@
-//! `adhesion.by_speed.file`: a table of works of adhesion over speed in a CSV file, put where the key stands.
+//! `adhesion.by_speed.file`: a table of works of adhesion over speed, put where the key stands.
 //!
 //! ```text
 //! # any line that begins so is a comment
@@ -6,13 +6,17 @@
 //! 1e-6, 0.05, 0.03                                                  numbers in SI (or reduced) units, or with a unit, as in a scene
 //! 10 µm/s, 80 mJ/m², 31 mJ/m²
 //! ```
+//! A unit may stand in the header, too, as in other tables: `speed (µm/s)`.
 
-use crate::scene::diagnostic::{Place, SceneError, SourceText};
-use crate::scene::document::{Document, Entry, Node, Value, read_text};
-use std::ops::Range;
+use super::column_names::split;
+use crate::scene::catalogue;
+use crate::scene::delimited::{Block, Cell, DelimitedTable, Options, Scale, bare_unit};
+use crate::scene::diagnostic::{SceneError, SourceText};
+use crate::scene::document::{Document, Entry, Node, Value};
 
 /// More lines than these are no table that a person made.
 const MOST_LINES: usize = 10_000;
+const HELP: &str = "the header is such as: speed (µm/s), work_of_adhesion (mJ/m²)";
 
 /// Replaces `adhesion.by_speed.file` by the entries of that file, as `adhesion.by_speed.table`.
 pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
@@ -23,13 +27,9 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
         let message = "`adhesion.by_speed.file` and `adhesion.by_speed.table` exclude each other";
         return Err(SceneError::at(&place, message, "leave one of the two out"));
     }
-    let text = read_text(&document.folder().join(&name)).map_err(|error| {
-        SceneError::at(&place, format!("`adhesion.by_speed.file` = {name:?} cannot be read: {error}"), "this file")
-            .help("relative paths start at the scene")
-    })?;
-    let source = SourceText::new(&name, text);
+    document.attach_table("adhesion.by_speed.file", &name, &place)?;
+    let Some(source) = document.attached(&name).cloned() else { return Ok(()) };
     let list = Node { value: Value::List(entries(&source)?), place: place.clone() };
-    document.add_to_hash(&source);
     if let Some(Value::Table(given)) = value_at(&mut document.root, &["adhesion", "by_speed"]) {
         given.retain(|entry| entry.key != "file");
         given.push(Entry { key: "table".into(), key_place: place, node: list });
@@ -45,56 +45,59 @@ fn value_at<'a>(node: &'a mut Node, path: &[&str]) -> Option<&'a mut Value> {
     }
 }
 
-/// The lines as tables, by the names of the first one.
+/// The rows as tables, by the names of the header.
 fn entries(source: &SourceText) -> Result<Vec<Node>, SceneError> {
-    let place = |span: Range<usize>| Place { source: source.clone(), span };
-    let (mut names, mut found): (Vec<(String, Place)>, Vec<Node>) = (Vec::new(), Vec::new());
-    let mut start = 0;
-    for line in source.text().split_inclusive('\n') {
-        let begin = start;
-        start += line.len();
-        if line.trim().is_empty() || line.trim_start().starts_with('#') {
-            continue;
+    let table = DelimitedTable::read(source, &Options { help: HELP, quantities: true })?;
+    let mut found: Vec<Node> = Vec::new();
+    for block in table.blocks() {
+        let names = names(&table, block);
+        for row in table.rows(block) {
+            let whole = table.row_place(row);
+            if found.len() == MOST_LINES {
+                return Err(SceneError::at(&whole, format!("{:?} has more than {MOST_LINES} lines", source.name()), "make it shorter"));
+            }
+            let members = names
+                .iter()
+                .zip(row)
+                .map(|(name, cell)| Entry {
+                    key: name.key.clone(),
+                    key_place: table.place(name.cell),
+                    node: Node { value: value(&table, *cell, name.unit.as_deref()), place: table.place(*cell) },
+                })
+                .collect();
+            found.push(Node { value: Value::Table(members), place: whole });
         }
-        let line = line.trim_end_matches(['\n', '\r']);
-        let whole = place(begin..begin + line.len());
-        let cells = cells(line, begin).into_iter().map(|(text, span)| (text.to_owned(), place(span))).collect::<Vec<_>>();
-        if names.is_empty() {
-            names = cells;
-            continue;
-        }
-        if cells.len() != names.len() {
-            let message = format!("a line of {:?} has {} cells, its first one {}", source.name(), cells.len(), names.len());
-            return Err(SceneError::at(&whole, message, "this line"));
-        }
-        if found.len() == MOST_LINES {
-            return Err(SceneError::at(&whole, format!("{:?} has more than {MOST_LINES} lines", source.name()), "make it shorter"));
-        }
-        let members = names
-            .iter()
-            .zip(cells)
-            .map(|((key, key_place), (text, cell))| {
-                let value = text.parse().map_or(Value::Text(text), Value::Number);
-                Entry { key: key.clone(), key_place: key_place.clone(), node: Node { value, place: cell } }
-            })
-            .collect();
-        found.push(Node { value: Value::Table(members), place: whole });
-    }
-    if found.is_empty() {
-        let message = format!("{:?} holds no line of numbers below its first line, which names its columns", source.name());
-        return Err(SceneError::at(&place(0..0), message, "in this file"));
     }
     Ok(found)
 }
 
-/// The cells of a line with their places, without the blanks around them.
-fn cells(line: &str, begin: usize) -> Vec<(&str, Range<usize>)> {
-    let mut place = begin;
-    line.split(',')
-        .map(|cell| {
-            let start = place + (cell.len() - cell.trim_start().len());
-            place += cell.len() + 1;
-            (cell.trim(), start..start + cell.trim().len())
-        })
-        .collect()
+/// A column: the key that its cells stand for, and its unit, if the header has one.
+struct Name {
+    key: String,
+    cell: Cell,
+    unit: Option<String>,
+}
+
+fn names(table: &DelimitedTable, block: &Block) -> Vec<Name> {
+    let known = |name: &str| catalogue::key(&format!("adhesion.by_speed.table[].{}", name.replace(' ', "_"))).is_some();
+    let name = |(index, cell): (usize, &Cell)| {
+        let below = block.units.get(index).map(|cell| table.text(*cell).into_owned());
+        let (key, own) = split(&table.text(*cell), known);
+        let unit = own.or(below).map(|unit| bare_unit(&unit).to_owned()).filter(|unit| !unit.is_empty());
+        Name { key: key.replace(' ', "_"), cell: *cell, unit }
+    };
+    block.header.iter().enumerate().map(name).collect()
+}
+
+/// A number, with its unit if there is one, or the text of a cell that is none: the check of the scene reads it, or refuses it.
+fn value(table: &DelimitedTable, cell: Cell, unit: Option<&str>) -> Value {
+    match (table.number(cell, &Scale::ONE, &mut String::new()), unit) {
+        (Some(value), None) => Value::Number(value),
+        (Some(value), Some(unit)) => Value::Text(format!("{value:e} {unit}")),
+        (None, _) => {
+            let text = table.text(cell);
+            let spelt = DelimitedTable::quantity(&text).map(|(digits, unit)| format!("{digits} {unit}"));
+            Value::Text(spelt.unwrap_or_else(|| text.into_owned()))
+        }
+    }
 }

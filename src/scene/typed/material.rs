@@ -54,6 +54,8 @@ pub struct MaterialData {
     pub rows: Vec<MeasuredRow>,
     /// What is odd about it, a sentence each.
     pub warnings: Vec<String>,
+    /// What was chosen in reading it, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// A series fitted to a table.
