@@ -151,7 +151,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         .chain([("shift factor a_T", found.shifts), (CONSTANTS, found.constants)]);
     for (name, tally) in rows {
         // Both constants of a solid are one number nearly.
-        let [low, high] = if name == CONSTANTS { effort.choose([0.8, 1.0], [0.91, 0.99]) } else { [low, high] };
+        let [low, high] = if name == CONSTANTS { effort.choose([0.8, 1.0], [0.91, 1.0]) } else { [low, high] };
         let covered = tally.coverage();
         table.rows.push(vec![
             word(name),
