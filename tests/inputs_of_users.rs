@@ -164,7 +164,7 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
                 }
             };
             // Of zero the tolerance is absolute.
-            let scale = if right == 0.0 { 1.0 } else { right.abs() };
+            let scale = if right.abs() > 0.0 { right.abs() } else { 1.0 };
             let fits = (found - right).abs() <= wanted["tolerance"].as_f64().unwrap() * scale;
             println!("{input}: {found:e}, right: {right:e} ({})", wanted["why"].as_str().unwrap());
             (!fits).then(|| format!("{input}: {found:e} instead of {right:e}, {wanted}"))

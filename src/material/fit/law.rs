@@ -68,9 +68,9 @@ fn product(left: &[f64], right: &[f64]) -> f64 {
     left.iter().zip(right).map(|(one, other)| one * other).sum()
 }
 
-/// What errors are multiplied by: two deviations, more where the law misses the factors.
+/// What errors are multiplied by: two deviations, more where the law misses the factors by more than chance.
 fn stretch(square: Option<f64>) -> f64 {
-    2.0 * square.map_or(1.0, |square| square.max(1.0).sqrt())
+    2.0 * square.filter(|square| *square > FOLLOWS).map_or(1.0, f64::sqrt)
 }
 
 fn decades(points: &[(f64, f64)], law: impl Fn(f64) -> f64) -> f64 {
