@@ -24,8 +24,12 @@ pub(super) fn draws(
     let given = match origin {
         MaterialOrigin::Data(fitted) => {
             let refused = |refusal| wrong(format!("the fit's error cannot be propagated: {refusal}"), "leave it out");
-            let drawn = fitted.fit.draws(DRAWS, SEED).map_err(refused)?;
+            // Factors that were found from the data are drawn with the series; given ones are exact.
+            if let (Some(superposition), Some(climate)) = (&fitted.superposition, climate) {
+                return superposition.draws_at(climate.temperature, DRAWS, SEED).map(|all| Some(all.into())).map_err(refused);
+            }
             let factor = climate.map_or(1.0, |climate| climate.factor);
+            let drawn = fitted.fit.draws(DRAWS, SEED).map_err(refused)?;
             return drawn
                 .iter()
                 .map(|series| series.slowed(factor))
