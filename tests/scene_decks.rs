@@ -60,7 +60,7 @@ fn last_row(scene: &str) -> std::collections::HashMap<String, f64> {
     let text = std::fs::read_to_string(folder.path("out").join("states.csv")).unwrap();
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<String> = lines.next().unwrap().split(',').map(|name| name.split(' ').next().unwrap().to_owned()).collect();
-    names.into_iter().zip(lines.last().unwrap().split(',')).filter_map(|(name, word)| Some((name, word.parse().ok()?))).collect()
+    names.into_iter().zip(lines.next_back().unwrap().split(',')).filter_map(|(name, word)| Some((name, word.parse().ok()?))).collect()
 }
 
 #[test]

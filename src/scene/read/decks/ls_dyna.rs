@@ -166,7 +166,9 @@ fn general(source: &DeckSource<'_>, block: &Block<'_>, notes: &mut Vec<String>) 
         (true, false) => Relaxing::constant(source.pressure(bulk)?),
         (false, true) if lasting_bulk == 0.0 => {
             let help = "a solid keeps a bulk modulus: add a card whose KI does not decay, for example 0.0,0.0,900.0,0.0";
-            return Err(source.wrong(&block.keyword, "every KI decays, so nothing holds the volume in the end", "this material").help(help));
+            return Err(source
+                .wrong(&block.keyword, "every KI decays, so nothing holds the volume in the end", "this material")
+                .help(help));
         }
         (false, true) => Relaxing { modulus: lasting_bulk, moduli: Moduli::LongTerm, strength: Strength::Modulus, terms: volume },
         (true, true) => {
