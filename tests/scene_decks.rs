@@ -60,7 +60,7 @@ fn last_row(scene: &str) -> std::collections::HashMap<String, f64> {
     let text = std::fs::read_to_string(folder.path("out").join("states.csv")).unwrap();
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<String> = lines.next().unwrap().split(',').map(|name| name.split(' ').next().unwrap().to_owned()).collect();
-    names.into_iter().zip(lines.last().unwrap().split(',')).filter_map(|(name, word)| Some((name, word.parse().ok()?))).collect()
+    names.into_iter().zip(lines.next_back().unwrap().split(',')).filter_map(|(name, word)| Some((name, word.parse().ok()?))).collect()
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn every_problem_sees_its_own_modulus() {
     let [relaxed, glassy] = ends();
     // The balance of an opening crack is K²⟨J⟩ = work: K²/work is the glassy modulus of its plane state when fast, the relaxed one when slow.
     for (plane, index) in [("stress", 0), ("strain", 1)] {
-        for (speed, modulus) in [("1e9 m/s", glassy[index]), ("1e-12 m/s", relaxed[index])] {
+        for (speed, modulus) in [("1e9 m/s", glassy[index]), ("1e-17 m/s", relaxed[index])] {
             let scene = format!(
                 "accuracy = 1e-10\n{KEYS}[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = {{ length = 1e-7 }}\n[crack]\nmotion = \"opening\"\nbody = \"two_halves\"\nplane = \"{plane}\"\ntheories = [\"virtual_work\"]\nspeed = \"{speed}\"\n"
             );
@@ -157,7 +157,7 @@ fn every_problem_sees_its_own_modulus() {
 fn a_strip_needs_a_constant_poisson_ratio_and_its_remedies_work() {
     let scene = |material: &str, lateral: &str, plane: &str| {
         format!(
-            "{material}[adhesion]\nwork_of_adhesion = 50.0\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nmotion = \"opening\"\nbody = \"two_halves\"\nplane = \"{plane}\"\ntheories = [\"virtual_work\"]\nstrip = {{ half_height = 0.01, strain = 0.1{lateral} }}\n"
+            "{material}[adhesion]\nwork_of_adhesion = 100.0\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nmotion = \"opening\"\nbody = \"two_halves\"\nplane = \"{plane}\"\ntheories = [\"virtual_work\"]\nstrip = {{ half_height = 0.01, strain = 0.1{lateral} }}\n"
         )
     };
     let call = |text: String| {
@@ -231,7 +231,14 @@ fn remedies_work_when_pasted() {
         (UNITS, ansys.replace(",,2,", ",,3,"), "make both agree", ",,3,", ",,2,"),
         (UNITS, dyna.replace("\n\n", "\n"), "put an empty line above it", "0.8,20.", "\n0.8,20."),
         (UNITS, dyna.replace("1500.", "0."), "must be greater than 0", "0.\n\n", "1500.\n\n"),
-        (UNITS, dyna.replace("0.8,20.", "0.8,20.,900.,3."), "set BULK to 0", "1500.", "0."),
+        (
+            UNITS,
+            dyna.replace("1500.", "").replace("0.8,20.", "0.8,20.,900.,3."),
+            "0.0,0.0,900.0,0.0",
+            "0.25,0.",
+            "0.25,0.\n0.0,0.0,900.0,0.0",
+        ),
+        (UNITS, dyna.replace("0.8,20.", "0.8,20.,900.,3.").replace("0.25,0.", "0.25,0.,600.,0."), "set BULK to 0", "1500.", "0."),
         (UNITS, dyna.replace("1,1e-9,1500.", "1 1e-9 1500."), "write commas", "1 1e-9 1500.", "1,1e-9,1500."),
         ("accuracy=1e-3", comsol.replace("tau1 30[ms]\n", ""), "add a line: tau1 1[s]", "G1 0.9[MPa]\n", "G1 0.9[MPa]\ntau1 1[s]\n"),
         ("accuracy=1e-3", comsol.replace("[MPa]\nnu", "[s]\nnu"), "[Pa] or [MPa]", "3[s]", "3[MPa]"),

@@ -37,6 +37,8 @@ const NO_EFFECT: &[(&str, &str, &str)] = &[
         "data",
         "temperatures of an isotherm are equal there; tests/material_tables.rs has some that wander",
     ),
+    ("material.deck_material", "deck of ANSYS", "the number of the only material is compared with the deck's, and changes nothing"),
+    ("material.deck_material", "deck of LS-DYNA", "the number of the only material is compared with the deck's, and changes nothing"),
     ("material.columns.of", "data", "tension is the default; tests/material_tables.rs has shear"),
     ("sliding.reached_by", "", "one contact is stable there: which one of several is meant matters to few states"),
     ("sliding.branch.parameter", "branch of all loads", "every contact of a speed is one curve, whatever it is followed by"),

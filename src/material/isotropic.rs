@@ -119,10 +119,10 @@ fn joined(shear: &Material, bulk: &Material) -> Vec<Joint> {
 /// 9KG/(3K + G) for `multiple` 1, and 4G(3K + G)/(3K + 4G) for 4, of two elastic numbers.
 fn elastic(shear: f64, bulk: f64, multiple: f64) -> f64 {
     // Ratios, so that no product of two moduli can overflow.
-    if multiple == 1.0 {
-        9.0 * bulk * (shear / (3.0 * bulk + shear))
-    } else {
+    if multiple > 1.0 {
         4.0 * shear * ((3.0 * bulk + shear) / (3.0 * bulk + 4.0 * shear))
+    } else {
+        9.0 * bulk * (shear / (3.0 * bulk + shear))
     }
 }
 

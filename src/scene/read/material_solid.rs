@@ -112,7 +112,11 @@ impl Solid {
                 Ok(MadeSolid { youngs, poisson_ratio: Some(*ratio), isotropic: None })
             }
             Volume::Bulk(bulk) => {
-                let isotropic = IsotropicSolid::new(shear, bulk.series("bulk modulus")?).map_err(refused)?;
+                let bulk = bulk.series("bulk modulus")?;
+                if bulk.relaxed_modulus() == 0.0 {
+                    return Err("the bulk modulus relaxes to zero: its terms must leave a long-term part".to_owned());
+                }
+                let isotropic = IsotropicSolid::new(shear, bulk).map_err(refused)?;
                 Ok(MadeSolid { youngs: isotropic.youngs().clone(), poisson_ratio: None, isotropic: Some(isotropic) })
             }
         }

@@ -38,7 +38,7 @@ pub(super) fn parse(source: &DeckSource<'_>) -> Result<Deck, SceneError> {
     let block = source.chosen(&blocks, |block| vec![block.number.clone()], "TB,PRONY and MP,EX of a material")?;
     let property = |name: &str| block.properties.iter().rev().find(|(key, ..)| key == name);
     let ratio = match (property("NUXY"), property("PRXY")) {
-        (Some((_, minor, _)), Some((_, major, line))) if minor != major => {
+        (Some((_, minor, _)), Some((_, major, line))) if (minor - major).abs() > 0.0 => {
             return Err(source.wrong(line, format!("NUXY = {minor} and PRXY = {major} differ"), "the solid must be isotropic"));
         }
         (Some((_, ratio, line)), _) | (None, Some((_, ratio, line))) => source.ratio(line, &ratio.to_string(), "Poisson's ratio")?,

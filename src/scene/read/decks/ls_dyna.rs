@@ -164,6 +164,12 @@ fn general(source: &DeckSource<'_>, block: &Block<'_>, notes: &mut Vec<String>) 
     let by_terms = !volume.is_empty() || lasting_bulk > 0.0;
     let bulk = match (bulk > 0.0, by_terms) {
         (true, false) => Relaxing::constant(source.pressure(bulk)?),
+        (false, true) if lasting_bulk == 0.0 => {
+            let help = "a solid keeps a bulk modulus: add a card whose KI does not decay, for example 0.0,0.0,900.0,0.0";
+            return Err(source
+                .wrong(&block.keyword, "every KI decays, so nothing holds the volume in the end", "this material")
+                .help(help));
+        }
         (false, true) => Relaxing { modulus: lasting_bulk, moduli: Moduli::LongTerm, strength: Strength::Modulus, terms: volume },
         (true, true) => {
             let help = "set BULK to 0 if the KI are the whole bulk modulus, or leave KI and BETAKI out if it is constant";

@@ -134,7 +134,7 @@ fn by_youngs(modulus: f64, ratio: f64, moduli: Moduli, shear: Vec<(f64, f64)>, b
     let of = |modulus: f64, terms: Vec<(f64, f64)>| Relaxing { modulus, moduli, strength: Strength::Fraction, terms };
     // Both moduli relax alike: Poisson's ratio is constant. Without a term the solid is elastic.
     let alike = shear == bulk;
-    let volume = if alike || (ratio == 0.5 && bulk.is_empty()) {
+    let volume = if alike || (ratio >= 0.5 && bulk.is_empty()) {
         Volume::PoissonRatio(ratio)
     } else if ratio < 0.5 {
         Volume::Bulk(of(modulus / (3.0 * (1.0 - 2.0 * ratio)), bulk))
