@@ -42,10 +42,11 @@ fn is_table(path: &Path) -> bool {
 }
 
 fn report(asked: &Asked<'_>) -> Result<MaterialReport, SceneError> {
-    let is_data = asked.file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     let name = asked.file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    // A deck is known by what it holds.
-    let deck = if is_data { None } else { recognised_file(asked.file) };
+    // A deck is known by what it holds, and so is a table of another name than .csv.
+    let csv = asked.file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    let deck = if csv { None } else { recognised_file(asked.file) };
+    let is_data = deck.is_none() && is_table(asked.file);
     let mut document = if is_data || deck.is_some() {
         let key = deck.unwrap_or("data");
         let text = format!("[material]\n{key} = {}\n", crate::scene::document::toml_text(&name));
