@@ -96,9 +96,10 @@ fn what_a_panel_leaves_is_within_the_bound() {
     }
 }
 
-/// Instants along a ramp are looked at on the way; where energies are added up, the line is gone along from one to the next.
+/// Instants are looked at on the way through a segment. Each is the end of a history that stops there.
 #[test]
-fn instants_on_the_way_are_those_gone_to_one_by_one() {
+fn instants_on_the_way_are_the_ends_of_shorter_histories() {
+    const INSTANTS: u32 = 35;
     let one = Material::standard_solid(2.0, 30.0, 0.7).unwrap();
     let terms = [(3.0, 0.01), (1.5, 0.4), (5.0, 20.0)].map(|(modulus, relaxation_time)| RelaxationTerm { modulus, relaxation_time });
     let three = Material::from_relaxation(0.4, &terms).unwrap();
@@ -110,23 +111,51 @@ fn instants_on_the_way_are_those_gone_to_one_by_one() {
         Profile::FlatPunch { radius: 0.2 },
         Profile::table(&table).unwrap(),
     ];
+    // What is given at the end of each segment, over a scale; and how long the segment takes.
+    let legs = [(0.02, 2.0), (0.02, 1.5), (0.008, 0.5), (0.012, 3.0), (-0.01, 1.0), (0.0151, 4.0)];
+    let controls: [(Controlled, f64); 3] = [(Controlled::Penetration, 1.0), (Controlled::Force, 0.3), (Controlled::Frame, 1.4)];
+    let mut compared = 0;
     for (material, profile) in [&one, &three, &elastic].into_iter().flat_map(|material| shapes.iter().map(move |shape| (material, shape))) {
-        let history = History::penetration(0.0).ramp(0.02, 2.0).ramp(0.008, 0.5).ramp(0.012, 3.0).ramp(-0.01, 1.0).ramp(0.0151, 4.0);
-        let problem = IndentationProblem::new(profile.clone(), None, history);
-        let problem = IndentationProblem { instants_per_segment: 70, accuracy: 1e-6, ..problem };
-        let looked = run(material, &problem).unwrap();
-        let gone = run(material, &IndentationProblem { energies: true, ..problem.clone() }).unwrap();
-        assert!(looked.reached && gone.reached && looked.events.len() == gone.events.len());
-        assert!(looked.work.closure_evaluations * 10 < gone.work.closure_evaluations, "{:?} {:?}", looked.work, gone.work);
-        assert_eq!(looked.instants.len(), gone.instants.len());
-        for (on_the_way, one_by_one) in looked.instants.iter().zip(&gone.instants) {
-            let pair = [on_the_way, one_by_one];
-            assert!((pair[0].time - pair[1].time).abs() < 1e-13 * pair[1].time.max(1.0));
-            for [one, other] in [pair.map(|at| at.penetration), pair.map(|at| at.force), pair.map(|at| at.contact_radius)] {
-                assert!((one.value - other.value).abs() <= one.error + other.error, "{} {one:?} {other:?}", pair[0].time);
+        for (controlled, scale) in controls {
+            // The first segments, of the last of them a share.
+            let part = |segments: usize, share: f64| {
+                let before = |index: usize| if index == 0 { 0.0 } else { legs[index - 1].0 };
+                (0..segments).fold(History::from(controlled, 0.0), |history, index| {
+                    let (end, duration) = legs[index];
+                    let share = if index + 1 == segments { share } else { 1.0 };
+                    history.then(controlled, scale * (before(index) + (end - before(index)) * share), duration * share)
+                })
+            };
+            let problem = |history: History, energies: bool, instants_per_segment: u32| {
+                let frame_stiffness = (controlled == Controlled::Frame).then_some(0.4);
+                let problem = IndentationProblem::new(profile.clone(), None, history);
+                IndentationProblem { frame_stiffness, energies, instants_per_segment, accuracy: 1e-6, ..problem }
+            };
+            for energies in [false, true] {
+                let whole = run(material, &problem(part(legs.len(), 1.0), energies, INSTANTS)).unwrap();
+                assert!(whole.reached && whole.instants.len() == 1 + legs.len() * INSTANTS as usize);
+                for (segment, instant) in [(0, 12), (1, 1), (2, 20), (3, 34), (4, 3), (5, 30)] {
+                    let shorter =
+                        run(material, &problem(part(segment + 1, f64::from(instant) / f64::from(INSTANTS)), energies, 1)).unwrap();
+                    let pair = [whole.instants[segment * INSTANTS as usize + instant as usize], *shorter.instants.last().unwrap()];
+                    assert!((pair[0].time - pair[1].time).abs() < 1e-12 * pair[1].time);
+                    let mut numbers = vec![pair.map(|at| at.penetration), pair.map(|at| at.force), pair.map(|at| at.contact_radius)];
+                    if energies {
+                        numbers.extend((0..4).map(|k| pair.map(|at| at.energies.unwrap()[k])));
+                    }
+                    // A given depth is not known worse than it can be written.
+                    let rounding = 4.0 * f64::EPSILON;
+                    for (index, [on_the_way, at_the_end]) in numbers.into_iter().enumerate() {
+                        let away = (on_the_way.value - at_the_end.value).abs();
+                        let allowed = on_the_way.error + at_the_end.error + rounding * at_the_end.value.abs();
+                        assert!(away <= allowed, "{controlled:?} {profile:?} {segment} {instant} {index}: {on_the_way:?} {at_the_end:?}");
+                        compared += 1;
+                    }
+                }
             }
         }
     }
+    assert!(compared >= 2000);
 }
 
 /// Accuracy costs: panels of the time and places of the line, by what is asked for.
@@ -141,7 +170,7 @@ fn less_accuracy_takes_less_work() {
         [solution.work.closure_evaluations, solution.work.history_updates]
     };
     let [little, usual, most] = [1e-3, 1e-6, 1e-8].map(work);
-    assert!(little[0] <= 95 && usual[0] <= 125 && most[0] <= 185, "{little:?} {usual:?} {most:?}");
+    assert!(little[0] <= 95 && usual[0] <= 125 && most[0] <= 200, "{little:?} {usual:?} {most:?}");
     assert!(3 * little[1] < 2 * usual[1] && 3 * usual[1] < 2 * most[1], "{little:?} {usual:?} {most:?}");
 }
 

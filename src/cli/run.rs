@@ -1,7 +1,7 @@
 //! `viscotack run`: solve a scene.
 
 use super::scene_source::SceneSource;
-use super::{Failure, SceneArguments, print};
+use super::{Failure, SceneArguments, print, print_with};
 use crate::outcome::folder::RunFolder;
 use crate::outcome::{screen, summary};
 use crate::plan::{self, Safe, Stage};
@@ -38,11 +38,16 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
     bar.finish_and_clear();
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
     if json {
-        print(&format!("{:#}\n", summary::summary(&outcome)))?;
+        print_with(|out| summary::write_whole(&outcome, &mut *out).map_err(Into::into).and_then(|()| out.write_all(b"\n")))?;
     } else {
         print(&screen::render(&outcome))?;
         match (out, files) {
-            (Some(target), Some(files)) => print(&format!("wrote      {}: {}\n", target.display(), files.join(", ")))?,
+            (Some(target), Some(files)) => {
+                let omitted = summary::omitted(&outcome);
+                let note =
+                    if omitted > 0 { format!(" (summary.json without its {omitted} rows, which states.csv holds)") } else { String::new() };
+                print(&format!("wrote      {}: {}{note}\n", target.display(), files.join(", ")))?;
+            }
             _ => print("(nothing written; add --out DIR for summary.json, tables and plots)\n")?,
         }
     }

@@ -132,9 +132,10 @@ impl RunFolder {
             Ok(())
         };
         let csv_error = |error: csv::Error| FolderError::Io { path: "table".into(), error: error.to_string() };
-        let mut text = serde_json::to_string_pretty(&summary::summary(outcome)).map_err(|error| io(&target)(error.into()))?;
-        text.push('\n');
-        write(SUMMARY, text.as_bytes())?;
+        let mut text = Vec::new();
+        summary::write_short(outcome, &mut text).map_err(|error| io(&target)(error.into()))?;
+        text.push(b'\n');
+        write(SUMMARY, &text)?;
         write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
         if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
             write("fields.csv", &fields)?;

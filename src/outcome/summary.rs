@@ -1,15 +1,73 @@
-//! summary.json: the whole outcome but the bulk of a sweep's rows, which stand in the CSV.
+//! summary.json: the whole outcome. Rows are written one by one, so that a long sweep needs no memory for them.
 
 use super::{Outcome, Row, Status};
 use crate::estimate::Estimate;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
-/// Most rows written into the summary; longer sweeps are in the CSV only.
-const MOST_ROWS: usize = 64;
+/// Most rows in `summary.json`. It says so where there are more, which only the CSV file holds.
+const MOST_ROWS: usize = 10_000;
 
-/// The summary as JSON. Two runs of the same scene by the same build give the same bytes.
+/// The summary with all rows, as pretty JSON, row after row. Two runs of the same scene by the same build give the same bytes.
+///
+/// # Errors
+/// A writer that refuses.
+pub fn write_whole(outcome: &Outcome, writer: impl std::io::Write) -> Result<(), serde_json::Error> {
+    serde_json::to_writer_pretty(writer, &Summary { head: head(outcome), results: Results { outcome, most: usize::MAX } })
+}
+
+/// The same for a folder that holds all rows in `states.csv`, too: with no rows where there are very many.
+///
+/// # Errors
+/// A writer that refuses.
+pub fn write_short(outcome: &Outcome, writer: impl std::io::Write) -> Result<(), serde_json::Error> {
+    let mut head = head(outcome);
+    let omitted = omitted(outcome);
+    if let (true, Some(rows)) = (omitted > 0, head.get_mut("rows").and_then(Value::as_object_mut)) {
+        rows.insert("omitted".into(), omitted.into());
+        rows.insert("omitted_rows_are_in".into(), "states.csv".into());
+    }
+    serde_json::to_writer_pretty(writer, &Summary { head, results: Results { outcome, most: MOST_ROWS } })
+}
+
+/// Rows that `summary.json` leaves out.
+#[must_use]
+pub fn omitted(outcome: &Outcome) -> usize {
+    if outcome.rows.len() > MOST_ROWS { outcome.rows.len() } else { 0 }
+}
+
+/// The summary with all rows, as a value.
 #[must_use]
 pub fn summary(outcome: &Outcome) -> Value {
+    let mut summary = head(outcome);
+    if let Some(members) = summary.as_object_mut() {
+        members.insert("results".into(), outcome.rows.iter().map(|row| result(outcome, row)).collect());
+    }
+    summary
+}
+
+#[derive(Serialize)]
+struct Summary<'o> {
+    #[serde(flatten)]
+    head: Value,
+    results: Results<'o>,
+}
+
+/// Rows, made one by one as they are written.
+struct Results<'o> {
+    outcome: &'o Outcome,
+    most: usize,
+}
+
+impl Serialize for Results<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rows = if self.outcome.rows.len() <= self.most { self.outcome.rows.as_slice() } else { &[] };
+        serializer.collect_seq(rows.iter().map(|row| result(self.outcome, row)))
+    }
+}
+
+/// All but the rows.
+fn head(outcome: &Outcome) -> Value {
     let count = |status: Status| outcome.rows.iter().filter(|row| row.status == status).count();
     json!({
         "title": outcome.title,
@@ -40,7 +98,6 @@ pub fn summary(outcome: &Outcome) -> Value {
             "not_converged": count(Status::NotConverged),
             "inadmissible": count(Status::Inadmissible),
         },
-        "results": if outcome.rows.len() <= MOST_ROWS { outcome.rows.iter().map(|row| result(outcome, row)).collect() } else { Vec::new() },
     })
 }
 

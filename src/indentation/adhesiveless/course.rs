@@ -4,6 +4,7 @@ use super::chain::Chain;
 use super::fresh::Fresh;
 use super::ledger::Sums;
 use super::line::Line;
+use super::motions::Wanted;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::meter::Meter;
@@ -174,15 +175,14 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// The segments from one on through which a penetration goes on at one pace, where nothing is added up between instants.
+    /// The segments from one on through which a penetration goes on at one pace.
     fn goes_on(&self, index: usize, from: f64) -> &'a [Segment] {
         let rest = self.problem.history.segments.get(index..).unwrap_or(&[]);
-        let steady =
-            |segment: &Segment| segment.controlled == Controlled::Penetration && segment.oscillation.is_none() && segment.duration > 0.0;
-        let Some(first) = rest.first().filter(|first| steady(first) && !self.adds_up() && self.until.is_infinite()) else { return &[] };
+        let Some(first) = rest.first().filter(|_| self.until.is_infinite()) else { return &[] };
+        let steady = |segment: &Segment| segment.controlled == first.controlled && segment.oscillation.is_none() && segment.duration > 0.0;
         let rate = (first.end - from) / first.duration;
         // What is held relaxes until rounding is left, which tells no way of the edge for long.
-        if first.end.to_bits() == from.to_bits() {
+        if first.controlled == Controlled::Penetration && first.end.to_bits() == from.to_bits() {
             return &[];
         }
         let mut last = from;
@@ -202,7 +202,8 @@ impl<'a> Course<'a> {
         for segment in segments {
             for k in 1..=instants {
                 let time = segment.duration * if k == instants { 1.0 } else { f64::from(k) / f64::from(instants) };
-                wanted.push((passed + time, segment.value(value, time)));
+                let penetration = (segment.controlled == Controlled::Penetration).then(|| segment.value(value, time));
+                wanted.push(Wanted { time: passed + time, penetration });
             }
             (passed, value) = (passed + segment.duration, segment.end);
         }
@@ -210,8 +211,7 @@ impl<'a> Course<'a> {
         let stretch = Stretch { from, segment: Segment { duration: passed, end: last.end, ..*first } };
         self.begin_stretch(&stretch);
         self.look_at = passed;
-        let drive = self.drive(&stretch, passed);
-        self.along(&drive, &wanted)?;
+        self.go(&stretch, passed, &wanted)?;
         self.point(false);
         self.keep(self.line.slope_at_edge());
         self.end_stretch(&stretch, passed);
@@ -309,7 +309,8 @@ impl<'a> Course<'a> {
         let stop = self.record.end_of(index);
         let mut duration = stop.unwrap_or(segment.duration);
         let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
-        let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
+        // Fields look at one time only.
+        let instants = if until_stationary || self.until.is_finite() { 1 } else { self.problem.instants_per_segment.max(1) };
         let (mut instant, mut cycle) = (1_u32, 1_u64);
         let mut at_start: Option<Line<'a>> = None;
         while self.time < duration {
@@ -350,17 +351,19 @@ impl<'a> Course<'a> {
         Ok(duration)
     }
 
+    /// Goes towards a time of a stretch; an oscillation takes some of these.
+    fn go(&mut self, stretch: &Stretch, target: f64, wanted: &[Wanted]) -> Result<(), Refusal> {
+        match stretch.segment.controlled {
+            Controlled::Penetration => self.along(&self.drive(stretch, target), wanted),
+            _ => self.toward(stretch, target, wanted),
+        }
+    }
+
     /// Goes on to a time of a stretch, and adds the state there to the path.
     fn reach(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         self.look_at = target;
         while self.time < target {
-            match stretch.segment.controlled {
-                Controlled::Penetration => {
-                    let drive = self.drive(stretch, target);
-                    self.along(&drive, &[])?;
-                }
-                _ => self.toward(stretch, target)?,
-            }
+            self.go(stretch, target, &[])?;
         }
         self.point(false);
         Ok(())

@@ -8,6 +8,7 @@ use super::edge::Ended;
 use super::law::{Asked, Law, places};
 use super::ledger::Gone;
 use super::linear::Row;
+use super::motions::Wanted;
 use super::passing::Edge;
 use crate::indentation::history::Controlled;
 use crate::indentation::stretch::Stretch;
@@ -36,10 +37,12 @@ const TWICE: u32 = 2;
 const MOST_NOISE: f64 = 300.0;
 const MOST_PANELS: u32 = 200_000;
 /// What a panel may leave over what series may, and what rounding leaves of it, over the depth.
-const OF_SERIES: f64 = 1.0;
+const OF_SERIES: f64 = 0.3;
 const ROUNDING: f64 = 1e-13;
 /// So many times what presses by rounding presses.
 const MANY: f64 = 4.0;
+/// Times that differ by so much of the later one are the same.
+const SAME_TIME: f64 = 4.0 * f64::EPSILON;
 /// Instants at which it is looked whether something imposed passes zero.
 const LOOKS: u32 = 64;
 
@@ -55,8 +58,8 @@ impl Course<'_> {
         }
     }
 
-    /// Goes towards a time of a stretch that controls something else than the penetration.
-    pub(super) fn toward(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    /// Goes towards a time of a stretch that controls something else than the penetration; instants before it are kept on the way.
+    pub(super) fn toward(&mut self, stretch: &Stretch, target: f64, mut wanted: &[Wanted]) -> Result<(), Refusal> {
         let controlled = stretch.segment.controlled;
         let given = self.drive(stretch, target);
         let (whole, start) = (given.duration, self.time);
@@ -67,14 +70,17 @@ impl Course<'_> {
                 return Err(Refusal::NotConverged { what: "a force or a frame", detail: format!("at t = {:e}", self.now()) });
             }
             self.time = start + at;
+            self.keep_reached(&mut wanted, self.time + SAME_TIME * target);
             let nothing = NOTHING * self.chain.shortest_time().min(whole);
             if self.line.radius() == 0.0 {
                 // What the contact that was lost leaves pressing, by rounding, does not press.
                 let excess = (given.value(at) - self.line.surface_after(0.0)).max(0.0);
                 let touch = self.until(&given, at, |course, time| course.presses(controlled, &given, at, time, excess));
-                self.stay_open(controlled, &given, at, touch)?;
-                at = touch;
-                if at < whole {
+                // A frame takes the indenter along: instants on the way are stops.
+                let stop = wanted.first().map_or(whole, |instant| instant.time - start);
+                self.stay_open(controlled, &given, at, touch.min(stop))?;
+                at = touch.min(stop);
+                if at < whole && touch <= stop {
                     let soon = SOON * (whole - at);
                     self.stay_open(controlled, &given, at, at + soon)?;
                     at += soon;
@@ -100,17 +106,18 @@ impl Course<'_> {
                 continue;
             }
             let most = if pulls && vanishes { TOWARDS * (gone - at) } else { whole - at };
-            at += self.panel(controlled, &given, at, most)?;
+            at += self.panel(controlled, &given, at, most, &mut wanted)?;
         }
         self.time = start + whole;
-        if (self.time - target).abs() <= 4.0 * f64::EPSILON * target {
+        if (self.time - target).abs() <= SAME_TIME * target {
             self.time = target;
         }
+        self.keep_reached(&mut wanted, target);
         Ok(())
     }
 
     /// One panel, at most so long: how long it was.
-    fn panel(&mut self, controlled: Controlled, given: &Drive, at: f64, most: f64) -> Result<f64, Refusal> {
+    fn panel(&mut self, controlled: Controlled, given: &Drive, at: f64, most: f64, wanted: &mut &[Wanted]) -> Result<f64, Refusal> {
         let (asked, unit) = self.asked(controlled);
         let least = SHORTEST * self.chain.shortest_time().min(given.duration);
         let mut length = if self.panel_length > 0.0 { self.panel_length } else { 0.1 * self.chain.shortest_time().min(most) };
@@ -171,7 +178,7 @@ impl Course<'_> {
             };
             let mut drive = through(&met.depths);
             self.left = allowed;
-            let before = self.before();
+            let before = self.before(wanted.first().is_some_and(|instant| instant.time - self.time < length));
             let edge = matches!(asked, Asked::Radius).then_some(Edge { given, since: at });
             let mut went = if edge.is_some() {
                 self.line.pass(&drive, met.way, edge.as_ref())?;
@@ -188,7 +195,12 @@ impl Course<'_> {
                 went = (length, None, Ended::Whole);
             }
             let (passed, way, ended) = went;
-            if let Some(before) = before.filter(|_| passed > 0.0) {
+            // Turned at once: rounding, for a panel knows its way.
+            let rests = passed <= 0.0 && ended == Ended::Turned;
+            if rests {
+                self.line.pass_nothing(&drive);
+            }
+            if let Some(before) = before.filter(|_| rests || passed > 0.0) {
                 let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
                 let of_frame = |time: f64| stiffness * (given.value(at + time) - drive.value(time));
                 let of_force = |time: f64| given.value(at + time);
@@ -197,13 +209,13 @@ impl Course<'_> {
                     Controlled::Frame => Some(&of_frame),
                     _ => None,
                 };
-                let part = drive.until(passed);
-                self.add_up(&Gone { before, drive: part, way, edge, since: self.time, force })?;
+                let (part, way) = if rests { (drive, None) } else { (drive.until(passed), way) };
+                self.gone(&Gone { before: &before, drive: part, way, edge, since: self.time, force }, wanted)?;
             }
             // What rounding leaves is no less of a shorter panel.
             let (length, shortened) = if left > allowed { (first, false) } else { (length, shortened) };
             self.panel_length = (length * factor.clamp(if shortened { SLOWEST } else { GROWTH }, FASTEST)).max(2.0 * least);
-            self.time += passed;
+            self.time += if rests { drive.duration } else { passed };
             self.depth_rate = (passed > 0.0).then(|| drive.rate(passed));
             // A panel may end just where the edge reaches the axis.
             match ended {
@@ -211,12 +223,7 @@ impl Course<'_> {
                 Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(),
                 Ended::Turned => self.turned(),
             }
-            // Turned at once: rounding, for a panel knows its way.
-            if passed <= 0.0 && ended == Ended::Turned {
-                self.line.pass_nothing(&drive);
-                return Ok(length);
-            }
-            return Ok(passed.max(f64::MIN_POSITIVE));
+            return Ok(if rests { drive.duration } else { passed.max(f64::MIN_POSITIVE) });
         }
     }
 
@@ -268,10 +275,10 @@ impl Course<'_> {
             return Ok(());
         }
         let depth = self.line.penetration;
-        let (drive, before) = (Drive::straight(depth, depth, to - from), self.before());
+        let (drive, before) = (Drive::straight(depth, depth, to - from), self.before(false));
         self.line.pass_nothing(&drive);
         if let Some(before) = before {
-            self.add_up(&Gone { before, drive, way: None, edge: None, since: self.time, force: Some(&|_| 0.0) })?;
+            self.add_up(&Gone { before: &before, drive, way: None, edge: None, since: self.time, force: Some(&|_| 0.0) }, &[])?;
         }
         let surface = self.line.surface_after(0.0);
         self.line.went_to(if controlled == Controlled::Frame { given.value(to) } else { depth }.min(surface));

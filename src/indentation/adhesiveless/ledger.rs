@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::drive::Drive;
 use super::edge::Way;
-use super::grid::{GRID, NODES, Nodal};
+use super::grid::{GRID, NODES, Nodal, dot};
 use super::line::{Line, place_of};
 use super::moment::Moment;
 use super::passing::Edge;
@@ -37,7 +37,7 @@ pub(in crate::indentation) struct Sums {
 
 /// A drive that has been gone along one way, from a line before it.
 pub(super) struct Gone<'g, 'a> {
-    pub(super) before: Line<'a>,
+    pub(super) before: &'g Line<'a>,
     pub(super) drive: Drive,
     /// None where the edge rested.
     pub(super) way: Option<Way>,
@@ -48,7 +48,19 @@ pub(super) struct Gone<'g, 'a> {
     pub(super) force: Option<&'g dyn Fn(f64) -> f64>,
 }
 
-impl Gone<'_, '_> {
+impl<'a> Gone<'_, 'a> {
+    /// The line at a time.
+    pub(super) fn line(&self, time: f64) -> Result<Line<'a>, Refusal> {
+        let mut line = self.before.clone();
+        if time > 0.0 {
+            match self.way {
+                Some(way) => line.passed(&self.drive.until(time), way, self.edge.as_ref())?,
+                None => line.pass_nothing(&self.drive.until(time)),
+            }
+        }
+        Ok(line)
+    }
+
     /// F and P_d at a time; P_d only where energies are asked for.
     fn at(&self, time: f64, energies: bool) -> Result<(f64, f64), Refusal> {
         if let (false, Some(force)) = (energies, self.force) {
@@ -61,13 +73,7 @@ impl Gone<'_, '_> {
             };
             return Ok((force, 0.0));
         }
-        let mut line = self.before.clone();
-        if time > 0.0 {
-            match self.way {
-                Some(way) => line.passed(&self.drive.until(time), way, self.edge.as_ref())?,
-                None => line.pass_nothing(&self.drive.until(time)),
-            }
-        }
+        let line = self.line(time)?;
         let power = if energies { line.energies()[1] } else { 0.0 };
         Ok((self.force.map_or_else(|| line.force(), |force| force(time)), power))
     }
@@ -89,18 +95,19 @@ impl<'a> Course<'a> {
         self.until.is_infinite() && (self.problem.energies || self.meter.is_some())
     }
 
-    /// The line as it is, where something is added up.
-    pub(super) fn before(&self) -> Option<Line<'a>> {
-        self.adds_up().then(|| self.line.clone())
+    /// The line as it is, where something is added up, or instants on the way are wanted.
+    pub(super) fn before(&self, wanted: bool) -> Option<Line<'a>> {
+        (wanted || self.adds_up()).then(|| self.line.clone())
     }
 
-    /// Adds up what a drive has done.
-    pub(super) fn add_up(&mut self, gone: &Gone<'_, 'a>) -> Result<(), Refusal> {
+    /// Adds up what a drive has done: the sums since the last point at each of some times along it (rising, before its end; none where cycles are
+    /// measured). What comes after the last of them is kept in the course.
+    pub(super) fn add_up(&mut self, gone: &Gone<'_, 'a>, mut times: &[f64]) -> Result<Vec<Sums>, Refusal> {
         let drive = &gone.drive;
         let mut parts = vec![(0.0, drive.duration, MOST_HALVINGS)];
-        let (start, rise) = (gone.at(0.0, false)?.0, drive.end() - drive.start);
+        let start = gone.at(0.0, false)?.0;
         let mut sums = std::mem::take(&mut self.sums);
-        sums.work += start * rise;
+        let (mut found, mut depth) = (Vec::with_capacity(times.len()), drive.start);
         let mut swings = [0.0_f64; 2];
         let noise = OF_LINE * self.fineness.series.max(self.chain.noise.iter().flatten().sum()).max(ROUNDING);
         let whole = self.record.trace.summary.scales;
@@ -152,8 +159,24 @@ impl<'a> Course<'a> {
                 parts.push((low, middle, halvings - 1));
                 continue;
             }
-            sums.work += width * GRID.integral(&work);
-            sums.lost += width * GRID.integral(&powers);
+            let [mut done, mut lost] = [width * GRID.integral(&work), width * GRID.integral(&powers)];
+            if times.first().is_some_and(|time| *time < high) {
+                let running = [&work, &powers].map(|values| GRID.running(values));
+                let mut taken = [0.0; 2];
+                while let Some((&time, later)) = times.split_first().filter(|(time, _)| **time < high) {
+                    let weights = GRID.at(time - low, high - time);
+                    let until = running.map(|values| width * dot(&weights, &values));
+                    let there = drive.value(time);
+                    sums.work += until[0] - taken[0] + start * (there - depth);
+                    sums.lost += until[1] - taken[1];
+                    found.push(std::mem::take(&mut sums));
+                    (taken, depth, times) = (until, there, later);
+                }
+                done -= taken[0];
+                lost -= taken[1];
+            }
+            sums.work += done;
+            sums.lost += lost;
             for (sum, part) in sums.moments.iter_mut().flatten().zip(moments.iter().flatten()) {
                 *sum += part;
             }
@@ -167,8 +190,9 @@ impl<'a> Course<'a> {
                 });
             }
         }
+        sums.work += start * (drive.end() - depth);
         self.sums = sums;
-        Ok(())
+        Ok(found)
     }
 }
 
@@ -179,7 +203,7 @@ fn extremes(values: &Nodal) -> [f64; 2] {
         if top == 0 || top == NODES - 1 {
             return values[top];
         }
-        let of = |part: f64| sign * super::grid::dot(&GRID.at(part, 1.0 - part), values);
+        let of = |part: f64| sign * dot(&GRID.at(part, 1.0 - part), values);
         let (mut low, mut high) = (GRID.parts[top - 1], GRID.parts[top + 1]);
         for _ in 0..NARROWINGS {
             let (first, second) = (high - 0.618_033_988_75 * (high - low), low + 0.618_033_988_75 * (high - low));

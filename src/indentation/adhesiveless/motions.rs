@@ -4,7 +4,6 @@ use super::course::Course;
 use super::drive::{Drive, Wave};
 use super::edge::{Ended, Way};
 use super::ledger::Gone;
-use super::line::Line;
 use super::state::Look;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
@@ -16,8 +15,13 @@ const MOST_TURNS: u32 = 100_000;
 const LONGEST_OF_CYCLE: f64 = 0.25;
 const LONGEST_OF_SWEEP: f64 = 1.0 / 24.0;
 
-/// Instants between which stretches are not joined.
-const UNTIDY: usize = 32;
+/// An instant that is kept on the way through a stretch.
+pub(super) struct Wanted {
+    /// Since the start of the stretch (s).
+    pub(super) time: f64,
+    /// Where it is imposed (m).
+    pub(super) penetration: Option<f64>,
+}
 
 impl<'a> Course<'a> {
     /// The next part of a stretch, as a drive of its own quantity.
@@ -42,8 +46,8 @@ impl<'a> Course<'a> {
         Drive::straight(start, start + (mean(target) - mean(from)), target - from).with_wave(wave)
     }
 
-    /// Goes along a drive of the penetration, whose values are kept at wanted times (of the stretch) before its end.
-    pub(super) fn along(&mut self, drive: &Drive, mut wanted: &[(f64, f64)]) -> Result<(), Refusal> {
+    /// Goes along a drive of the penetration; instants before its end are kept on the way.
+    pub(super) fn along(&mut self, drive: &Drive, mut wanted: &[Wanted]) -> Result<(), Refusal> {
         let end = self.time + drive.duration;
         let mut drive = *drive;
         if drive.start.to_bits() != self.line.penetration.to_bits() {
@@ -53,23 +57,13 @@ impl<'a> Course<'a> {
         for _ in 0..MOST_TURNS {
             self.evaluations += 1;
             let since = end - drive.duration;
-            while let Some(&(time, _)) = wanted.first().filter(|(time, _)| *time <= since) {
-                let look = Look::at(&self.line, true);
-                self.kept_at(time, &look);
-                wanted = &wanted[1..];
-            }
-            let before = if wanted.is_empty() { self.before() } else { Some(self.line.clone()) };
-            let inside: Vec<f64> = wanted.iter().map(|(time, _)| time - since).collect();
+            self.keep_reached(&mut wanted, since);
+            let before = self.before(!wanted.is_empty());
+            let inside: Vec<f64> = wanted.iter().map(|instant| instant.time - since).collect();
             let had = self.line.radius() > 0.0;
             let (time, way, ended) = self.line.go(&drive, touched, &inside)?;
-            if let Some(before) = &before {
-                let count = inside.partition_point(|at| *at < time);
-                self.see(before, &drive, way, wanted.iter().zip(&inside).take(count))?;
-                wanted = &wanted[count..];
-            }
-            if let Some(before) = before.filter(|_| time > 0.0 && self.adds_up()) {
-                let part = drive.until(time);
-                self.add_up(&Gone { before, drive: part, way, edge: None, since, force: None })?;
+            if let Some(before) = before.filter(|_| time > 0.0) {
+                self.gone(&Gone { before: &before, drive: drive.until(time), way, edge: None, since, force: None }, &mut wanted)?;
             }
             let rest = drive.duration - time;
             self.time = if rest > 0.0 { end - rest } else { end };
@@ -80,6 +74,7 @@ impl<'a> Course<'a> {
                     if had && self.line.radius() == 0.0 {
                         self.lost();
                     }
+                    self.keep_reached(&mut wanted, f64::INFINITY);
                     return Ok(());
                 }
                 Ended::Touched => {
@@ -93,6 +88,7 @@ impl<'a> Course<'a> {
             if rest <= 4.0 * f64::EPSILON * drive.duration {
                 self.line.leap(drive.end(), None)?;
                 self.time = end;
+                self.keep_reached(&mut wanted, f64::INFINITY);
                 return Ok(());
             }
             drive = drive.rest(time);
@@ -100,45 +96,47 @@ impl<'a> Course<'a> {
         Err(Refusal::NotConverged { what: "the edge", detail: format!("turns again and again at t = {:e}", self.now()) })
     }
 
-    /// Keeps instants along a drive that a line has been gone along one way: wanted times and penetrations, and the times of the drive.
-    fn see<'w>(
-        &mut self,
-        before: &Line<'a>,
-        drive: &Drive,
-        way: Option<Way>,
-        wanted: impl Iterator<Item = (&'w (f64, f64), &'w f64)>,
-    ) -> Result<(), Refusal> {
-        if way == Some(Way::Inwards) {
-            // What is still in contact does not know of what has left it.
-            for (&(time, depth), at) in wanted {
-                let look = Look { penetration: depth, ..before.receded(drive, *at) };
-                self.kept_at(time, &look);
-            }
-            return Ok(());
+    /// Adds up what a drive has done, and keeps the instants inside of it.
+    pub(super) fn gone(&mut self, gone: &Gone<'_, 'a>, wanted: &mut &[Wanted]) -> Result<(), Refusal> {
+        let all = *wanted;
+        let count = all.partition_point(|instant| instant.time - gone.since < gone.drive.duration);
+        let (seen, later) = all.split_at(count);
+        *wanted = later;
+        let inside: Vec<f64> = seen.iter().map(|instant| (instant.time - gone.since).max(0.0)).collect();
+        let sums = if self.adds_up() { self.add_up(gone, &inside)? } else { Vec::new() };
+        let rest = std::mem::take(&mut self.sums);
+        let energies = self.problem.energies;
+        for (index, (instant, &at)) in seen.iter().zip(&inside).enumerate() {
+            self.sums = sums.get(index).copied().unwrap_or_default();
+            let look = if gone.way == Some(Way::Inwards) && gone.edge.is_none() && !energies {
+                // What is still in contact does not know of what has left it.
+                gone.before.receded(&gone.drive, at)
+            } else {
+                let line = gone.line(at)?;
+                self.line.updates += line.updates.saturating_sub(gone.before.updates);
+                self.line.cut = self.line.cut.max(line.cut);
+                self.line.joined = self.line.joined.max(line.joined);
+                Look::at(&line, true, energies)
+            };
+            self.kept_at(instant, look);
         }
-        let (mut line, mut rest, mut gone) = (before.clone(), *drive, 0.0);
-        for (index, (&(time, depth), at)) in wanted.enumerate() {
-            let part = rest.until(at - gone);
-            match way {
-                Some(way) => line.passed(&part, way, None)?,
-                None => line.pass_nothing(&part),
-            }
-            if index % UNTIDY == UNTIDY - 1 {
-                line.tidy(false);
-            }
-            (rest, gone) = (rest.rest(at - gone), *at);
-            self.line.cut = self.line.cut.max(line.cut);
-            self.line.joined = self.line.joined.max(line.joined);
-            self.kept_at(time, &Look { penetration: depth, ..Look::at(&line, true) });
-        }
-        self.line.updates += line.updates - before.updates;
+        self.sums = rest;
         Ok(())
     }
 
+    /// Keeps the instants that a time of the stretch has reached, as the line is now.
+    pub(super) fn keep_reached(&mut self, wanted: &mut &[Wanted], time: f64) {
+        while let Some((instant, later)) = wanted.split_first().filter(|(instant, _)| instant.time <= time) {
+            *wanted = later;
+            self.kept_at(instant, Look::at(&self.line, true, self.problem.energies));
+        }
+    }
+
     /// Keeps an instant.
-    fn kept_at(&mut self, time: f64, look: &Look) {
-        let now = std::mem::replace(&mut self.time, time);
-        self.point_of(look, false);
+    fn kept_at(&mut self, instant: &Wanted, look: Look) {
+        let look = Look { penetration: instant.penetration.unwrap_or(look.penetration), ..look };
+        let now = std::mem::replace(&mut self.time, instant.time);
+        self.point_of(&look, false);
         self.keep(look.slope);
         self.time = now;
     }

@@ -32,7 +32,7 @@ impl Course<'_> {
 
     /// Adds the present state to the path.
     pub(super) fn point(&mut self, sudden: bool) {
-        let look = Look::at(&self.line, self.time >= self.look_at);
+        let look = Look::at(&self.line, self.time >= self.look_at, self.problem.energies);
         self.point_of(&look, sudden);
     }
 
@@ -56,10 +56,7 @@ impl Course<'_> {
             energies: None,
         };
         let sums = std::mem::take(&mut self.sums);
-        if self.problem.energies {
-            let [stored, dissipated_power] = self.line.energies();
-            point.energies = Some(self.account([stored, dissipated_power], &sums, sudden));
-        }
+        point.energies = look.energies.map(|now| self.account(now, &sums, sudden));
         self.record.trace.work.steps += 1;
         self.record.push(point);
         if let Some(meter) = &mut self.meter {

@@ -15,16 +15,19 @@ pub(super) struct Look {
     pub(super) least: Option<(f64, f64)>,
     /// [`Line::slope_at_edge`].
     pub(super) slope: f64,
+    /// [`Line::energies`], where they are asked for.
+    pub(super) energies: Option<[f64; 2]>,
 }
 
 impl Look {
-    pub(super) fn at(line: &Line<'_>, closely: bool) -> Self {
+    pub(super) fn at(line: &Line<'_>, closely: bool, energies: bool) -> Self {
         Self {
             penetration: line.penetration,
             force: line.force(),
             radius: line.radius(),
             least: closely.then(|| line.least()),
             slope: line.slope_at_edge(),
+            energies: energies.then(|| line.energies()),
         }
     }
 }
@@ -60,7 +63,7 @@ impl Line<'_> {
             }
         }
         let force = 2.0 * self.chain.glassy * sum;
-        Look { penetration: moment.depth, force, radius, least: None, slope }
+        Look { penetration: moment.depth, force, radius, least: None, slope, energies: None }
     }
 
     /// S at a place now.

@@ -35,10 +35,10 @@ const HELD_HISTORY_UPDATES: f64 = 110.0;
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
-/// Without steps in time: moves of both courses for each instant, and where something else than the penetration is given; moves of a cycle of the penetration, or of something else;
-/// cycles of the longest memory until each is the last one; points of the line updated for a move.
+/// Without steps in time: moves of both courses for each segment, and where something else than the penetration is given; moves of a cycle of the penetration, or of
+/// something else; cycles of the longest memory until each is the last one; points of the line updated for a move.
 const MOVES: f64 = 2.0;
-const LOADED_MOVES: f64 = 8.0;
+const LOADED_MOVES: f64 = 22.0;
 const CYCLE_MOVES: f64 = 20.0;
 const LOADED_CYCLE_MOVES: f64 = 90.0;
 const REPEATING: f64 = 20.0;
@@ -46,9 +46,9 @@ const MOVE_UPDATES: f64 = 66.0;
 /// Power of the relaxation times that they grow with: strains of more times are cut more finely. The points of a table cut the line, too.
 const OF_TERMS: f64 = 0.67;
 const OF_TABLE: f64 = 3.0;
-/// Points of the line updated for an instant that is looked at on the way, of a stretch of line, and most stretches of which a few more are not joined.
-const LOOK_UPDATES: f64 = 5.0;
-const MOST_APART: f64 = 32.0;
+/// Points of the line updated by both courses for an instant on the way, and how many times as many where energies are added up between instants.
+const LOOK_UPDATES: f64 = 100.0;
+const OF_ENERGIES: f64 = 2.0;
 /// The same where the rim of a punch holds the edge: moves of few points.
 const HELD_CYCLE_MOVES: f64 = 24.0;
 const HELD_MOVE_UPDATES: f64 = 22.0;
@@ -117,9 +117,8 @@ impl IndentationPlan {
         let cut = if matches!(self.indentation.shape, IndentationShape::Table { .. }) { OF_TABLE } else { 1.0 };
         let terms = self.material.relaxation_terms().len().max(1) as f64;
         let updates = if held { HELD_MOVE_UPDATES } else { MOVE_UPDATES * cut * terms.powf(OF_TERMS) };
-        let adds_up = self.indentation.energies || self.timeline.oscillates();
         let instants = f64::from(self.indentation.instants.max(1));
-        let mut looks = 0.0;
+        let (mut looks, of_look) = (0.0, LOOK_UPDATES * if self.indentation.energies { OF_ENERGIES } else { 1.0 });
         let moves: f64 = self
             .timeline
             .legs
@@ -136,15 +135,13 @@ impl IndentationPlan {
                     cycle * leg.cycles().min(repeated)
                 }
                 // At one pace from instant to instant.
-                None if leg.quantity == HistoryQuantity::Penetration && !adds_up => {
-                    looks += MOVES * (2.0 + instants.min(MOST_APART));
-                    MOVES / instants
+                None => {
+                    looks += of_look;
+                    (if leg.quantity == HistoryQuantity::Penetration { MOVES } else { LOADED_MOVES }) / instants
                 }
-                None if leg.quantity == HistoryQuantity::Penetration => MOVES,
-                None => LOADED_MOVES,
             })
             .sum();
-        (moves, moves * updates + looks * LOOK_UPDATES * cut)
+        (moves, moves * updates + looks * cut)
     }
 
     /// Expected work of one state.
