@@ -54,7 +54,7 @@ pub(super) fn record(
     let help = example(quantity);
     let source =
         laid_open(attached).map_or_else(|| attached.clone(), |text| SourceText::decoded(attached.name(), text, attached.encoding()));
-    let table = DelimitedTable::read(&source, &Options { help: &help, quantities: false })?;
+    let table = DelimitedTable::read(&source, &Options { help: &help })?;
     let stated = item.table("columns");
     let path = ("columns", "in this segment of the history");
     let Some(first) = table.blocks().first() else { return Err(item.wrong("table", format!("{file:?} is empty"), "this file")) };

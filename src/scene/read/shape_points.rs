@@ -44,7 +44,7 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
         let message = format!("`{}` = {file:?} was not read with the scene", table.full(key));
         return Err(table.wrong(key, message, "this file"));
     };
-    let read = DelimitedTable::read(source, &Options { help: HELP, quantities: false })?;
+    let read = DelimitedTable::read(source, &Options { help: HELP })?;
     let scan = table.table("scan");
     let stated = scan.as_ref().and_then(|scan| scan.table("columns"));
     let path = ("scan.columns", "in [indentation]");
