@@ -52,7 +52,11 @@ pub fn thinned(rows: &[(f64, f64)], tolerance: f64, floor: f64) -> Result<Thinne
     if tolerance == 0.0 {
         return Ok(whole());
     }
-    let corners = Tunnel::new(rows, tolerance * (1.0 - MARGIN), floor).path();
+    let mut corners = Tunnel::new(rows, tolerance * (1.0 - MARGIN), floor).path();
+    if rows.iter().all(|row| row.1 >= floor) {
+        // A corner on the floor may be a rounding below it.
+        corners.iter_mut().for_each(|corner| corner.1 = corner.1.max(floor));
+    }
     let deviation = deviation(&corners, rows);
     // Only where the tolerance is of the order of rounding.
     Ok(if deviation <= tolerance && corners.len() <= rows.len() { Thinned { corners, deviation } } else { whole() })
