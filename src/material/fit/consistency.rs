@@ -53,7 +53,8 @@ pub fn check(data: &[Observation]) -> Option<Consistency> {
         (best.misfit(&sample) / part.len() as f64).sqrt()
     };
     let both: Vec<Observation> = storage.iter().chain(&loss).copied().collect();
-    Some(Consistency { storage_alone: rms(&storage), loss_alone: rms(&loss), together: rms(&both), local: local(&storage, &loss) })
+    let (together, (storage_alone, loss_alone)) = rayon::join(|| rms(&both), || rayon::join(|| rms(&storage), || rms(&loss)));
+    Some(Consistency { storage_alone, loss_alone, together, local: local(&storage, &loss) })
 }
 
 /// A median needs no more places than this.

@@ -5,6 +5,9 @@ use super::normal::Normal;
 use crate::material::Material;
 use crate::refusal::Refusal;
 
+/// A material that the data leave possible, and ln a_T and ln b_T of every isotherm that was fitted.
+pub type Drawn = (Material, Vec<(f64, f64)>);
+
 impl SeriesFit {
     /// Materials at the temperature of the fit, drawn from what the data leave open: the number of terms by the weight of each candidate, then the
     /// logarithms of strengths and times, normal with the covariance of its linearised fit, scaled by the scatter of the data.
@@ -21,7 +24,7 @@ impl SeriesFit {
     ///
     /// # Errors
     /// As [`Self::draws`].
-    pub fn draws_with_shifts(&self, count: usize, seed: u64) -> Result<Vec<(Material, Vec<(f64, f64)>)>, Refusal> {
+    pub fn draws_with_shifts(&self, count: usize, seed: u64) -> Result<Vec<Drawn>, Refusal> {
         (0..count)
             .map(|draw| {
                 self.band.draw(&mut Normal::of(seed, draw as u64)).ok_or_else(|| Refusal::Undefined {

@@ -31,6 +31,7 @@ pub mod superposition;
 
 pub use band::Band;
 pub use choose::{SeriesFit, Wanted, fit};
+pub use draws::Drawn;
 pub use law::LawFit;
 pub use observation::{Observation, Quantity, complex_modulus};
 pub use rest::AtRest;

@@ -8,7 +8,7 @@
 //! the fit, and the other way round.
 
 use super::best::best_fit;
-use super::choose::{Wanted, check, chosen, fitted, general, window};
+use super::choose::{Wanted, check, fitted, general, window};
 use super::joint::{self, Free};
 use super::law::{LawFit, arrhenius, williams_landel_ferry};
 use super::observation::Observation;
@@ -72,6 +72,8 @@ const PRINTED: f64 = 2e-3;
 const GRANTED: f64 = 4.0;
 /// A factor that is known no better than this (in its logarithm) is not known.
 const UNKNOWN: f64 = std::f64::consts::LN_10;
+/// Times of a single isotherm reach this much further than those of a master curve.
+const FAR: f64 = 100.0;
 /// Rounds of fitting and shifting.
 const ROUNDS: usize = 6;
 
@@ -219,10 +221,12 @@ fn scatter_alone(isotherms: &[Isotherm]) -> (Option<f64>, usize) {
     let (mut misfit, mut freedom) = (0.0, 0);
     for isotherm in isotherms.iter().filter(|isotherm| isotherm.data.len() >= choose::LEAST_DATA) {
         let sample = Sample::combined(std::iter::once(isotherm.data.as_slice()));
-        let own = chosen(&sample, &[(0.0, 0.0)], Free::NONE, Wanted::Scatter).chosen;
-        let left = sample.count.saturating_sub(own.series.freedom());
+        let [low, high] = window(&sample);
+        // A sweep is short: much of its spectrum lies beyond it.
+        let own = best_fit(&sample, [low / FAR, high * FAR], general(&sample));
+        let left = sample.count.saturating_sub(own.freedom());
         if left > 0 {
-            misfit += own.misfit;
+            misfit += own.misfit(&sample);
             freedom += left;
         }
     }
