@@ -77,7 +77,7 @@ fn in_its_limits_a_crack_has_the_error_of_the_moduli() {
     assert!((given / deviation(&ratios) - 1.0).abs() < 1e-4, "{given:e} {:e}", deviation(&ratios));
     // The numerical bound stays what it was.
     assert!(value(&fast, "energy_release_rate", "error") < 1e-10);
-    assert_eq!(value(&fast, "speed", "material_uncertainty"), 0.0);
+    assert!(value(&fast, "speed", "material_uncertainty").abs() < f64::MIN_POSITIVE);
     // Slow: K = √(G E0), G = Δγ.
     let slow = folder.call(&["run", "scene.toml", "--json", "--set", "crack.speed=1e-16"]).ended(0).json();
     let relaxed: Vec<f64> = draws.iter().map(|draw| draw.relaxed_modulus()).collect();
@@ -99,10 +99,13 @@ fn in_its_limits_a_crack_has_the_error_of_the_moduli() {
     assert!((row.value(1).unwrap() / ratios[3] - 1.0).abs() < 1e-4);
 }
 
+/// Sets of data: the scatter over so many is known within 9 %.
+const SETS: usize = 64;
+
 #[test]
 fn the_scatter_over_data_sets_is_the_stated_one() {
     let mut uniform = Uniform::new();
-    let tables: Vec<String> = (0..16).map(|_| measured(&mut uniform)).collect();
+    let tables: Vec<String> = (0..SETS).map(|_| measured(&mut uniform)).collect();
     let solved: Vec<Vec<[f64; 2]>> = tables
         .par_iter()
         .map(|table| {
@@ -121,7 +124,7 @@ fn the_scatter_over_data_sets_is_the_stated_one() {
         .collect();
     for speed in 0..3 {
         let values: Vec<f64> = solved.iter().map(|of| of[speed][0]).collect();
-        let stated = (solved.iter().map(|of| of[speed][1].powi(2)).sum::<f64>() / 16.0).sqrt();
+        let stated = (solved.iter().map(|of| of[speed][1].powi(2)).sum::<f64>() / SETS as f64).sqrt();
         let ratio = deviation(&values) / stated;
         println!("speed {speed}: scatter {:.3e}, stated {stated:.3e}", deviation(&values));
         assert!((1.0 / 1.5..1.5).contains(&ratio), "{ratio}");
@@ -162,7 +165,8 @@ fn every_problem_has_it_and_every_output_shows_it() {
         assert_eq!(explained(&[]), 33 * explained(&none));
         let plain = folder.call(&[&["run", "scene.toml", "--json"][..], &none].concat()).ended(0).json();
         let ratio = work(json.clone(), "work") as f64 / work(plain.clone(), "work") as f64;
-        assert!((20.0..50.0).contains(&ratio), "{ratio}");
+        // Draws may have more terms than the fit, or fewer.
+        assert!((16.5..66.0).contains(&ratio), "{ratio}");
         // The values themselves are the same without it, and nothing else is said.
         assert_eq!(plain["results"][0]["values"][column]["value"], json["results"][0]["values"][column]["value"]);
         assert!(plain["results"][0]["material_draws"].is_null() && !plain.to_string().contains("material_uncertainty"));

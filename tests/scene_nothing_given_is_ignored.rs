@@ -29,6 +29,13 @@ const NO_EFFECT: &[(&str, &str, &str)] = &[
     ("crack.speed", "swept", "the sweep puts its own values in its place"),
     ("indentation.instants", "by a table", "of tables each corner is one instant"),
     ("indentation.instants", "in cycles", "of cycles each corner is one instant"),
+    ("indentation.instants", "by named columns", "of tables each corner is one instant"),
+    ("indentation.instants", "by a named", "of tables each corner is one instant"),
+    (
+        "indentation.rim_radius",
+        "sphere by a named radius",
+        "an edge that is imposed stays inside of the rims that are tried, or is refused",
+    ),
     ("indentation.instants", "that swings", "an oscillation has instants only if twelve and more are asked for"),
     ("indentation.instants", "that settles", "an oscillation has instants only if twelve and more are asked for"),
     ("history[].oscillation.cycles", "that settles", "with `until_stationary` their largest number, which is not reached"),
@@ -255,7 +262,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("sphere by a named radius", press(SOFT, "sphere = { radius = 1e-3 }\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"contact_radius\"\ncolumns = { time = \"a in s\", contact_radius = \"b in m\" }\n")),
         ("sphere by a named frame", press(SOFT, "sphere = { radius = 1e-3 }\nframe_stiffness = 100.0\n", "[[history]]\ntable = \"named.csv\"\nquantity = \"frame\"\ncolumns = { time = \"a in s\", frame = \"b in m\" }\n")),
         ("crack by named columns", format!("{CREEP}{}points = 3\n[[history]]\ntable = \"named.csv\"\ncolumns = {{ time = \"a in s\", stress_intensity = \"e in Pa √m\" }}\n", TORN.replace("speed = 1e-6\n", ""))),
-        ("strip by named columns", format!("{CREEP}{}points = 3\n[crack.strip]\nhalf_height = 0.01\n[[history]]\ntable = \"named.csv\"\ncolumns = {{ time = \"a in s\", stress = \"e in Pa\" }}\n", TORN.replace("speed = 1e-6\n", ""))),
+        ("strip by named columns", format!("{CREEP}{}points = 3\n[crack.strip]\nhalf_height = 1.0\n[[history]]\ntable = \"named.csv\"\ncolumns = {{ time = \"a in s\", stress = \"e in Pa\" }}\n", TORN.replace("speed = 1e-6\n", ""))),
     ]
 }
 

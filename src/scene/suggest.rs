@@ -212,8 +212,8 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
         catalogue::key(&path).map(|key| key.path)
     };
     let known = |path: Option<&'static str>| path.map(|path| Suggestion { path: Some(path), note: "" });
-    // Other capitals or dashes, then a slip of a letter or two.
-    if let Some(found) = known(in_table(&name)).or_else(|| known(nearest(&name, catalogue::names_in(table)).and_then(in_table))) {
+    // Other capitals or dashes.
+    if let Some(found) = known(in_table(&name)) {
         return Some(found);
     }
     let exists = |path: &str| catalogue::key(path).is_some();
@@ -224,6 +224,10 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
         if let Some(path) = paths.iter().find(|path| exists(path) && !table.is_empty() && within(path, table)) {
             return suggested(path, note);
         }
+    }
+    // A slip of a letter or two.
+    if let Some(found) = known(nearest(&name, catalogue::names_in(table)).and_then(in_table)) {
+        return Some(found);
     }
     let last = |path: &'static str| path.rsplit(['.', ']']).next() == Some(name.as_str());
     let same_name = || catalogue::keys().map(|key| key.path).filter(|path| last(path));

@@ -30,6 +30,8 @@ pub(super) struct Fineness {
 pub(super) struct Unknown {
     /// Of any strain (m).
     pub(super) strain: f64,
+    /// Of any sum over the time, over what it is of.
+    pub(super) sums: f64,
     /// How steeply S falls at the edge, at each kept instant: what the edge makes of it.
     pub(super) slopes: Vec<f64>,
 }
@@ -108,7 +110,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, Unknown { strain: self.line.unknown(), slopes: self.slopes }))
+        Ok((trace, Unknown { strain: self.line.unknown(), sums: self.fineness.series, slopes: self.slopes }))
     }
 
     /// The line at a time of the history.

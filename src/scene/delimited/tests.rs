@@ -6,7 +6,10 @@ use super::*;
 const OPTIONS: Options<'_> = Options { help: "name, name" };
 
 /// Names with units, and numbers, of every block.
-fn read(text: &str) -> Result<Vec<(String, Vec<Vec<Option<f64>>>)>, String> {
+/// The names of a block's columns, and its rows of numbers.
+type Block = (String, Vec<Vec<Option<f64>>>);
+
+fn read(text: &str) -> Result<Vec<Block>, String> {
     let table = DelimitedTable::read(&SourceText::new("t.txt", text.to_owned()), &OPTIONS).map_err(|error| error.rendered())?;
     let mut buffer = String::new();
     Ok(table

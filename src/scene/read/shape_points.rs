@@ -64,8 +64,9 @@ pub(super) fn shape_points(table: &Section<'_>, document: &Document, key: &str) 
         return Err(SceneError::at(&columns.header_place(), format!("{file:?} has no column `z`"), "no such column").help(HELP));
     };
     let [radius, along, across] = [find("r")?, find("x")?, find("y")?];
-    // A column that the scene calls r is no x, whatever its name.
-    let along = along.filter(|along| radius.as_ref().is_none_or(|radius| radius.index != along.index));
+    // A column that the scene calls r is no x, whatever its name, unless the scene calls it x as well.
+    let named = stated.as_ref().is_some_and(|stated| stated.node().get("x").is_some());
+    let along = along.filter(|along| named || radius.as_ref().is_none_or(|radius| radius.index != along.index));
     let mut notes = read.notes().to_vec();
     let used: Vec<usize> =
         [Some(&height), radius.as_ref(), along.as_ref(), across.as_ref()].into_iter().flatten().map(|column| column.index).collect();

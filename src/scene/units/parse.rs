@@ -121,7 +121,7 @@ fn parse_power(text: &str) -> Result<(i8, &str), UnitError> {
             Some(numerator) => numerator.parse::<i8>().ok(),
             None => digits.parse::<f32>().ok().map(|power| 2.0 * power).filter(|halves| halves.fract() == 0.0).map(|halves| halves as i8),
         };
-        halves.filter(|halves| halves.abs() <= 18 && digits.contains(|c: char| c.is_ascii_digit())).ok_or_else(malformed)
+        halves.filter(|halves| (-18..=18).contains(halves) && digits.contains(|c: char| c.is_ascii_digit())).ok_or_else(malformed)
     };
     if let Some(after) = text.strip_prefix('^').or_else(|| text.strip_prefix("**")) {
         if let Some((inside, rest)) = after.strip_prefix('(').and_then(|inside| inside.split_once(')')) {
