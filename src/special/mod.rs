@@ -13,3 +13,4 @@ pub mod harmonic_imaginary;
 pub mod log_quadrature;
 pub mod log_sine;
 pub mod memory_clausen;
+pub(crate) mod split_mix;

@@ -1,34 +1,25 @@
-//! Numbers from a seed, the same on every machine: splitmix64 (Steele, Lea and Flood, 2014, [10.1145/2714064.2660195](https://doi.org/10.1145/2714064.2660195)).
+//! Random numbers of studies.
 //!
 //! Each scene of a study has a stream of its own, so that any one of them can be drawn again alone, in any order, on any number of threads.
 
 use crate::material::{CreepTerm, Material, RelaxationTerm};
 use crate::refusal::Refusal;
+use crate::special::split_mix::SplitMix;
 
 /// A stream of numbers.
 #[derive(Debug, Clone)]
-pub struct Draw(u64);
+pub struct Draw(SplitMix);
 
 impl Draw {
     /// The stream of a scene of a study.
     #[must_use]
     pub fn of(seed: u64, scene: u64) -> Self {
-        let mut stream = Self(seed ^ scene.wrapping_mul(0xd1b5_4a32_d192_ed03));
-        stream.bits();
-        stream
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
+        Self(SplitMix::of(seed, scene))
     }
 
     /// Uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+        (self.0.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Uniform between two numbers.

@@ -1,28 +1,20 @@
-//! Standard normal numbers from a seed, the same on every machine: splitmix64 (Steele, Lea and Flood, 2014) with Box and Muller's transform.
+//! Standard normal numbers from a seed, by Box and Muller's transform.
+
+use crate::special::split_mix::SplitMix;
 
 /// A stream of numbers.
 #[derive(Debug, Clone)]
-pub(super) struct Normal(u64);
+pub(super) struct Normal(SplitMix);
 
 impl Normal {
     /// The stream of one draw of a seed: any draw can be made alone.
     pub(super) fn of(seed: u64, draw: u64) -> Self {
-        let mut stream = Self(seed ^ draw.wrapping_mul(0xd1b5_4a32_d192_ed03));
-        stream.bits();
-        stream
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
+        Self(SplitMix::of(seed, draw))
     }
 
     /// Uniform in (0, 1].
     pub(super) fn unit(&mut self) -> f64 {
-        ((self.bits() >> 11) as f64 + 1.0) / (1_u64 << 53) as f64
+        ((self.0.bits() >> 11) as f64 + 1.0) / (1_u64 << 53) as f64
     }
 
     /// A standard normal number.
