@@ -221,7 +221,8 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
     let suggested = |path: &'static str, note| Some(Suggestion { path: Some(path), note });
     // A name of the field for a key of this very table, or of one in it.
     for (_, paths, note) in led() {
-        if let Some(path) = paths.iter().find(|path| exists(path) && !table.is_empty() && within(path, table)) {
+        let here = |path: &str| if table.is_empty() { !path.contains('.') } else { within(path, table) };
+        if let Some(path) = paths.iter().find(|path| exists(path) && here(path)) {
             return suggested(path, note);
         }
     }
