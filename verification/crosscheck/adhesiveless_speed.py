@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How many times faster one program solves indentation without adhesion than another one: both in one run, one after the other, again and again.
 
-    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS]
+    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS] [--energies] [--instants 4]
 
 `whole`: wall-clock time of `viscotack run`, the least of all repeats. `solver`: the same without that of `viscotack --version` of the same binary.
 Both programs must give the same values, within the error bounds of both; a scene that one of them does not solve has no ratio.
@@ -24,6 +24,8 @@ SHAPES = {
 CONTROLS = {
     # Approach, hold, partial retraction, approach again.
     "penetration": ("penetration", [(0.01, 1.0), (None, 3.0), (0.005, 0.5), (0.012, 2.0)]),
+    # Approach and partial retraction alone.
+    "approach": ("penetration", [(0.01, 1.0), (0.006, 0.5)]),
     "force": ("force", [(1.0, 1.0), (None, 10.0), (0.3, 2.0), (1.2, 3.0)]),
     "frame": ("frame", [(0.02, 1.0), (None, 10.0), (0.008, 2.0), (0.025, 3.0)]),
 }
@@ -37,11 +39,13 @@ def material(terms):
     return f"[material]\npoisson_ratio = 0.5\nglassy_modulus = 10.0\nrelaxation = [{series}]\n"
 
 
-def scene(shape, terms, control, accuracy):
+def scene(shape, terms, control, accuracy, energies=False, instants=4):
     quantity, legs = CONTROLS[control]
-    lines = ['units = "reduced"', f"accuracy = {accuracy!r}", material(terms), "[indentation]", SHAPES[shape], "instants = 4"]
+    lines = ['units = "reduced"', f"accuracy = {accuracy!r}", material(terms), "[indentation]", SHAPES[shape], f"instants = {instants}"]
     if control == "frame":
         lines.append("frame_stiffness = 0.1")
+    if energies:
+        lines.append("energies = {}")
     scale = FORCES[shape] if control == "force" else 1.0
     for end, duration in legs:
         lines += ["[[history]]", f"hold = {duration!r}" if end is None else f"{quantity} = {end * scale!r}\nduration = {duration!r}"]
@@ -122,6 +126,8 @@ def main():
     parser.add_argument("--accuracy", type=float, default=1e-6)
     parser.add_argument("--repeats", type=int, default=15)
     parser.add_argument("--only", nargs="*", default=[], help="words that the name of a scene must hold")
+    parser.add_argument("--energies", action="store_true", help="with the work done and the energies stored and lost")
+    parser.add_argument("--instants", type=int, default=4, help="instants of each segment")
     options = parser.parse_args()
     binaries = {"old": os.path.abspath(options.old), "new": os.path.abspath(options.new)}
     ratios = []
@@ -130,7 +136,8 @@ def main():
             for terms in (1, 4, 12):
                 name = f"{control} {shape} {terms}"
                 if all(word in name.split() for word in options.only):
-                    ratios.append((name, compared(binaries, name, scene(shape, terms, control, options.accuracy), options.repeats)))
+                    text = scene(shape, terms, control, options.accuracy, options.energies, options.instants)
+                    ratios.append((name, compared(binaries, name, text, options.repeats)))
     for index, word in enumerate(("whole", "solver")):
         known = sorted((ratio[index], name) for name, ratio in ratios if ratio)
         if known:
