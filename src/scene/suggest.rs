@@ -232,7 +232,11 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
     }
     let last = |path: &'static str| path.rsplit(['.', ']']).next() == Some(name.as_str());
     let same_name = || catalogue::keys().map(|key| key.path).filter(|path| last(path));
-    if let Some(path) = same_name().find(|path| !table.is_empty() && within(path, table)).or_else(|| same_name().next()) {
+    // The names of columns are those of tables, and lead nowhere from elsewhere.
+    let of_columns = |path: &str| path.contains("columns.");
+    if let Some(path) =
+        same_name().find(|path| !table.is_empty() && within(path, table)).or_else(|| same_name().find(|path| !of_columns(path)))
+    {
         return suggested(path, "");
     }
     for (_, paths, note) in led() {
@@ -243,7 +247,10 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
             return Some(Suggestion { path: None, note });
         }
     }
-    let elsewhere = || catalogue::keys().filter_map(|key| key.path.rsplit(['.', ']']).next().map(|last| (last, key.path)));
+    let elsewhere = || {
+        let keys = catalogue::keys().filter(|key| !of_columns(key.path));
+        keys.filter_map(|key| key.path.rsplit(['.', ']']).next().map(|last| (last, key.path)))
+    };
     let near = nearest(&name, elsewhere().map(|(last, _)| last))?;
     known(elsewhere().find(|(last, _)| *last == near).map(|(_, path)| path))
 }
