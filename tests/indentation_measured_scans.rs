@@ -69,7 +69,7 @@ fn exact_scans_are_met() {
         assert!(found.residual < 1e-14 && found.tilt.iter().all(|tilt| tilt.abs() < 1e-300) && found.apex == Apex::Lowest, "{found:?}");
         near(force_over_modulus(&found, 1e-6), hertz(5e-6, 1e-6), 1e-4);
     }
-    // A tilted parabola is a parabola whose lowest point is elsewhere.
+    // A tilted parabola is a parabola with another lowest point.
     let found = axisymmetric(&line(parabola, (-5e-6, 7e-6, 121), 1e-6, 0.1, 0.0), &OPTIONS).unwrap();
     assert!((found.centre[0] - 0.5e-6).abs() < 1e-12 && found.tilt.iter().all(|tilt| tilt.abs() < 1e-300), "{found:?}");
     near(force_over_modulus(&found, 1e-6), hertz(5e-6, 1e-6), 1e-4);

@@ -1,7 +1,7 @@
 //! Source: the tables of materials in `tests/inputs` (written by `tests/inputs/make_tables.py`), with spoilt bytes.
 //!
-//! Goal: a byte that is flipped, lost, inserted or doubled never gives numbers that the file does not hold: the table is refused, or a strict reader agrees, or a note says what
-//! was chosen that was not chosen for the table as it was.
+//! Goal: a byte that is flipped, lost, inserted or doubled never gives numbers that the file does not hold. The table is refused, or a strict reader
+//! agrees, or a note says what was chosen that was not chosen for the table as it was.
 //!
 //! Oracle: [`reference`], a reader of its own that knows separator, decimal sign and the few headers of these tables, and reads nothing else.
 //!
@@ -63,7 +63,8 @@ enum Found {
     Unknown,
 }
 
-/// Reads a table of one header line and rows, with a separator and a decimal sign that it is told. Rows as place (rad/s or s), value and loss (SI; 0 where there is none).
+/// Reads a table of one header line and rows, with a given separator and decimal sign.
+/// Rows are frequency or time (rad/s or s), value and loss (SI; 0 where there is none).
 fn reference(bytes: &[u8], separator: char, decimal: char) -> Found {
     let Ok(text) = std::str::from_utf8(bytes) else { return Found::Unknown };
     let text = text.replace("\r\n", "\n").replace('\r', "\n");

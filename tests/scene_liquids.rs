@@ -1,6 +1,7 @@
 //! Liquids (relaxed modulus 0) where the theory allows them: under a sliding wave, and under an adhesive sphere.
 //!
-//! Source: Westergaard (1939) and Johnson, *Contact Mechanics* (1985), section 13.2; the complex modulus of Maxwell and Burgers materials; Johnson, Kendall and Roberts (1971).
+//! Source: Westergaard (1939) and Johnson, *Contact Mechanics* (1985), section 13.2;
+//! the complex modulus of Maxwell and Burgers materials; Johnson, Kendall and Roberts (1971).
 //! Goal: what is the limit of solids is solved, with its error; what has no limit is refused with the reason and a remedy that works.
 //! Oracle: the closed forms of full contact (friction Λ²k² Im E*/4) and of fast sliding (Westergaard with E∞), JKR of a contact that has had no time to flow;
 //! solids of ever softer rest, whose difference falls with their relaxed modulus.

@@ -1,6 +1,7 @@
 //! Two bodies in an indentation: a viscoelastic one and an elastic one, flat or round.
 //!
-//! Source: Johnson, *Contact Mechanics* (1985), section 4.2 (Hertz: 1/E* = Σ(1 − ν²)/E, 1/R* = 1/R1 + 1/R2) and Johnson, Kendall and Roberts (1971); Lee and Radok (1960).
+//! Source: Johnson, *Contact Mechanics* (1985), section 4.2 (Hertz: 1/E* = Σ(1 − ν²)/E, 1/R* = 1/R1 + 1/R2);
+//! Johnson, Kendall and Roberts (1971); Lee and Radok (1960).
 //! Goal: `indentation.counter_body` adds the compliance of an elastic body and the curvature of a round one; what is not exact is refused.
 //! Oracle: the closed forms of Hertz and JKR, in SI and in mm–MPa units of the input; of Lee and Radok F = (4/(3R*)) ∫ R*(t − s) d(a³), whose relaxation of
 //! the pair is known for one term: G(t) in series with a spring is again one term, by hand below. JKR with a process zone far shorter than the contact.

@@ -1,6 +1,7 @@
 //! Every unit that is listed is read, with its size.
 //!
-//! Source: SI Brochure (BIPM, 9th edition; bar, ångström and poise in the 8th); exact definitions of 1959 (inch, pound), 1901 (standard gravity); NIST SP 811, appendix B.
+//! Source: SI Brochure (BIPM, 9th edition; bar, ångström and poise in the 8th);
+//! exact definitions of 1959 (inch, pound), 1901 (standard gravity); NIST SP 811, appendix B.
 //! Goal: the list that `viscotack units` prints is what is read; an unknown unit leads to the one that is meant.
 //! Oracle: the table below, written from the definitions, and the same units in base units.
 //! Tolerance: rounding.

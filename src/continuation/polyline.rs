@@ -1,7 +1,7 @@
 //! A record as a polyline of the fewest corners that stays within a tolerance of it.
 //!
 //! The record is a polyline itself. Moved up and down by the tolerance it bounds a tunnel, and the path of fewest straight links through the tunnel
-//! is found by looking as far ahead as possible from each link's window (Imai and Iri 1986, [10.1016/S0734-189X(86)80027-5](https://doi.org/10.1016/S0734-189X(86)80027-5)).
+//! is found by looking as far ahead as possible from each link's window (Imai and Iri 1986, doi 10.1016/S0734-189X(86)80027-5).
 //! Each row enters two searches at most, so the time is proportional to the number of rows.
 //!
 //! | symbol | name | unit |

@@ -89,8 +89,8 @@ pub fn run_watched(
     }
 }
 
-/// The contact at a time (s) of a history that has been solved without steps, or by panels: time, Δ, F and a, and its surface twice, the second time less finely, so that their
-/// difference tells the error. None for one that was marched: its surface follows from its path.
+/// The contact at a time (s) of a history that has been solved without steps, or by panels: time, Δ, F and a, and its surface twice.
+/// The second surface is less fine, and their difference gives the error. None after a time integration: its surface follows from its path.
 ///
 /// # Errors
 /// Every refusal of [`run`].

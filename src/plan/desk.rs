@@ -66,7 +66,7 @@ impl<'a> Desk<'a> {
         Self { state, checkpoints, progress, clock: Mutex::new(clock) }
     }
 
-    /// Told how far the run is.
+    /// Receives how far the run is.
     pub(super) fn progress(&self) -> Progress<'a> {
         self.progress
     }

@@ -48,7 +48,8 @@ impl March<'_> {
         now
     }
 
-    /// The next wanted instant up to a time, from a place of their list on, before a stretch of the history. One that is wanted twice is wanted before a sudden step and after it.
+    /// The next wanted instant up to a time, from a place of their list on, before a segment of the history.
+    /// One that is wanted twice is wanted before a sudden step and after it.
     pub(super) fn due(&self, next: usize, end: f64, upcoming: usize) -> Option<f64> {
         let wanted = *self.problem.instants.get(next)?;
         let again = next > 0 && self.problem.instants.get(next - 1).is_some_and(|last| last.to_bits() == wanted.to_bits());

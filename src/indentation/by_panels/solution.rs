@@ -99,8 +99,8 @@ fn compared_paths(
     let fine_trace = trace(&fine, &asked.iter().map(|(_, kept)| *kept).collect::<Vec<_>>(), (tolerance, glassy))?;
     let coarse_trace = trace(&coarse, &vec![true; instants.len()], (tolerance * OF_DISTANCE, glassy))?;
     let distances = distances(&ends, &fine, &asked);
-    let verdict = judgement::judged(problem, &[fine_trace, coarse_trace], 0).ok_or_else(|| not_converged("no path".into()))?;
-    let mut solution = verdict.solution(*work);
+    let compared = judgement::judged(problem, &[fine_trace, coarse_trace], 0).ok_or_else(|| not_converged("no path".into()))?;
+    let mut solution = compared.solution(*work);
     widen(&mut solution, problem, &distances);
     solution.by_panels = true;
     Ok(solution)

@@ -8,7 +8,7 @@
 //! | h | height above the apex, z − t·(x − c) from there on | m |
 //!
 //! Centre and tilt make both sides, or all directions, as equal as they can be: they minimise the sum of the squared distances of z from a function of r alone
-//! plus a tilt (module `centre`). A paraboloid that is tilted is a paraboloid elsewhere, so a tilt is only taken out where that
+//! plus a tilt (module `centre`). A tilted paraboloid is a paraboloid with another apex, so a tilt is only taken out where that
 //! lowers the sum by more than noise would. The shape is the mean of h over rings, made to rise (module `rings`).
 
 mod centre;

@@ -1,4 +1,4 @@
-//! How far two neighbouring isotherms are apart along the frequency, from the values that both reach.
+//! The shift between two neighbouring isotherms along the frequency, from the values that both reach.
 
 use super::observation::{Observation, Quantity};
 use super::overlap::{LogCurve, differences};

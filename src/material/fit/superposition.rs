@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! E(a_T ω; T_ref) = b_T E(ω; T),     J(t/a_T; T_ref) = J(t; T)/b_T
-//! neighbours overlap ──► first factors ──► factors, strengths and times refined together ──► number of terms ──► errors of all from one covariance
+//! neighbours overlap ──► first factors ──► factors, strengths and times refined together
+//!                    ──► number of terms ──► errors of all from one covariance
 //! ```
 //! The master curve is a series with positive strengths, so no curve of another form is put between the data; what the shifts leave open is in the errors of
 //! the fit, and the other way round.

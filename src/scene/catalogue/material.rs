@@ -174,7 +174,7 @@ pub(super) const KEYS: &[Key] = &[
                 meaning: "every state is solved again for 32 materials drawn from what the data leave open; each output gets their standard deviation as `material_uncertainty`, one standard uncertainty, beside its numerical error",
             },
         ]),
-        meaning: "Whether the error of a fit to material.data reaches the results. Fields, and points of a branch that lie elsewhere for each draw, get none.",
+        meaning: "Whether the error of a fit to material.data reaches the results. Fields, and points of a branch that differ between draws, get none.",
     },
     Key { path: "material.columns.frequency", kind: Kind::Text, meaning: "Cycles per time." },
     Key { path: "material.columns.angular_frequency", kind: Kind::Text, meaning: "Radians per time." },

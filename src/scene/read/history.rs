@@ -201,7 +201,8 @@ pub(super) fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, ran
     check_range(node, &path, value, range).map(|()| value)
 }
 
-/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude`, `tolerance`, `contact_point` or `to`, by the quantity of its segment; none for any other key.
+/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude`, `tolerance`, `contact_point` or `to`, by the quantity of its segment.
+/// None for any other key.
 pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Option<(Dimension, Range)> {
     if !matches!(key.kind, Kind::NumberOfSweptKey) || !key.path.starts_with("history[].") {
         return None;
