@@ -646,3 +646,27 @@ fn explain_of_a_sliding_contact_says_what_the_counter_body_does() {
     let cited = folder.call(&["cite", "scene.toml"]).ended(0).stdout;
     assert!(cited.contains("Johnson1995") && cited.contains("Westergaard1939") && !cited.contains("Schapery"), "{cited}");
 }
+
+/// Every row reaches the user, however many: on the screen as JSON, and in `states.csv`. `summary.json` says which it leaves out.
+#[test]
+fn every_row_of_a_long_sweep_is_given() {
+    let folder = Folder::with(SINGLE);
+    for (rows, omitted) in [(65, None), (10_001, Some(10_001))] {
+        let sweep = format!("sweep={{ key = \"crack.speed\", from = \"1 µm/s\", to = \"1 m/s\", points = {rows} }}");
+        let out = format!("of_{rows}");
+        let said = folder.call(&["run", "scene.toml", "--json", "--set", &sweep, "--out", &out]).ended(0).json();
+        let given = said["results"].as_array().unwrap();
+        assert_eq!(given.len(), rows);
+        let columns = table(&folder.read(&format!("{out}/states.csv")));
+        let speeds: Vec<f64> = cells(&columns, "speed [m/s]").iter().map(|cell| cell.parse().unwrap()).collect();
+        let same = given.iter().zip(&speeds).all(|(row, speed)| {
+            let printed = row["values"]["speed"]["value"].as_f64().unwrap();
+            (printed / speed - 1.0).abs() < 1e-15
+        });
+        assert!(same && speeds.len() == rows);
+        let summary: Value = serde_json::from_str(&folder.read(&format!("{out}/summary.json"))).unwrap();
+        assert_eq!(summary["rows"]["omitted"].as_u64(), omitted);
+        assert_eq!(summary["results"].as_array().unwrap().len(), if omitted.is_some() { 0 } else { rows });
+        assert!(said["rows"]["omitted"].is_null() && said["rows"]["total"].as_u64() == Some(rows as u64));
+    }
+}
