@@ -107,7 +107,7 @@ fn every_scene_is_accepted_and_every_part_of_one_is_toml() {
             if info == "toml scene" {
                 let folder = Folder::new();
                 folder.write("scene.toml", &body);
-                let answer = folder.run(&["explain", "scene.toml"]);
+                let answer = folder.call(&["explain", "scene.toml"]);
                 assert_eq!(answer.code, 0, "{}: {body}\n{}", page.display(), answer.stderr);
                 scenes += 1;
             } else if info == "toml" {
@@ -135,7 +135,7 @@ fn every_command_exists() {
     commands.dedup();
     assert!(commands.len() >= 5, "{commands:?}");
     for command in commands {
-        let answer = Folder::new().run(&[&command, "--help"]);
+        let answer = Folder::new().call(&[&command, "--help"]);
         assert_eq!(answer.code, 0, "{command}: {}", answer.stderr);
     }
 }
@@ -147,7 +147,7 @@ fn the_scene_of_the_readme_prints_what_it_shows() {
     let place = blocks.iter().position(|(info, _)| info == "toml scene").unwrap();
     let folder = Folder::new();
     folder.write("scene.toml", &blocks[place].1);
-    let answer = folder.run(&["run", "scene.toml"]);
+    let answer = folder.call(&["run", "scene.toml"]);
     assert_eq!(answer.code, 0, "{}", answer.stderr);
     let (info, shown) = &blocks[place + 1];
     assert_eq!(info, "text");
