@@ -155,3 +155,11 @@ fn the_scene_of_the_readme_prints_what_it_shows() {
         assert!(answer.stdout.lines().any(|printed| printed.trim_end() == line.trim_end()), "not printed: {line}\n{}", answer.stdout);
     }
 }
+
+/// `viscotack schema --markdown > docs/src/reference/keys.md` makes it anew.
+#[test]
+fn the_page_of_keys_is_that_of_the_program() {
+    let page = std::fs::read_to_string(root().join("docs/src/reference/keys.md")).unwrap();
+    let answer = Folder::new().call(&["schema", "--markdown"]).ended(0);
+    assert!(answer.stdout == page, "docs/src/reference/keys.md is old: viscotack schema --markdown > docs/src/reference/keys.md");
+}

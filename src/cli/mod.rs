@@ -112,7 +112,11 @@ enum Command {
         json: bool,
     },
     /// Print the JSON schema of a scene, for editors
-    Schema,
+    Schema {
+        /// Print the page of all keys for people instead
+        #[arg(long)]
+        markdown: bool,
+    },
     /// Print the papers behind what a scene uses, as BibTeX
     Cite {
         /// The scene; without it, all papers
@@ -184,7 +188,8 @@ pub fn main() -> ExitCode {
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })
         }
         Command::Units { json } => units::units(json),
-        Command::Schema => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
+        Command::Schema { markdown: true } => print(&crate::scene::key_reference::key_reference()).map(|()| 0),
+        Command::Schema { markdown: false } => print(&format!("{:#}\n", crate::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),
         Command::Completions { shell } => {
             let mut bytes = Vec::new();

@@ -14,6 +14,7 @@ pub mod delimited;
 pub mod diagnostic;
 pub mod document;
 mod frame;
+pub mod key_reference;
 pub mod read;
 pub mod schema;
 pub mod suggest;
