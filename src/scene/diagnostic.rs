@@ -2,6 +2,7 @@
 
 use super::delimited::decode::Encoding;
 use super::frame::{Frame, Framed};
+use crate::terminal_text;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::fmt;
 use std::ops::Range;
@@ -80,7 +81,7 @@ impl SceneError {
     /// The same error with a line that says what is allowed, or what to do.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(terminal_text::lines(&help.into()));
         self
     }
 
@@ -117,10 +118,9 @@ impl std::error::Error for SceneError {}
 
 /// A message on one line: keys and values from a file may hold line feeds, or codes that command a terminal.
 fn one_line(text: &str) -> String {
-    let clean = |character: char| if character.is_control() { ' ' } else { character };
     match text.char_indices().nth(LONGEST_MESSAGE) {
-        None => text.chars().map(clean).collect(),
-        Some((end, _)) => text.get(..end).unwrap_or("").chars().map(clean).chain(['…']).collect(),
+        None => terminal_text::one_line(text),
+        Some((end, _)) => terminal_text::one_line(text.get(..end).unwrap_or("")) + "…",
     }
 }
 
