@@ -2,6 +2,7 @@
 
 use super::diagnostic::{Place, SceneError, SourceText};
 use super::read::material_memo::MaterialMemo;
+use super::recognise;
 use crate::{regular_file, terminal_text};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -351,6 +352,10 @@ pub fn parse_tree(source: &SourceText) -> Result<Node, SceneError> {
         let span = error.span().unwrap_or(0..0);
         let words = source.text().get(span.clone()).filter(|words| !words.trim().is_empty() && words.len() <= 60);
         let what = words.map_or_else(|| error.message().to_owned(), |words| format!("{} `{}`", error.message(), words.trim()));
+        if !recognise::is_scene(source.text()) {
+            let place = Place { source: source.hidden(), span };
+            return SceneError::at(&place, "this is not a scene, and not TOML", "here");
+        }
         let place = Place { source: source.clone(), span };
         SceneError::at(&place, format!("this is not TOML: {what}"), "here")
     })?;
