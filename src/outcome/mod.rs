@@ -10,6 +10,7 @@ pub mod owned;
 pub mod plot;
 pub mod row;
 pub mod screen;
+mod screen_bounds;
 pub mod summary;
 
 pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
