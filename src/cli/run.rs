@@ -19,6 +19,7 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
     // A number that the physics refuses is found before a folder is touched.
     let plan = plan::Plan::new(&source.scene)?;
     let states = plan.states();
+    interrupt::explain(out.map(|target| name(&partial_of(target))), states);
     let mut folder = None;
     let mut finished = Vec::new();
     if let Some(target) = out {
@@ -29,9 +30,9 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
             let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
             note(&format!("resuming: {} of {states} states were finished before{under_way}\n", kept.len()));
         }
+        interrupt::finished(kept.len());
         (folder, finished) = (Some(opened), kept);
     }
-    interrupt::explain(out.map(|target| name(&partial_of(target))), states);
     let bar = progress_bar(states);
     let progress = |stage: Stage| show(&bar, states, stage);
     let safe = folder.as_mut().map(|folder| {

@@ -25,7 +25,8 @@ impl Store {
     /// The store of a folder of figures, made if it is not there. A folder that holds anything else is refused.
     pub(super) fn open(out: &Path) -> Result<Self, FolderError> {
         let tables = out.join(FOLDER);
-        Ok(Self { figures: owned(out, FIGURES, &[])?, tables: owned(&tables, COMPUTED, &["*.json", "*.partial"])?.path().to_owned() })
+        let figures = OwnedFolder::open_or_make(out, FIGURES, &[])?;
+        Ok(Self { figures, tables: OwnedFolder::open_or_make(&tables, COMPUTED, &["*.json", "*.partial"])?.path().to_owned() })
     }
 
     /// Where the figures go.
@@ -59,13 +60,6 @@ impl Store {
 /// Digest of a table and of what it is the table of.
 fn sealed(key: &str, table: &[u8]) -> String {
     digest(&[key.as_bytes(), table].concat())
-}
-
-/// The folder that an earlier run has made, or a new one.
-fn owned(path: &Path, kind: &str, open: &[&str]) -> Result<OwnedFolder, FolderError> {
-    let is_new =
-        std::fs::symlink_metadata(path).is_err() || (path.is_dir() && std::fs::read_dir(path).is_ok_and(|mut all| all.next().is_none()));
-    if is_new { OwnedFolder::make(path, kind, open) } else { OwnedFolder::open(path, Some(kind)) }
 }
 
 #[cfg(test)]

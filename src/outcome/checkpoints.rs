@@ -53,7 +53,11 @@ impl Checkpoints {
     /// How many states of a run of so many are under way.
     #[must_use]
     pub fn begun(&self, states: usize) -> usize {
-        (0..states).filter(|state| self.path(*state).is_file()).count()
+        let state_of = |name: &str| name.strip_prefix("state-")?.strip_suffix(ENDING)?.strip_suffix('.')?.parse::<usize>().ok();
+        let is_begun = |entry: std::io::Result<std::fs::DirEntry>| {
+            entry.is_ok_and(|entry| entry.file_name().to_str().and_then(state_of).is_some_and(|state| state < states))
+        };
+        std::fs::read_dir(&self.folder).map_or(0, |entries| entries.map(is_begun).filter(|begun| *begun).count())
     }
 
     /// Leaves a checkpoint of a state; the new file replaces the old in one rename.

@@ -117,11 +117,7 @@ impl RunFolder {
         writable(target, force)?;
         let path = partial_of(target);
         let journal_path = path.join(JOURNAL);
-        let mut partial = if is_there(&path) && !is_empty(&path) {
-            OwnedFolder::open(&path, Some(UNFINISHED))?
-        } else {
-            OwnedFolder::make(&path, UNFINISHED, &UNDER_WAY)?
-        };
+        let mut partial = OwnedFolder::open_or_make(&path, UNFINISHED, &UNDER_WAY)?;
         let busy = || FolderError::Busy(terminal_text::name(&path));
         let mut lock = partial.lock()?.ok_or_else(busy)?;
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {

@@ -58,13 +58,30 @@ impl OwnedFolder {
     /// A folder that holds anything, or a file system that refuses.
     pub fn make(path: &Path, kind: &str, open: &[&str]) -> Result<Self, FolderError> {
         fs::create_dir_all(path).map_err(io(path))?;
-        if let Some(entry) = entries(path)?.into_iter().next() {
+        // A mark that a kill or a full disk cut short is none.
+        if let Some(entry) = entries(path)?.into_iter().find(|name| name != FRESH) {
             return Err(FolderError::NotOwned { path: shown(path), why: holds(&entry) });
         }
         let files = open.iter().map(|name| ((*name).to_owned(), None)).collect();
         let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files };
-        folder.write_mark()?;
+        if let Err(error) = folder.write_mark() {
+            // Nothing of it is of use to anybody; the reason is the one before.
+            drop(fs::remove_file(path.join(FRESH)).and_then(|()| fs::remove_dir(path)));
+            return Err(error);
+        }
         Ok(folder)
+    }
+
+    /// The folder that carries a mark, or a new one where nothing is.
+    ///
+    /// # Errors
+    /// Those of [`OwnedFolder::open`] and [`OwnedFolder::make`].
+    pub fn open_or_make(path: &Path, kind: &str, open: &[&str]) -> Result<Self, FolderError> {
+        if path.is_symlink() || fs::symlink_metadata(path.join(MARK)).is_ok() {
+            Self::open(path, Some(kind))
+        } else {
+            Self::make(path, kind, open)
+        }
     }
 
     /// The folder that is there, if it carries a mark of that kind, or of any.
