@@ -127,7 +127,8 @@ pub fn run_planned(
 
 /// A folder that somebody has removed is no reason to stop: the results are there at the end all the same. A full disk is: what is finished is kept.
 fn gone(error: std::io::Error) -> std::io::Result<()> {
-    if error.kind() == std::io::ErrorKind::NotFound { Ok(()) } else { Err(error) }
+    use std::io::ErrorKind::{NotADirectory, NotFound};
+    if matches!(error.kind(), NotFound | NotADirectory) { Ok(()) } else { Err(error) }
 }
 
 /// One state: its swept values put into the scene, read, planned, solved.
