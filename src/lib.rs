@@ -13,11 +13,14 @@ pub mod material;
 pub mod outcome;
 pub mod plan;
 pub mod refusal;
+pub mod regular_file;
 pub mod rivals;
 pub mod scene;
 pub mod sliding;
 pub mod special;
 pub mod studies;
+pub mod terminal_text;
+pub mod threads;
 
 pub use estimate::Estimate;
 pub use material::Material;

@@ -10,6 +10,7 @@
 mod command_support;
 
 use command_support::{Folder, GOOD, SLIDING};
+use sha2::{Digest, Sha256};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -83,6 +84,25 @@ fn a_sliding_sweep_is_resumed_to_the_same_bytes() {
     assert!(folder.files("DIR") == whole.files("DIR"));
 }
 
+/// Lines of a journal with the digests that belong to their contents.
+fn sealed(contents: &[String]) -> String {
+    let mut before = "viscotack journal 1".to_owned();
+    let line = |content: &String| {
+        before = Sha256::digest(format!("{before}{content}")).iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("[\"{before}\",{content}]\n")
+    };
+    contents.iter().map(line).collect()
+}
+
+/// The contents of the lines of a journal.
+fn contents(journal: &[u8]) -> Vec<String> {
+    let text = String::from_utf8(journal.to_vec()).unwrap();
+    text.lines().map(|line| line[68..line.len() - 1].to_owned()).collect()
+}
+
+/// The mark of a partial folder, without which it is somebody else's.
+const MARK: &str = "DIR.partial/.viscotack";
+
 /// A folder with a journal of a sweep killed early, and the bytes of it.
 fn interrupted(scene: &str) -> (Folder, Vec<u8>) {
     for _ in 0..20 {
@@ -102,6 +122,7 @@ fn journals_cut_at_any_point_lead_to_the_same_bytes() {
     whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     let expected = whole.files("DIR");
     let (folder, journal) = interrupted(&scene);
+    let mark = std::fs::read(folder.path(MARK)).unwrap();
 
     let ends: Vec<usize> = journal.iter().enumerate().filter(|&(_, &byte)| byte == b'\n').map(|(at, _)| at + 1).collect();
     let (header, one, two) = (ends[0], ends[1], ends[2]);
@@ -141,19 +162,19 @@ fn journals_cut_at_any_point_lead_to_the_same_bytes() {
         assert!(!folder.path("DIR.partial").exists(), "{kind}");
         std::fs::remove_dir_all(folder.path("DIR")).unwrap();
         std::fs::create_dir(folder.path("DIR.partial")).unwrap();
+        folder.write(MARK, &mark);
     }
 }
 
 #[test]
 fn a_finished_state_is_kept_and_not_computed_again() {
     let (folder, journal) = interrupted(&long_scene(600, 60));
-    let text = String::from_utf8(journal).unwrap();
-    let mut states: Vec<String> = text.lines().map(str::to_owned).collect();
+    let mut states = contents(&journal);
     let mut rows: serde_json::Value = serde_json::from_str(&states[2]).unwrap();
     // A speed that no computation gives.
     rows[0]["values"][0]["value"] = serde_json::json!(123.456789e30);
     states[2] = rows.to_string();
-    folder.write("DIR.partial/journal.jsonl", states.join("\n") + "\n");
+    folder.write("DIR.partial/journal.jsonl", sealed(&states));
     folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     let table = folder.read("DIR/states.csv");
     assert_eq!(table.lines().filter(|line| line.contains("1.23456789e32")).count(), 1);
@@ -179,13 +200,19 @@ fn the_partial_folder_of_another_scene_is_refused_and_left_alone() {
     let answer = folder.call(&["run", "scene.toml", "--set", "crack.speed=3", "--out", "DIR"]).ended(2);
     assert!(answer.stderr.contains("another scene"), "{}", answer.stderr);
     // Another build is another run, too.
-    let text = String::from_utf8(journal.clone()).unwrap();
-    folder.write("DIR.partial/journal.jsonl", text.replacen("viscotack 0", "viscotack 99.0", 1));
+    let mut other = contents(&journal);
+    assert_eq!(sealed(&other).into_bytes(), journal);
+    other[0] = other[0].replacen("viscotack 0", "viscotack 99.0", 1);
+    folder.write("DIR.partial/journal.jsonl", sealed(&other));
     let answer = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(2);
     assert!(answer.stderr.contains("viscotack 99.0"), "{}", answer.stderr);
     folder.write("DIR.partial/journal.jsonl", journal);
 
-    // With --force it goes, and nothing of it gets into the new folder.
+    // With --force it goes, and nothing of it gets into the new folder; but not while it holds a file that is not the run's.
+    let refused = folder.call(&["run", "value.toml", "--out", "DIR", "--force"]).ended(2);
+    assert!(refused.stderr.contains("`fields.csv`"), "{}", refused.stderr);
+    assert!(folder.files("DIR.partial") == before);
+    std::fs::remove_file(folder.path("DIR.partial/fields.csv")).unwrap();
     let plain = long_scene(3, 5).split("[fields]").next().unwrap().to_owned();
     folder.write("plain.toml", plain);
     let answer = folder.call(&["run", "plain.toml", "--out", "DIR", "--force"]).ended(0);
@@ -296,6 +323,7 @@ fn a_march_killed_in_flight_goes_on_to_the_same_bytes() {
     let whole = Folder::with(&scene);
     whole.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     let altered = std::fs::read(folder.path(checkpoint)).unwrap();
+    let mark = std::fs::read(folder.path(MARK)).unwrap();
 
     let resumed = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     assert!(resumed.stderr.contains("resuming: 0 of 1 states were finished before, 1 begun"), "{}", resumed.stderr);
@@ -308,6 +336,7 @@ fn a_march_killed_in_flight_goes_on_to_the_same_bytes() {
     // Half a checkpoint is none.
     let broken = Folder::with(&scene);
     std::fs::create_dir(broken.path("DIR.partial")).unwrap();
+    broken.write(MARK, mark);
     broken.write(checkpoint, &altered[..altered.len() / 2]);
     broken.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     assert!(broken.files("DIR") == whole.files("DIR"));

@@ -1,7 +1,7 @@
 //! `viscotack explain`: what a scene simulates and leaves out, by which method, at what cost; nothing is solved.
 
 use super::scene_source::SceneSource;
-use super::{Failure, SceneArguments, print};
+use super::{Failure, SceneArguments, print, print_json};
 use crate::plan::Plan;
 use serde_json::json;
 use std::fmt::Write as _;
@@ -22,7 +22,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "predicted_memory_bytes": plan.predicted_memory(),
             "accuracy": source.scene.accuracy,
         });
-        print(&format!("{value:#}\n"))?;
+        print_json(|out| write!(out, "{value:#}"))?;
         return Ok(0);
     }
     let mut text = format!(

@@ -1,6 +1,6 @@
 //! `viscotack material`: a material by itself, its fit, curves, and the file that scenes include.
 
-use super::{Failure, print};
+use super::{Failure, print, print_json};
 use crate::outcome::folder::write_whole;
 use crate::outcome::plot;
 use crate::plan::material::{MaterialReport, material_file, screen, summary, tables};
@@ -20,18 +20,21 @@ pub(super) struct Asked<'a> {
 }
 
 pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
+    crate::threads::prepare();
     let report = report(asked)?;
     let code = if report.met() { 0 } else { 4 };
-    let written = asked.out.map(|target| write(&report, target, asked.force).map(|names| (target, names))).transpose()?;
-    if asked.json {
-        print(&format!("{:#}\n", summary(&report)))?;
+    let written = asked.out.map(|target| write(&report, target, asked.force).map(|names| (target, names))).transpose();
+    let printed = if asked.json {
+        print_json(|out| write!(out, "{:#}", summary(&report)))
     } else {
-        print(&screen(&report))?;
-        print(&match written {
-            Some((target, names)) => format!("\nwrote      {}: {}\n", target.display(), names.join(", ")),
-            None => "\n(nothing written; add --out DIR for material.toml, tables and plots)\n".to_owned(),
-        })?;
-    }
+        print(&screen(&report)).and_then(|()| match &written {
+            Ok(Some((target, names))) => print(&format!("\nwrote      {}: {}\n", crate::terminal_text::name(target), names.join(", "))),
+            Ok(None) => print("\n(nothing written; add --out DIR for material.toml, tables and plots)\n"),
+            Err(_) => Ok(()),
+        })
+    };
+    written?;
+    printed?;
     Ok(code)
 }
 
@@ -79,7 +82,7 @@ fn report(asked: &Asked<'_>) -> Result<MaterialReport, SceneError> {
     read::resolve_material(&mut document)?;
     let material = read::read_material(&document)?;
     let stem = asked.file.file_stem().map_or_else(|| "material".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let title = material.name.clone().unwrap_or(stem).replace(char::is_control, " ");
+    let title = material.name.clone().unwrap_or(stem).replace(crate::terminal_text::is_harmful, " ");
     Ok(MaterialReport { material, units: Units::of(&document.root), title })
 }
 
@@ -101,6 +104,6 @@ fn write(report: &MaterialReport, target: &Path, force: bool) -> Result<Vec<Stri
             Err(error) => return Err(wrong(&stem, &error)),
         }
     }
-    write_whole(target, force, &files)?;
+    write_whole(target, force, "material", &files)?;
     Ok(files.into_iter().map(|(name, _)| name).collect())
 }

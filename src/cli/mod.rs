@@ -1,19 +1,22 @@
 //! The commands, and nothing else: each reads a scene, asks the plan, and prints.
 //!
-//! Exit codes: 0 solved, 1 a feature of a figure or a check of `verify` failed, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not reached.
+//! Exit codes: 0 solved, 1 a feature of a figure or a check of `verify` failed, 2 the scene or the call is wrong, 3 no such state exists, 4 the wanted accuracy was not
+//! reached, 5 the machine refuses: a full disk, no permission.
 
 mod cite;
 mod explain;
 mod figures;
+mod interrupt;
 mod material;
 mod new;
+mod output;
 mod run;
 mod scene_source;
 mod units;
 mod verify;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use std::io::Write;
+use output::{note, print, print_json};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -119,7 +122,7 @@ enum Command {
     },
     /// Print the papers behind what a scene uses, as BibTeX
     Cite {
-        /// The scene; without it, all papers
+        /// The scene, - for standard input; without it, all papers
         scene: Option<PathBuf>,
     },
     /// Print completions for a shell
@@ -131,7 +134,7 @@ enum Command {
 
 #[derive(Debug, clap::Args)]
 struct SceneArguments {
-    /// The scene, a TOML file
+    /// The scene, a TOML file; - reads it from standard input
     scene: PathBuf,
     /// Put a value into the scene, as in --set crack.speed='"1 mm/s"' or --set sweep.points=20; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -142,6 +145,8 @@ struct SceneArguments {
 enum Failure {
     /// The scene or the call is wrong: exit 2.
     Wrong(String),
+    /// The machine refuses, with the path or the stream that it is about: exit 5.
+    Machine(String),
 }
 
 impl From<crate::scene::SceneError> for Failure {
@@ -154,14 +159,21 @@ impl From<crate::plan::RunError> for Failure {
     fn from(error: crate::plan::RunError) -> Self {
         match error {
             crate::plan::RunError::Scene(error) => error.into(),
-            other => Self::Wrong(format!("error: {other}\n")),
+            crate::plan::RunError::Refused(refusal) => refusal.into(),
+            crate::plan::RunError::Journal(error) => Self::Machine(format!(
+                "error: {error}\nWhat was finished before is kept: once this is mended, the same command goes on from there.\n"
+            )),
         }
     }
 }
 
 impl From<crate::outcome::folder::FolderError> for Failure {
     fn from(error: crate::outcome::folder::FolderError) -> Self {
-        Self::Wrong(format!("error: {error}\n"))
+        let message = format!("error: {error}\n");
+        match error {
+            crate::outcome::folder::FolderError::Io { .. } => Self::Machine(message),
+            _ => Self::Wrong(message),
+        }
     }
 }
 
@@ -174,7 +186,11 @@ impl From<crate::refusal::Refusal> for Failure {
 /// Runs the command line.
 #[must_use]
 pub fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    interrupt::limits_are_errors();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return ended(unparsed(&error)),
+    };
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
         Command::Run { scene, out, force, json } => run::run(&scene, out.as_deref(), force, json),
@@ -197,27 +213,22 @@ pub fn main() -> ExitCode {
             print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
         }
     };
-    match result {
-        Ok(code) => ExitCode::from(code),
-        Err(Failure::Wrong(message)) => {
-            let _ = std::io::stderr().write_all(message.as_bytes());
-            ExitCode::from(2)
-        }
-    }
+    ended(result)
 }
 
-/// Writes to standard output; a reader that has gone away (`| head`) is no error, a full disk is.
-fn print(text: &str) -> Result<(), Failure> {
-    print_with(|out| out.write_all(text.as_bytes()))
+/// What clap says: help and version are asked for, anything else is a wrong call. It may quote arguments.
+fn unparsed(error: &clap::Error) -> Result<u8, Failure> {
+    let text = error.render().to_string();
+    if error.use_stderr() { Err(Failure::Wrong(text)) } else { print(&text).map(|()| 0) }
 }
 
-/// Prints piece by piece; a reader that closes the pipe early is no error.
-fn print_with(write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
-    let mut out = std::io::BufWriter::new(std::io::stdout().lock());
-    match write(&mut out).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Failure::Wrong(format!("error: standard output cannot be written: {error}\n")))
-        }
-        _ => Ok(()),
-    }
+/// The exit code, after the last words.
+fn ended(result: Result<u8, Failure>) -> ExitCode {
+    let (message, code) = match result {
+        Ok(code) => return ExitCode::from(code),
+        Err(Failure::Wrong(message)) => (message, 2),
+        Err(Failure::Machine(message)) => (message, 5),
+    };
+    note(&message);
+    ExitCode::from(code)
 }

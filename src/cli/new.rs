@@ -3,6 +3,7 @@
 use super::{Failure, print};
 use crate::scene::diagnostic::nearest;
 use crate::scene::template::{TEMPLATES, template};
+use crate::terminal_text::name as shown;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
@@ -25,9 +26,12 @@ pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failu
     let written = OpenOptions::new().write(true).create_new(true).open(path).and_then(|mut file| file.write_all(found.text.as_bytes()));
     match written {
         Ok(()) => {
-            print(&format!("wrote {}; now: viscotack run {}\n", path.display(), path.display()))?;
+            print(&format!("wrote {}; now: viscotack run {}\n", shown(path), shown(path)))?;
             Ok(0)
         }
-        Err(error) => Err(Failure::Wrong(format!("error: `{}` cannot be written: {error}\n", path.display()))),
+        Err(error) => {
+            let message = format!("error: `{}` cannot be written: {error}\n", shown(path));
+            Err(if error.kind() == std::io::ErrorKind::AlreadyExists { Failure::Wrong(message) } else { Failure::Machine(message) })
+        }
     }
 }

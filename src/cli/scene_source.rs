@@ -1,4 +1,4 @@
-//! A scene from a file and `--set`s, read and typed.
+//! A scene from a file or standard input and `--set`s, read and typed.
 
 use super::SceneArguments;
 use crate::scene::typed::Scene;
@@ -14,7 +14,11 @@ pub(super) struct SceneSource {
 
 impl SceneSource {
     pub(super) fn load(arguments: &SceneArguments) -> Result<Self, SceneError> {
-        let mut document = Document::load(&arguments.scene)?;
+        let mut document = if arguments.scene.as_os_str() == "-" {
+            Document::from_stream("standard input", std::io::stdin().lock())?
+        } else {
+            Document::load(&arguments.scene)?
+        };
         let mut text: String = arguments.sets.iter().map(|set| format!("# --set {}\n", set.replace(['\n', '\r'], " "))).collect();
         text.push_str(document.root.place.source.text());
         // Another material file is named before files are read, any other key is set after.

@@ -1,10 +1,10 @@
 //! `viscotack verify`: the studies, and their report.
 
-use super::{Failure, print};
+use super::{Failure, note, print};
 use crate::outcome::folder;
 use crate::studies::{Effort, Progress, Verdict, chosen, files, run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -17,6 +17,7 @@ const QUIET: Duration = Duration::from_secs(30);
 pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> Result<u8, Failure> {
     let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
     let studies = chosen(names).map_err(|error| wrong(error.to_string()))?;
+    crate::threads::prepare();
     // Before the minutes, not after them.
     folder::writable(out, force)?;
     let effort = if full { Effort::Full } else { Effort::Reduced };
@@ -25,7 +26,9 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} parts, {elapsed}") {
             bar.set_style(style);
         }
-        bar.enable_steady_tick(Duration::from_millis(200));
+        if !crate::threads::is_alone() {
+            bar.enable_steady_tick(Duration::from_millis(200));
+        }
         let watched = bar.clone();
         let progress = Progress::new(move |done, expected| {
             watched.set_length(expected);
@@ -40,8 +43,8 @@ pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> R
     let files = files(&report).map_err(|error| wrong(error.to_string()))?;
     // What was found is not lost with a folder that somebody else has made meanwhile.
     print(&report.table())?;
-    folder::write_whole(out, force, &files)?;
-    print(&format!("wrote {}: report.html, summary.json and {} tables\n", out.display(), files.len() - 2))?;
+    folder::write_whole(out, force, "report", &files)?;
+    print(&format!("wrote {}: report.html, summary.json and {} tables\n", crate::terminal_text::name(out), files.len() - 2))?;
     Ok(if report.count(Verdict::Failed) > 0 { FAILED } else { 0 })
 }
 
@@ -56,18 +59,13 @@ fn plain_progress() -> Progress {
             && last.elapsed() >= QUIET
         {
             *last = Instant::now();
-            line(&format!("{done} of {expected} parts after {:.0} s", begin.elapsed().as_secs_f64()));
+            note(&format!("{done} of {expected} parts after {:.0} s\n", begin.elapsed().as_secs_f64()));
         }
     })
     .with_sections(move |identifier, seconds| {
         if let Ok(mut last) = of_sections.lock() {
             *last = Instant::now();
         }
-        line(&format!("section {identifier}: {seconds:.1} s"));
+        note(&format!("section {identifier}: {seconds:.1} s\n"));
     })
-}
-
-/// A line on standard error; nobody may be reading, and that is no error.
-fn line(text: &str) {
-    let _ = std::io::stderr().lock().write_all(format!("{text}\n").as_bytes());
 }

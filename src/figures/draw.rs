@@ -4,23 +4,22 @@ use super::curve::{Curve, Point};
 use super::manifest::{AxisEntry, Corner};
 use super::report::{PanelReport, Report};
 use super::run::FiguresError;
-use super::store::write_whole;
 use crate::outcome::csv_table::{self, Cell};
+use crate::outcome::owned::OwnedFolder;
 use crate::outcome::plot::{self, Axis, Figure, Inset, LegendPlace, Line, Marker, PlotError};
-use std::path::Path;
 
 /// Writes `ID.csv` and `ID.svg` of every panel, and `features.csv`.
-pub(super) fn write(report: &Report, out: &Path) -> Result<(), FiguresError> {
+pub(super) fn write(report: &Report, out: &mut OwnedFolder) -> Result<(), FiguresError> {
     for panel in report.figures.iter().flat_map(|figure| &figure.panels) {
-        write_whole(&out.join(format!("{}.csv", panel.id)), &table(panel)?)?;
+        out.replace(&format!("{}.csv", panel.id), &table(panel)?)?;
         match plot::svg(&figure(panel)) {
-            Ok(text) => write_whole(&out.join(format!("{}.svg", panel.id)), text.as_bytes())?,
+            Ok(text) => out.replace(&format!("{}.svg", panel.id), text.as_bytes())?,
             // A build without plots still writes the tables.
             Err(PlotError::NotBuilt) => {}
             Err(error) => return Err(FiguresError::Plot { panel: panel.id.clone(), error }),
         }
     }
-    write_whole(&out.join("features.csv"), &features(report)?)?;
+    out.replace("features.csv", &features(report)?)?;
     Ok(())
 }
 

@@ -3,6 +3,7 @@
 use super::source::{Source, SourceError};
 use super::store::Store;
 use super::table::Table;
+use crate::outcome::folder::FolderError;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -18,7 +19,7 @@ pub(super) struct Computed {
 #[derive(Debug)]
 pub(super) enum JobError {
     Source(String, Box<SourceError>),
-    Store(std::io::Error),
+    Store(FolderError),
 }
 
 /// The tables of all sources, by key; equal sources are computed once.
@@ -62,11 +63,12 @@ pub(super) fn tables(
             progress(finished.fetch_add(1, Ordering::Relaxed) + 1, total);
         }
     };
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get).min(total);
     std::thread::scope(|scope| {
-        for _ in 0..cores {
-            scope.spawn(work);
+        for _ in 1..crate::threads::available().min(total) {
+            // One that is refused is not missed: this thread works, too.
+            drop(std::thread::Builder::new().spawn_scoped(scope, work));
         }
+        work();
     });
     for result in results.into_inner().unwrap_or_default() {
         let (key, table) = result?;

@@ -316,7 +316,12 @@ impl Manifest {
     /// # Errors
     /// [`ManifestError::Unreadable`] with the place of what is wrong.
     pub fn parse(text: &str) -> Result<Self, ManifestError> {
-        toml::from_str(text).map_err(|error| ManifestError::Unreadable(error.to_string()))
+        toml::from_str(text).map_err(|error| {
+            // The place in words: the line itself may be of any file.
+            let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or("");
+            let line = 1 + before.matches('\n').count();
+            ManifestError::Unreadable(format!("line {line}: {}", error.message()))
+        })
     }
 
     /// The numbers of all figures.

@@ -50,7 +50,7 @@ pub enum FiguresError {
     },
     /// A file cannot be written.
     #[error("{0}")]
-    Files(#[from] std::io::Error),
+    Folder(#[from] crate::outcome::folder::FolderError),
     /// A plot cannot be drawn.
     #[error("panel {panel}: {error}")]
     Plot {
@@ -71,7 +71,7 @@ pub enum FiguresError {
 pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Report, FiguresError> {
     let chosen = selected(manifest, options)?;
     let store = options.out.as_deref().map(Store::open).transpose()?;
-    let program = program();
+    let program = crate::outcome::build::identity().to_owned();
     let sources: Vec<Vec<Source>> = chosen
         .iter()
         .map(|(figure, panels)| {
@@ -81,7 +81,7 @@ pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usi
         .collect::<Result<_, _>>()?;
     let tables = jobs::tables(sources.iter().flatten().cloned().collect(), store.as_ref(), progress).map_err(|error| match error {
         JobError::Source(place, error) => FiguresError::Source { place, error },
-        JobError::Store(error) => FiguresError::Files(error),
+        JobError::Store(error) => FiguresError::Folder(error),
     })?;
     let mut figures = Vec::with_capacity(chosen.len());
     for ((figure, panels), sources) in chosen.iter().zip(&sources) {
@@ -94,23 +94,11 @@ pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usi
         Vec::new()
     };
     let report = Report { figures, not_reproduced, program };
-    if let Some(out) = &options.out {
-        draw::write(&report, out)?;
-        sheet::write(&report, out)?;
+    if let Some(mut out) = store.map(Store::into_folder) {
+        draw::write(&report, &mut out)?;
+        sheet::write(&report, &mut out)?;
     }
     Ok(report)
-}
-
-/// What the program is; one built from changed sources is told apart by when it was built.
-fn program() -> String {
-    let commit = env!("VISCOTACK_COMMIT");
-    let mut text = format!("viscotack {} {commit}", env!("CARGO_PKG_VERSION"));
-    if commit.ends_with("-dirty") || commit == "unknown" {
-        let built = std::env::current_exe().and_then(|path| path.metadata()).and_then(|metadata| metadata.modified());
-        let since = built.ok().and_then(|built| built.duration_since(std::time::UNIX_EPOCH).ok());
-        text.push_str(&since.map_or_else(String::new, |since| format!(" built {}", since.as_millis())));
-    }
-    text
 }
 
 fn uses(panel: &PanelEntry, source: &str) -> bool {

@@ -2,9 +2,8 @@
 
 use super::feature::{Checked, Verdict};
 use super::report::{FigureReport, PanelReport, Report};
-use super::store::write_whole;
-use std::io;
-use std::path::Path;
+use crate::outcome::folder::FolderError;
+use crate::outcome::owned::OwnedFolder;
 
 const STYLE: &str = "body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#111}\
 h2{border-top:1px solid #bbb;padding-top:.8em}.panels{display:flex;flex-wrap:wrap;gap:1.5em}figure{margin:0;width:360px}\
@@ -14,7 +13,7 @@ small{color:#555}table{border-collapse:collapse}td,th{padding:.15em .8em;text-al
 ul{padding-left:1.4em}";
 
 /// Writes `index.html`.
-pub(super) fn write(report: &Report, out: &Path) -> io::Result<()> {
+pub(super) fn write(report: &Report, out: &mut OwnedFolder) -> Result<(), FolderError> {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Figures of the thesis</title>\n<style>{STYLE}</style>\n\
          <h1>Figures of the thesis, computed and checked</h1>\n<p>{}. ✓ holds, ○ claimed by the thesis and not confirmed, ✗ failed. \
@@ -29,7 +28,7 @@ pub(super) fn write(report: &Report, out: &Path) -> io::Result<()> {
         page.push_str(&format!("<h2>Figure {id}</h2>\n<p>Not reproduced: {}</p>\n", escaped(reason)));
     }
     page.push_str("</html>\n");
-    write_whole(&out.join("index.html"), page.as_bytes())
+    out.replace("index.html", page.as_bytes())
 }
 
 fn overview(report: &Report) -> String {

@@ -1,9 +1,10 @@
 //! Checkpoints of states under way, beside the journal: a killed run goes on within a state.
 //!
-//! One file a state: SHA-256 of what follows, then the header of the run and the checkpoint, in the binary form of postcard, which keeps every
+//! One file a state: SHA-256 of what follows, then the header of the run, the state and the checkpoint, in the binary form of postcard, which keeps every
 //! double bit for bit, infinities too. A file that is cut, altered, or of another scene or build counts as none: the state then begins anew.
 
 use super::journal::JournalHeader;
+use crate::regular_file;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
@@ -13,6 +14,8 @@ use std::path::{Path, PathBuf};
 const DIGEST: usize = 32;
 /// What the name of every such file ends in.
 const ENDING: &str = "checkpoint";
+/// No checkpoint is larger (bytes).
+const LARGEST: u64 = 8 << 30;
 
 /// Where the states of a run leave their checkpoints.
 #[derive(Debug, Clone)]
@@ -35,13 +38,13 @@ impl Checkpoints {
     /// The checkpoint of a state, if a whole one of the same run is there.
     #[must_use]
     pub fn load<T: DeserializeOwned>(&self, state: usize) -> Option<T> {
-        let bytes = std::fs::read(self.path(state)).ok()?;
+        let bytes = regular_file::read(&self.path(state), LARGEST).ok()?;
         let (digest, content) = bytes.split_at_checked(DIGEST)?;
         if Sha256::digest(content).as_slice() != digest {
             return None;
         }
-        let (header, rest) = postcard::take_from_bytes::<JournalHeader>(content).ok()?;
-        if header != self.header {
+        let ((header, of_state), rest) = postcard::take_from_bytes::<(JournalHeader, usize)>(content).ok()?;
+        if header != self.header || of_state != state {
             return None;
         }
         postcard::from_bytes(rest).ok()
@@ -50,7 +53,11 @@ impl Checkpoints {
     /// How many states of a run of so many are under way.
     #[must_use]
     pub fn begun(&self, states: usize) -> usize {
-        (0..states).filter(|state| self.path(*state).is_file()).count()
+        let state_of = |name: &str| name.strip_prefix("state-")?.strip_suffix(ENDING)?.strip_suffix('.')?.parse::<usize>().ok();
+        let is_begun = |entry: std::io::Result<std::fs::DirEntry>| {
+            entry.is_ok_and(|entry| entry.file_name().to_str().and_then(state_of).is_some_and(|state| state < states))
+        };
+        std::fs::read_dir(&self.folder).map_or(0, |entries| entries.map(is_begun).filter(|begun| *begun).count())
     }
 
     /// Leaves a checkpoint of a state; the new file replaces the old in one rename.
@@ -58,13 +65,12 @@ impl Checkpoints {
     /// # Errors
     /// A folder that cannot be written; the old checkpoint then stays.
     pub fn save(&self, state: usize, checkpoint: &impl Serialize) -> std::io::Result<()> {
-        let content = postcard::to_allocvec(&(&self.header, checkpoint)).map_err(std::io::Error::other)?;
+        let content = postcard::to_allocvec(&((&self.header, state), checkpoint)).map_err(std::io::Error::other)?;
         let mut bytes = Sha256::digest(&content).to_vec();
         bytes.extend(content);
         let path = self.path(state);
         let fresh = path.with_extension("new");
-        std::fs::write(&fresh, bytes)?;
-        std::fs::rename(&fresh, &path)
+        std::fs::write(&fresh, bytes).and_then(|()| std::fs::rename(&fresh, &path)).map_err(|error| super::named(&path, error))
     }
 
     /// Removes the checkpoint of a state that is finished; that there is none is no error.
@@ -74,7 +80,7 @@ impl Checkpoints {
     pub fn remove(&self, state: usize) -> std::io::Result<()> {
         for path in [self.path(state), self.path(state).with_extension("new")] {
             match std::fs::remove_file(path) {
-                Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error),
+                Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(super::named(&self.path(state), error)),
                 _ => {}
             }
         }
@@ -103,6 +109,9 @@ mod tests {
         // Another state, another scene.
         assert_eq!(checkpoints.load::<Vec<f64>>(0), None);
         assert_eq!(Checkpoints::new(folder.path(), &header("b")).load::<Vec<f64>>(1), None);
+        std::fs::copy(folder.path().join("state-1.checkpoint"), folder.path().join("state-2.checkpoint")).unwrap();
+        assert_eq!(checkpoints.load::<Vec<f64>>(2), None);
+        checkpoints.remove(2).unwrap();
         // Cut anywhere, or altered anywhere.
         let path = folder.path().join("state-1.checkpoint");
         let bytes = std::fs::read(&path).unwrap();

@@ -1,13 +1,17 @@
 //! The folder of a run: written beside its place, moved there in one step, never half there.
 //!
-//! `DIR.partial` holds the journal while a run is under way and the finished files at its end; then it becomes `DIR` by a rename. With
-//! `--force` an existing `DIR` steps aside first and is deleted last.
+//! `DIR.partial` holds the journal while a run is under way, and at its end the finished files in a folder of their own, which becomes `DIR` by a rename.
+//! With `--force` an existing `DIR` steps aside first and is deleted last. Every folder carries the mark of this program ([`super::owned`]): one without it, and every
+//! file that is not listed in it, is left alone.
 
 use super::checkpoints::Checkpoints;
-use super::journal::{Found, Journal, JournalHeader, is_held, read};
+use super::journal::{Found, Journal, JournalHeader, read};
+use super::owned::OwnedFolder;
 use super::row::Row;
 use super::{Outcome, csv_table, plot, summary};
+use crate::terminal_text;
 use rayon::prelude::*;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -17,9 +21,14 @@ pub enum FolderError {
     /// It is there already.
     #[error("the folder `{0}` exists already: choose another --out, or add --force to replace it")]
     Exists(String),
-    /// It is there, and no run has written it: other work would be lost.
-    #[error("`{0}` is not replaced: it holds no summary.json, so it was not written by a run; choose another --out")]
-    NotARun(String),
+    /// Other work than that of this program would be lost.
+    #[error("`{path}` is not replaced: {why}; move it away, or choose another --out")]
+    NotOwned {
+        /// The folder, or the file.
+        path: String,
+        /// What shows that it belongs to somebody else.
+        why: String,
+    },
     /// The partial folder belongs to another run.
     #[error(
         "`{partial}` holds the unfinished run of another scene or build ({found}): remove it, choose another --out, or add --force to drop it"
@@ -33,7 +42,7 @@ pub enum FolderError {
     /// Another run is filling it now.
     #[error("`{0}` is being written by another run: wait for it, or choose another --out")]
     Busy(String),
-    /// The file system said no.
+    /// The machine refuses: a full disk, no permission, a folder that is gone.
     #[error("`{path}` cannot be written: {error}")]
     Io {
         /// The path.
@@ -43,27 +52,42 @@ pub enum FolderError {
     },
 }
 
+impl FolderError {
+    /// What the system says about a path.
+    pub(crate) fn io(path: &Path) -> impl Fn(std::io::Error) -> Self + '_ {
+        move |error| Self::Io { path: terminal_text::name(path), error: error.to_string() }
+    }
+}
+
 /// A folder being filled.
 #[derive(Debug)]
 pub struct RunFolder {
     target: PathBuf,
-    partial: PathBuf,
+    partial: OwnedFolder,
     journal: Journal,
     checkpoints: Checkpoints,
     force: bool,
+    /// Keeps other runs out.
+    _lock: File,
 }
 
 /// Name of the journal inside the partial folder.
 const JOURNAL: &str = "journal.jsonl";
-/// Name of the summary: where it stands, the folder was written by a run.
-const SUMMARY: &str = "summary.json";
+/// All that a run keeps there while it is under way.
+const UNDER_WAY: [&str; 4] = [JOURNAL, "journal.new", "state-*.checkpoint", "state-*.new"];
+/// The finished files inside the partial folder.
+const RESULT: &str = "result";
+/// What marks call a folder of each kind.
+const RUN: &str = "run";
+const UNFINISHED: &str = "unfinished run";
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {
-    move |error| FolderError::Io { path: path.display().to_string(), error: error.to_string() }
+    FolderError::io(path)
 }
 
 /// `DIR.partial` of `DIR`, and of `DIR/`, as shells complete it.
-fn partial_of(target: &Path) -> PathBuf {
+#[must_use]
+pub fn partial_of(target: &Path) -> PathBuf {
     beside(target, ".partial")
 }
 
@@ -75,42 +99,51 @@ fn beside(target: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Whether a folder may be replaced by a run: it is empty, or a run has written it.
-fn replaceable(target: &Path) -> bool {
-    target.join(SUMMARY).is_file() || std::fs::read_dir(target).is_ok_and(|mut entries| entries.next().is_none())
+/// Whether anything is there, a link to nothing too.
+fn is_there(path: &Path) -> bool {
+    std::fs::symlink_metadata(beside(path, "")).is_ok()
+}
+
+fn is_empty(folder: &Path) -> bool {
+    !beside(folder, "").is_symlink() && std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 impl RunFolder {
     /// Opens the partial folder of a run; gives the states that an earlier, killed run of the same scene finished.
     ///
     /// # Errors
-    /// A folder that exists (without `force`), an unfinished run of something else, or a file system that refuses.
+    /// A folder that exists (without `force`) or is not this program's, an unfinished run of something else, or a file system that refuses.
     pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<(Self, Vec<Vec<Row>>), FolderError> {
         writable(target, force)?;
-        let partial = partial_of(target);
-        let journal_path = partial.join(JOURNAL);
-        if is_held(&journal_path) {
-            return Err(FolderError::Busy(partial.display().to_string()));
-        }
+        let path = partial_of(target);
+        let journal_path = path.join(JOURNAL);
+        let mut partial = OwnedFolder::open_or_make(&path, UNFINISHED, &UNDER_WAY)?;
+        let busy = || FolderError::Busy(terminal_text::name(&path));
+        let mut lock = partial.lock()?.ok_or_else(busy)?;
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
             Found::Rows(rows) => rows,
             Found::Nothing => Vec::new(),
             Found::Other(_) if force => {
-                // Its files must not end among those of this run.
-                std::fs::remove_dir_all(&partial).map_err(io(&partial))?;
+                // Nothing of it must end among the files of this run.
+                remove_result(&path)?;
+                if let Some(why) = partial.foreign()? {
+                    return Err(FolderError::NotOwned { path: terminal_text::name(&path), why });
+                }
+                partial.remove()?;
+                partial = OwnedFolder::make(&path, UNFINISHED, &UNDER_WAY)?;
+                lock = partial.lock()?.ok_or_else(busy)?;
                 Vec::new()
             }
             Found::Other(found) => {
                 let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
-                return Err(FolderError::OtherRun { partial: partial.display().to_string(), found });
+                return Err(FolderError::OtherRun { partial: terminal_text::name(&path), found: terminal_text::one_line(&found) });
             }
         };
-        std::fs::create_dir_all(&partial).map_err(io(&partial))?;
         let journal = Journal::open(&journal_path, header, &finished).map_err(io(&journal_path))?;
-        let checkpoints = Checkpoints::new(&partial, header);
+        let checkpoints = Checkpoints::new(&path, header);
         // A kill may have come between the journal and the end of a checkpoint.
-        (0..finished.len()).try_for_each(|state| checkpoints.remove(state)).map_err(io(&partial))?;
-        Ok((Self { target: target.to_owned(), partial, journal, checkpoints, force }, finished))
+        (0..finished.len()).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
+        Ok((Self { target: target.to_owned(), partial, journal, checkpoints, force, _lock: lock }, finished))
     }
 
     /// The journal to append finished states to, and where those under way leave checkpoints.
@@ -123,11 +156,13 @@ impl RunFolder {
     /// # Errors
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
-        let Self { target, partial, journal, checkpoints: _, force } = self;
+        let Self { target, partial, journal, checkpoints: _, force, _lock } = self;
+        // What an earlier run left there at its end is made anew.
+        let path = remove_result(partial.path())?;
+        let mut result = OwnedFolder::make(&path, RUN, &[])?;
         let mut names = Vec::new();
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
-            let path = partial.join(name);
-            std::fs::write(&path, bytes).map_err(io(&path))?;
+            result.write(name, bytes)?;
             names.push(name.to_owned());
             Ok(())
         };
@@ -135,7 +170,7 @@ impl RunFolder {
         let mut text = Vec::new();
         summary::write_short(outcome, &mut text).map_err(|error| io(&target)(error.into()))?;
         text.push(b'\n');
-        write(SUMMARY, &text)?;
+        write("summary.json", &text)?;
         write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
         if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
             write("fields.csv", &fields)?;
@@ -157,52 +192,85 @@ impl RunFolder {
                 Err(error) => return Err(FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() }),
             }
         }
-        // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a spare file.
-        moved(&partial, &target, force)?;
+        result.seal()?;
+        // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a journal to spare.
+        moved(result.path(), &target, force)?;
         drop(journal);
-        let spare = target.join(JOURNAL);
-        std::fs::remove_file(&spare).map_err(io(&spare))?;
+        partial.remove()?;
         Ok(names)
     }
+}
+
+/// Removes the finished files that an earlier run may have left in its partial folder; gives the path where they are written.
+fn remove_result(partial: &Path) -> Result<PathBuf, FolderError> {
+    let path = partial.join(RESULT);
+    if is_there(&path) && !is_empty(&path) {
+        OwnedFolder::open(&path, Some(RUN))?.remove()?;
+    }
+    Ok(path)
 }
 
 /// Whether a folder of files may be written there.
 ///
 /// # Errors
-/// A folder that exists (without `force`) or was not written by a run.
+/// A folder that exists (without `force`), or holds anything that this program has not written.
 pub fn writable(target: &Path, force: bool) -> Result<(), FolderError> {
-    if target.exists() && !force {
-        return Err(FolderError::Exists(target.display().to_string()));
+    if !is_there(target) || (force && is_empty(target)) {
+        return Ok(());
     }
-    if target.exists() && !replaceable(target) {
-        return Err(FolderError::NotARun(target.display().to_string()));
+    let path = terminal_text::name(target);
+    if !force {
+        return Err(FolderError::Exists(path));
     }
-    Ok(())
+    let owned = OwnedFolder::open(target, None)?;
+    match owned.foreign()? {
+        Some(why) => Err(FolderError::NotOwned { path, why }),
+        None if !owned.is_sealed() => Err(FolderError::NotOwned { path, why: "it is not the finished folder of a run".to_owned() }),
+        None => Ok(()),
+    }
 }
 
-/// Writes files that are all there already: beside the place of the folder, then moved there in one step.
+/// Writes files that are all there already, as a folder of a kind: beside the place of the folder, then moved there in one step.
 ///
 /// # Errors
 /// Those of [`writable`], or a file system that refuses.
-pub fn write_whole(target: &Path, force: bool, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
+pub fn write_whole(target: &Path, force: bool, kind: &str, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
     writable(target, force)?;
-    let partial = beside(target, &format!(".partial-{}", std::process::id()));
-    std::fs::create_dir_all(&partial).map_err(io(&partial))?;
-    for (name, bytes) in files {
-        let path = partial.join(name);
-        std::fs::write(&path, bytes).map_err(io(&path))?;
+    let mut partial = OwnedFolder::make(&beside(target, &format!(".partial-{}", std::process::id())), kind, &[])?;
+    let written = files
+        .iter()
+        .try_for_each(|(name, bytes)| partial.write(name, bytes))
+        .and_then(|()| partial.seal())
+        .and_then(|()| moved(partial.path(), target, force));
+    if written.is_err() && is_there(partial.path()) {
+        // The reason is the one before.
+        drop(partial.remove());
     }
-    moved(&partial, target, force)
+    written
 }
 
 /// Moves a finished folder to its place; one that is there steps aside first and is deleted last.
 fn moved(partial: &Path, target: &Path, force: bool) -> Result<(), FolderError> {
-    if force && target.exists() {
-        let aside = beside(target, &format!(".replaced-{}", std::process::id()));
-        std::fs::rename(target, &aside).map_err(io(target))?;
-        std::fs::rename(partial, target).map_err(io(target))?;
-        std::fs::remove_dir_all(&aside).map_err(io(&aside))
-    } else {
-        std::fs::rename(partial, target).map_err(io(target))
+    // Somebody may have put something there since the run began.
+    writable(target, force)?;
+    if !is_there(target) {
+        return std::fs::rename(partial, target).map_err(io(target));
+    }
+    let aside = beside(target, &format!(".replaced-{}", std::process::id()));
+    std::fs::rename(target, &aside).map_err(io(target))?;
+    if let Err(error) = std::fs::rename(partial, target) {
+        // The old one is worth more than none.
+        let back = std::fs::rename(&aside, target);
+        return Err(io(target)(back.err().unwrap_or(error)));
+    }
+    if is_empty(&aside) {
+        return std::fs::remove_dir(&aside).map_err(io(&aside));
+    }
+    match OwnedFolder::open(&aside, None)?.remove()? {
+        true => Ok(()),
+        false => Err(FolderError::NotOwned {
+            path: terminal_text::name(&aside),
+            why: "files were put into the folder that was replaced".to_owned(),
+        }),
     }
 }

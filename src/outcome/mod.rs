@@ -1,13 +1,16 @@
 //! What comes out: rows of values with errors, certificates, validity, work; as screen table, JSON, CSV and plots.
 
+pub mod build;
 pub mod checkpoints;
 pub mod csv_table;
 pub mod folder;
 pub mod journal;
 pub mod material_uncertainty;
+pub mod owned;
 pub mod plot;
 pub mod row;
 pub mod screen;
+mod screen_bounds;
 pub mod summary;
 
 pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
@@ -110,16 +113,16 @@ pub enum Verdict {
 }
 
 impl Outcome {
-    /// The exit code. A sweep gives 0 if any row is solved; a single state only if every row of it is. Otherwise 4 if a row is
-    /// inaccurate, did not converge or is inadmissible, 2 if one contradicts the scene, 3 if no such state exists.
+    /// The exit code: 4 if any row is inaccurate, did not converge or is inadmissible. Otherwise 0 if every row is solved, of a sweep if any row
+    /// is; else 2 if a row contradicts the scene, and 3 if no such state exists.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         let any = |status: Status| self.rows.iter().any(|row| row.status == status);
         let solved = if self.swept.is_empty() { self.rows.iter().all(|row| row.status == Status::Solved) } else { any(Status::Solved) };
-        if solved {
-            0
-        } else if any(Status::Inaccurate) || any(Status::NotConverged) || any(Status::Inadmissible) {
+        if any(Status::Inaccurate) || any(Status::NotConverged) || any(Status::Inadmissible) {
             4
+        } else if solved {
+            0
         } else if any(Status::Invalid) {
             2
         } else {
@@ -136,4 +139,9 @@ impl Outcome {
         }
         total
     }
+}
+
+/// An error of the system with the path that it is about.
+fn named(path: &std::path::Path, error: std::io::Error) -> std::io::Error {
+    std::io::Error::new(error.kind(), format!("`{}` cannot be written: {error}", crate::terminal_text::name(path)))
 }

@@ -1,5 +1,6 @@
 //! The table on the screen: values with as many digits as their error leaves, and the blocks a reader needs before believing them.
 
+use super::screen_bounds::bounds_line;
 use super::{Outcome, Row, Status, Verdict};
 use crate::estimate::Estimate;
 use std::fmt::Write as _;
@@ -91,9 +92,7 @@ fn sweep(text: &mut String, outcome: &Outcome) {
         lines.push(line(row, outcome.labels.len(), &shown));
     }
     let _ = write!(text, "\n{}", aligned(&lines));
-    let errors = outcome.rows.iter().flat_map(|row| shown.iter().filter_map(|&index| row.values.get(index).copied().flatten()));
-    let largest = errors.map(|estimate| estimate.relative_error()).filter(|error| error.is_finite()).fold(0.0, f64::max);
-    let _ = writeln!(text, "error bounds: at most ± {largest:.0e} of each value shown; states.csv has every one");
+    let _ = writeln!(text, "{}", bounds_line(outcome, &shown));
     if outcome.draws > 0 {
         let relative =
             |row: &Row, index: usize| row.material_deviation(index).zip(row.value(index)).map(|(deviation, value)| deviation / value.abs());

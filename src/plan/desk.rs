@@ -2,6 +2,8 @@
 
 use crate::indentation::{Checkpoint, Watch};
 use crate::outcome::checkpoints::Checkpoints;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -72,8 +74,24 @@ impl<'a> Desk<'a> {
     }
 
     /// Where an earlier, killed run of the same scene was in this state.
-    pub(super) fn left_off(&self) -> Option<Checkpoint> {
+    pub(super) fn left_off<T: DeserializeOwned>(&self) -> Option<T> {
         self.checkpoints?.load(self.state)
+    }
+
+    /// Whether the next checkpoint is due.
+    pub(super) fn is_due(&self) -> bool {
+        self.checkpoints.is_some() && self.clock.lock().is_ok_and(|clock| Instant::now() >= clock.next_checkpoint && clock.failed.is_none())
+    }
+
+    /// Leaves a checkpoint.
+    pub(super) fn leave(&self, checkpoint: &impl Serialize) {
+        let Some(checkpoints) = self.checkpoints else { return };
+        let begun = Instant::now();
+        let saved = checkpoints.save(self.state, checkpoint);
+        let Ok(mut clock) = self.clock.lock() else { return };
+        let now = Instant::now();
+        clock.next_checkpoint = now + BETWEEN_CHECKPOINTS.max((now - begun) * SHARE);
+        clock.failed = saved.err();
     }
 
     /// Why a checkpoint could not be written.
@@ -93,16 +111,10 @@ impl Watch for Desk<'_> {
     }
 
     fn wants_checkpoint(&self) -> bool {
-        self.checkpoints.is_some() && self.clock.lock().is_ok_and(|clock| Instant::now() >= clock.next_checkpoint && clock.failed.is_none())
+        self.is_due()
     }
 
     fn checkpoint(&self, checkpoint: &Checkpoint) {
-        let Some(checkpoints) = self.checkpoints else { return };
-        let begun = Instant::now();
-        let saved = checkpoints.save(self.state, checkpoint);
-        let Ok(mut clock) = self.clock.lock() else { return };
-        let now = Instant::now();
-        clock.next_checkpoint = now + BETWEEN_CHECKPOINTS.max((now - begun) * SHARE);
-        clock.failed = saved.err();
+        self.leave(checkpoint);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Plan;
 use super::desk::{Desk, Progress, Stage};
+use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{Journal, JournalHeader};
 use crate::outcome::{Outcome, Row, Status, SweptColumn};
@@ -28,18 +29,14 @@ pub enum RunError {
     #[error("{0}")]
     Refused(#[from] Refusal),
     /// The journal, or a checkpoint, cannot be written.
-    #[error("the journal cannot be written: {0}")]
+    #[error("{0}")]
     Journal(#[from] std::io::Error),
 }
 
 /// What a journal of this scene and build is headed with.
 #[must_use]
 pub fn journal_header(document: &Document, scene: &Scene) -> JournalHeader {
-    JournalHeader {
-        program: format!("viscotack {} {}", env!("CARGO_PKG_VERSION"), env!("VISCOTACK_COMMIT")),
-        scene: document.hash().to_owned(),
-        states: states(&scene.sweeps),
-    }
+    JournalHeader { program: build::identity().to_owned(), scene: document.hash().to_owned(), states: states(&scene.sweeps) }
 }
 
 /// Where a run keeps what it must not lose.
@@ -88,7 +85,7 @@ pub fn run_planned(
         let solve = |state| {
             let desk = Desk::new(state, checkpoints, progress);
             let rows = solve_state(plan, document, scene, &desk, state);
-            desk.failure().map_or(Ok(rows), Err)
+            desk.failure().map_or(Ok(()), Err).or_else(gone).map(|()| rows)
         };
         // One alone needs no threads.
         let solved: Vec<Vec<Row>> = if chunk.len() == 1 {
@@ -97,8 +94,8 @@ pub fn run_planned(
             chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()?
         };
         if let Some(safe) = &mut safe {
-            safe.journal.append(&solved)?;
-            chunk.into_iter().try_for_each(|state| safe.checkpoints.remove(state))?;
+            safe.journal.append(&solved).or_else(gone)?;
+            chunk.into_iter().try_for_each(|state| safe.checkpoints.remove(state)).or_else(gone)?;
         }
         all.extend(solved);
     }
@@ -126,6 +123,12 @@ pub fn run_planned(
         field_columns: plan.field_columns(),
         draws: plan.draws(),
     })
+}
+
+/// A folder that somebody has removed is no reason to stop: the results are there at the end all the same. A full disk is: what is finished is kept.
+fn gone(error: std::io::Error) -> std::io::Result<()> {
+    use std::io::ErrorKind::{NotADirectory, NotFound};
+    if matches!(error.kind(), NotFound | NotADirectory) { Ok(()) } else { Err(error) }
 }
 
 /// One state: its swept values put into the scene, read, planned, solved.

@@ -1,7 +1,8 @@
 //! One error about a scene: where, what, what is allowed.
 
-use super::delimited::decode::Encoding;
+use super::delimited::decode::{Encoding, line_at};
 use super::frame::{Frame, Framed};
+use crate::terminal_text;
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use std::fmt;
 use std::ops::Range;
@@ -12,6 +13,8 @@ use std::sync::Arc;
 pub struct SourceText {
     inner: Arc<(String, String)>,
     encoding: Encoding,
+    /// No line of it is shown: it is neither a scene, nor a table, nor a deck.
+    hidden: bool,
 }
 
 impl SourceText {
@@ -24,7 +27,13 @@ impl SourceText {
     /// A named text that was bytes of some encoding.
     #[must_use]
     pub fn decoded(name: &str, text: String, encoding: Encoding) -> Self {
-        Self { inner: Arc::new((name.to_owned(), text)), encoding }
+        Self { inner: Arc::new((name.to_owned(), text)), encoding, hidden: false }
+    }
+
+    /// The same text, of which errors show no line.
+    #[must_use]
+    pub(super) fn hidden(&self) -> Self {
+        Self { hidden: true, ..self.clone() }
     }
 
     /// How its bytes were read.
@@ -55,6 +64,16 @@ pub struct Place {
     pub span: Range<usize>,
 }
 
+impl Place {
+    /// Line and column of its begin, from 1.
+    fn line_and_column(&self) -> [usize; 2] {
+        let text = self.source.text();
+        let before = text.get(..self.span.start.min(text.len())).unwrap_or("");
+        let line = before.rsplit(['\n', '\r']).next().unwrap_or("");
+        [line_at(text, before.len()), 1 + line.chars().count()]
+    }
+}
+
 /// What is wrong with a scene: one sentence, the place, and what to do about it.
 #[derive(Debug, Clone)]
 pub struct SceneError {
@@ -80,7 +99,7 @@ impl SceneError {
     /// The same error with a line that says what is allowed, or what to do.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(terminal_text::lines(&help.into()));
         self
     }
 
@@ -99,7 +118,12 @@ impl SceneError {
     pub fn rendered(&self) -> String {
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_wrap_lines(false).with_context_lines(1);
-        let framed = Framed { error: self, frame: self.place.as_ref().map(Frame::of) };
+        let place = self.place.as_ref();
+        let framed = Framed { error: self, frame: place.filter(|place| !place.source.hidden).map(Frame::of) };
+        if let Some(place) = place.filter(|place| place.source.hidden) {
+            let [line, column] = place.line_and_column();
+            text = format!("{}:{line}:{column}\n", terminal_text::one_line(place.source.name()));
+        }
         match handler.render_report(&mut text, &framed) {
             Ok(()) => text,
             Err(_) => format!("{self}\n"),
@@ -117,10 +141,9 @@ impl std::error::Error for SceneError {}
 
 /// A message on one line: keys and values from a file may hold line feeds, or codes that command a terminal.
 fn one_line(text: &str) -> String {
-    let clean = |character: char| if character.is_control() { ' ' } else { character };
     match text.char_indices().nth(LONGEST_MESSAGE) {
-        None => text.chars().map(clean).collect(),
-        Some((end, _)) => text.get(..end).unwrap_or("").chars().map(clean).chain(['…']).collect(),
+        None => terminal_text::one_line(text),
+        Some((end, _)) => terminal_text::one_line(text.get(..end).unwrap_or("")) + "…",
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::diagnostic::{Place, SceneError, SourceText};
 use super::read::material_memo::MaterialMemo;
+use super::recognise;
+use crate::{regular_file, terminal_text};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -123,6 +124,16 @@ impl Document {
         let unreadable = |reason: String| SceneError::general(format!("the scene file `{name}` cannot be read: {reason}"));
         let text = read_text(path).map_err(unreadable)?;
         Self::parse(&name, text, path.parent().unwrap_or_else(|| Path::new(".")))
+    }
+
+    /// Reads a scene from a stream, such as standard input; relative paths in it start at the working folder.
+    ///
+    /// # Errors
+    /// As [`Document::load`].
+    pub fn from_stream(name: &str, stream: impl Read) -> Result<Self, SceneError> {
+        let text = text_of(regular_file::read_stream(stream, LARGEST_FILE));
+        let text = text.map_err(|reason| SceneError::general(format!("the scene on {name} cannot be read: {reason}")))?;
+        Self::parse(name, text, Path::new("."))
     }
 
     /// Reads a scene from a text; `folder` is where relative paths in it start.
@@ -299,14 +310,11 @@ fn replace_in(node: &mut Node, path: &str, whole: &str, new: Node) -> Result<(),
 
 /// The text of a file, or the reason why it cannot be read.
 pub(super) fn read_text(path: &Path) -> Result<String, String> {
-    let mut bytes = Vec::new();
-    // Devices and pipes do not tell their size, so that it is limited while reading.
-    let opened = File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes));
-    opened.map_err(|error| error.to_string())?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(format!("it has more than {LARGEST_FILE} bytes"));
-    }
-    String::from_utf8(bytes).map_err(|error| {
+    text_of(regular_file::read(path, LARGEST_FILE))
+}
+
+fn text_of(bytes: std::io::Result<Vec<u8>>) -> Result<String, String> {
+    String::from_utf8(bytes.map_err(|error| error.to_string())?).map_err(|error| {
         let whole = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes().iter().take(whole).filter(|&&byte| byte == b'\n').count();
         format!("byte {whole}, in line {line}, is not UTF-8 text")
@@ -322,8 +330,11 @@ pub(crate) fn toml_text(text: &str) -> String {
                 quoted.push('\\');
                 quoted.push(character);
             }
-            control if control.is_control() => {
-                let _ = write!(quoted, "\\u{:04X}", u32::from(control));
+            harmful if terminal_text::is_harmful(harmful) => {
+                let _ = match u32::from(harmful) {
+                    short @ ..=0xffff => write!(quoted, "\\u{short:04X}"),
+                    long => write!(quoted, "\\U{long:08X}"),
+                };
             }
             other => quoted.push(other),
         }
@@ -341,6 +352,10 @@ pub fn parse_tree(source: &SourceText) -> Result<Node, SceneError> {
         let span = error.span().unwrap_or(0..0);
         let words = source.text().get(span.clone()).filter(|words| !words.trim().is_empty() && words.len() <= 60);
         let what = words.map_or_else(|| error.message().to_owned(), |words| format!("{} `{}`", error.message(), words.trim()));
+        if !recognise::is_scene(source.text()) {
+            let place = Place { source: source.hidden(), span };
+            return SceneError::at(&place, "this is not a scene, and not TOML", "here");
+        }
         let place = Place { source: source.clone(), span };
         SceneError::at(&place, format!("this is not TOML: {what}"), "here")
     })?;

@@ -1,6 +1,7 @@
 //! The lines of a text that an error shows: cut to a width, without characters that command a terminal.
 
 use super::diagnostic::{Place, SceneError};
+use crate::terminal_text;
 use miette::{Diagnostic, LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 use std::fmt;
 use std::ops::Range;
@@ -50,7 +51,7 @@ impl Frame {
             at = next;
         }
         let mut frame = Self {
-            name: place.source.name().to_owned(),
+            name: terminal_text::one_line(place.source.name()),
             text: String::new(),
             lines_before: super::delimited::decode::line_at(text, begin) - 1,
             cut: 0,
@@ -97,14 +98,9 @@ fn window(text: &str, line: &Range<usize>, place: usize) -> Range<usize> {
     byte(first)..byte(first + WIDEST - 2)
 }
 
-/// What is shown of a character: control characters, and such that turn the direction of a line, are blanks.
+/// What is shown of a character; a tabulator stays.
 fn clean(character: char) -> char {
-    match character {
-        '\t' => '\t',
-        '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' => ' ',
-        other if other.is_control() => ' ',
-        other => other,
-    }
+    if character == '\t' { '\t' } else { terminal_text::shown(character) }
 }
 
 fn clean_length(text: &str, from: usize, to: usize) -> usize {

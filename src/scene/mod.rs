@@ -16,6 +16,7 @@ pub mod document;
 mod frame;
 pub mod key_reference;
 pub mod read;
+mod recognise;
 pub mod schema;
 pub mod suggest;
 pub mod sweep;

@@ -75,6 +75,7 @@ pub const STUDIES: &[Study] = &[
     beside("held_contacts", held_contacts::study),
     beside("seeded_sweep", seeded_sweep::study),
     beside("event_lists", event_lists::study),
+    beside("scene_bytes", scene_bytes::study),
     alone("fits", fits::study),
     alone("effects", effects::study),
 ];

@@ -39,6 +39,7 @@
 //! | [`zone`] | the process zone over the greatest one |
 //! | [`stepper`] | one run at one step size |
 //! | [`mod@trajectory`] | four runs, with an error for every number |
+//! | [`FinishedRuns`] | what a killed history goes on from |
 //! | [`validity`] | numbers that say where the model's assumptions end |
 //!
 //! # A zone that follows the load
@@ -59,6 +60,7 @@
 //! **Choices.** [`GrowthProblem::new`] keeps one length for a history: the thesis's (5.69) with its constant K, or that at a stated intensity. Moduli are
 //! those of the plane problem, as in [`crate::crack`].
 
+mod finished_runs;
 pub mod first_crossing;
 pub mod load;
 pub mod memory;
@@ -72,8 +74,9 @@ pub mod trajectory;
 pub mod validity;
 pub mod zone;
 
+pub use finished_runs::FinishedRuns;
 pub use load::{LoadHistory, LoadSegment, Wave};
 pub use onset::{Onset, onset};
 pub use problem::GrowthProblem;
 pub use regime::{Regime, RegimeReport, regime};
-pub use trajectory::{Event, EventKind, Resolution, Sample, TipState, Trajectory, refined_until, trajectory};
+pub use trajectory::{Event, EventKind, Resolution, Sample, TipState, Trajectory, refined_from, refined_until, trajectory};

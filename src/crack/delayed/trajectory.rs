@@ -12,6 +12,7 @@
 //! histories), and no rule on four runs told which: bars that held were fifty times the error, bars of ten times the error missed one value in two hundred.
 //! Rounding is added: each step satisfies the closure to an ulp, which is ε/κΣP_j of a place, and sums over a window grow with its lines.
 
+use super::finished_runs::{FinishedRuns, Keeper};
 use super::load::LoadHistory;
 use super::onset::{Onset, onset};
 use super::problem::GrowthProblem;
@@ -160,6 +161,23 @@ pub fn refined_until(
     resolution: Resolution,
     excess: &dyn Fn(&Trajectory) -> f64,
 ) -> Result<Trajectory, Refusal> {
+    refined_from(problem, history, outputs, resolution, excess, None, &|_| ())
+}
+
+/// The same from runs that were finished before, of the same problem, history and times: the numbers are the same, to the last bit. `keep` is handed all finished runs
+/// after each new one.
+///
+/// # Errors
+/// Those of [`trajectory`].
+pub fn refined_from(
+    problem: &GrowthProblem<'_>,
+    history: &LoadHistory,
+    outputs: &[f64],
+    resolution: Resolution,
+    excess: &dyn Fn(&Trajectory) -> f64,
+    from: Option<FinishedRuns>,
+    keep: &dyn Fn(&FinishedRuns),
+) -> Result<Trajectory, Refusal> {
     let lines = resolution.lines_per_zone;
     if !(4..=65_536).contains(&lines) {
         return Err(Refusal::out_of_range("lines_per_zone", f64::from(lines), "between 4 and 65536"));
@@ -171,7 +189,8 @@ pub fn refined_until(
         }
         until = output;
     }
-    let of_lines = |lines: u32| run(problem, history, outputs, until, lines, resolution.most_steps);
+    let keeper = Keeper::new(from, keep);
+    let of_lines = |lines: u32| keeper.run(lines, || run(problem, history, outputs, until, lines, resolution.most_steps));
     let mut lines = lines;
     let mut runs = [of_lines(lines.div_ceil(2))?, of_lines(lines)?, of_lines(2 * lines)?, of_lines(4 * lines)?];
     let mut dropped = GrowthWork::default();

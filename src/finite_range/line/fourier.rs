@@ -6,7 +6,7 @@
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// Fields with fewer values than this are transformed on one core: starting a thread costs as much as the work.
 const PARALLEL_FROM: usize = 1 << 15;
@@ -162,13 +162,17 @@ fn in_parallel<T: Send>(parts: impl Iterator<Item = T>, job: impl Fn(usize, T) +
     let mut parts: Vec<T> = parts.collect();
     let last = parts.pop();
     let count = parts.len();
+    // What no thread takes is left here for the present one.
+    let parts: Vec<Mutex<Option<T>>> = parts.into_iter().map(|part| Mutex::new(Some(part))).collect();
+    let take = |index: usize| parts.get(index).and_then(|part| part.lock().ok()?.take());
     std::thread::scope(|scope| {
-        let job = &job;
-        for (index, part) in parts.into_iter().enumerate() {
-            scope.spawn(move || job(index, part));
-        }
+        let (job, take) = (&job, &take);
+        let work = move |index| take(index).into_iter().for_each(|part| job(index, part));
+        let refused: Vec<usize> =
+            (0..count).filter(|&index| std::thread::Builder::new().spawn_scoped(scope, move || work(index)).is_err()).collect();
         if let Some(part) = last {
             job(count, part);
         }
+        refused.into_iter().for_each(work);
     });
 }

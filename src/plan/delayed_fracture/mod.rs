@@ -186,8 +186,8 @@ impl ProblemPlan for DelayedFracturePlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
-        self.rows(state, swept)
+    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+        self.rows(state, swept, desk)
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {

@@ -3,9 +3,12 @@
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
 use crate::crack::delayed::trajectory::tends_to;
-use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_until, regime};
+use crate::crack::delayed::{
+    Event, EventKind, FinishedRuns, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_from, regime,
+};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 use crate::scene::typed::Units;
 
@@ -17,16 +20,16 @@ pub(super) struct Scales {
 }
 
 impl DelayedFracturePlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64]) -> Vec<Row> {
+    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
         let empty = |record: &str| Row::new(state, swept, vec![record.to_owned(), String::new(), String::new()], COUNT);
-        self.solved(&empty).unwrap_or_else(|refusal| {
+        self.solved(&empty, desk).unwrap_or_else(|refusal| {
             let mut row = empty("summary");
             row.refuse(&refusal);
             vec![row]
         })
     }
 
-    fn solved(&self, empty: &dyn Fn(&str) -> Row) -> Result<Vec<Row>, Refusal> {
+    fn solved(&self, empty: &dyn Fn(&str) -> Row, desk: &Desk<'_>) -> Result<Vec<Row>, Refusal> {
         let problem = self.problem()?;
         let outputs = self.output_times();
         let only_summary = outputs.is_empty() && self.is_one_step();
@@ -37,7 +40,16 @@ impl DelayedFracturePlan {
             let rows = self.rows_of(&problem, found, outputs.len(), empty);
             rows.iter().filter_map(|row| self.longest_bound(row, &scales)).map(|(_, bound)| bound).fold(0.0, f64::max) / self.accuracy
         };
-        let found = if only_summary { None } else { Some(refined_until(&problem, &self.history, &asked, self.resolution(), &excess)?) };
+        let keep = |finished: &FinishedRuns| {
+            if desk.is_due() {
+                desk.leave(finished);
+            }
+        };
+        let found = if only_summary {
+            None
+        } else {
+            Some(refined_from(&problem, &self.history, &asked, self.resolution(), &excess, desk.left_off(), &keep)?)
+        };
         let scales = self.scales(&problem, found.as_ref());
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];
         rows.extend(found.iter().flat_map(|found| self.rows_of(&problem, found, outputs.len(), empty)));

@@ -135,7 +135,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     };
     let scene = Scene {
         // One line, whatever the text or the file's name holds.
-        title: top.text("title").map_or_else(stem, str::to_owned).replace(char::is_control, " "),
+        title: top.text("title").map_or_else(stem, str::to_owned).replace(crate::terminal_text::is_harmful, " "),
         units,
         accuracy: top.number("accuracy")?.unwrap_or(default_accuracy),
         material,

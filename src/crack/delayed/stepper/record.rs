@@ -1,9 +1,10 @@
 //! What a run writes: the tip at the output times, events, and the work done.
 
 use super::{Ahead, Stepper};
+use serde::{Deserialize, Serialize};
 
 /// What the tip does, as counted by one run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum RawKind {
     Begins,
     Restarts,
@@ -14,7 +15,7 @@ pub(crate) enum RawKind {
 }
 
 /// An event: time (s), place (process zones), speeds before and after (process zones/s), places jumped over.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct RawEvent {
     pub(crate) kind: RawKind,
     pub(crate) time: f64,
@@ -28,7 +29,7 @@ pub(crate) struct RawEvent {
 }
 
 /// The tip at an output time.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct RawSample {
     pub(crate) place: f64,
     pub(crate) speed: f64,
@@ -39,7 +40,7 @@ pub(crate) struct RawSample {
 }
 
 /// Work done by a run.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct GrowthWork {
     /// Steps taken.
     pub steps: u64,
@@ -63,6 +64,7 @@ impl GrowthWork {
 }
 
 /// What a run returns.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Run {
     pub(crate) samples: Vec<RawSample>,
     pub(crate) events: Vec<RawEvent>,
