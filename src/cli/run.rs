@@ -3,30 +3,42 @@
 use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, print, print_with};
 use crate::outcome::folder::RunFolder;
-use crate::outcome::{screen, summary};
+use crate::outcome::{Outcome, Row, Status, screen, summary};
 use crate::plan::{self, Safe, Stage};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::Write as _;
 use std::path::Path;
 use std::time::Duration;
+
+/// What is wanted of a run.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted<'a> {
+    pub(super) out: Option<&'a Path>,
+    pub(super) force: bool,
+    pub(super) json: bool,
+    pub(super) no_plots: bool,
+}
 
 /// Parts of a bar of one state.
 const PARTS: u64 = 1000;
 
-pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, json: bool) -> Result<u8, Failure> {
-    let source = SceneSource::load(arguments)?;
+pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8, Failure> {
+    let &Wanted { out, force, json, no_plots } = wanted;
+    let mut source = SceneSource::load(arguments)?;
+    if no_plots || out.is_none() {
+        source.scene.plots.clear();
+    }
     // A number that the physics refuses is found before a folder is touched.
     let plan = plan::Plan::new(&source.scene)?;
     let header = plan::journal_header(&source.document, &source.scene);
-    let mut folder = None;
-    let mut finished = Vec::new();
-    if let Some(target) = out {
-        let (mut opened, states) = RunFolder::open(target, &header, force)?;
-        let begun = opened.journal().1.begun(header.states);
-        if !states.is_empty() || begun > 0 {
+    let mut folder = out.map(|target| RunFolder::open(target, &header, force)).transpose()?;
+    if let Some(folder) = &mut folder {
+        let (journal, checkpoints) = folder.journal();
+        let (finished, begun) = (journal.states(), checkpoints.begun(header.states));
+        if finished > 0 || begun > 0 {
             let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
-            eprintln!("resuming: {} of {} states were finished before{under_way}", states.len(), header.states);
+            eprintln!("resuming: {finished} of {} states were finished before{under_way}", header.states);
         }
-        (folder, finished) = (Some(opened), states);
     }
     let bar = progress_bar(header.states);
     let progress = |stage: Stage| show(&bar, header.states, stage);
@@ -34,24 +46,68 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
         let (journal, checkpoints) = folder.journal();
         Safe { journal, checkpoints }
     });
-    let outcome = plan::run_planned(&plan, &source.document, &source.scene, finished, safe, &progress)?;
+    if json && safe.is_none() && !plan.keeps_all_rows() {
+        return streamed(&plan, &source, &bar, &progress);
+    }
+    let outcome = plan::run_planned(&plan, &source.document, &source.scene, safe, None, &progress)?;
     bar.finish_and_clear();
-    let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
+    // The rows of a long sweep are printed from the journal, before the folder takes its place.
     if json {
-        print_with(|out| summary::write_whole(&outcome, &mut *out).map_err(Into::into).and_then(|()| out.write_all(b"\n")))?;
-    } else {
+        print_with(|out| summary::write_whole(&outcome, &mut *out).and_then(|()| out.write_all(b"\n")))?;
+    }
+    let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose()?;
+    if !json {
         print(&screen::render(&outcome))?;
         match (out, files) {
             (Some(target), Some(files)) => {
                 let omitted = summary::omitted(&outcome);
-                let note =
-                    if omitted > 0 { format!(" (summary.json without its {omitted} rows, which states.csv holds)") } else { String::new() };
+                let place = summary::omitted_rows_are_in(&outcome);
+                let note = if omitted > 0 { format!(" (summary.json without its {omitted} rows, which are in {place})") } else { String::new() };
                 print(&format!("wrote      {}: {}{note}\n", target.display(), files.join(", ")))?;
             }
             _ => print("(nothing written; add --out DIR for summary.json, tables and plots)\n")?,
         }
     }
+    say_what_is_missing(&outcome);
     Ok(outcome.exit_code())
+}
+
+/// A long sweep whose rows are printed as they come.
+fn streamed(plan: &plan::Plan, source: &SceneSource, bar: &ProgressBar, progress: plan::Progress<'_>) -> Result<u8, Failure> {
+    let (swept, columns) = (plan::swept_columns(&source.scene), plan.columns());
+    let names = summary::Names { swept: &swept, labels: plan.labels(), columns: &columns };
+    let mut code = 0;
+    let mut failure = None;
+    print_with(|out| {
+        let mut text = summary::Streamed::new(names, out)?;
+        let mut sink = |rows: &[Row]| rows.iter().try_for_each(|row| text.write(row));
+        match plan::run_planned(plan, &source.document, &source.scene, None, Some(&mut sink), progress) {
+            Ok(outcome) => {
+                bar.finish_and_clear();
+                code = outcome.exit_code();
+                text.finish(&outcome)?;
+                say_what_is_missing(&outcome);
+                Ok(())
+            }
+            // Nothing but the sink writes here.
+            Err(plan::RunError::Journal(error)) => Err(error),
+            Err(other) => {
+                failure = Some(other);
+                Ok(())
+            }
+        }
+    })?;
+    failure.map_or(Ok(code), |error| Err(error.into()))
+}
+
+/// Of a sweep, how many states are the reason for its exit code.
+fn say_what_is_missing(outcome: &Outcome) {
+    if outcome.exit_code() == 4 && !outcome.swept.is_empty() {
+        let count = |status: Status| outcome.tally.ended(status).states.max(usize::from(outcome.tally.ended(status).rows > 0));
+        let statuses = [Status::Inaccurate, Status::NotConverged, Status::Inadmissible].into_iter().filter(|status| count(*status) > 0);
+        let parts: Vec<String> = statuses.map(|status| format!("{} {}", count(status), status.word())).collect();
+        let _ = writeln!(std::io::stderr(), "exit code 4: of {} states, {}", outcome.tally.states, parts.join(", "));
+    }
 }
 
 /// A bar on a terminal's standard error, for work that takes long enough to be waited for.

@@ -5,9 +5,10 @@
 
 use super::checkpoints::Checkpoints;
 use super::journal::{Found, Journal, JournalHeader, is_held, read};
-use super::row::Row;
-use super::{Outcome, csv_table, plot, summary};
+use super::csv_table::{Rows, Table};
+use super::{Outcome, plot, summary};
 use rayon::prelude::*;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -85,7 +86,7 @@ impl RunFolder {
     ///
     /// # Errors
     /// A folder that exists (without `force`), an unfinished run of something else, or a file system that refuses.
-    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<(Self, Vec<Vec<Row>>), FolderError> {
+    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<Self, FolderError> {
         writable(target, force)?;
         let partial = partial_of(target);
         let journal_path = partial.join(JOURNAL);
@@ -93,12 +94,12 @@ impl RunFolder {
             return Err(FolderError::Busy(partial.display().to_string()));
         }
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
-            Found::Rows(rows) => rows,
-            Found::Nothing => Vec::new(),
+            Found::States(states) => states,
+            Found::Nothing => 0,
             Found::Other(_) if force => {
                 // Its files must not end among those of this run.
                 std::fs::remove_dir_all(&partial).map_err(io(&partial))?;
-                Vec::new()
+                0
             }
             Found::Other(found) => {
                 let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
@@ -106,11 +107,11 @@ impl RunFolder {
             }
         };
         std::fs::create_dir_all(&partial).map_err(io(&partial))?;
-        let journal = Journal::open(&journal_path, header, &finished).map_err(io(&journal_path))?;
+        let journal = Journal::open(&journal_path, header, finished).map_err(io(&journal_path))?;
         let checkpoints = Checkpoints::new(&partial, header);
         // A kill may have come between the journal and the end of a checkpoint.
-        (0..finished.len()).try_for_each(|state| checkpoints.remove(state)).map_err(io(&partial))?;
-        Ok((Self { target: target.to_owned(), partial, journal, checkpoints, force }, finished))
+        (0..finished).try_for_each(|state| checkpoints.remove(state)).map_err(io(&partial))?;
+        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, force })
     }
 
     /// The journal to append finished states to, and where those under way leave checkpoints.
@@ -124,34 +125,34 @@ impl RunFolder {
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
         let Self { target, partial, journal, checkpoints: _, force } = self;
-        let mut names = Vec::new();
+        let mut names = vec![SUMMARY.to_owned()];
+        let path = partial.join(SUMMARY);
+        let mut file = BufWriter::new(std::fs::File::create(&path).map_err(io(&path))?);
+        summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).and_then(|()| file.flush()).map_err(io(&path))?;
+        names.extend(write_tables(outcome, &partial)?);
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             let path = partial.join(name);
             std::fs::write(&path, bytes).map_err(io(&path))?;
             names.push(name.to_owned());
             Ok(())
         };
-        let csv_error = |error: csv::Error| FolderError::Io { path: "table".into(), error: error.to_string() };
-        let mut text = Vec::new();
-        summary::write_short(outcome, &mut text).map_err(|error| io(&target)(error.into()))?;
-        text.push(b'\n');
-        write(SUMMARY, &text)?;
-        write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
-        if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
-            write("fields.csv", &fields)?;
-        }
         write("scene.toml", scene.as_bytes())?;
         // A picture takes longer than many states: side by side.
-        let pictures: Vec<_> = outcome
-            .figures
-            .par_iter()
-            .map(|(stem, figure)| (stem, plot::svg(figure).and_then(|svg| Ok((svg, plot::png(figure)?)))))
-            .collect();
+        let wanted = outcome.pictures;
+        let draw = |figure: &plot::Figure| -> Result<(Option<String>, Option<Vec<u8>>), plot::PlotError> {
+            let svg = wanted.svg.then(|| plot::svg(figure)).transpose()?;
+            Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
+        };
+        let pictures: Vec<_> = outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect();
         for (stem, picture) in pictures {
             match picture {
                 Ok((svg, png)) => {
-                    write(&format!("{stem}.svg"), svg.as_bytes())?;
-                    write(&format!("{stem}.png"), &png)?;
+                    if let Some(svg) = svg {
+                        write(&format!("{stem}.svg"), svg.as_bytes())?;
+                    }
+                    if let Some(png) = png {
+                        write(&format!("{stem}.png"), &png)?;
+                    }
                 }
                 Err(plot::PlotError::NotBuilt) => {}
                 Err(error) => return Err(FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() }),
@@ -164,6 +165,44 @@ impl RunFolder {
         std::fs::remove_file(&spare).map_err(io(&spare))?;
         Ok(names)
     }
+}
+
+/// Writes the tables, row after row, and gives their names.
+fn write_tables(outcome: &Outcome, partial: &Path) -> Result<Vec<String>, FolderError> {
+    let create = |table: Table| {
+        let path = partial.join(table.file());
+        let file = std::fs::File::create(&path).map_err(io(&path))?;
+        Rows::new(outcome, table, file).map_err(|error| io(&path)(error.into()))
+    };
+    let mut tables = vec![(Table::States, create(Table::States)?)];
+    if outcome.layout.is_some() {
+        tables.push((Table::Path, create(Table::Path)?));
+    }
+    let mut failed = None;
+    let visited = outcome.each_row(&mut |row| {
+        // Most runs have no fields.
+        if !row.fields.is_empty() && tables.iter().all(|(table, _)| *table != Table::Fields) {
+            match create(Table::Fields) {
+                Ok(fields) => tables.push((Table::Fields, fields)),
+                Err(error) => {
+                    failed = Some(error);
+                    return Err(std::io::Error::other("a table"));
+                }
+            }
+        }
+        tables.iter_mut().try_for_each(|(_, rows)| rows.write(row)).map_err(std::io::Error::from)
+    });
+    if let Some(error) = failed {
+        return Err(error);
+    }
+    visited.map_err(io(partial))?;
+    let mut names = Vec::new();
+    for (table, rows) in tables {
+        let path = partial.join(table.file());
+        rows.finish().map_err(|error| io(&path)(error.into()))?;
+        names.push(table.file().to_owned());
+    }
+    Ok(names)
 }
 
 /// Whether a folder of files may be written there.

@@ -6,8 +6,8 @@
 use super::row::Row;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
-use std::io::{BufWriter, Read, Write};
-use std::path::Path;
+use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 /// What a journal belongs to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,6 +24,8 @@ pub struct JournalHeader {
 #[derive(Debug)]
 pub struct Journal {
     file: BufWriter<File>,
+    path: PathBuf,
+    states: usize,
 }
 
 /// What an existing journal held.
@@ -31,8 +33,8 @@ pub struct Journal {
 pub enum Found {
     /// Nothing: a new run.
     Nothing,
-    /// Rows of the first states of the same run, complete and in order.
-    Rows(Vec<Vec<Row>>),
+    /// So many of the first states of the same run, complete and in order.
+    States(usize),
     /// The journal of another scene or another build.
     Other(JournalHeader),
 }
@@ -42,28 +44,58 @@ pub enum Found {
 /// # Errors
 /// A file that exists and cannot be read.
 pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
-    let mut bytes = Vec::new();
-    match File::open(path) {
-        Ok(mut file) => file.read_to_end(&mut bytes)?,
+    let file = match File::open(path) {
+        Ok(file) => file,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Found::Nothing),
         Err(error) => return Err(error),
     };
-    // A line is whole only if its line feed is there.
-    let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(&[][..], |end| bytes.get(..end).unwrap_or(&[]));
-    let mut lines = whole.split(|&byte| byte == b'\n');
-    match lines.next().and_then(|line| serde_json::from_slice::<JournalHeader>(line).ok()) {
-        None => return Ok(Found::Nothing),
-        Some(found) if found != *header => return Ok(Found::Other(found)),
-        Some(_) => {}
+    let mut file = BufReader::new(file);
+    let mut line = Vec::new();
+    if !next_line(&mut file, &mut line)? {
+        return Ok(Found::Nothing);
     }
-    let states = lines.map_while(|line| serde_json::from_slice::<Vec<Row>>(line).ok());
-    Ok(Found::Rows(
-        states
-            .enumerate()
-            .take_while(|(index, rows)| !rows.is_empty() && rows.iter().all(|row| row.state == *index))
-            .map(|(_, rows)| rows)
-            .collect(),
-    ))
+    match serde_json::from_slice::<JournalHeader>(&line) {
+        Err(_) => return Ok(Found::Nothing),
+        Ok(found) if found != *header => return Ok(Found::Other(found)),
+        Ok(_) => {}
+    }
+    let mut states = 0;
+    while next_line(&mut file, &mut line)? && rows_of(&line, states).is_some() {
+        states += 1;
+    }
+    Ok(Found::States(states))
+}
+
+/// Goes through the states of a journal, one at a time.
+///
+/// # Errors
+/// A file that cannot be read, and what the caller reports.
+pub fn each(path: &Path, visit: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>) -> std::io::Result<()> {
+    let mut file = BufReader::new(File::open(path)?);
+    let mut line = Vec::new();
+    next_line(&mut file, &mut line)?;
+    let mut states = 0;
+    while next_line(&mut file, &mut line)? {
+        let Some(rows) = rows_of(&line, states) else {
+            return Err(std::io::Error::other(format!("state {} of the journal cannot be read", states + 1)));
+        };
+        states += 1;
+        visit(rows)?;
+    }
+    Ok(())
+}
+
+/// The next line; it is whole only if its line feed is there.
+fn next_line(file: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Result<bool> {
+    line.clear();
+    file.read_until(b'\n', line)?;
+    Ok(line.pop() == Some(b'\n'))
+}
+
+/// The rows of a state, if they are whole and of that state.
+fn rows_of(line: &[u8], state: usize) -> Option<Vec<Row>> {
+    let rows = serde_json::from_slice::<Vec<Row>>(line).ok()?;
+    (!rows.is_empty() && rows.iter().all(|row| row.state == state)).then_some(rows)
 }
 
 /// Whether another run is writing this journal now. The system drops the lock of a run that ends or is killed.
@@ -73,18 +105,25 @@ pub fn is_held(path: &Path) -> bool {
 }
 
 impl Journal {
-    /// Opens a journal anew with the states that are finished already.
+    /// Opens a journal anew with so many states that it holds already.
     ///
     /// The new text replaces the old in one rename, so that a kill at any instant leaves one of the two.
     ///
     /// # Errors
     /// A folder that cannot be written.
-    pub fn open(path: &Path, header: &JournalHeader, finished: &[Vec<Row>]) -> std::io::Result<Self> {
+    pub fn open(path: &Path, header: &JournalHeader, finished: usize) -> std::io::Result<Self> {
         let fresh = path.with_extension("new");
         let mut file = BufWriter::new(File::create(&fresh)?);
         write_line(&mut file, header)?;
-        for rows in finished {
-            write_line(&mut file, rows)?;
+        if finished > 0 {
+            let mut before = BufReader::new(File::open(path)?);
+            let mut line = Vec::new();
+            next_line(&mut before, &mut line)?;
+            for _ in 0..finished {
+                next_line(&mut before, &mut line)?;
+                file.write_all(&line)?;
+                file.write_all(b"\n")?;
+            }
         }
         file.flush()?;
         std::fs::rename(&fresh, path)?;
@@ -92,7 +131,19 @@ impl Journal {
         // Held until the run ends; a file system without locks is no reason not to run.
         let _ = file.try_lock();
         let file = BufWriter::new(file);
-        Ok(Self { file })
+        Ok(Self { file, path: path.to_owned(), states: finished })
+    }
+
+    /// How many states it holds.
+    #[must_use]
+    pub const fn states(&self) -> usize {
+        self.states
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Adds finished states and hands them to the system.
@@ -103,6 +154,7 @@ impl Journal {
         for rows in states {
             write_line(&mut self.file, rows)?;
         }
+        self.states += states.len();
         self.file.flush()
     }
 }

@@ -11,7 +11,9 @@ mod curves;
 mod delayed_fracture;
 mod desk;
 mod indentation;
+mod kept;
 pub mod material;
+mod maps;
 mod measured;
 mod plane_material;
 mod propagate;
@@ -21,16 +23,17 @@ mod steady_crack;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
-pub use run::{RunError, Safe, journal_header, run, run_planned};
+pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns};
 
-use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
+use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
 use crate::refusal::Refusal;
-use crate::scene::sweep;
+use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
 use indentation::IndentationPlan;
+use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -79,6 +82,14 @@ trait ProblemPlan: Debug + Send + Sync {
     fn headline(&self) -> &'static [&'static str] {
         &[]
     }
+    /// The same of rows on the way of a state, where the state has a row of its own.
+    fn path_headline(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// Which columns belong to the row of a state and which to the rows on its way; none: each row is a state.
+    fn layout(&self) -> Option<Layout> {
+        None
+    }
     /// The columns of the field table: the place, then the fields.
     fn field_columns(&self) -> Vec<Column>;
     /// Solves the state; one row a label. One that takes long tells the desk how far it is, and leaves checkpoints there.
@@ -87,6 +98,12 @@ trait ProblemPlan: Debug + Send + Sync {
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)>;
+    /// The number that a state of the sweep is solved for, where a picture shows just one.
+    fn answer(&self, rows: &[Row]) -> Option<Answer>;
+    /// The axis of a swept number.
+    fn swept_axis(&self, sweep: &Sweep) -> plot::Axis {
+        curves::swept_axis(sweep)
+    }
     /// The papers behind what the scene uses.
     fn citations(&self) -> Vec<&'static Citation>;
 }
@@ -186,11 +203,11 @@ impl Plan {
     /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
-        let states = self.states as u64;
         let draws = self.draws.len() as u64;
         let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
         let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
-        // Rows of draws are held while their state is solved.
+        // Of a long sweep only some states are held. Rows of draws are held while their state is solved.
+        let states = if self.keeps_all_rows() { self.states } else { kept::most_states(self.states) } as u64;
         let rows = (self.problem.rows_of_a_state() * (states + draws)).saturating_mul(row);
         let fields = self.problem.predicted_work(states).field_evaluations.saturating_mul(point);
         let at_once = (rayon::current_num_threads() as u64).min(states * (1 + draws));
@@ -203,6 +220,18 @@ impl Plan {
         self.states
     }
 
+    /// Rows of a state, at most.
+    #[must_use]
+    pub fn rows_of_a_state(&self) -> u64 {
+        self.problem.rows_of_a_state()
+    }
+
+    /// Whether a run holds all of its rows at once; else they go to files as they come.
+    #[must_use]
+    pub fn keeps_all_rows(&self) -> bool {
+        kept::few(self.states, self.rows_of_a_state())
+    }
+
     /// The columns of the result.
     #[must_use]
     pub fn columns(&self) -> Vec<Column> {
@@ -213,6 +242,18 @@ impl Plan {
     #[must_use]
     pub fn headline(&self) -> &'static [&'static str] {
         self.problem.headline()
+    }
+
+    /// The same of rows on the way of a state.
+    #[must_use]
+    pub fn path_headline(&self) -> &'static [&'static str] {
+        self.problem.path_headline()
+    }
+
+    /// Which columns belong to the row of a state and which to the rows on its way; none: each row is a state.
+    #[must_use]
+    pub fn layout(&self) -> Option<Layout> {
+        self.problem.layout()
     }
 
     /// The columns of the field table: the place, then the fields.
@@ -246,7 +287,14 @@ impl Plan {
     /// Plots of the rows, by file stem.
     #[must_use]
     pub fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)> {
-        self.problem.figures(scene, rows)
+        let maps = maps::figures(self, scene, rows);
+        // No two states of a Latin hypercube share a number: there are no curves.
+        if sweep::is_together(&scene.sweeps) {
+            return maps;
+        }
+        let mut figures = self.problem.figures(scene, rows);
+        figures.extend(maps);
+        figures
     }
 
     /// The papers behind what the scene uses.
