@@ -148,28 +148,42 @@ fn run_all(
         figures.iter_mut().for_each(|(_, figure)| figure.add_note(format!("{states} of {total} states are drawn")));
     }
     Ok(Outcome {
+        figures,
+        validity,
+        stored: safe.map(|safe| safe.journal.path().to_owned()),
+        rows,
+        tally,
+        ..unsolved(plan, document, scene)
+    })
+}
+
+/// An outcome without rows: what a run of the scene will give, before anything is solved.
+#[must_use]
+pub fn unsolved(plan: &Plan, document: &Document, scene: &Scene) -> Outcome {
+    let columns = plan.columns();
+    Outcome {
         title: scene.title.clone(),
         scene_hash: document.hash().to_owned(),
         problem: plan.problem(),
         effects: plan.effects(),
         method: plan.method(),
         groups: plan.groups(),
-        validity,
+        validity: Vec::new(),
         swept: swept_columns(scene),
+        tally: Tally::new(scene.accuracy, columns.len()),
         columns,
         headline: plan.headline(),
         path_headline: plan.path_headline(),
-        layout,
-        figures,
+        layout: plan.layout(),
+        figures: Vec::new(),
         pictures: Pictures { svg: scene.plots.contains(&Picture::Svg), png: scene.plots.contains(&Picture::Png) },
-        stored: safe.map(|safe| safe.journal.path().to_owned()),
-        rows,
-        tally,
+        stored: None,
+        rows: Vec::new(),
         accuracy: scene.accuracy,
         labels: plan.labels(),
         field_columns: plan.field_columns(),
         draws: plan.draws(),
-    })
+    }
 }
 
 /// What the swept numbers of a scene are called.
