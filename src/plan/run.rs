@@ -101,6 +101,7 @@ fn run_all(
     let (columns, layout) = (plan.columns(), plan.layout());
     let tally = Tally::new(scene.accuracy, columns.len());
     let mut kept = Kept::new(&scene.sweeps, layout.as_ref(), tally, plan.rows_of_a_state(), finished.is_some());
+    let alone = document.without_sweep();
     let mut done = 0;
     let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
         if let Some(sink) = &mut sink {
@@ -123,7 +124,7 @@ fn run_all(
         let checkpoints = safe.as_ref().map(|safe| &safe.checkpoints);
         let solve = |state| {
             let desk = Desk::new(state, checkpoints, progress);
-            let rows = solve_state(plan, document, scene, &desk, state);
+            let rows = solve_state(plan, &alone, scene, &desk, state);
             desk.failure().map_or(Ok(rows), Err)
         };
         // One alone needs no threads.

@@ -151,6 +151,16 @@ impl Document {
         Ok(document)
     }
 
+    /// The same without its sweep, which the states of the sweep need not carry.
+    #[must_use]
+    pub fn without_sweep(&self) -> Self {
+        let mut document = self.clone();
+        if let Value::Table(entries) = &mut document.root.value {
+            entries.retain(|entry| !["sweep", "latin_hypercube"].contains(&entry.key.as_str()));
+        }
+        document
+    }
+
     /// The folder that relative paths start from.
     #[must_use]
     pub fn folder(&self) -> &Path {
