@@ -85,7 +85,7 @@ const fn is_loss(kind: EventKind) -> bool {
     matches!(kind, EventKind::Detachment | EventKind::ZoneReached)
 }
 
-/// −∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact after it (coherent); none without such a loss.
+/// ∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact after it (coherent); none without such a loss.
 ///
 /// The bound adds what the path leaves open between its points to the errors of force and penetration over the way that each goes.
 fn work_of_separation(solution: &IndentationSolution) -> Option<Estimate> {
@@ -104,7 +104,7 @@ fn work_of_separation(solution: &IndentationSolution) -> Option<Estimate> {
     let pulled = path.iter().skip(first.map_or(0, |first| first + 1)).take_while(|point| point.time <= lost.time.value);
     way.extend(pulled.filter(|point| point.contact_radius > 0.0).map(|point| (point.penetration, point.force, point.piece)));
     way.push((lost.penetration.value, lost.force.value, way.last()?.2));
-    let step = |from: (f64, f64, u32), to: (f64, f64, u32)| -0.5 * (from.1 + to.1) * (to.0 - from.0);
+    let step = |from: (f64, f64, u32), to: (f64, f64, u32)| 0.5 * (from.1 + to.1) * (to.0 - from.0);
     let (mut sum, mut open) = (0.0, 0.0);
     let (mut force_way, mut depth_way) = (0.0, 0.0);
     for pair in way.windows(2) {

@@ -197,7 +197,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column(
         "work_of_separation",
         Measure::Energy,
-        "−∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact; its bound is stated, not held to the accuracy.",
+        "∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact; its bound is stated, not held to the accuracy.",
     ),
     column("detachment_time", Measure::Time, "When the contact is lost for the last time; empty if it is not lost."),
     column("detachment_penetration", Measure::Length, "Δ where the contact is lost for the last time."),
