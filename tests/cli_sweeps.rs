@@ -50,7 +50,8 @@ fn a_state_has_one_row_with_its_answer() {
         let states = table(&folder.read("DIR/states.csv"));
         assert_eq!(states["sweep_state"], ["1", "2"]);
         assert_eq!(states["status"], ["solved"; 2]);
-        for (name, right) in [("pull_off_force", force), ("pull_off_penetration", -depth), ("work_of_separation", 2.0 * PI * radius * radius * work)]
+        for (name, right) in
+            [("pull_off_force", force), ("pull_off_penetration", -depth), ("work_of_separation", 2.0 * PI * radius * radius * work)]
         {
             for (found, bound) in numbers(&states, name).into_iter().zip(numbers(&states, &format!("{name}_error"))) {
                 println!("{name}: {found:e} ± {bound:e}, right {right:e}");
@@ -129,7 +130,9 @@ fn a_long_sweep_is_given_whole() {
     let results = streamed["results"].as_array().unwrap();
     assert_eq!(results.len(), 25_000);
     // The worst number of an assumption is that of all rows, drawn or not.
-    let worst = |name: &str| streamed["validity"].as_array().unwrap().iter().find(|entry| entry["name"] == name).unwrap()["value"].as_f64().unwrap();
+    let worst = |name: &str| {
+        streamed["validity"].as_array().unwrap().iter().find(|entry| entry["name"] == name).unwrap()["value"].as_f64().unwrap()
+    };
     let zones = results.iter().map(|row| row["values"]["process_zone"]["value"].as_f64().unwrap());
     assert_eq!(worst("process zone (m)"), zones.fold(f64::INFINITY, f64::min));
 }

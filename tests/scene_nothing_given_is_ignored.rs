@@ -386,10 +386,8 @@ const fn has_default(kind: Kind) -> bool {
 #[test]
 fn no_table_has_two_equal_headers() {
     let folder = folder();
-    let mut documents: Vec<(String, Document)> = scenes()
-        .into_iter()
-        .map(|(name, text)| (name.to_owned(), Document::parse("scene.toml", text, &folder).unwrap()))
-        .collect();
+    let mut documents: Vec<(String, Document)> =
+        scenes().into_iter().map(|(name, text)| (name.to_owned(), Document::parse("scene.toml", text, &folder).unwrap())).collect();
     documents.extend(shipped_scenes().into_iter().map(|path| (path.display().to_string(), Document::load(&path).unwrap())));
     let wrong: Vec<String> = documents
         .into_par_iter()

@@ -176,9 +176,7 @@ pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
-        Command::Run { scene, out, force, json, no_plots } => {
-            run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots })
-        }
+        Command::Run { scene, out, force, json, no_plots } => run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots }),
         Command::Explain { scene, json } => explain::explain(&scene, json),
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())

@@ -62,7 +62,8 @@ pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8,
             (Some(target), Some(files)) => {
                 let omitted = summary::omitted(&outcome);
                 let place = summary::omitted_rows_are_in(&outcome);
-                let note = if omitted > 0 { format!(" (summary.json without its {omitted} rows, which are in {place})") } else { String::new() };
+                let note =
+                    if omitted > 0 { format!(" (summary.json without its {omitted} rows, which are in {place})") } else { String::new() };
                 print(&format!("wrote      {}: {}{note}\n", target.display(), files.join(", ")))?;
             }
             _ => print("(nothing written; add --out DIR for summary.json, tables and plots)\n")?,

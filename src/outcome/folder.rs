@@ -4,8 +4,8 @@
 //! `--force` an existing `DIR` steps aside first and is deleted last.
 
 use super::checkpoints::Checkpoints;
-use super::journal::{Found, Journal, JournalHeader, is_held, read};
 use super::csv_table::{Rows, Table};
+use super::journal::{Found, Journal, JournalHeader, is_held, read};
 use super::{Outcome, plot, summary};
 use rayon::prelude::*;
 use std::io::{BufWriter, Write};

@@ -38,15 +38,8 @@ pub enum Status {
 
 impl Status {
     /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 7] = [
-        Self::Solved,
-        Self::Inaccurate,
-        Self::NoSuchState,
-        Self::Undefined,
-        Self::Invalid,
-        Self::NotConverged,
-        Self::Inadmissible,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Solved, Self::Inaccurate, Self::NoSuchState, Self::Undefined, Self::Invalid, Self::NotConverged, Self::Inadmissible];
 
     /// Whether the row holds values.
     #[must_use]

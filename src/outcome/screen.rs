@@ -55,7 +55,8 @@ fn single(text: &mut String, outcome: &Outcome, rows: &[&Row]) {
         if let Some(reason) = &row.reason {
             let _ = writeln!(text, "  {reason}");
         }
-        let order: Vec<usize> = outcome.layout.as_ref().map_or_else(|| (0..outcome.columns.len()).collect(), |layout| layout.states.clone());
+        let order: Vec<usize> =
+            outcome.layout.as_ref().map_or_else(|| (0..outcome.columns.len()).collect(), |layout| layout.states.clone());
         for index in order {
             if let (Some(column), Some(estimate)) = (outcome.columns.get(index), row.values.get(index).copied().flatten()) {
                 let unit = if column.unit == "1" { "" } else { &column.unit };
@@ -85,7 +86,8 @@ fn single(text: &mut String, outcome: &Outcome, rows: &[&Row]) {
 fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
     let headline = if of_states { outcome.headline } else { outcome.path_headline };
     let named = |index: &usize| outcome.columns.get(*index).is_some_and(|column| headline.contains(&column.name));
-    let own = |index: &usize| outcome.layout.as_ref().is_none_or(|layout| if of_states { &layout.states } else { &layout.path }.contains(index));
+    let own =
+        |index: &usize| outcome.layout.as_ref().is_none_or(|layout| if of_states { &layout.states } else { &layout.path }.contains(index));
     let (mut first, rest): (Vec<usize>, Vec<usize>) = (0..outcome.columns.len())
         .filter(|index| own(index) && wanted(outcome, rows, *index))
         .partition(|index| headline.is_empty() || named(index));
@@ -148,17 +150,17 @@ fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
 /// How well the values shown are known: a bound for those that meet the accuracy, and which ones do not.
 fn bounds(text: &mut String, outcome: &Outcome, shown: &[usize], of_states: bool) {
     let file = if of_states { "states.csv" } else { "path.csv" };
-    let known: Vec<(&str, Known)> = shown
-        .iter()
-        .filter_map(|&index| Some((outcome.columns.get(index)?.name, outcome.tally.known(index, of_states))))
-        .collect();
+    let named = |index: usize| Some((outcome.columns.get(index)?.name, outcome.tally.known(index, of_states)));
+    let known: Vec<(&str, Known)> = shown.iter().filter_map(|&index| named(index)).collect();
+    // Of the accuracy all columns count, shown or not.
+    let all: Vec<(&str, Known)> = (0..outcome.columns.len()).filter_map(named).collect();
     let largest = known.iter().map(|(_, known)| known.largest).fold(0.0, f64::max);
-    let listed = |of: fn(&Known) -> usize| {
+    let listed = |known: &[(&str, Known)], of: fn(&Known) -> usize| {
         let columns = known.iter().filter(|(_, known)| of(known) > 0);
         columns.map(|(name, known)| format!("{} of {name}", of(known))).collect::<Vec<_>>().join(", ")
     };
-    let (small, missed) = (listed(|known| known.small), listed(|known| known.missed));
-    let most = if small.is_empty() && missed.is_empty() { "each value shown" } else { "the other values shown" };
+    let (small, missed) = (listed(&known, |known| known.small), listed(&all, |known| known.missed));
+    let most = if known.iter().all(|(_, known)| known.small + known.missed == 0) { "each value shown" } else { "the other values shown" };
     if !missed.is_empty() {
         let _ = writeln!(text, "NOT known to the accuracy {:e}: {missed}", outcome.accuracy);
     }

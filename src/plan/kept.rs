@@ -46,9 +46,11 @@ impl<'s> Kept<'s> {
             return;
         }
         for row in rows {
-            let numbers = row.assumptions.iter().copied().chain([row.material.as_ref().map(|material| {
-                material.counts.used as f64 / material.counts.draws.max(1) as f64
-            })]);
+            let numbers = row
+                .assumptions
+                .iter()
+                .copied()
+                .chain([row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64)]);
             for (place, number) in numbers.enumerate() {
                 if self.extremes.len() <= place {
                     self.extremes.push([None, None]);

@@ -145,7 +145,11 @@ fn run_all(
     let Kept { rows, tally, .. } = kept;
     let mut figures = if scene.plots.is_empty() { Vec::new() } else { plan.figures(scene, &rows) };
     if rows.len() < tally.rows {
-        let states = rows.iter().map(|row| row.state).fold((0, None), |(count, last), state| (count + usize::from(last != Some(state)), Some(state))).0;
+        let states = rows
+            .iter()
+            .map(|row| row.state)
+            .fold((0, None), |(count, last), state| (count + usize::from(last != Some(state)), Some(state)))
+            .0;
         figures.iter_mut().for_each(|(_, figure)| figure.add_note(format!("{states} of {total} states are drawn")));
     }
     Ok(Outcome {
@@ -190,7 +194,8 @@ pub fn unsolved(plan: &Plan, document: &Document, scene: &Scene) -> Outcome {
 /// What the swept numbers of a scene are called.
 #[must_use]
 pub fn swept_columns(scene: &Scene) -> Vec<SweptColumn> {
-    let column = |sweep: &crate::scene::sweep::Sweep| SweptColumn { key: sweep.key.clone(), unit: sweep.unit.clone(), values: sweep.values.len() };
+    let column =
+        |sweep: &crate::scene::sweep::Sweep| SweptColumn { key: sweep.key.clone(), unit: sweep.unit.clone(), values: sweep.values.len() };
     scene.sweeps.iter().map(column).collect()
 }
 

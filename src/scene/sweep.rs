@@ -230,8 +230,7 @@ fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
 
 /// The value at a part of the way from the first to the last.
 fn between(first: f64, last: f64, part: f64, linear: bool) -> f64 {
-    let value =
-        if linear { first + (last - first) * part } else { 10f64.powf(first.log10() + (last.log10() - first.log10()) * part) };
+    let value = if linear { first + (last - first) * part } else { 10f64.powf(first.log10() + (last.log10() - first.log10()) * part) };
     // Rounding must not carry a value past an end, which may be the end of what is allowed.
     value.clamp(first.min(last), first.max(last))
 }

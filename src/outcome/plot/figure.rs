@@ -53,7 +53,17 @@ impl Figure {
     /// A figure without curves, one column wide, its legend placed automatically.
     #[must_use]
     pub fn new(horizontal: Axis, vertical: Axis) -> Self {
-        Self { title: None, horizontal, vertical, curves: Vec::new(), legend: LegendPlace::Auto, width: Width::OneColumn, inset: None, map: None, note: None }
+        Self {
+            title: None,
+            horizontal,
+            vertical,
+            curves: Vec::new(),
+            legend: LegendPlace::Auto,
+            width: Width::OneColumn,
+            inset: None,
+            map: None,
+            note: None,
+        }
     }
 
     /// Adds a line to what the picture says is not drawn.

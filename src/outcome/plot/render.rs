@@ -155,7 +155,8 @@ pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Int
     let across = extent(&mut shown.iter().filter(|(_, y)| within(figure.vertical.range, *y)).map(|(x, _)| *x));
     let up = extent(&mut shown.iter().filter(|(x, _)| within(figure.horizontal.range, *x)).map(|(_, y)| *y));
     if let Some(map) = &figure.map {
-        let [across, up] = [(&map.across, &figure.horizontal), (&map.up, &figure.vertical)].map(|(places, axis)| map::span(places, axis.scale));
+        let [across, up] =
+            [(&map.across, &figure.horizontal), (&map.up, &figure.vertical)].map(|(places, axis)| map::span(places, axis.scale));
         return Ok((Interval::new(&figure.horizontal, across, 0.0)?, Interval::new(&figure.vertical, up, 0.0)?));
     }
     let beside = if figure.curves.iter().all(may_touch_the_sides) { 0.0 } else { ROOM_BEYOND_DATA };

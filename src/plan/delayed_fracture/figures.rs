@@ -147,7 +147,8 @@ impl DelayedFracturePlan {
         let Some(sweep) = scene.sweeps.last() else { return Vec::new() };
         let load = sweep.key.starts_with("history.") && (sweep.key.ends_with("stress_intensity") || sweep.key.ends_with("stress"));
         let along_release = load && self.plane_material.relaxed_modulus() > 0.0;
-        let horizontal = || if along_release { Axis::logarithmic(r"relaxed release ratio $cK^2/2\Delta\gamma E_0$") } else { swept_axis(sweep) };
+        let horizontal =
+            || if along_release { Axis::logarithmic(r"relaxed release ratio $cK^2/2\Delta\gamma E_0$") } else { swept_axis(sweep) };
         let across = |row: &Row| if along_release { value(row, at::RELAXED_RELEASE) } else { innermost(row) };
         let outer = scene.sweeps.len() - 1;
         let mut sets: Vec<&[f64]> = Vec::new();

@@ -19,8 +19,7 @@ impl IndentationPlan {
         let exact = |number: f64| Some(Estimate::exact(number));
         let of_cycle = solution.cycles.last().map(|cycle| self.of_cycle(solution, cycle, scales));
         let cycle = |place: usize| cell(of_cycle.as_ref(), place);
-        let radius =
-            self.largest(solution, at::CONTACT_RADIUS, |point| point.contact_radius, |cycle| cycle.contact_radius.get(1).copied());
+        let radius = self.largest(solution, at::CONTACT_RADIUS, |point| point.contact_radius, |cycle| cycle.contact_radius.get(1).copied());
         let force = self.largest(solution, at::FORCE, |point| point.force, |cycle| cycle.force.get(1).copied());
         let cells = [
             (at::PULL_OFF_FORCE, pull(at::FORCE).map(|force| Estimate::new(-force.value, force.error))),

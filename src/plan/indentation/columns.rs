@@ -202,7 +202,11 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("detachment_time", Measure::Time, "When the contact is lost for the last time; empty if it is not lost."),
     column("detachment_penetration", Measure::Length, "Δ where the contact is lost for the last time."),
     column("largest_radius", Measure::Length, "Largest contact radius of the history; its bound is stated, not held to the accuracy."),
-    column("largest_compression", Measure::Force, "Largest force of the history, where it presses; its bound is stated, not held to the accuracy."),
+    column(
+        "largest_compression",
+        Measure::Force,
+        "Largest force of the history, where it presses; its bound is stated, not held to the accuracy.",
+    ),
     column("end_penetration", Measure::Length, "Δ at the end of the history."),
     column("end_force", Measure::Force, "F at the end of the history."),
     column("end_radius", Measure::Length, "Contact radius at the end of the history."),

@@ -244,7 +244,10 @@ impl IndentationPlan {
                 .map(|row| (innermost(row), value(row, at::PULL_OFF_RATIO)))
                 .collect();
             figure = figure.with_curve(
-                Curve::new(swept_label(scene, set), points).with(shade(colour, sets.len())).with_line(Line::Solid).with_marker(Marker::Circle),
+                Curve::new(swept_label(scene, set), points)
+                    .with(shade(colour, sets.len()))
+                    .with_line(Line::Solid)
+                    .with_marker(Marker::Circle),
             );
         }
         Some(("pull_off_against_sweep".to_owned(), figure))

@@ -27,12 +27,12 @@ use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
+use crate::scene::sweep::Sweep;
 use crate::scene::typed::{
     BranchParameter, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
-use crate::scene::sweep::Sweep;
 use columns::at;
 use scale::Scale;
 
@@ -289,7 +289,8 @@ impl ProblemPlan for SlidingPlan {
             (at::FRICTION, self.friction_label())
         };
         // Strengths and branches have tables of their own.
-        let plain = self.sliding.task == SlidingTask::State && self.columns().get(column).is_some_and(|column| column.name.starts_with("friction"));
+        let plain =
+            self.sliding.task == SlidingTask::State && self.columns().get(column).is_some_and(|column| column.name.starts_with("friction"));
         plain.then(|| Answer { column, axis: Axis::linear(label) })
     }
 

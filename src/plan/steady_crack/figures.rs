@@ -5,7 +5,9 @@ use super::columns::{at, field};
 use crate::crack::Motion;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line};
-use crate::plan::curves::{Family, Kind, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value};
+use crate::plan::curves::{
+    Family, Kind, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value,
+};
 use crate::plan::maps::Answer;
 use crate::scene::typed::{CrackControl, Scene, Theory, Units};
 

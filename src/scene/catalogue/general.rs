@@ -57,11 +57,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Table,
         meaning: "Instead of all combinations of the sweeps, states at random between `from` and `to` of each: of as many equal parts as there are states, each sweep takes each part once.",
     },
-    Key {
-        path: "latin_hypercube.states",
-        kind: Kind::Count { least: 2, most: 10_000_000 },
-        meaning: "How many states.",
-    },
+    Key { path: "latin_hypercube.states", kind: Kind::Count { least: 2, most: 10_000_000 }, meaning: "How many states." },
     Key {
         path: "latin_hypercube.seed",
         kind: Kind::Count { least: 0, most: u32::MAX },
