@@ -6,7 +6,8 @@ use crate::scene::sweep::{self, Sweep};
 
 /// Most rows that are kept of a sweep that is not kept as a whole.
 const MOST_ROWS: usize = 20_000;
-/// Values of the last, the last but one, and each further sweep whose states are then kept.
+/// Most values of one sweep alone, of the last of several, of the last but one, and of each further one whose states are then kept.
+const ALONE: usize = 2000;
 const LATTICE: [usize; 3] = [200, 50, 2];
 /// First and last states, which the screen shows.
 const ENDS: usize = 24;
@@ -17,6 +18,8 @@ pub(super) struct Kept<'s> {
     states: usize,
     layout: Option<&'s Layout>,
     all: bool,
+    /// How many values of each sweep are kept, from the last on.
+    limits: Vec<usize>,
     pub(super) rows: Vec<Row>,
     /// Of each assumption, and of the draws of the material, the rows with the smallest and the largest number.
     extremes: Vec<[Option<(f64, Row)>; 2]>,
@@ -27,7 +30,8 @@ impl<'s> Kept<'s> {
     /// Of a sweep whose states have so many rows each, at most; `all` keeps them whatever their number.
     pub(super) fn new(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally, rows_of_a_state: u64, all: bool) -> Self {
         let states = sweep::states(sweeps);
-        Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), rows: Vec::new(), extremes: Vec::new(), tally }
+        let limits = limits(sweeps, rows_of_a_state);
+        Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), limits, rows: Vec::new(), extremes: Vec::new(), tally }
     }
 
     /// Whether nothing is left out.
@@ -73,12 +77,8 @@ impl<'s> Kept<'s> {
         }
         let indices = sweep::indices(self.sweeps, state);
         let lengths = self.sweeps.iter().map(|sweep| sweep.values.len());
-        indices.iter().zip(lengths).rev().enumerate().all(|(place, (&index, length))| {
-            let most = LATTICE.get(place).copied().unwrap_or(2);
-            // One sweep alone has room for as many as several together.
-            let most = if self.sweeps.len() == 1 || sweep::is_together(self.sweeps) { LATTICE[0] * 10 } else { most };
-            on_lattice(index, length, most)
-        })
+        let own = indices.iter().zip(lengths).rev().zip(&self.limits);
+        own.into_iter().all(|((&index, length), &most)| on_lattice(index, length, most))
     }
 
     /// The rows that the assumptions of the model are compared with: those kept, and the worst.
@@ -94,9 +94,23 @@ pub(super) fn few(states: usize, rows_of_a_state: u64) -> bool {
     (states as u64).saturating_mul(rows_of_a_state) <= MOST_ROWS as u64
 }
 
-/// Most states of so many whose rows are kept.
-pub(super) fn most_states(states: usize) -> usize {
-    states.min(MOST_ROWS)
+/// How many values of each sweep are kept, from the last on: the more rows a state has, the fewer states.
+fn limits(sweeps: &[Sweep], rows_of_a_state: u64) -> Vec<usize> {
+    let room = (MOST_ROWS as u64 / rows_of_a_state.max(1)) as usize;
+    if sweeps.len() == 1 || sweep::is_together(sweeps) {
+        return vec![room.clamp(2, ALONE); sweeps.len()];
+    }
+    let [inner, outer, further] = LATTICE;
+    let inner = (room / 8).clamp(2, inner);
+    let outer = (room / inner).clamp(2, outer);
+    (0..sweeps.len()).map(|place| [inner, outer].get(place).copied().unwrap_or(further)).collect()
+}
+
+/// Most states whose rows are kept of a sweep that is not kept as a whole.
+pub(super) fn most_states(sweeps: &[Sweep], rows_of_a_state: u64) -> usize {
+    let kept = sweeps.iter().rev().zip(limits(sweeps, rows_of_a_state)).map(|(sweep, most)| sweep.values.len().min(most));
+    let kept = if sweep::is_together(sweeps) { kept.max().unwrap_or(1) } else { kept.product() };
+    (kept + 2 * ENDS).min(sweep::states(sweeps))
 }
 
 fn without_fields(row: &Row) -> Row {

@@ -138,6 +138,8 @@ pub struct Plan {
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
     states: usize,
+    /// States whose rows are held at the end, at most.
+    most_kept: usize,
     /// The same scene with each draw of its material, if it asks for them.
     draws: Vec<propagate::Draw>,
 }
@@ -157,7 +159,8 @@ impl Plan {
         if wide.is_some() {
             problem = problem_plan(scene)?;
         }
-        Ok(Self { problem, material: scene.material.clone(), visited, states, draws: propagate::draws(scene) })
+        let most_kept = kept::most_states(&scene.sweeps, problem.rows_of_a_state());
+        Ok(Self { problem, material: scene.material.clone(), visited, states, most_kept, draws: propagate::draws(scene) })
     }
 
     /// The problem's name.
@@ -219,7 +222,7 @@ impl Plan {
         let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
         let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
         // Of a long sweep only some states are held. Rows of draws are held while their state is solved.
-        let states = if self.keeps_all_rows() { self.states } else { kept::most_states(self.states) } as u64;
+        let states = if self.keeps_all_rows() { self.states } else { self.most_kept } as u64;
         let rows = (self.problem.rows_of_a_state() * (states + draws)).saturating_mul(row);
         let fields = self.problem.predicted_work(states).field_evaluations.saturating_mul(point);
         let at_once = (rayon::current_num_threads() as u64).min(states * (1 + draws));

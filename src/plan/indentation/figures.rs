@@ -178,8 +178,10 @@ impl IndentationPlan {
         let ends = states.iter().filter_map(|state| state.rows.last()?.value(at::TIME));
         let (shortest, longest) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
         if longest > DIFFERENT_ENDS * shortest {
-            // From a thousandth of the shortest history on: what starts at zero has no place on a logarithmic axis.
-            horizontal = Axis::logarithmic(horizontal.label).with_range(1e-3 * shortest, longest);
+            // From the first instant on, at most a thousandth of the shortest history: what starts at zero has no place on a logarithmic axis.
+            let times = states.iter().flat_map(|state| &state.rows).filter_map(|row| row.value(at::TIME)).filter(|time| *time > 0.0);
+            let first = times.fold(shortest, f64::min).max(1e-3 * shortest);
+            horizontal = Axis::logarithmic(horizontal.label).with_range(first, longest);
         }
         let mut figure = Figure::new(horizontal, self.axis(column));
         for state in states {
