@@ -25,6 +25,17 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// A regular file of any length, open for reading.
+///
+/// # Errors
+/// What the system says, or that it is no regular file: the sentence names no path.
+pub fn open(path: &Path) -> Result<File> {
+    regular(&metadata(path)?)?;
+    let file = File::open(path)?;
+    regular(&file.metadata()?)?;
+    Ok(file)
+}
+
 /// A stream to its end, of at most `most` bytes.
 ///
 /// # Errors

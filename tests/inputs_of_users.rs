@@ -152,9 +152,13 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
                 let word = OF_MATERIAL.iter().find(|word| !wanted[*word].is_null()).unwrap();
                 of_terms(&terms, word, wanted[word].as_f64().unwrap_or(0.0))
             } else {
-                let states = States::read(&text("states.csv"));
+                // What lies on the way of a history has a table of its own.
+                let way = folder.path("out/path.csv").is_file().then(|| States::read(&text("path.csv")));
+                let answers = States::read(&text("states.csv"));
+                let states = way.as_ref().unwrap_or(&answers);
                 if wanted["slope"].is_null() {
-                    states.value(wanted["column"].as_str().unwrap(), &wanted["row"]).unwrap_or(f64::NAN)
+                    let (column, row) = (wanted["column"].as_str().unwrap(), &wanted["row"]);
+                    states.value(column, row).or_else(|| answers.value(column, row)).unwrap_or(f64::NAN)
                 } else {
                     // Of the unloading, which the last instants hold.
                     let of =

@@ -7,7 +7,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp)]
 
 use proptest::prelude::*;
-use viscotack::outcome::plot::{self, Axis, Curve, Figure, LegendPlace, Line, Marker, PlotError, Scale, Width};
+use viscotack::outcome::plot::{self, Axis, Colour, Curve, Figure, LegendPlace, Line, Map, Marker, PlotError, Scale, Width};
 
 const ROUNDING: f64 = 0.02;
 
@@ -428,5 +428,56 @@ proptest! {
         let curve = Curve::new(label.clone(), vec![(-1.0, 2.0), (3.0, 1e3)]).with_sparse_marker(Marker::OpenCircle).with_line(Line::DashDotted);
         let figure = Figure::new(Axis::linear(format!("${label}$")), Axis::linear(label.clone())).with_curve(curve);
         prop_assert!(plot::png(&figure).is_ok());
+    }
+}
+
+/// A map draws a cell for each value that there is, and a scale of colours; a note stands under the picture.
+#[test]
+fn a_map_has_a_cell_for_each_value() {
+    let mut figure = Figure::new(Axis::logarithmic("speed $v$ (m/s)"), Axis::linear("work (J/m²)"));
+    let values = vec![1.0, 10.0, f64::NAN, 100.0, 1e3, 1e4];
+    figure.map = Some(Map { across: vec![1e-3, 1e-2, 1e-1], up: vec![1.0, 2.0], values, colours: Axis::logarithmic("$G$ (J/m²)") });
+    figure.add_note("white: no value");
+    figure.add_note("6 of 60 states are drawn");
+    let svg = plot::svg(&figure).unwrap();
+    let map = groups(&svg, "map")[0];
+    assert_eq!(dots(map), 5, "an empty cell is left white");
+    // Every colour is another one, and lighter the larger its value is: in grey print too.
+    let lightness: Vec<f64> = attributes(map, "fill")
+        .into_iter()
+        .map(|fill| {
+            let part = |from: usize| f64::from(u8::from_str_radix(&fill[from..from + 2], 16).unwrap());
+            0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5)
+        })
+        .collect();
+    assert!(lightness.windows(2).all(|pair| pair[1] > pair[0] + 10.0), "{lightness:?}");
+    let written = texts(&svg);
+    assert!(written.iter().any(|text| text == "white: no value; 6 of 60 states are drawn"), "{written:?}");
+    assert!(written.iter().any(|text| text == "G (J/m2)"), "{written:?}");
+    assert!(plot::png(&figure).is_ok());
+}
+
+/// Curves in order go from dark to light evenly, however many there are.
+#[test]
+fn ordered_curves_go_from_dark_to_light() {
+    for count in [3, 7, 10] {
+        let mut figure = Figure::new(Axis::linear("x"), Axis::linear("y"));
+        for place in 0..count {
+            let y = place as f64;
+            let curve = Curve::new("", vec![(0.0, y), (1.0, y)]).with_line(Line::Solid).with(Colour::Sequence { place, of: count });
+            figure = figure.with_curve(curve);
+        }
+        let svg = plot::svg(&figure).unwrap();
+        let lightness: Vec<f64> = groups(&svg, "curve")
+            .into_iter()
+            .map(|group| {
+                let stroke = attributes(group, "stroke")[0];
+                let part = |from: usize| f64::from(u8::from_str_radix(&stroke[from..from + 2], 16).unwrap());
+                0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5)
+            })
+            .collect();
+        let steps: Vec<f64> = lightness.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert!(steps.iter().all(|step| *step > 60.0 / count as f64), "{lightness:?}");
+        assert!(lightness.iter().all(|light| *light < 200.0), "no curve is lost on white paper: {lightness:?}");
     }
 }

@@ -57,7 +57,9 @@ fn last_row(scene: &str) -> std::collections::HashMap<String, f64> {
     folder.write("scene.toml", scene);
     let answer = folder.call(&["run", "scene.toml", "--out", "out"]);
     assert_eq!(answer.code, 0, "{scene}\n{}", answer.stderr);
-    let text = std::fs::read_to_string(folder.path("out").join("states.csv")).unwrap();
+    // Of a history the end of the way.
+    let text =
+        std::fs::read_to_string(folder.path("out/path.csv")).or_else(|_| std::fs::read_to_string(folder.path("out/states.csv"))).unwrap();
     let mut lines = text.lines().filter(|line| !line.starts_with('#'));
     let names: Vec<String> = lines.next().unwrap().split(',').map(|name| name.split(' ').next().unwrap().to_owned()).collect();
     names.into_iter().zip(lines.next_back().unwrap().split(',')).filter_map(|(name, word)| Some((name, word.parse().ok()?))).collect()

@@ -11,9 +11,15 @@
 //! Tolerance: none, bytes.
 #![allow(clippy::type_complexity, clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::indexing_slicing, missing_docs)]
 
+mod command_support;
+
+use command_support::shipped_scenes;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use viscotack::outcome::{csv_table, summary::summary};
+use viscotack::Estimate;
+use viscotack::outcome::csv_table::{self, Table};
+use viscotack::outcome::summary::summary;
+use viscotack::outcome::{FieldPoint, Row};
 use viscotack::plan;
 use viscotack::scene::catalogue::{Key, Kind, generic_path, keys};
 use viscotack::scene::document::{Document, Node, Value};
@@ -189,6 +195,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("crack under G", format!("{CREEP}{}", TORN.replace("speed = 1e-6", "energy_release_rate = 30.0"))),
         ("crack, reduced", format!("{REDUCED}[adhesion]\nprocess_zone = {{ length = 1 }}\n[crack]\nspeed = 1\nbody = \"against_rigid\"\n")),
         ("crack, swept", format!("{}[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\npoints = 3\nspacing = \"logarithmic\"\n", crack_of(CREEP))),
+        ("crack, states at random", format!("plots = [\"png\"]\n{}[latin_hypercube]\nstates = 3\nseed = 5\n[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\n", crack_of(CREEP))),
         ("crack, swept by values", format!("{}[sweep]\nkey = \"crack.speed\"\nvalues = [1e-6, 1e-5]\n", crack_of(CREEP))),
         ("crack, work by speed", crack_of(CREEP).replace("work_of_adhesion = 10.0\n", "work_of_adhesion = 10.0\nby_speed = { speed = 1e-5, exponent = 0.3 }\n")),
         ("strip", format!("{CREEP}{}[crack.strip]\nhalf_height = 0.01\nstrain = 0.06\nlateral = \"clamped\"\n", TORN.replace("speed = 1e-6\n", ""))),
@@ -291,8 +298,11 @@ fn result(text: &str, folder: &std::path::Path, set: Option<&str>) -> Result<Vec
     let scene = read::read(&document).map_err(|error| error.to_string())?;
     let outcome = plan::run(&document, &scene, Vec::new(), None, &|_| ()).map_err(|error| error.to_string())?;
     let whole = summary(&outcome);
-    let mut bytes = csv_table::states(&outcome).unwrap();
-    bytes.extend(csv_table::fields(&outcome).unwrap().unwrap_or_default());
+    let mut bytes = Vec::new();
+    for table in [Table::States, Table::Path, Table::Fields] {
+        bytes.extend(csv_table::table(&outcome, table).unwrap().unwrap_or_default());
+    }
+    bytes.extend(format!("{:?}", outcome.pictures).bytes());
     for part in ["title", "accuracy", "validity", "columns", "swept"] {
         bytes.extend(whole[part].to_string().bytes());
     }
@@ -370,6 +380,34 @@ fn trials(key: &Key, present: Option<&Node>) -> Vec<String> {
 /// Whether a word is the default: the one trial of a choice that may change nothing.
 const fn has_default(kind: Kind) -> bool {
     matches!(kind, Kind::Choice(_) | Kind::Choices(_) | Kind::Flag)
+}
+
+/// Of every problem and option of the catalogue, and of every shipped scene: a reader by name finds each column.
+#[test]
+fn no_table_has_two_equal_headers() {
+    let folder = folder();
+    let mut documents: Vec<(String, Document)> =
+        scenes().into_iter().map(|(name, text)| (name.to_owned(), Document::parse("scene.toml", text, &folder).unwrap())).collect();
+    documents.extend(shipped_scenes().into_iter().map(|path| (path.display().to_string(), Document::load(&path).unwrap())));
+    let wrong: Vec<String> = documents
+        .into_par_iter()
+        .flat_map_iter(|(name, mut document)| {
+            read::resolve_includes(&mut document).unwrap();
+            let scene = read::read(&document).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let mut outcome = plan::unsolved(&plan::Plan::new(&scene).unwrap(), &document, &scene);
+            // A state with a field, so that each table has its header.
+            let mut row = Row::new(0, &vec![0.0; outcome.swept.len()], Vec::new(), outcome.columns.len());
+            row.fields.push(FieldPoint { place: 0.0, values: vec![Estimate::exact(0.0); outcome.field_columns.len().saturating_sub(1)] });
+            outcome.rows.push(row);
+            [Table::States, Table::Path, Table::Fields].into_iter().filter_map(move |table| {
+                let text = String::from_utf8(csv_table::table(&outcome, table).unwrap()?).unwrap();
+                let headers: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+                let twice = headers.iter().find(|header| headers.iter().filter(|other| other == header).count() > 1)?;
+                Some(format!("{name}: {} has {twice:?} twice", table.file()))
+            })
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

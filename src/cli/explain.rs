@@ -20,6 +20,8 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "groups": plan.groups(),
             "predicted_work": work,
             "predicted_memory_bytes": plan.predicted_memory(),
+            "predicted_seconds": plan.predicted_seconds(),
+            "predicted_disk_bytes": plan.predicted_disk(),
             "accuracy": source.scene.accuracy,
         });
         print_json(|out| write!(out, "{value:#}"))?;
@@ -47,8 +49,36 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         let _ = writeln!(text, "{}", line.trim_end());
     }
     let _ = writeln!(text, "\npredicted work\n  {work}, at most {} MB of memory", plan.predicted_memory().div_ceil(1_000_000));
+    if plan.states() > 1 {
+        let disk = plan.predicted_disk().div_ceil(1_000_000);
+        let _ = writeln!(
+            text,
+            "  about {} (within a factor of ten), and with --out at most {disk} MB on disk",
+            duration(plan.predicted_seconds())
+        );
+    }
+    let _ = writeln!(text, "\nfiles (with --out)\n  {}", files(&plan));
     print(&text)?;
     Ok(0)
+}
+
+/// Which table holds what.
+fn files(plan: &Plan) -> &'static str {
+    match (plan.layout().is_some(), plan.states() > 1) {
+        (true, true) => "states.csv: one row a state, with its answer; path.csv: instants and events on the way of each state",
+        (true, false) => "states.csv: the answer; path.csv: instants and events on the way to it",
+        (false, _) => "states.csv: one row a state and kind of row",
+    }
+}
+
+/// Seconds in words.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        short if short < 1.0 => "1 s or less".to_owned(),
+        short if short < 120.0 => format!("{short:.0} s"),
+        middle if middle < 7200.0 => format!("{:.0} min", middle / 60.0),
+        long => format!("{:.0} h", long / 3600.0),
+    }
 }
 
 /// `1 state`, `2 states`.

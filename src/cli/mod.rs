@@ -48,9 +48,12 @@ enum Command {
         /// Replace the folder if it exists
         #[arg(long, requires = "out")]
         force: bool,
-        /// Print summary.json instead of the table
+        /// Print summary.json with all rows instead of the table
         #[arg(long)]
         json: bool,
+        /// Draw no plots, whatever the key `plots` of the scene says
+        #[arg(long)]
+        no_plots: bool,
     },
     /// Say what a scene simulates and leaves out, why, by which method, at what cost; solves nothing
     Explain {
@@ -193,7 +196,7 @@ pub fn main() -> ExitCode {
     };
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
-        Command::Run { scene, out, force, json } => run::run(&scene, out.as_deref(), force, json),
+        Command::Run { scene, out, force, json, no_plots } => run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots }),
         Command::Explain { scene, json } => explain::explain(&scene, json),
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())

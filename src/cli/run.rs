@@ -3,35 +3,46 @@
 use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, interrupt, note, print, print_json};
 use crate::outcome::folder::{RunFolder, partial_of};
-use crate::outcome::{screen, summary};
+use crate::outcome::{Outcome, Row, Status, screen, summary};
 use crate::plan::{self, Safe, Stage};
 use crate::terminal_text::name;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
 use std::time::Duration;
 
+/// What is wanted of a run.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted<'a> {
+    pub(super) out: Option<&'a Path>,
+    pub(super) force: bool,
+    pub(super) json: bool,
+    pub(super) no_plots: bool,
+}
+
 /// Parts of a bar of one state.
 const PARTS: u64 = 1000;
 
-pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, json: bool) -> Result<u8, Failure> {
-    let source = SceneSource::load(arguments)?;
+pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8, Failure> {
+    let &Wanted { out, force, json, no_plots } = wanted;
+    let mut source = SceneSource::load(arguments)?;
+    if no_plots || out.is_none() {
+        source.scene.plots.clear();
+    }
     crate::threads::prepare();
     // A number that the physics refuses is found before a folder is touched.
     let plan = plan::Plan::new(&source.scene)?;
     let states = plan.states();
     interrupt::explain(out.map(|target| name(&partial_of(target))), states);
-    let mut folder = None;
-    let mut finished = Vec::new();
-    if let Some(target) = out {
-        let header = plan::journal_header(&source.document, &source.scene);
-        let (mut opened, kept) = RunFolder::open(target, &header, force)?;
-        let begun = opened.journal().1.begun(states);
-        if !kept.is_empty() || begun > 0 {
+    let header = plan::journal_header(&source.document, &source.scene);
+    let mut folder = out.map(|target| RunFolder::open(target, &header, force)).transpose()?;
+    if let Some(folder) = &mut folder {
+        let (journal, checkpoints) = folder.journal();
+        let (finished, begun) = (journal.states(), checkpoints.begun(states));
+        if finished > 0 || begun > 0 {
             let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
-            note(&format!("resuming: {} of {states} states were finished before{under_way}\n", kept.len()));
+            note(&format!("resuming: {finished} of {states} states were finished before{under_way}\n"));
         }
-        interrupt::finished(kept.len());
-        (folder, finished) = (Some(opened), kept);
+        interrupt::finished(finished);
     }
     let bar = progress_bar(states);
     let progress = |stage: Stage| show(&bar, states, stage);
@@ -39,27 +50,70 @@ pub(super) fn run(arguments: &SceneArguments, out: Option<&Path>, force: bool, j
         let (journal, checkpoints) = folder.journal();
         Safe { journal, checkpoints }
     });
-    let outcome = plan::run_planned(&plan, &source.document, &source.scene, finished, safe, &progress)?;
+    if json && safe.is_none() && !plan.keeps_all_rows() {
+        return streamed(&plan, &source, &bar, &progress);
+    }
+    let outcome = plan::run_planned(&plan, &source.document, &source.scene, safe, None, &progress)?;
     bar.finish_and_clear();
-    // Results that cannot be written are printed, and such that cannot be printed are written.
+    // Results that cannot be written are printed, and such that cannot be printed are written. The rows of a long sweep are printed from the journal, before
+    // the folder takes its place.
+    let mut printed = if json { print_json(|out| summary::write_whole(&outcome, out).map_err(Into::into)) } else { Ok(()) };
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose();
-    let printed = if json {
-        print_json(|out| summary::write_whole(&outcome, out).map_err(Into::into))
-    } else {
-        print(&screen::render(&outcome)).and_then(|()| match (out, &files) {
+    if !json {
+        printed = print(&screen::render(&outcome)).and_then(|()| match (out, &files) {
             (Some(target), Ok(Some(files))) => {
                 let omitted = summary::omitted(&outcome);
+                let place = summary::omitted_rows_are_in(&outcome);
                 let note =
-                    if omitted > 0 { format!(" (summary.json without its {omitted} rows, which states.csv holds)") } else { String::new() };
+                    if omitted > 0 { format!(" (summary.json without its {omitted} rows, which are in {place})") } else { String::new() };
                 print(&format!("wrote      {}: {}{note}\n", name(target), files.join(", ")))
             }
             (None, _) => print("(nothing written; add --out DIR for summary.json, tables and plots)\n"),
             _ => Ok(()),
-        })
-    };
+        });
+    }
     files?;
     printed?;
+    say_what_is_missing(&outcome);
     Ok(outcome.exit_code())
+}
+
+/// A long sweep whose rows are printed as they come.
+fn streamed(plan: &plan::Plan, source: &SceneSource, bar: &ProgressBar, progress: plan::Progress<'_>) -> Result<u8, Failure> {
+    let (swept, columns) = (plan::swept_columns(&source.scene), plan.columns());
+    let names = summary::Names { swept: &swept, labels: plan.labels(), columns: &columns };
+    let mut code = 0;
+    let mut failure = None;
+    print_json(|out| {
+        let mut text = summary::Streamed::new(names, out)?;
+        let mut sink = |rows: &[Row]| rows.iter().try_for_each(|row| text.write(row));
+        match plan::run_planned(plan, &source.document, &source.scene, None, Some(&mut sink), progress) {
+            Ok(outcome) => {
+                bar.finish_and_clear();
+                code = outcome.exit_code();
+                text.finish(&outcome)?;
+                say_what_is_missing(&outcome);
+                Ok(())
+            }
+            // Nothing but the sink writes here.
+            Err(plan::RunError::Journal(error)) => Err(error),
+            Err(other) => {
+                failure = Some(other);
+                Ok(())
+            }
+        }
+    })?;
+    failure.map_or(Ok(code), |error| Err(error.into()))
+}
+
+/// Of a sweep, how many states are the reason for its exit code.
+fn say_what_is_missing(outcome: &Outcome) {
+    if outcome.exit_code() == 4 && !outcome.swept.is_empty() {
+        let count = |status: Status| outcome.tally.ended(status).states.max(usize::from(outcome.tally.ended(status).rows > 0));
+        let statuses = [Status::Inaccurate, Status::NotConverged, Status::Inadmissible].into_iter().filter(|status| count(*status) > 0);
+        let parts: Vec<String> = statuses.map(|status| format!("{} {}", count(status), status.word())).collect();
+        note(&format!("exit code 4: of {} states, {}\n", outcome.tally.states, parts.join(", ")));
+    }
 }
 
 /// A bar on a terminal's standard error, for work that takes long enough to be waited for.

@@ -5,13 +5,14 @@
 //! file that is not listed in it, is left alone.
 
 use super::checkpoints::Checkpoints;
+use super::csv_table::{Rows, Table};
 use super::journal::{Found, Journal, JournalHeader, read};
 use super::owned::OwnedFolder;
-use super::row::Row;
-use super::{Outcome, csv_table, plot, summary};
+use super::{Outcome, plot, summary};
 use crate::terminal_text;
 use rayon::prelude::*;
 use std::fs::File;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -75,6 +76,8 @@ pub struct RunFolder {
 const JOURNAL: &str = "journal.jsonl";
 /// All that a run keeps there while it is under way.
 const UNDER_WAY: [&str; 4] = [JOURNAL, "journal.new", "state-*.checkpoint", "state-*.new"];
+/// Name of the summary.
+const SUMMARY: &str = "summary.json";
 /// The finished files inside the partial folder.
 const RESULT: &str = "result";
 /// What marks call a folder of each kind.
@@ -113,7 +116,7 @@ impl RunFolder {
     ///
     /// # Errors
     /// A folder that exists (without `force`) or is not this program's, an unfinished run of something else, or a file system that refuses.
-    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<(Self, Vec<Vec<Row>>), FolderError> {
+    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<Self, FolderError> {
         writable(target, force)?;
         let path = partial_of(target);
         let journal_path = path.join(JOURNAL);
@@ -121,8 +124,8 @@ impl RunFolder {
         let busy = || FolderError::Busy(terminal_text::name(&path));
         let mut lock = partial.lock()?.ok_or_else(busy)?;
         let finished = match read(&journal_path, header).map_err(io(&journal_path))? {
-            Found::Rows(rows) => rows,
-            Found::Nothing => Vec::new(),
+            Found::States(states) => states,
+            Found::Nothing => 0,
             Found::Other(_) if force => {
                 // Nothing of it must end among the files of this run.
                 remove_result(&path)?;
@@ -132,18 +135,18 @@ impl RunFolder {
                 partial.remove()?;
                 partial = OwnedFolder::make(&path, UNFINISHED, &UNDER_WAY)?;
                 lock = partial.lock()?.ok_or_else(busy)?;
-                Vec::new()
+                0
             }
             Found::Other(found) => {
                 let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
                 return Err(FolderError::OtherRun { partial: terminal_text::name(&path), found: terminal_text::one_line(&found) });
             }
         };
-        let journal = Journal::open(&journal_path, header, &finished).map_err(io(&journal_path))?;
+        let journal = Journal::open(&journal_path, header, finished).map_err(io(&journal_path))?;
         let checkpoints = Checkpoints::new(&path, header);
         // A kill may have come between the journal and the end of a checkpoint.
-        (0..finished.len()).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
-        Ok((Self { target: target.to_owned(), partial, journal, checkpoints, force, _lock: lock }, finished))
+        (0..finished).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
+        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, force, _lock: lock })
     }
 
     /// The journal to append finished states to, and where those under way leave checkpoints.
@@ -160,33 +163,33 @@ impl RunFolder {
         // What an earlier run left there at its end is made anew.
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, RUN, &[])?;
-        let mut names = Vec::new();
+        let mut names = vec![SUMMARY.to_owned()];
+        let path = result.file(SUMMARY)?;
+        let mut file = BufWriter::new(File::create(&path).map_err(io(&path))?);
+        summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).and_then(|()| file.flush()).map_err(io(&path))?;
+        names.extend(write_tables(outcome, &mut result)?);
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             result.write(name, bytes)?;
             names.push(name.to_owned());
             Ok(())
         };
-        let csv_error = |error: csv::Error| FolderError::Io { path: "table".into(), error: error.to_string() };
-        let mut text = Vec::new();
-        summary::write_short(outcome, &mut text).map_err(|error| io(&target)(error.into()))?;
-        text.push(b'\n');
-        write("summary.json", &text)?;
-        write("states.csv", &csv_table::states(outcome).map_err(csv_error)?)?;
-        if let Some(fields) = csv_table::fields(outcome).map_err(csv_error)? {
-            write("fields.csv", &fields)?;
-        }
         write("scene.toml", scene.as_bytes())?;
         // A picture takes longer than many states: side by side.
-        let pictures: Vec<_> = outcome
-            .figures
-            .par_iter()
-            .map(|(stem, figure)| (stem, plot::svg(figure).and_then(|svg| Ok((svg, plot::png(figure)?)))))
-            .collect();
+        let wanted = outcome.pictures;
+        let draw = |figure: &plot::Figure| -> Result<(Option<String>, Option<Vec<u8>>), plot::PlotError> {
+            let svg = wanted.svg.then(|| plot::svg(figure)).transpose()?;
+            Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
+        };
+        let pictures: Vec<_> = outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect();
         for (stem, picture) in pictures {
             match picture {
                 Ok((svg, png)) => {
-                    write(&format!("{stem}.svg"), svg.as_bytes())?;
-                    write(&format!("{stem}.png"), &png)?;
+                    if let Some(svg) = svg {
+                        write(&format!("{stem}.svg"), svg.as_bytes())?;
+                    }
+                    if let Some(png) = png {
+                        write(&format!("{stem}.png"), &png)?;
+                    }
                 }
                 Err(plot::PlotError::NotBuilt) => {}
                 Err(error) => return Err(FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() }),
@@ -208,6 +211,45 @@ fn remove_result(partial: &Path) -> Result<PathBuf, FolderError> {
         OwnedFolder::open(&path, Some(RUN))?.remove()?;
     }
     Ok(path)
+}
+
+/// Writes the tables, row after row, and gives their names.
+fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<String>, FolderError> {
+    let folder = result.path().to_owned();
+    let mut create = |table: Table| {
+        let path = result.file(table.file())?;
+        let file = File::create(&path).map_err(io(&path))?;
+        Rows::new(outcome, table, file).map_err(|error| io(&path)(error.into()))
+    };
+    let mut tables = vec![(Table::States, create(Table::States)?)];
+    if outcome.layout.is_some() {
+        tables.push((Table::Path, create(Table::Path)?));
+    }
+    let mut failed = None;
+    let visited = outcome.each_row(&mut |row| {
+        // Most runs have no fields.
+        if !row.fields.is_empty() && tables.iter().all(|(table, _)| *table != Table::Fields) {
+            match create(Table::Fields) {
+                Ok(fields) => tables.push((Table::Fields, fields)),
+                Err(error) => {
+                    failed = Some(error);
+                    return Err(std::io::Error::other("a table"));
+                }
+            }
+        }
+        tables.iter_mut().try_for_each(|(_, rows)| rows.write(row)).map_err(std::io::Error::from)
+    });
+    if let Some(error) = failed {
+        return Err(error);
+    }
+    visited.map_err(io(&folder))?;
+    let mut names = Vec::new();
+    for (table, rows) in tables {
+        let path = folder.join(table.file());
+        rows.finish().map_err(|error| io(&path)(error.into()))?;
+        names.push(table.file().to_owned());
+    }
+    Ok(names)
 }
 
 /// Whether a folder of files may be written there.

@@ -11,7 +11,7 @@ use super::row::Row;
 use crate::regular_file;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
-use std::io::{BufWriter, Write};
+use std::io::{BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// What the digest of the first line starts from.
@@ -35,6 +35,7 @@ pub struct Journal {
     file: BufWriter<File>,
     /// Of the last line.
     digest: String,
+    states: usize,
 }
 
 /// What an existing journal held.
@@ -42,8 +43,8 @@ pub struct Journal {
 pub enum Found {
     /// Nothing: a new run.
     Nothing,
-    /// Rows of the first states of the same run, complete and in order.
-    Rows(Vec<Vec<Row>>),
+    /// So many of the first states of the same run, complete and in order.
+    States(usize),
     /// The journal of another scene or another build.
     Other(JournalHeader),
 }
@@ -53,28 +54,65 @@ pub enum Found {
 /// # Errors
 /// A file that exists and cannot be read.
 pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
-    let bytes = match regular_file::read(path, u64::MAX) {
-        Ok(bytes) => bytes,
+    let mut lines = match Lines::open(path) {
+        Ok(lines) => lines,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Found::Nothing),
         Err(error) => return Err(error),
     };
-    // A line is whole only if its line feed is there.
-    let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(&[][..], |end| bytes.get(..end).unwrap_or(&[]));
-    let mut before = FORMAT.to_owned();
-    let mut contents = whole.split(|&byte| byte == b'\n').map_while(|line| content(line, &mut before));
-    match contents.next().and_then(|line| serde_json::from_slice::<JournalHeader>(line).ok()) {
+    match lines.next()?.and_then(|content| serde_json::from_slice::<JournalHeader>(content).ok()) {
         None => return Ok(Found::Nothing),
         Some(found) if found != *header => return Ok(Found::Other(found)),
         Some(_) => {}
     }
-    let states = contents.map_while(|line| serde_json::from_slice::<Vec<Row>>(line).ok());
-    Ok(Found::Rows(
-        states
-            .enumerate()
-            .take_while(|(index, rows)| !rows.is_empty() && rows.iter().all(|row| row.state == *index))
-            .map(|(_, rows)| rows)
-            .collect(),
-    ))
+    let mut states = 0;
+    while lines.next()?.is_some_and(|content| rows_of(content, states).is_some()) {
+        states += 1;
+    }
+    Ok(Found::States(states))
+}
+
+/// Goes through the states of a journal, one at a time.
+///
+/// # Errors
+/// A file that cannot be read, and what the caller reports.
+pub fn each(path: &Path, visit: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>) -> std::io::Result<()> {
+    let mut lines = Lines::open(path)?;
+    lines.next()?;
+    let mut states = 0;
+    while !lines.at_end()? {
+        let Some(rows) = lines.next()?.and_then(|content| rows_of(content, states)) else {
+            return Err(std::io::Error::other(format!("state {} of the journal cannot be read", states + 1)));
+        };
+        states += 1;
+        visit(rows)?;
+    }
+    Ok(())
+}
+
+/// The lines of a journal, one at a time, as long as their digests are right.
+struct Lines {
+    file: BufReader<File>,
+    line: Vec<u8>,
+    /// Of the last line.
+    digest: String,
+}
+
+impl Lines {
+    fn open(path: &Path) -> std::io::Result<Self> {
+        Ok(Self { file: BufReader::new(regular_file::open(path)?), line: Vec::new(), digest: FORMAT.to_owned() })
+    }
+
+    fn at_end(&mut self) -> std::io::Result<bool> {
+        Ok(self.file.fill_buf()?.is_empty())
+    }
+
+    /// The content of the next line; none at the end, or where the line is not whole: its line feed is missing, or its digest is wrong.
+    fn next(&mut self) -> std::io::Result<Option<&[u8]>> {
+        self.line.clear();
+        self.file.read_until(b'\n', &mut self.line)?;
+        let whole = self.line.pop() == Some(b'\n');
+        Ok(content(&self.line, &mut self.digest).filter(|_| whole))
+    }
 }
 
 /// The content of a line with the right digest, which then is the one before.
@@ -92,25 +130,48 @@ fn chained(before: &str, content: &[u8]) -> String {
     digest(&[before.as_bytes(), content].concat())
 }
 
+/// The rows of a state, if they are of that state.
+fn rows_of(content: &[u8], state: usize) -> Option<Vec<Row>> {
+    let rows = serde_json::from_slice::<Vec<Row>>(content).ok()?;
+    (!rows.is_empty() && rows.iter().all(|row| row.state == state)).then_some(rows)
+}
+
 impl Journal {
-    /// Opens a journal anew with the states that are finished already.
+    /// Opens a journal anew with so many states that it holds already.
     ///
     /// The new text replaces the old in one rename, so that a kill at any instant leaves one of the two.
     ///
     /// # Errors
     /// A folder that cannot be written.
-    pub fn open(path: &Path, header: &JournalHeader, finished: &[Vec<Row>]) -> std::io::Result<Self> {
+    pub fn open(path: &Path, header: &JournalHeader, finished: usize) -> std::io::Result<Self> {
         let fresh = path.with_extension("new");
-        let mut journal = Self { path: fresh.clone(), file: BufWriter::new(File::create(&fresh)?), digest: FORMAT.to_owned() };
-        journal.write_line(header)?;
-        for rows in finished {
-            journal.write_line(rows)?;
+        let file = BufWriter::new(File::create(&fresh)?);
+        let mut journal = Self { path: path.to_owned(), file, digest: FORMAT.to_owned(), states: finished };
+        journal.write_line(&serde_json::to_vec(header)?)?;
+        if finished > 0 {
+            let mut before = Lines::open(path)?;
+            before.next()?;
+            for _ in 0..finished {
+                let Some(content) = before.next()? else { return Err(std::io::Error::other("the journal was altered while it was read")) };
+                journal.write_line(content)?;
+            }
         }
         journal.file.flush()?;
         std::fs::rename(&fresh, path)?;
         journal.file = BufWriter::new(OpenOptions::new().append(true).open(path)?);
-        journal.path = path.to_owned();
         Ok(journal)
+    }
+
+    /// How many states it holds.
+    #[must_use]
+    pub const fn states(&self) -> usize {
+        self.states
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Adds finished states and hands them to the system.
@@ -118,15 +179,15 @@ impl Journal {
     /// # Errors
     /// A disk that is full; the sentence names the path.
     pub fn append(&mut self, states: &[Vec<Row>]) -> std::io::Result<()> {
-        let written = states.iter().try_for_each(|rows| self.write_line(rows)).and_then(|()| self.file.flush());
+        let written = states.iter().try_for_each(|rows| self.write_line(&serde_json::to_vec(rows)?)).and_then(|()| self.file.flush());
+        self.states += states.len();
         written.map_err(|error| super::named(&self.path, error))
     }
 
-    fn write_line(&mut self, value: &impl Serialize) -> std::io::Result<()> {
-        let content = serde_json::to_vec(value)?;
-        self.digest = chained(&self.digest, &content);
+    fn write_line(&mut self, content: &[u8]) -> std::io::Result<()> {
+        self.digest = chained(&self.digest, content);
         write!(self.file, "[\"{}\",", self.digest)?;
-        self.file.write_all(&content)?;
+        self.file.write_all(content)?;
         self.file.write_all(b"]\n")
     }
 }

@@ -10,12 +10,37 @@ pub mod owned;
 pub mod plot;
 pub mod row;
 pub mod screen;
-mod screen_bounds;
 pub mod summary;
+pub mod tally;
 
 pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
 
 use serde::Serialize;
+use std::path::PathBuf;
+use tally::Tally;
+
+/// First label of the row that is the answer of a state, where other rows lie on the way to it.
+pub const SUMMARY: &str = "summary";
+
+/// Of rows that are answers of states and rows on their way: which columns each kind has.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Layout {
+    /// Which labels say something about a state.
+    pub labels: Vec<usize>,
+    /// Columns of states, in the order of their table.
+    pub states: Vec<usize>,
+    /// Columns of what lies on the way.
+    pub path: Vec<usize>,
+}
+
+/// Which pictures of a figure are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Pictures {
+    /// Vectors.
+    pub svg: bool,
+    /// Pixels.
+    pub png: bool,
+}
 
 /// Everything that a run gives.
 #[derive(Debug, Clone)]
@@ -40,12 +65,22 @@ pub struct Outcome {
     pub columns: Vec<Column>,
     /// The columns that a table on the screen has room for; none: the first ones.
     pub headline: &'static [&'static str],
-    /// The rows, in the order of the sweep.
+    /// The same of rows on the way of a state.
+    pub path_headline: &'static [&'static str],
+    /// Which columns belong to the row of a state and which to the rows on its way; none: each row is a state.
+    pub layout: Option<Layout>,
+    /// The rows, in the order of the sweep: all, or, of a very long sweep, those that are drawn and shown.
     pub rows: Vec<Row>,
+    /// The journal that holds all rows, where [`Self::rows`] does not.
+    pub stored: Option<PathBuf>,
+    /// Counts over all rows.
+    pub tally: Tally,
     /// Wanted relative accuracy.
     pub accuracy: f64,
     /// Plots, by file stem.
     pub figures: Vec<(String, plot::Figure)>,
+    /// Which pictures are drawn of them.
+    pub pictures: Pictures,
     /// What the labels of the rows are: the first tells the rows of one state apart.
     pub labels: &'static [&'static str],
     /// What the field table holds: the place, then the fields.
@@ -113,17 +148,40 @@ pub enum Verdict {
 }
 
 impl Outcome {
-    /// The exit code: 4 if any row is inaccurate, did not converge or is inadmissible. Otherwise 0 if every row is solved, of a sweep if any row
-    /// is; else 2 if a row contradicts the scene, and 3 if no such state exists.
+    /// Whether a row is the answer of a state, and not one on its way.
+    #[must_use]
+    pub fn is_state(&self, row: &Row) -> bool {
+        is_state(self.layout.as_ref(), row)
+    }
+
+    /// Whether [`Self::rows`] are all rows.
+    #[must_use]
+    pub fn holds_all_rows(&self) -> bool {
+        self.rows.len() == self.tally.rows
+    }
+
+    /// Goes through all rows, in order: of a very long sweep through the journal, so that no memory is needed for them.
+    ///
+    /// # Errors
+    /// A journal that cannot be read, and what the caller reports.
+    pub fn each_row(&self, visit: &mut dyn FnMut(&Row) -> std::io::Result<()>) -> std::io::Result<()> {
+        match &self.stored {
+            Some(journal) if !self.holds_all_rows() => journal::each(journal, &mut |rows| rows.iter().try_for_each(&mut *visit)),
+            _ => self.rows.iter().try_for_each(visit),
+        }
+    }
+
+    /// The exit code. 4 if any row is inaccurate, did not converge or is inadmissible. Otherwise a sweep gives 0 if any row is solved, a single
+    /// state only if every row of it is; else 2 if a state contradicts the scene, 3 if no such state exists.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
-        let any = |status: Status| self.rows.iter().any(|row| row.status == status);
-        let solved = if self.swept.is_empty() { self.rows.iter().all(|row| row.status == Status::Solved) } else { any(Status::Solved) };
-        if any(Status::Inaccurate) || any(Status::NotConverged) || any(Status::Inadmissible) {
+        let count = |status: Status| self.tally.ended(status).rows;
+        let solved = count(Status::Solved);
+        if [Status::Inaccurate, Status::NotConverged, Status::Inadmissible].into_iter().any(|status| count(status) > 0) {
             4
-        } else if solved {
+        } else if solved == self.tally.rows || !self.swept.is_empty() && solved > 0 {
             0
-        } else if any(Status::Invalid) {
+        } else if count(Status::Invalid) > 0 {
             2
         } else {
             3
@@ -133,15 +191,17 @@ impl Outcome {
     /// The work of all rows.
     #[must_use]
     pub fn work(&self) -> Work {
-        let mut total = Work::default();
-        for row in &self.rows {
-            total += row.work;
-        }
-        total
+        self.tally.work
     }
 }
 
 /// An error of the system with the path that it is about.
 fn named(path: &std::path::Path, error: std::io::Error) -> std::io::Error {
     std::io::Error::new(error.kind(), format!("`{}` cannot be written: {error}", crate::terminal_text::name(path)))
+}
+
+/// Whether a row is the answer of a state: where none lie on the way, each is.
+#[must_use]
+pub fn is_state(layout: Option<&Layout>, row: &Row) -> bool {
+    layout.is_none() || row.labels.is_empty() || row.label(0) == SUMMARY
 }

@@ -37,6 +37,10 @@ pub enum Status {
 }
 
 impl Status {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 7] =
+        [Self::Solved, Self::Inaccurate, Self::NoSuchState, Self::Undefined, Self::Invalid, Self::NotConverged, Self::Inadmissible];
+
     /// Whether the row holds values.
     #[must_use]
     pub const fn has_values(self) -> bool {

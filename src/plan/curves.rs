@@ -1,7 +1,7 @@
 //! From rows to curves: the rows of one kind at one set of outer swept values make a curve against the innermost swept number.
 
 use crate::outcome::Row;
-use crate::outcome::plot::{Axis, Curve, Figure, Line};
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line};
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::Scene;
 
@@ -24,13 +24,15 @@ pub(super) struct Family<'a> {
     pub(super) label: String,
     pub(super) kind: Kind,
     pub(super) colour: usize,
+    /// Colour of its curves.
+    pub(super) shade: Colour,
     pub(super) rows: Vec<&'a Row>,
 }
 
 impl Family<'_> {
     /// A stroke is a kind, a colour is a set of outer swept values.
     pub(super) fn curve(&self, points: Vec<(f64, f64)>) -> Curve {
-        Curve::new(self.label.clone(), points).with_line(self.kind.line).with_colour(self.colour)
+        Curve::new(self.label.clone(), points).with_line(self.kind.line).with(self.shade)
     }
 
     /// One point a row.
@@ -70,8 +72,14 @@ pub(super) fn figure(families: &[Family<'_>], horizontal: Axis, vertical: Axis, 
     families.iter().fold(Figure::new(horizontal, vertical), |figure, family| figure.with_curve(family.curve(points(family))))
 }
 
-/// The families of a table.
-pub(super) fn families<'a>(scene: &Scene, rows: &'a [Row], kinds: &[Kind]) -> Vec<Family<'a>> {
+/// The colour of one of so many curves in order.
+pub(super) fn shade(place: usize, of: usize) -> Colour {
+    // Two are told from each other more easily by two colours.
+    if of > 2 { Colour::Sequence { place, of } } else { Colour::Index(place) }
+}
+
+/// The sets of outer swept values, in order.
+fn outer_sets<'a>(scene: &Scene, rows: &'a [Row]) -> Vec<&'a [f64]> {
     let outer = scene.sweeps.len().saturating_sub(1);
     let mut sets: Vec<&[f64]> = Vec::new();
     for row in rows {
@@ -80,7 +88,36 @@ pub(super) fn families<'a>(scene: &Scene, rows: &'a [Row], kinds: &[Kind]) -> Ve
             sets.push(set);
         }
     }
-    let sets = thinned(sets, (MOST_CURVES / kinds.len().max(1)).max(1));
+    sets
+}
+
+/// Curves of each kind that are drawn, at most.
+fn most_sets(kinds: usize) -> usize {
+    (MOST_CURVES / kinds.max(1)).max(1)
+}
+
+/// What a figure of families leaves out, in words.
+pub(super) fn left_out(scene: &Scene, rows: &[Row], kinds: usize) -> Option<String> {
+    thinning(outer_sets(scene, rows).len(), most_sets(kinds), "values of the outer sweep")
+}
+
+/// "5 of 12 states are drawn", if not all are.
+pub(super) fn thinning(all: usize, most: usize, what: &str) -> Option<String> {
+    (all > most).then(|| format!("{most} of {all} {what} are drawn"))
+}
+
+/// Figures with a note.
+pub(super) fn noted(mut figures: Vec<(String, Figure)>, note: Option<String>) -> Vec<(String, Figure)> {
+    if let Some(note) = note {
+        figures.iter_mut().for_each(|(_, figure)| figure.add_note(&note));
+    }
+    figures
+}
+
+/// The families of a table.
+pub(super) fn families<'a>(scene: &Scene, rows: &'a [Row], kinds: &[Kind]) -> Vec<Family<'a>> {
+    let outer = scene.sweeps.len().saturating_sub(1);
+    let sets = thinned(outer_sets(scene, rows), most_sets(kinds.len()));
     let of = |kind: &Kind, set: &[f64]| -> Vec<&'a Row> {
         rows.iter().filter(|row| row.label(0) == kind.word && row.swept.get(..outer).unwrap_or(&[]) == set).collect()
     };
@@ -110,7 +147,9 @@ pub(super) fn families<'a>(scene: &Scene, rows: &'a [Row], kinds: &[Kind]) -> Ve
             } else {
                 place
             };
-            let family = Family { label, kind, colour, rows };
+            // Values of an outer sweep are in order, and so are their colours.
+            let shade = if outer > 0 && !indifferent { shade(index, sets.len()) } else { Colour::Index(colour) };
+            let family = Family { label, kind, colour, shade, rows };
             if indifferent { indifferent_ones.push(family) } else { families.push(family) }
         }
     }

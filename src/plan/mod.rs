@@ -11,6 +11,8 @@ mod curves;
 mod delayed_fracture;
 mod desk;
 mod indentation;
+mod kept;
+mod maps;
 pub mod material;
 mod measured;
 mod plane_material;
@@ -21,16 +23,17 @@ mod steady_crack;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
-pub use run::{RunError, Safe, journal_header, run, run_planned};
+pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns, unsolved};
 
-use crate::outcome::{Column, Effect, Group, Row, Validity, Work, plot};
+use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
 use crate::refusal::Refusal;
-use crate::scene::sweep;
+use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
 use indentation::IndentationPlan;
+use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -44,6 +47,18 @@ const BYTES_OF_A_CELL: u64 = 48;
 /// A place of a field, and a field there.
 const BYTES_OF_A_POINT: u64 = 72;
 const BYTES_OF_A_FIELD: u64 = 48;
+
+/// Time of a kernel evaluation, an energy balance, a linear system, a field point; of a state of a sweep, which is read anew; of a row in the
+/// journal and the tables (s).
+const SECONDS_A_KERNEL: f64 = 2e-8;
+const SECONDS_A_BALANCE: f64 = 1e-6;
+const SECONDS_A_SYSTEM: f64 = 2e-5;
+const SECONDS_A_POINT: f64 = 2e-6;
+const SECONDS_A_STATE: f64 = 5e-5;
+const SECONDS_A_ROW: f64 = 2e-5;
+/// A row in the journal and in the tables; a value with its error there.
+const BYTES_WRITTEN_A_ROW: u64 = 600;
+const BYTES_WRITTEN_A_CELL: u64 = 120;
 
 /// What a problem says about one state of a scene, and how it solves it.
 trait ProblemPlan: Debug + Send + Sync {
@@ -79,6 +94,14 @@ trait ProblemPlan: Debug + Send + Sync {
     fn headline(&self) -> &'static [&'static str] {
         &[]
     }
+    /// The same of rows on the way of a state, where the state has a row of its own.
+    fn path_headline(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// Which columns belong to the row of a state and which to the rows on its way; none: each row is a state.
+    fn layout(&self) -> Option<Layout> {
+        None
+    }
     /// The columns of the field table: the place, then the fields.
     fn field_columns(&self) -> Vec<Column>;
     /// Solves the state; one row a label. One that takes long tells the desk how far it is, and leaves checkpoints there.
@@ -87,6 +110,12 @@ trait ProblemPlan: Debug + Send + Sync {
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)>;
+    /// The number that a state of the sweep is solved for, where a picture shows just one.
+    fn answer(&self, rows: &[Row]) -> Option<Answer>;
+    /// The axis of a swept number.
+    fn swept_axis(&self, sweep: &Sweep) -> plot::Axis {
+        curves::swept_axis(sweep)
+    }
     /// The papers behind what the scene uses.
     fn citations(&self) -> Vec<&'static Citation>;
 }
@@ -109,6 +138,8 @@ pub struct Plan {
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
     states: usize,
+    /// States whose rows are held at the end, at most.
+    most_kept: usize,
     /// The same scene with each draw of its material, if it asks for them.
     draws: Vec<propagate::Draw>,
 }
@@ -128,7 +159,8 @@ impl Plan {
         if wide.is_some() {
             problem = problem_plan(scene)?;
         }
-        Ok(Self { problem, material: scene.material.clone(), visited, states, draws: propagate::draws(scene) })
+        let most_kept = kept::most_states(&scene.sweeps, problem.rows_of_a_state());
+        Ok(Self { problem, material: scene.material.clone(), visited, states, most_kept, draws: propagate::draws(scene) })
     }
 
     /// The problem's name.
@@ -186,21 +218,56 @@ impl Plan {
     /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
-        let states = self.states as u64;
         let draws = self.draws.len() as u64;
         let row = BYTES_OF_A_ROW + BYTES_OF_A_CELL * self.columns().len() as u64;
         let point = BYTES_OF_A_POINT + BYTES_OF_A_FIELD * self.field_columns().len() as u64;
-        // Rows of draws are held while their state is solved.
+        // Of a long sweep only some states are held. Rows of draws are held while their state is solved.
+        let states = if self.keeps_all_rows() { self.states } else { self.most_kept } as u64;
         let rows = (self.problem.rows_of_a_state() * (states + draws)).saturating_mul(row);
         let fields = self.problem.predicted_work(states).field_evaluations.saturating_mul(point);
         let at_once = (rayon::current_num_threads() as u64).min(states * (1 + draws));
         BYTES_OF_THE_PROGRAM + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
     }
 
+    /// Predicted time of a run (s), from 2 threads on: the states are read, solved and written. Within a factor of ten of what was measured on
+    /// machines of 2020 to 2024.
+    #[must_use]
+    pub fn predicted_seconds(&self) -> f64 {
+        let (work, threads) = (self.predicted_work(), rayon::current_num_threads().min(self.states).max(1) as f64);
+        let rows = (self.states as u64).saturating_mul(self.rows_of_a_state()) as f64;
+        let solving = SECONDS_A_KERNEL * work.kernel_evaluations as f64
+            + SECONDS_A_BALANCE * work.closure_evaluations as f64
+            + SECONDS_A_SYSTEM * work.linear_solves as f64
+            + SECONDS_A_POINT * work.field_evaluations as f64;
+        let reading = if self.states > 1 { SECONDS_A_STATE * self.states as f64 } else { 0.0 };
+        (solving + reading) / threads + SECONDS_A_ROW * rows
+    }
+
+    /// Predicted size of the files of a run with `--out` (bytes), and of the journal while it is under way, at most.
+    #[must_use]
+    pub fn predicted_disk(&self) -> u64 {
+        let columns = self.columns().len() as u64;
+        let rows = (self.states as u64).saturating_mul(self.rows_of_a_state());
+        // The tables, the journal, and up to ten thousand rows of the summary.
+        rows.saturating_mul(BYTES_WRITTEN_A_ROW + BYTES_WRITTEN_A_CELL * columns)
+    }
+
     /// Number of states.
     #[must_use]
     pub const fn states(&self) -> usize {
         self.states
+    }
+
+    /// Rows of a state, at most.
+    #[must_use]
+    pub fn rows_of_a_state(&self) -> u64 {
+        self.problem.rows_of_a_state()
+    }
+
+    /// Whether a run holds all of its rows at once; else they go to files as they come.
+    #[must_use]
+    pub fn keeps_all_rows(&self) -> bool {
+        kept::few(self.states, self.rows_of_a_state())
     }
 
     /// The columns of the result.
@@ -213,6 +280,18 @@ impl Plan {
     #[must_use]
     pub fn headline(&self) -> &'static [&'static str] {
         self.problem.headline()
+    }
+
+    /// The same of rows on the way of a state.
+    #[must_use]
+    pub fn path_headline(&self) -> &'static [&'static str] {
+        self.problem.path_headline()
+    }
+
+    /// Which columns belong to the row of a state and which to the rows on its way; none: each row is a state.
+    #[must_use]
+    pub fn layout(&self) -> Option<Layout> {
+        self.problem.layout()
     }
 
     /// The columns of the field table: the place, then the fields.
@@ -246,7 +325,14 @@ impl Plan {
     /// Plots of the rows, by file stem.
     #[must_use]
     pub fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)> {
-        self.problem.figures(scene, rows)
+        let maps = maps::figures(self, scene, rows);
+        // No two states of a Latin hypercube share a number: there are no curves.
+        if sweep::is_together(&scene.sweeps) {
+            return maps;
+        }
+        let mut figures = self.problem.figures(scene, rows);
+        figures.extend(maps);
+        figures
     }
 
     /// The papers behind what the scene uses.

@@ -1,8 +1,9 @@
 //! A TOML text as a tree whose every key and value knows its place, open to replacement by `--set` and by sweeps.
 
 use super::diagnostic::{Place, SceneError, SourceText};
-use super::read::material_memo::MaterialMemo;
+use super::read::memo::{Memo, OfTable};
 use super::recognise;
+use super::typed::{MaterialOrigin, MeasuredShape, MeasuredTable};
 use crate::{regular_file, terminal_text};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -105,7 +106,11 @@ pub struct Document {
     /// What was chosen in reading tables.
     notes: Vec<String>,
     /// What was made of the material's data or law, so that states of a sweep do not make it again.
-    materials: MaterialMemo,
+    materials: Memo<MaterialOrigin>,
+    /// The same of records that the history follows.
+    records: OfTable<MeasuredTable>,
+    /// The same of shapes of indenters.
+    shapes: OfTable<(Vec<(f64, f64)>, MeasuredShape)>,
 }
 
 /// No scene that a person writes is larger (bytes).
@@ -149,10 +154,22 @@ impl Document {
             hash: String::new(),
             attached: Vec::new(),
             notes: Vec::new(),
-            materials: MaterialMemo::default(),
+            materials: Memo::default(),
+            records: OfTable::default(),
+            shapes: OfTable::default(),
         };
         document.add_to_hash(&source);
         Ok(document)
+    }
+
+    /// The same without its sweep, which the states of the sweep need not carry.
+    #[must_use]
+    pub fn without_sweep(&self) -> Self {
+        let mut document = self.clone();
+        if let Value::Table(entries) = &mut document.root.value {
+            entries.retain(|entry| !["sweep", "latin_hypercube"].contains(&entry.key.as_str()));
+        }
+        document
     }
 
     /// The folder that relative paths start from.
@@ -201,8 +218,18 @@ impl Document {
     }
 
     /// Materials made before from the same data, shared by all copies of the document.
-    pub(super) const fn materials(&self) -> &MaterialMemo {
+    pub(super) const fn materials(&self) -> &Memo<MaterialOrigin> {
         &self.materials
+    }
+
+    /// Records read before from the same file, shared by all copies of the document.
+    pub(super) const fn records(&self) -> &OfTable<MeasuredTable> {
+        &self.records
+    }
+
+    /// Shapes of indenters read before from the same file.
+    pub(super) const fn shapes(&self) -> &OfTable<(Vec<(f64, f64)>, MeasuredShape)> {
+        &self.shapes
     }
 
     /// SHA-256 of everything that was read: the scene, included files, and `--set`s, in order.

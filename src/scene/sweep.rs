@@ -1,5 +1,7 @@
 //! Sweeps: any number of a scene, at many values.
 
+mod latin_hypercube;
+
 use super::catalogue::{self, Key, Kind};
 use super::check::{self, Units};
 use super::diagnostic::{Place, SceneError};
@@ -7,6 +9,7 @@ use super::document::{Document, Node, Value};
 use super::read::history::dependent_kind;
 use super::read::{has_table, is_number, nearest_number, range_of};
 use super::units::Dimension;
+use latin_hypercube::Cube;
 
 /// One swept number.
 #[derive(Debug, Clone)]
@@ -19,6 +22,8 @@ pub struct Sweep {
     pub unit: String,
     /// Whether the values have equal ratios: a plot of them is then logarithmic.
     pub logarithmic: bool,
+    /// Whether all sweeps of the scene go through their values side by side instead of in all combinations.
+    pub together: bool,
     place: Place,
 }
 
@@ -42,12 +47,24 @@ impl Sweep {
 /// The number of states of several sweeps.
 #[must_use]
 pub fn states(sweeps: &[Sweep]) -> usize {
+    if let Some(first) = sweeps.first().filter(|_| is_together(sweeps)) {
+        return first.values.len();
+    }
     sweeps.iter().map(|sweep| sweep.values.len()).product()
+}
+
+/// Whether all sweeps go through their values side by side.
+#[must_use]
+pub fn is_together(sweeps: &[Sweep]) -> bool {
+    sweeps.iter().any(|sweep| sweep.together)
 }
 
 /// The value indices of state number `state`, the last sweep varying fastest.
 #[must_use]
 pub fn indices(sweeps: &[Sweep], mut state: usize) -> Vec<usize> {
+    if is_together(sweeps) {
+        return vec![state; sweeps.len()];
+    }
     let mut indices: Vec<usize> = sweeps
         .iter()
         .rev()
@@ -67,7 +84,14 @@ const MOST_STATES: usize = 20_000_000;
 
 /// Reads the `sweep` of a scene.
 pub(super) fn read(root: &Node, units: Units) -> Result<Vec<Sweep>, SceneError> {
-    let Some(node) = root.get("sweep") else { return Ok(Vec::new()) };
+    let cube = root.get("latin_hypercube").map(Cube::read).transpose()?;
+    let Some(node) = root.get("sweep") else {
+        return match root.get("latin_hypercube") {
+            None => Ok(Vec::new()),
+            Some(cube) => Err(SceneError::at(&first_line(&cube.place), "`latin_hypercube` has nothing to vary", "no `sweep` is given")
+                .help("add [[sweep]] with key, from and to for each number to vary")),
+        };
+    };
     let tables: Vec<&Node> = match &node.value {
         Value::List(items) => items.iter().collect(),
         _ => vec![node],
@@ -76,12 +100,15 @@ pub(super) fn read(root: &Node, units: Units) -> Result<Vec<Sweep>, SceneError> 
         return Err(SceneError::at(&node.place, "`sweep` is an empty list", "leave it out for a single state"));
     }
     let mut sweeps: Vec<Sweep> = Vec::with_capacity(tables.len());
-    for table in tables {
-        let sweep = read_one(root, table, units)?;
+    for (number, table) in tables.into_iter().enumerate() {
+        let sweep = read_one(root, table, units, cube.as_ref().map(|cube| (cube, number as u64)))?;
         if sweeps.iter().any(|other| other.key == sweep.key) {
             return Err(SceneError::at(&sweep.place, format!("`{}` is swept twice", sweep.key), "leave one out"));
         }
         sweeps.push(sweep);
+    }
+    if cube.is_some() {
+        return Ok(sweeps);
     }
     let total = sweeps.iter().try_fold(1_usize, |product, sweep| product.checked_mul(sweep.values.len()));
     if total.is_none_or(|states| states > MOST_STATES) {
@@ -90,7 +117,7 @@ pub(super) fn read(root: &Node, units: Units) -> Result<Vec<Sweep>, SceneError> 
     Ok(sweeps)
 }
 
-fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError> {
+fn read_one(root: &Node, table: &Node, units: Units, cube: Option<(&Cube, u64)>) -> Result<Sweep, SceneError> {
     let missing = |key: &str, place: &Place| {
         let meaning = catalogue::key(&format!("sweep.{key}")).map_or("", |entry| entry.meaning);
         SceneError::at(place, format!("`sweep.{key}` is missing"), "in this table").help(format!("sweep.{key}: {meaning}"))
@@ -111,6 +138,10 @@ fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError
             _ => check::check_range(node, path, value, range).map(|()| value),
         }
     };
+    if let (Some(_), Some((name, given))) = (cube, ["values", "points"].into_iter().find_map(|name| Some((name, table.get(name)?)))) {
+        let message = format!("`sweep.{name}` has no place beside [latin_hypercube], which chooses the values");
+        return Err(SceneError::at(&given.place, message, "leave it out, and give `from` and `to`"));
+    }
     let (values, logarithmic) = match (table.get("values"), table.get("from"), table.get("to"), table.get("points")) {
         (Some(list), None, None, None) => {
             let Value::List(items) = &list.value else { return Err(missing("values", &header)) };
@@ -131,23 +162,27 @@ fn read_one(root: &Node, table: &Node, units: Units) -> Result<Sweep, SceneError
         (None, from, to, points) => {
             let from = from.ok_or_else(|| missing("from", &header))?;
             let to = to.ok_or_else(|| missing("to", &header))?;
-            let points = points.ok_or_else(|| missing("points", &header))?;
             let linear = matches!(table.get("spacing").map(|node| &node.value), Some(Value::Text(word)) if word == "linear");
             let (first, last) = (value_of(from)?, value_of(to)?);
-            let count = check::count(points, "sweep.points", 1, 10_000_000)?;
             if !linear && (first <= 0.0 || last <= 0.0) {
                 let place = if first <= 0.0 { &from.place } else { &to.place };
                 let message = "a logarithmic sweep runs over positive values only";
                 return Err(SceneError::at(place, message, "must be greater than 0").help("or write spacing = \"linear\""));
             }
-            let mut values = spread(first, last, count, linear);
+            let mut values = match cube {
+                Some((cube, number)) => cube.parts(number).into_iter().map(|part| between(first, last, part, linear)).collect(),
+                None => {
+                    let points = points.ok_or_else(|| missing("points", &header))?;
+                    spread(first, last, check::count(points, "sweep.points", 1, 10_000_000)?, linear)
+                }
+            };
             if matches!(key.kind, Kind::Count { .. }) {
                 values.iter_mut().for_each(|value| *value = value.round());
             }
             (values, !linear)
         }
     };
-    Ok(Sweep { key: path.clone(), values, unit, logarithmic, place: key_node.place.clone() })
+    Ok(Sweep { key: path.clone(), values, unit, logarithmic, together: cube.is_some(), place: key_node.place.clone() })
 }
 
 /// The catalogue entry of a swept path, after checking that it is a number and that its table exists.
@@ -178,7 +213,6 @@ fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, Sce
 
 fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
     let steps = f64::from(count.saturating_sub(1).max(1));
-    let (low, high) = (first.min(last), first.max(last));
     (0..count)
         .map(|index| {
             // Both ends are met exactly.
@@ -187,14 +221,18 @@ fn spread(first: f64, last: f64, count: u32, linear: bool) -> Vec<f64> {
                 first
             } else if index + 1 == count {
                 last
-            } else if linear {
-                (first + (last - first) * part).clamp(low, high)
             } else {
-                // Rounding must not carry a value past an end, which may be the end of what is allowed.
-                10f64.powf(first.log10() + (last.log10() - first.log10()) * part).clamp(low, high)
+                between(first, last, part, linear)
             }
         })
         .collect()
+}
+
+/// The value at a part of the way from the first to the last.
+fn between(first: f64, last: f64, part: f64, linear: bool) -> f64 {
+    let value = if linear { first + (last - first) * part } else { 10f64.powf(first.log10() + (last.log10() - first.log10()) * part) };
+    // Rounding must not carry a value past an end, which may be the end of what is allowed.
+    value.clamp(first.min(last), first.max(last))
 }
 
 fn ratio(values: &[f64]) -> f64 {

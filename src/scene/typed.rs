@@ -44,6 +44,17 @@ pub struct Scene {
     pub problem: Problem,
     /// What is varied; empty for a single state.
     pub sweeps: Vec<Sweep>,
+    /// Which pictures are drawn of each plot.
+    pub plots: Vec<Picture>,
+}
+
+/// A kind of picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Picture {
+    /// Vectors.
+    Svg,
+    /// Pixels.
+    Png,
 }
 
 /// The deformable solid.

@@ -127,7 +127,7 @@ impl Canvas {
         self.filled(circle(at, radius), colour);
     }
 
-    fn filled(&mut self, corners: Vec<Point>, colour: Rgb) {
+    pub(super) fn filled(&mut self, corners: Vec<Point>, colour: Rgb) {
         self.marks.push(Mark::Area { corners, colour });
     }
 

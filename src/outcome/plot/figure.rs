@@ -17,6 +17,23 @@ pub struct Figure {
     pub width: Width,
     /// A smaller picture in a corner of the frame.
     pub inset: Option<Box<Inset>>,
+    /// Cells under the curves whose colours are values.
+    pub map: Option<Map>,
+    /// A small line under the picture: what is not drawn.
+    pub note: Option<String>,
+}
+
+/// A rectangular grid of cells whose colours are values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// Places of the columns, in order.
+    pub across: Vec<f64>,
+    /// Places of the rows, in order.
+    pub up: Vec<f64>,
+    /// Values, row after row; a NaN is an empty cell.
+    pub values: Vec<f64>,
+    /// The axis of the colours.
+    pub colours: Axis,
 }
 
 /// A smaller picture in a corner of the frame of a figure.
@@ -36,7 +53,23 @@ impl Figure {
     /// A figure without curves, one column wide, its legend placed automatically.
     #[must_use]
     pub fn new(horizontal: Axis, vertical: Axis) -> Self {
-        Self { title: None, horizontal, vertical, curves: Vec::new(), legend: LegendPlace::Auto, width: Width::OneColumn, inset: None }
+        Self {
+            title: None,
+            horizontal,
+            vertical,
+            curves: Vec::new(),
+            legend: LegendPlace::Auto,
+            width: Width::OneColumn,
+            inset: None,
+            map: None,
+            note: None,
+        }
+    }
+
+    /// Adds a line to what the picture says is not drawn.
+    pub fn add_note(&mut self, note: impl AsRef<str>) {
+        let note = note.as_ref();
+        self.note = Some(self.note.take().map_or_else(|| note.to_owned(), |before| format!("{before}; {note}")));
     }
 
     /// Puts a title above the frame.
@@ -162,6 +195,13 @@ impl Curve {
         self
     }
 
+    /// Takes a colour.
+    #[must_use]
+    pub fn with(mut self, colour: Colour) -> Self {
+        self.colour = colour;
+        self
+    }
+
     /// Takes the colour with this index; curves that belong together share an index.
     #[must_use]
     pub fn with_colour(mut self, index: usize) -> Self {
@@ -234,6 +274,13 @@ pub enum Colour {
     Automatic,
     /// By this index: blue, orange, black, green, vermilion, sky blue, purple, and round again.
     Index(usize),
+    /// A place in a sequence, `part` of so many: from dark to light, evenly to the eye, in grey print too.
+    Sequence {
+        /// From 0.
+        place: usize,
+        /// How many there are.
+        of: usize,
+    },
 }
 
 /// Where the legend is drawn.

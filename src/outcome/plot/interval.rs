@@ -85,6 +85,11 @@ impl Interval {
         Self { scale: Scale::Logarithmic, lower: lower - room, upper: upper + room }
     }
 
+    /// How values become places.
+    pub(super) const fn scale(&self) -> Scale {
+        self.scale
+    }
+
     /// Where the value lies, 0 at the lower and 1 at the upper end; `None` where it has no place on this axis.
     pub(super) fn fraction(&self, value: f64) -> Option<f64> {
         if !has_place(self.scale, value) {

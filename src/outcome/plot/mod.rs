@@ -45,6 +45,8 @@ mod label;
 #[cfg(feature = "plots")]
 mod legend;
 #[cfg(feature = "plots")]
+mod map;
+#[cfg(feature = "plots")]
 mod raster;
 #[cfg(feature = "plots")]
 mod render;
@@ -57,7 +59,7 @@ mod typeface;
 #[cfg(feature = "plots")]
 mod vector;
 
-pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Marker, MarkerSpacing, Scale, Width};
+pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Map, Marker, MarkerSpacing, Scale, Width};
 
 use thiserror::Error;
 

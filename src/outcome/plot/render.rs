@@ -9,7 +9,7 @@ use super::{
     inset,
     interval::{Interval, has_place},
     label::{self, Run},
-    legend, raster, style,
+    legend, map, raster, style,
     ticks::{self, Direction, Ticks},
     vector,
 };
@@ -92,6 +92,8 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     let top = style::PAGE_MARGIN + title_height + note_height + 0.5 * style::TICK_SIZE;
 
     let mut right = page_width - style::PAGE_MARGIN - 1.0;
+    let colours = figure.map.as_ref().map(|map| map::Colours::new(map, frame_height)).transpose()?;
+    right -= colours.as_ref().map_or(0.0, map::Colours::width);
     let mut measured = Measured::new(&figure.horizontal, horizontal, right - left, Direction::Horizontal);
     let overhang = measured.overhang(right - left);
     if overhang > 1.0 {
@@ -102,6 +104,9 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     let frame = Area { left, top, right, bottom: top + frame_height };
 
     let mut canvas = Canvas::default();
+    if let (Some(map), Some(colours), Some(across), Some(up)) = (&figure.map, &colours, horizontal.interval, vertical.interval) {
+        map::draw(&mut canvas, map, colours, (across, up), frame);
+    }
     draw_title(&mut canvas, &title, page_width);
     draw_frame(&mut canvas, frame);
     draw_ticks(&mut canvas, frame, (&horizontal, &vertical));
@@ -111,7 +116,7 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
         (Some(across), Some(up)) => figure.curves.iter().map(|curve| trace(curve, across, up, frame)).collect(),
         _ => Vec::new(),
     };
-    if traces.iter().all(|trace| trace.strokes.is_empty() && trace.lonely.is_empty() && trace.signs.is_empty()) {
+    if figure.map.is_none() && traces.iter().all(|trace| trace.strokes.is_empty() && trace.lonely.is_empty() && trace.signs.is_empty()) {
         draw_absence(&mut canvas, figure, frame);
     }
     draw_curves(&mut canvas, figure, &traces);
@@ -123,6 +128,12 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     let signs: Vec<Point> = traces.iter().flat_map(|trace| trace.signs.iter().chain(&trace.lonely).copied()).collect();
     let obstacles = legend::Obstacles { strokes: &strokes, signs: &signs };
     bottom += legend::draw(&mut canvas, &legend_entries(figure, &traces), figure.legend, frame, (page_width, bottom), &obstacles);
+    if let Some(note) = &figure.note {
+        for line in label::wrap(&label::parse(note), style::LEGEND_SIZE, page_width - 2.0 * style::PAGE_MARGIN) {
+            bottom += style::LEADING * style::LEGEND_SIZE;
+            canvas.text(&line, (page_width - style::PAGE_MARGIN, bottom), style::LEGEND_SIZE, Anchor::End);
+        }
+    }
     Ok(canvas.into_page(page_width, bottom + style::PAGE_MARGIN))
 }
 
@@ -143,6 +154,11 @@ pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Int
     };
     let across = extent(&mut shown.iter().filter(|(_, y)| within(figure.vertical.range, *y)).map(|(x, _)| *x));
     let up = extent(&mut shown.iter().filter(|(x, _)| within(figure.horizontal.range, *x)).map(|(_, y)| *y));
+    if let Some(map) = &figure.map {
+        let [across, up] =
+            [(&map.across, &figure.horizontal), (&map.up, &figure.vertical)].map(|(places, axis)| map::span(places, axis.scale));
+        return Ok((Interval::new(&figure.horizontal, across, 0.0)?, Interval::new(&figure.vertical, up, 0.0)?));
+    }
     let beside = if figure.curves.iter().all(may_touch_the_sides) { 0.0 } else { ROOM_BEYOND_DATA };
     Ok((Interval::new(&figure.horizontal, across, beside)?, Interval::new(&figure.vertical, up, ROOM_BEYOND_DATA)?))
 }
@@ -347,6 +363,30 @@ fn draw_vertical_ticks(canvas: &mut Canvas, frame: Area, ticks: &Ticks) {
         canvas.text(note, (frame.left, frame.top - 0.5 * style::TICK_SIZE), style::TICK_SIZE, Anchor::Start);
     }
     canvas.close_group();
+}
+
+/// Ticks with their numbers to the right of a scale of colours.
+pub(super) fn draw_scale(canvas: &mut Canvas, bar: Area, axis: &Measured) {
+    canvas.open_group("colour axis");
+    for (place, runs) in &axis.ticks.major {
+        let y = bar.bottom - place * (bar.bottom - bar.top);
+        canvas.stroke(&[(bar.right, y), (bar.right - style::MINOR_LENGTH, y)], style::INK, style::FRAME_WIDTH, &[]);
+        canvas.text(runs, (bar.right + TICK_GAP, y + 0.36 * style::TICK_SIZE), style::TICK_SIZE, Anchor::Start);
+    }
+    if let Some(note) = &axis.ticks.note {
+        canvas.text(note, (bar.left, bar.top - 0.5 * style::TICK_SIZE), style::TICK_SIZE, Anchor::Start);
+    }
+    canvas.close_group();
+}
+
+/// The label of a scale of colours: it reads upwards, its last line at `right`.
+pub(super) fn draw_turned_label(canvas: &mut Canvas, frame: Area, axis: &Measured, right: f64) {
+    let middle = 0.5 * (frame.top + frame.bottom);
+    let lines = axis.label.len();
+    for (index, line) in axis.label.iter().enumerate() {
+        let back = lines.saturating_sub(index + 1) as f64 * style::LEADING * style::LABEL_SIZE;
+        canvas.turned_text(line, (right - back, middle), style::LABEL_SIZE);
+    }
 }
 
 /// Writes the label of the horizontal axis and returns where the page ends below it.

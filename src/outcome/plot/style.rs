@@ -62,8 +62,46 @@ pub(super) fn colour(choice: Colour, place: usize) -> Rgb {
     let index = match choice {
         Colour::Automatic => place,
         Colour::Index(index) => index,
+        Colour::Sequence { place, of } => {
+            let part = place as f64 / of.saturating_sub(1).max(1) as f64;
+            return sequential(DARKEST_CURVE + (LIGHTEST_CURVE - DARKEST_CURVE) * part.min(1.0));
+        }
     };
     PALETTE[index % PALETTE.len()]
+}
+
+/// The part of [`sequential`] that curves take: its light end is lost on white paper.
+const DARKEST_CURVE: f64 = 0.0;
+const LIGHTEST_CURVE: f64 = 0.8;
+
+/// Viridis of Smith and van der Walt (2015), sixteen even steps of it: perceptually uniform, from dark to light.
+const VIRIDIS: [Rgb; 16] = [
+    (68, 1, 84),
+    (72, 26, 108),
+    (71, 47, 125),
+    (65, 68, 135),
+    (57, 86, 140),
+    (49, 104, 142),
+    (42, 120, 142),
+    (35, 136, 142),
+    (31, 152, 139),
+    (34, 168, 132),
+    (53, 183, 121),
+    (84, 197, 104),
+    (122, 209, 81),
+    (165, 219, 54),
+    (210, 226, 27),
+    (253, 231, 37),
+];
+
+/// The colour of a part, 0 dark to 1 light.
+pub(super) fn sequential(part: f64) -> Rgb {
+    let place = part.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
+    let below = (place as usize).min(VIRIDIS.len() - 2);
+    let share = place - below as f64;
+    let ((r0, g0, b0), (r1, g1, b1)) = (VIRIDIS[below], VIRIDIS[below + 1]);
+    let mix = |from: u8, to: u8| (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8;
+    (mix(r0, r1), mix(g0, g1), mix(b0, b1))
 }
 
 /// Lengths of stroke and gap in turn, in points; empty for a full line, `None` for no line.

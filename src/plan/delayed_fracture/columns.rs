@@ -1,6 +1,6 @@
 //! The columns of a crack under a load history, and what each is measured against.
 
-use crate::outcome::Column;
+use crate::outcome::{Column, Layout};
 use crate::scene::typed::Units;
 
 /// Positions of the columns in a row.
@@ -94,7 +94,7 @@ const COLUMNS: [Definition; 15] = [
 
 /// What a screen has room for.
 pub(super) const HEADLINE: [&str; 5] = ["time", "growth", "speed", "stress_intensity", "process_zone"];
-/// The same where nothing but summaries is asked for.
+/// The same of summaries.
 pub(super) const SUMMARY_HEADLINE: [&str; 5] = ["relaxed_release_ratio", "delay_time", "initial_speed", "steady_speed", "process_zone"];
 
 pub(super) const COUNT: usize = COLUMNS.len();
@@ -108,6 +108,30 @@ pub(super) fn columns(units: Units) -> Vec<Column> {
             meaning: definition.meaning,
         })
         .collect()
+}
+
+/// Which columns belong to the summary of a history, and which to the tip on its way.
+pub(super) fn layout() -> Layout {
+    Layout {
+        // How the history is decided, in words.
+        labels: vec![1],
+        states: vec![
+            at::DELAY,
+            at::INITIAL_SPEED,
+            at::STEADY_SPEED,
+            at::RELAXED_RELEASE,
+            at::GLASSY_RELEASE,
+            at::STRESS_INTENSITY,
+            at::RATIO,
+            at::PROCESS_ZONE,
+            at::TIME,
+            at::GROWTH,
+            at::SPEED,
+            at::STEPS,
+            at::PIECES,
+        ],
+        path: (at::TIME..=at::JUMP).collect(),
+    }
 }
 
 /// No field is evaluated: only the place stands.

@@ -4,7 +4,8 @@ use super::DelayedFracturePlan;
 use super::columns::at;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::plan::curves::{innermost, swept_axis, swept_label, thinned, value};
+use crate::plan::curves::{innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
+use crate::plan::maps::Answer;
 use crate::scene::typed::{HistorySegment, Scene, Units};
 
 /// Most states whose tips are drawn in one figure.
@@ -51,10 +52,15 @@ impl DelayedFracturePlan {
         figures
     }
 
+    pub(super) fn delay(&self) -> Answer {
+        Answer { column: at::DELAY, axis: Axis::logarithmic(self.label("delay", "$t_d$ (s)", r"$t_d/\tau$")) }
+    }
+
     fn against_time(&self, scene: &Scene, rows: &[Row], (horizontal, vertical): (Axis, Axis), column: usize) -> Figure {
         let mut states: Vec<usize> = rows.iter().map(|row| row.state).collect();
         states.dedup();
         let several = states.len() > 1;
+        let note = thinning(states.len(), MOST_STATES, "states");
         let states = thinned(states, MOST_STATES);
         let fastest = rows.iter().filter_map(|row| row.value(at::SPEED)).fold(0.0, f64::max);
         let shown = |row: &Row| {
@@ -64,6 +70,7 @@ impl DelayedFracturePlan {
             (value(row, at::TIME), y)
         };
         let mut drawn = Figure::new(horizontal, vertical);
+        drawn.note = note;
         for (colour, state) in states.iter().enumerate() {
             let own: Vec<&Row> = rows.iter().filter(|row| row.state == *state && row.label(0) != "summary").collect();
             let mut points = Vec::with_capacity(own.len());
@@ -89,7 +96,7 @@ impl DelayedFracturePlan {
                 (true, Some(row)) => swept_label(scene, &row.swept),
                 _ => String::new(),
             };
-            drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Solid).with_colour(colour));
+            drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Solid).with(shade(colour, states.len())));
         }
         if column != at::STRESS_INTENSITY {
             for (event, marker, name) in MARKS {
@@ -104,7 +111,9 @@ impl DelayedFracturePlan {
                 };
                 let points: Vec<(f64, f64)> =
                     rows.iter().filter(of_event).map(place).filter(|point| point.1 > 0.0 || column != at::SPEED).collect();
-                if !points.is_empty() && points.len() <= MOST_MARKS {
+                if points.len() > MOST_MARKS {
+                    drawn.add_note(format!("{} events ({name}) are not marked", points.len()));
+                } else if !points.is_empty() {
                     drawn = drawn.with_curve(Curve::new(name, points).with_line(Line::None).with_marker(marker).with_colour(2));
                 }
             }
@@ -138,7 +147,8 @@ impl DelayedFracturePlan {
         let Some(sweep) = scene.sweeps.last() else { return Vec::new() };
         let load = sweep.key.starts_with("history.") && (sweep.key.ends_with("stress_intensity") || sweep.key.ends_with("stress"));
         let along_release = load && self.plane_material.relaxed_modulus() > 0.0;
-        let horizontal = || if along_release { Axis::logarithmic(r"$cK^2/2\Delta\gamma E_0$") } else { swept_axis(sweep) };
+        let horizontal =
+            || if along_release { Axis::logarithmic(r"relaxed release ratio $cK^2/2\Delta\gamma E_0$") } else { swept_axis(sweep) };
         let across = |row: &Row| if along_release { value(row, at::RELAXED_RELEASE) } else { innermost(row) };
         let outer = scene.sweeps.len() - 1;
         let mut sets: Vec<&[f64]> = Vec::new();
@@ -148,6 +158,7 @@ impl DelayedFracturePlan {
                 sets.push(set);
             }
         }
+        let note = thinning(sets.len(), MOST_STATES, "values of the outer sweep");
         let sets = thinned(sets, MOST_STATES);
         let draw = |vertical: Axis, column: usize, line: Line, figure: Option<(Figure, &str)>| {
             let (mut drawn, name) = figure.unwrap_or_else(|| (Figure::new(horizontal(), vertical), ""));
@@ -155,19 +166,20 @@ impl DelayedFracturePlan {
                 let own = rows.iter().filter(|row| row.label(0) == "summary" && row.swept.get(..outer).unwrap_or(&[]) == *set);
                 let points: Vec<(f64, f64)> = own.map(|row| (across(row), value(row, column))).collect();
                 let label = if outer > 0 { swept_label(scene, set) } else { name.to_owned() };
-                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with_colour(colour));
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with(shade(colour, sets.len())));
             }
             drawn
         };
         if rows.iter().filter(|row| row.label(0) == "summary").count() < 2 {
             return Vec::new();
         }
-        let delay = Axis::logarithmic(self.label("delay", "$t_d$ (s)", r"$t_d/\tau$"));
+        let delay = self.delay().axis;
         let speed = || Axis::logarithmic(self.label("speed of the tip", r"$\dot{x}_0$ (m/s)", r"$\dot{x}_0\tau/a_0$"));
         let first = draw(speed(), at::INITIAL_SPEED, Line::Dashed, Some((Figure::new(horizontal(), speed()), "just after the delay")));
-        vec![
+        let figures = vec![
             ("delay_against_load".into(), draw(delay, at::DELAY, Line::Solid, None)),
             ("speed_against_load".into(), draw(speed(), at::STEADY_SPEED, Line::Solid, Some((first, "at last")))),
-        ]
+        ];
+        noted(figures, note)
     }
 }

@@ -13,10 +13,11 @@ use crate::crack::{Interface, ProcessZone};
 use crate::elastic::PureShearStrip;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
-use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::maps::Answer;
 use crate::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZoneLaw, Scene, Units};
 
@@ -179,7 +180,15 @@ impl ProblemPlan for DelayedFracturePlan {
     }
 
     fn headline(&self) -> &'static [&'static str] {
-        if self.crack.output.points == 0 { &columns::SUMMARY_HEADLINE } else { &columns::HEADLINE }
+        &columns::SUMMARY_HEADLINE
+    }
+
+    fn path_headline(&self) -> &'static [&'static str] {
+        &columns::HEADLINE
+    }
+
+    fn layout(&self) -> Option<Layout> {
+        Some(columns::layout())
     }
 
     fn field_columns(&self) -> Vec<Column> {
@@ -196,6 +205,10 @@ impl ProblemPlan for DelayedFracturePlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn answer(&self, _: &[Row]) -> Option<Answer> {
+        Some(self.delay())
     }
 
     fn citations(&self) -> Vec<&'static Citation> {

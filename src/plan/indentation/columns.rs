@@ -1,6 +1,6 @@
 //! The columns of an indentation's table, and what each is measured in.
 
-use crate::outcome::Column;
+use crate::outcome::{Column, Layout};
 use crate::scene::typed::{HistorySegment, Indentation, Units};
 
 /// What a column measures.
@@ -63,8 +63,47 @@ pub(super) mod at {
     pub(crate) const SPREAD: usize = 31;
     pub(crate) const STEPS: usize = 32;
     pub(crate) const PANELS: usize = 33;
+    pub(crate) const PULL_OFF_FORCE: usize = 34;
+    pub(crate) const PULL_OFF_TIME: usize = 35;
+    pub(crate) const PULL_OFF_PENETRATION: usize = 36;
+    pub(crate) const PULL_OFF_RADIUS: usize = 37;
+    pub(crate) const WORK_OF_SEPARATION: usize = 38;
+    pub(crate) const DETACHMENT_TIME: usize = 39;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 40;
+    pub(crate) const LARGEST_RADIUS: usize = 41;
+    pub(crate) const LARGEST_COMPRESSION: usize = 42;
+    pub(crate) const END_PENETRATION: usize = 43;
+    pub(crate) const END_FORCE: usize = 44;
+    pub(crate) const END_RADIUS: usize = 45;
     /// How many there are.
-    pub(crate) const ALL: usize = 34;
+    pub(crate) const ALL: usize = 46;
+
+    /// Of the state as a whole, in the order of its table.
+    pub(crate) const OF_A_STATE: [usize; 23] = [
+        PULL_OFF_FORCE,
+        PULL_OFF_RATIO,
+        PULL_OFF_TIME,
+        PULL_OFF_PENETRATION,
+        PULL_OFF_RADIUS,
+        WORK_OF_SEPARATION,
+        DETACHMENT_TIME,
+        DETACHMENT_PENETRATION,
+        LARGEST_RADIUS,
+        LARGEST_COMPRESSION,
+        END_PENETRATION,
+        END_FORCE,
+        END_RADIUS,
+        FREQUENCY,
+        STORAGE_STIFFNESS,
+        LOSS_STIFFNESS,
+        PHASE,
+        WORK_PER_CYCLE,
+        DRIFT,
+        SPREAD,
+        BALANCE_DEFECT,
+        STEPS,
+        PANELS,
+    ];
 }
 
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
@@ -90,12 +129,12 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column(
         "pull_off_ratio",
         Measure::Number,
-        "In the row of the largest tension: that tension over (3/2)πRΔγ, JKR's pull-off under load (spheres with adhesion).",
+        "Of the state, and in the row of the largest tension: that tension over (3/2)πRΔγ, JKR's pull-off under load (spheres with adhesion).",
     ),
     column(
         "power_balance_defect",
         Measure::Number,
-        "In the last instant's row: how far F dΔ + G_tip dA is from dU + P_d dt, summed over the history, over the energy turned over.",
+        "Of the state, and in the last instant's row: how far F dΔ + G_tip dA is from dU + P_d dt, summed over the history, over the energy turned over.",
     ),
     column("frame_displacement", Measure::Length, "Δ + F/k_f: the far end of the frame."),
     column(
@@ -145,8 +184,32 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Number,
         "In the last cycle of a segment of one frequency: the largest difference among all its cycles, the first tenth left out, of work, stiffnesses and extremes, over their scales.",
     ),
-    column("steps", Measure::Number, "In the last instant's row: steps of the march that its numbers are from."),
-    column("most_panels", Measure::Number, "In the last instant's row: most panels of the line at once, which a run's memory goes with."),
+    column("steps", Measure::Number, "Of the state, and in the last instant's row: steps of the march that its numbers are from."),
+    column(
+        "most_panels",
+        Measure::Number,
+        "Of the state, and in the last instant's row: most panels of the line at once, which a run's memory goes with.",
+    ),
+    column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
+    column("pull_off_time", Measure::Time, "When the tension is largest: known as well as tensions can be told from each other there."),
+    column("pull_off_penetration", Measure::Length, "Δ where the tension is largest, known as well as its time."),
+    column("pull_off_radius", Measure::Length, "Contact radius where the tension is largest, known as well as its time."),
+    column(
+        "work_of_separation",
+        Measure::Energy,
+        "∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact; its bound is stated, not held to the accuracy.",
+    ),
+    column("detachment_time", Measure::Time, "When the contact is lost for the last time; empty if it is not lost."),
+    column("detachment_penetration", Measure::Length, "Δ where the contact is lost for the last time."),
+    column("largest_radius", Measure::Length, "Largest contact radius of the history; its bound is stated, not held to the accuracy."),
+    column(
+        "largest_compression",
+        Measure::Force,
+        "Largest force of the history, where it presses; its bound is stated, not held to the accuracy.",
+    ),
+    column("end_penetration", Measure::Length, "Δ at the end of the history."),
+    column("end_force", Measure::Force, "F at the end of the history."),
+    column("end_radius", Measure::Length, "Contact radius at the end of the history."),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.
@@ -168,9 +231,18 @@ pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE => has_measured_force(indentation),
         at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
+        place if place >= at::PULL_OFF_FORCE => true,
         place => place < at::SEGMENT || oscillates(indentation),
     };
     (0..at::ALL).filter(has).collect()
+}
+
+/// Which columns of a scene's rows its table of states has, and which that of what lies on the way.
+pub(super) fn layout(indentation: &Indentation) -> Layout {
+    let present = present(indentation);
+    let position = |wanted: &usize| present.iter().position(|place| place == wanted);
+    let way = present.iter().enumerate().filter(|(_, place)| **place < at::PULL_OFF_FORCE).map(|(position, _)| position);
+    Layout { labels: Vec::new(), states: at::OF_A_STATE.iter().filter_map(position).collect(), path: way.collect() }
 }
 
 /// Where a column of [`at`] stands in the rows of a scene.

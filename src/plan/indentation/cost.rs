@@ -75,7 +75,7 @@ impl IndentationPlan {
         let cycles: f64 = self.timeline.legs.iter().map(Leg::cycles).sum();
         let fields = self.indentation.fields.as_ref().map_or(0, |fields| fields.times.len() as u64);
         let swings = if self.timeline.oscillates() { instants + (cycles.ceil() as u64).min(MOST_CYCLE_ROWS as u64) } else { 0 };
-        self.timeline.legs.len() as u64 + instants * self.timeline.open_ramps.len() as u64 + swings + fields + EVENTS
+        self.timeline.legs.len() as u64 + instants * self.timeline.open_ramps.len() as u64 + swings + fields + EVENTS + 1
     }
 
     /// Memory of a state besides its rows (bytes), at most: paths are thinned, and the line is coarsened, so neither grows with the length of a history.

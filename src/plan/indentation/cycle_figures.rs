@@ -5,7 +5,7 @@ use super::columns::{at, position};
 use super::figures::State;
 use super::rows::{CYCLE, INSTANT};
 use crate::outcome::Row;
-use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker, Scale};
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker, Scale};
 use crate::plan::curves::value;
 use crate::scene::typed::{Scene, Units};
 
@@ -51,7 +51,7 @@ impl IndentationPlan {
                     segment = own;
                     points.push((0.5 * (self.of(row, at::CYCLE_START) + value(row, at::TIME)), self.of(row, end)));
                 }
-                Curve::new("", points).with_line(Line::Dashed).with_colour(state.colour)
+                Curve::new("", points).with_line(Line::Dashed).with(state.colour)
             })
             .collect()
     }
@@ -72,7 +72,7 @@ impl IndentationPlan {
             figures.extend(self.against(&self.frequency_axis(ratio), "frequency", at::FREQUENCY, &sets));
         } else {
             if across > DIFFERENT && scene.sweeps.len() == 1 {
-                let sets = [Set { label: String::new(), colour: 0, rows: last_cycles }];
+                let sets = [Set { label: String::new(), colour: Colour::Index(0), rows: last_cycles }];
                 figures.extend(self.against(&self.frequency_axis(across), "frequency", at::FREQUENCY, &sets));
             }
             let sets: Vec<Set<'_>> = states
@@ -116,7 +116,7 @@ impl IndentationPlan {
                     (false, false) => format!("{label}, {}", set.label),
                 };
                 let marker = if points.len() < FEW { Marker::Circle } else { Marker::None };
-                Curve::new(joined, points).with_line(line).with_colour(set.colour).with_marker(marker)
+                Curve::new(joined, points).with_line(line).with(set.colour).with_marker(marker)
             };
             first = first.with_curve(curve("storage", at::STORAGE_STIFFNESS, Line::Solid));
             first = first.with_curve(curve("loss", at::LOSS_STIFFNESS, Line::Dashed));
@@ -135,7 +135,7 @@ impl IndentationPlan {
             let points: Vec<(f64, f64)> =
                 state.rows.iter().filter(inside).map(|row| (value(row, at::PENETRATION), value(row, at::FORCE))).collect();
             if points.len() > 3 {
-                figure = figure.with_curve(Curve::new(state.label.clone(), points).with_colour(state.colour).with_line(Line::Solid));
+                figure = figure.with_curve(Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid));
             }
         }
         (!figure.curves.is_empty()).then(|| ("last_cycle".to_owned(), figure))
@@ -145,7 +145,7 @@ impl IndentationPlan {
 /// Cycles that make one curve.
 struct Set<'a> {
     label: String,
-    colour: usize,
+    colour: Colour,
     rows: Vec<&'a Row>,
 }
 

@@ -2,11 +2,12 @@
 
 use super::IndentationPlan;
 use super::columns::{at, field, position};
-use super::rows::{CYCLE, INSTANT, LARGEST_TENSION};
+use super::rows::{CYCLE, INSTANT, LARGEST_TENSION, SUMMARY};
 use crate::elastic::JkrSphere;
 use crate::outcome::Row;
-use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::plan::curves::{axis_of, innermost, swept_axis, swept_label, thinned, value};
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
+use crate::plan::curves::{axis_of, innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
+use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
 
 /// Most states that one figure tells apart.
@@ -21,7 +22,7 @@ const ELASTIC_POINTS: usize = 200;
 /// The rows of one state.
 pub(super) struct State<'a> {
     pub(super) label: String,
-    pub(super) colour: usize,
+    pub(super) colour: Colour,
     /// Instants, events and fields.
     pub(super) rows: Vec<&'a Row>,
     /// Cycles of oscillations.
@@ -49,8 +50,12 @@ impl IndentationPlan {
             }
         }
         figures.extend(self.cycle_figures(scene, rows, &states));
+        let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
+        numbers.dedup();
+        figures = noted(figures, thinning(numbers.len(), MOST_STATES, "states"));
         figures.extend(self.pull_off_figure(scene, rows));
-        figures.extend(self.field_figures(&states));
+        let first = (numbers.len() > 1).then(|| format!("of the first of {} states", numbers.len()));
+        figures.extend(noted(self.field_figures(&states), first));
         figures.extend(self.scan_figures());
         figures
     }
@@ -60,13 +65,16 @@ impl IndentationPlan {
         let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
         numbers.dedup();
         let of = |state: usize| rows.iter().filter(|row| row.state == state && row.status.has_values()).collect::<Vec<_>>();
-        thinned(numbers, MOST_STATES)
+        let numbers = thinned(numbers, MOST_STATES);
+        let count = numbers.len();
+        numbers
             .into_iter()
             .enumerate()
-            .map(|(colour, state)| {
-                let (cycles, rows): (Vec<&Row>, Vec<&Row>) = of(state).into_iter().partition(|row| row.label(0) == CYCLE);
+            .map(|(place, state)| {
+                let own = of(state).into_iter().filter(|row| row.label(0) != SUMMARY);
+                let (cycles, rows): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.label(0) == CYCLE);
                 let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
-                State { label, colour, rows, cycles }
+                State { label, colour: shade(place, count), rows, cycles }
             })
             .collect()
     }
@@ -105,7 +113,7 @@ impl IndentationPlan {
                 points.push((x, 0.0));
             }
         }
-        Curve::new(state.label.clone(), points).with_colour(state.colour).with_line(Line::Solid)
+        Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid)
     }
 
     /// A quantity against the penetration, with the elastic limits, and a mark where the contact was lost.
@@ -170,8 +178,10 @@ impl IndentationPlan {
         let ends = states.iter().filter_map(|state| state.rows.last()?.value(at::TIME));
         let (shortest, longest) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
         if longest > DIFFERENT_ENDS * shortest {
-            // From a thousandth of the shortest history on: what starts at zero has no place on a logarithmic axis.
-            horizontal = Axis::logarithmic(horizontal.label).with_range(1e-3 * shortest, longest);
+            // From the first instant on, at most a thousandth of the shortest history: what starts at zero has no place on a logarithmic axis.
+            let times = states.iter().flat_map(|state| &state.rows).filter_map(|row| row.value(at::TIME)).filter(|time| *time > 0.0);
+            let first = times.fold(shortest, f64::min).max(1e-3 * shortest);
+            horizontal = Axis::logarithmic(horizontal.label).with_range(first, longest);
         }
         let mut figure = Figure::new(horizontal, self.axis(column));
         for state in states {
@@ -199,6 +209,18 @@ impl IndentationPlan {
         figure.with_curve(Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1))
     }
 
+    /// Loss of an oscillation; else the pull-off force, or without adhesion the largest force.
+    pub(super) fn main_answer(&self) -> Option<Answer> {
+        let (place, label) = if self.timeline.oscillates() {
+            (at::LOSS_STIFFNESS, self.label("loss stiffness", "$k''$", " (N/m)", r"$k''/\pi E_0^* R$"))
+        } else if self.indentation.adhesion.is_some() {
+            (at::PULL_OFF_FORCE, self.label("pull-off force", r"$F_\mathrm{off}$", " (N)", r"$F_\mathrm{off}/\pi E_0^* R^2$"))
+        } else {
+            (at::LARGEST_COMPRESSION, self.label("largest force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"))
+        };
+        Some(Answer { column: position(&self.indentation, place)?, axis: Axis::linear(label) })
+    }
+
     /// F_off/F_JKR against the innermost swept number.
     fn pull_off_figure(&self, scene: &Scene, rows: &[Row]) -> Option<(String, Figure)> {
         // An imposed force is no pull-off force to be found.
@@ -213,8 +235,10 @@ impl IndentationPlan {
             if sweep.key == "indentation.speed_factor" { axis_of(sweep, "speed factor".to_owned()) } else { swept_axis(sweep) };
         let mut sets: Vec<&[f64]> = found.iter().map(|row| row.swept.get(..outer).unwrap_or(&[])).collect();
         sets.dedup();
+        let note = thinning(sets.len(), MOST_STATES, "values of the outer sweep");
         let sets = thinned(sets, MOST_STATES);
-        let mut figure = Figure::new(horizontal, Axis::linear(r"pull-off force $F_{off}/F_{JKR}$"));
+        let mut figure = Figure::new(horizontal, Axis::linear(r"pull-off force $F_\mathrm{off}/F_\mathrm{JKR}$"));
+        figure.note = note;
         for (colour, set) in sets.iter().enumerate() {
             let points = found
                 .iter()
@@ -222,7 +246,10 @@ impl IndentationPlan {
                 .map(|row| (innermost(row), value(row, at::PULL_OFF_RATIO)))
                 .collect();
             figure = figure.with_curve(
-                Curve::new(swept_label(scene, set), points).with_colour(colour).with_line(Line::Solid).with_marker(Marker::Circle),
+                Curve::new(swept_label(scene, set), points)
+                    .with(shade(colour, sets.len()))
+                    .with_line(Line::Solid)
+                    .with_marker(Marker::Circle),
             );
         }
         Some(("pull_off_against_sweep".to_owned(), figure))
@@ -243,7 +270,7 @@ impl IndentationPlan {
                 let unit = if self.units == Units::Si { " s" } else { "" };
                 let label = format!("$t$ = {}{unit}", crate::plan::curves::short(time));
                 let points = row.fields.iter().filter_map(|point| Some((point.place, point.values.get(place)?.value))).collect();
-                figure = figure.with_curve(Curve::new(label, points).with_colour(colour));
+                figure = figure.with_curve(Curve::new(label, points).with(shade(colour, rows.len())));
             }
             figure
         };

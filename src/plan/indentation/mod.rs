@@ -1,5 +1,6 @@
 //! The plan of an indenter in time: which shape and material, which history, which instants and fields.
 
+mod answer;
 mod columns;
 mod cost;
 mod cycle_figures;
@@ -17,10 +18,11 @@ mod validity;
 use crate::indentation::Profile;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
-use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::maps::Answer;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
@@ -194,9 +196,24 @@ impl ProblemPlan for IndentationPlan {
 
     fn headline(&self) -> &'static [&'static str] {
         if self.timeline.oscillates() {
+            return &["storage_stiffness", "loss_stiffness", "work_per_cycle", "largest_radius", "end_penetration"];
+        }
+        if self.indentation.adhesion.is_some() {
+            &["pull_off_force", "pull_off_penetration", "pull_off_time", "work_of_separation", "largest_radius"]
+        } else {
+            &["largest_compression", "largest_radius", "end_penetration", "end_force", "end_radius"]
+        }
+    }
+
+    fn path_headline(&self) -> &'static [&'static str] {
+        if self.timeline.oscillates() {
             return &["time", "force", "storage_stiffness", "loss_stiffness", "work_per_cycle"];
         }
         &["time", "penetration", "force", "contact_radius", "pull_off_ratio"]
+    }
+
+    fn layout(&self) -> Option<Layout> {
+        Some(columns::layout(&self.indentation))
     }
 
     fn field_columns(&self) -> Vec<Column> {
@@ -220,6 +237,10 @@ impl ProblemPlan for IndentationPlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn answer(&self, _: &[Row]) -> Option<Answer> {
+        self.main_answer()
     }
 
     fn citations(&self) -> Vec<&'static Citation> {

@@ -1,4 +1,4 @@
-//! One state of an indentation as rows: the kept instants, the events, the largest tension, and the instants of fields, in the order of time.
+//! One state of an indentation as rows: its answer first, then the kept instants, the events, the largest tension, and the instants of fields, in the order of time.
 
 use super::IndentationPlan;
 use super::columns::{COLUMNS, Measure, at, columns, present};
@@ -28,7 +28,8 @@ const fn word(kind: EventKind) -> &'static str {
 /// Overlap and pressed edges that rounding leaves, over the largest penetration and stress intensity.
 const ADMISSIBLE: f64 = 1e-7;
 
-/// The words of rows of instants and cycles.
+/// The words of the row of a state, and of rows of instants and cycles.
+pub(super) const SUMMARY: &str = crate::outcome::SUMMARY;
 pub(super) const INSTANT: &str = "instant";
 pub(super) const CYCLE: &str = "cycle";
 
@@ -45,7 +46,7 @@ impl IndentationPlan {
             Ok(rows)
         });
         solved.unwrap_or_else(|refusal| {
-            let mut row = self.row(state, swept, [INSTANT, ""]);
+            let mut row = self.row(state, swept, [SUMMARY, ""]);
             row.refuse(&refusal);
             vec![row]
         })
@@ -106,6 +107,16 @@ impl IndentationPlan {
         timed.extend(field_rows);
         timed.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
+        let mut answer = self.row(state, swept, [SUMMARY, ""]);
+        self.put(&mut answer, self.of_state(solution, &scales), solution.residual, &scales, solution);
+        // A state is known as well as all that lies on its way.
+        let inaccurate = || rows.iter().filter(|row| row.status == Status::Inaccurate);
+        if let Some(first) = inaccurate().next() {
+            answer.status = Status::Inaccurate;
+            let more = inaccurate().count();
+            answer.reason = first.reason.as_ref().map(|reason| format!("{reason} ({more} of {} rows on the way)", rows.len()));
+        }
+        rows.insert(0, answer);
         if let Some(first) = rows.first_mut() {
             first.work.closure_evaluations = solution.work.closure_evaluations;
             first.work.kernel_evaluations = solution.work.history_updates;
@@ -198,7 +209,7 @@ impl IndentationPlan {
         values
     }
 
-    fn of_instant(&self, instant: &Instant) -> Values {
+    pub(super) fn of_instant(&self, instant: &Instant) -> Values {
         let mut values = self.basic(Estimate::exact(instant.time), instant.penetration, instant.force, instant.contact_radius);
         let energy = |which: usize| instant.energies.and_then(|energies| energies.get(which).copied());
         for (place, value) in [
@@ -228,7 +239,7 @@ impl IndentationPlan {
     }
 
     /// A point between two kept instants, known as well as the worse of them.
-    fn of_path_point(&self, solution: &IndentationSolution, point: &PathPoint) -> Values {
+    pub(super) fn of_path_point(&self, solution: &IndentationSolution, point: &PathPoint) -> Values {
         let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
         let known = |value: f64, of: fn(&Instant) -> Estimate| {
             let neighbours = [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
@@ -252,7 +263,7 @@ impl IndentationPlan {
         values
     }
 
-    fn of_event(&self, event: &Event<Estimate>, scales: &[f64]) -> Values {
+    pub(super) fn of_event(&self, event: &Event<Estimate>, scales: &[f64]) -> Values {
         // An event that one march has and the other has not: its place is not known better than the whole.
         let known = |estimate: Estimate, place: usize| {
             let scale = scales.get(place).copied().unwrap_or(0.0).max(estimate.value.abs());
@@ -267,7 +278,7 @@ impl IndentationPlan {
     }
 
     /// The row of the largest tension; when and where it acts is known as well as tensions can be told apart there.
-    fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
+    pub(super) fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
         let tension = solution.largest_tension?;
         let path = &solution.march.path;
         let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
@@ -307,6 +318,14 @@ impl IndentationPlan {
             row.status = Status::Inaccurate;
             row.reason = Some(format!("the error bound of {name} is {error:.1e}, above the wanted accuracy {:.1e}", self.accuracy));
         }
+        self.put(row, values, residual, scales, solution);
+        row.assumptions = self.assumptions(row);
+        row.work = Work::default();
+        Ok(())
+    }
+
+    /// The values of a row in the units of the scene, and its certificate.
+    fn put(&self, row: &mut Row, values: Values, residual: f64, scales: &[f64], solution: &IndentationSolution) {
         let shown = |place: usize| Some(self.in_units(values.get(place).copied().flatten()?, COLUMNS.get(place)?.measure));
         row.values = present(&self.indentation).into_iter().map(shown).collect();
         // Rounding of the edge condition leaves 1e-9 of either scale.
@@ -320,9 +339,6 @@ impl IndentationPlan {
         .find(|(_, least, scale, judged)| *judged && (least.is_nan() || *least < -ADMISSIBLE * scale));
         row.certificate = Some(Certificate { residual, condition: 1.0, admissible: violated.is_none() });
         row.witness = violated.map(|(name, value, ..)| Witness { name: name.into(), value });
-        row.assumptions = self.assumptions(row);
-        row.work = Work::default();
-        Ok(())
     }
 
     /// A coherent value in the units of the scene.

@@ -5,7 +5,7 @@ use super::apart::ISOLA;
 use super::columns::{at, place_of, strength};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::plan::curves::{Kind, families, figure, innermost, swept_label, thinned, value};
+use crate::plan::curves::{Kind, families, figure, innermost, shade, swept_label, thinned, thinning, value};
 use crate::scene::typed::{BranchParameter, Scene, SlidingBranch, SlidingContact, SlidingLoad, Units};
 
 /// Most states whose branches are drawn in one figure.
@@ -129,8 +129,10 @@ impl SlidingPlan {
         let mut states: Vec<usize> = rows.iter().map(|row| row.state).collect();
         states.dedup();
         let several = states.len() > 1;
+        let note = thinning(states.len(), MOST_BRANCHES, "states");
         let states = thinned(states, MOST_BRANCHES);
         let mut drawn = Figure::new(horizontal, vertical);
+        drawn.note = note;
         for (colour, state) in states.iter().enumerate() {
             let own: Vec<&Row> = rows.iter().filter(|row| row.state == *state && row.status.has_values()).collect();
             for held in Held::ALL {
@@ -143,7 +145,7 @@ impl SlidingPlan {
                     (true, _) => String::new(),
                     (false, held) => self.name_of(branch, held).into(),
                 };
-                drawn = drawn.with_curve(Curve::new(label, points).with_line(held.line()).with_colour(colour));
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(held.line()).with(shade(colour, states.len())));
             }
         }
         if several {
@@ -218,7 +220,7 @@ impl SlidingPlan {
         let families = families(scene, rows, &[Kind { word, name: word, line: Line::Solid }]);
         let Some(sweep) = scene.sweeps.last().filter(|_| families.iter().any(|family| family.rows.len() > 1)) else { return Vec::new() };
         let against = sweep.key.strip_prefix("sliding.").unwrap_or(&sweep.key).replace('.', "_");
-        let horizontal = self.swept_axis(sweep);
+        let horizontal = self.axis_of_sweep(sweep);
         let over = |vertical: Axis, column: usize, sign: f64| {
             figure(&families, horizontal.clone(), vertical, |family| family.points(innermost, |row| sign * value(row, column)))
         };

@@ -35,7 +35,7 @@ impl SlidingPlan {
         let families = self.adhesive_families(scene, rows);
         let mut figures = Vec::new();
         if self.asks(SlidingColumns::FrictionParts) {
-            figures.push((format!("edge_share_against_{against}"), self.share_figure(&families, self.swept_axis(sweep))));
+            figures.push((format!("edge_share_against_{against}"), self.share_figure(&families, self.axis_of_sweep(sweep))));
             if let [.., outer, inner] = scene.sweeps.as_slice() {
                 figures.push(("regimes".to_owned(), self.regime_map(rows, scene.sweeps.len() - 2, outer, inner)));
             }
@@ -45,7 +45,7 @@ impl SlidingPlan {
         {
             // Of several curves the first: five parameters are enough for one figure.
             for (output, symbol) in outputs {
-                if let Some(drawn) = self.sensitivity_figure(output, symbol, family, self.swept_axis(sweep)) {
+                if let Some(drawn) = self.sensitivity_figure(output, symbol, family, self.axis_of_sweep(sweep)) {
                     figures.push((format!("sensitivity_of_{output}_against_{against}"), drawn));
                 }
             }
@@ -61,7 +61,7 @@ impl SlidingPlan {
             let points = family.points(innermost, |row| sign * value(row, column));
             if points.iter().any(|(_, value)| value.is_finite()) {
                 let label = if index == 0 { r"elastic, of modulus $|E(\omega)|$" } else { "" };
-                drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Dashed).with_colour(family.colour));
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(Line::Dashed).with(family.shade));
             }
         }
         drawn
@@ -86,7 +86,7 @@ impl SlidingPlan {
     fn regime_map(&self, rows: &[Row], place: usize, outer: &Sweep, inner: &Sweep) -> Figure {
         let column = place_of(&self.sliding, "regime");
         let at = |row: &Row, place: usize| row.swept.get(place).copied().unwrap_or(f64::NAN);
-        let mut drawn = Figure::new(self.swept_axis(inner), self.swept_axis(outer));
+        let mut drawn = Figure::new(self.axis_of_sweep(inner), self.axis_of_sweep(outer));
         for (colour, (number, marker, name)) in REGIMES.into_iter().enumerate() {
             let points: Vec<(f64, f64)> = rows
                 .iter()

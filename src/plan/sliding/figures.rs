@@ -2,9 +2,11 @@
 
 use super::SlidingPlan;
 use super::columns::{at, field};
-use crate::outcome::plot::{Axis, Curve, Figure, Line};
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line};
 use crate::outcome::{FieldPoint, Row};
-use crate::plan::curves::{Family, Kind, axis_of, families, figure, innermost, swept_axis, swept_label, thinned, value};
+use crate::plan::curves::{
+    Family, Kind, axis_of, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value,
+};
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{Scene, SlidingContact, SlidingIndenter, Units};
 use std::f64::consts::PI;
@@ -22,7 +24,7 @@ impl SlidingPlan {
             && families.iter().any(|family| family.rows.len() > 1)
         {
             let against = sweep.key.strip_prefix("sliding.").unwrap_or(&sweep.key).replace('.', "_");
-            let horizontal = self.swept_axis(sweep);
+            let horizontal = self.axis_of_sweep(sweep);
             let over_sweep = |label: String, column: usize| {
                 figure(&families, horizontal.clone(), Axis::linear(label), |family| family.points(innermost, |row| value(row, column)))
             };
@@ -46,6 +48,7 @@ impl SlidingPlan {
             ));
             figures.extend(self.extra_drawings(scene, rows, &against, [("half_width", "a"), ("friction_stress", r"\tau_f")]));
             figures.extend(self.release_figure(&families, horizontal.clone()).map(|drawn| (format!("edges_against_{against}"), drawn)));
+            figures = noted(figures, left_out(scene, rows, kinds.len()));
         }
         figures.extend(self.field_figures(scene, rows));
         figures
@@ -75,7 +78,7 @@ impl SlidingPlan {
         }
     }
 
-    pub(super) fn swept_axis(&self, sweep: &Sweep) -> Axis {
+    pub(super) fn axis_of_sweep(&self, sweep: &Sweep) -> Axis {
         match sweep.key.as_str() {
             "sliding.speed" => axis_of(sweep, self.label("sliding speed", "$v$", " (m/s)", r"$kv\tau$", r"$v\tau/L$")),
             "sliding.mean_pressure" => axis_of(sweep, self.label("mean pressure", r"$\bar{p}$", " (Pa)", r"$2\bar{p}/E_0^* k\Lambda$", "")),
@@ -89,7 +92,7 @@ impl SlidingPlan {
     fn adhesive_part(&self, family: &Family<'_>) -> Curve {
         let points = family.points(innermost, |row| value(row, at::ADHESIVE_FRICTION));
         let label = if family.colour == 0 { "adhesive part" } else { "" };
-        Curve::new(label, points).with_line(Line::Dotted).with_colour(family.colour)
+        Curve::new(label, points).with_line(Line::Dotted).with(family.shade)
     }
 
     /// G/Δγ of both edges of the adhesive contact: the opening edge solid, the closing one dashed.
@@ -107,10 +110,10 @@ impl SlidingPlan {
                     (false, Line::Solid) => family.label.clone(),
                     (false, _) => String::new(),
                 };
-                let colour = if alone && line == Line::Dashed { 1 } else { family.colour };
+                let colour = if alone && line == Line::Dashed { Colour::Index(1) } else { family.shade };
                 // What is released and what is not make up Δγ of the edge at the speed of the row.
                 let points = family.points(innermost, |row| value(row, column) / (value(row, column) + value(row, rest)));
-                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with_colour(colour));
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with(colour));
             }
         }
         Some(drawn)
@@ -121,6 +124,7 @@ impl SlidingPlan {
         if states.is_empty() {
             return Vec::new();
         }
+        let note = thinning(states.len(), MOST_FIELDS, "fields");
         let states = thinned(states, MOST_FIELDS);
         let along = || Axis::linear(self.label("position", "$x$", " (m)", "$kx$", "$x/L$"));
         let (lowest, highest) = states
@@ -151,15 +155,15 @@ impl SlidingPlan {
                 (false, false) => swept_label(scene, &row.swept),
             };
             let points = contact(&row.fields).map(|point| (point.place, component(point, field::PRESSURE))).collect();
-            pressure = pressure.with_curve(Curve::new(label.clone(), points).with_line(line).with_colour(index));
+            pressure = pressure.with_curve(Curve::new(label.clone(), points).with_line(line).with(shade(index, states.len())));
             let points = row.fields.iter().map(|point| (point.place, -component(point, field::DISPLACEMENT))).collect();
-            surface = surface.with_curve(Curve::new(label, points).with_line(line).with_colour(index));
+            surface = surface.with_curve(Curve::new(label, points).with_line(line).with(shade(index, states.len())));
         }
         // One sliding body for the first state: each state has its own height of it.
         if let ([row], SlidingIndenter::Wave { .. }) = (states.as_slice(), self.sliding.indenter) {
             surface = surface.with_curve(self.wave_profile(row));
         }
-        vec![("pressure".into(), pressure), ("surface".into(), surface)]
+        noted(vec![("pressure".into(), pressure), ("surface".into(), surface)], note)
     }
 
     /// The wave over a single contact, from the places where it touches.

@@ -19,18 +19,21 @@ mod validity;
 
 use crate::closure::work_by_speed::WorkBySpeed;
 use crate::material::Material;
-use crate::outcome::plot::Figure;
+use crate::outcome::plot::{Axis, Figure};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
+use crate::scene::sweep::Sweep;
 use crate::scene::typed::{
     BranchParameter, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
 use crate::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
+use columns::at;
 use scale::Scale;
 
 /// A sliding contact, ready to be solved.
@@ -276,6 +279,23 @@ impl ProblemPlan for SlidingPlan {
             SlidingTask::Branch(branch) => self.branch_drawings(branch, scene, rows),
             SlidingTask::Strength => self.strength_drawings(scene, rows),
         }
+    }
+
+    fn answer(&self, rows: &[Row]) -> Option<Answer> {
+        let pressed = rows.iter().filter(|row| row.value(at::FRICTION).is_some()).all(|row| row.value(at::COEFFICIENT).is_some());
+        let (column, label) = if pressed {
+            (at::COEFFICIENT, self.label("friction coefficient", r"$\mu$", "", r"$\mu/k\Lambda$", r"$\mu R/L$"))
+        } else {
+            (at::FRICTION, self.friction_label())
+        };
+        // Strengths and branches have tables of their own.
+        let plain =
+            self.sliding.task == SlidingTask::State && self.columns().get(column).is_some_and(|column| column.name.starts_with("friction"));
+        plain.then(|| Answer { column, axis: Axis::linear(label) })
+    }
+
+    fn swept_axis(&self, sweep: &Sweep) -> Axis {
+        self.axis_of_sweep(sweep)
     }
 
     fn citations(&self) -> Vec<&'static Citation> {

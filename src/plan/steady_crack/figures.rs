@@ -5,8 +5,14 @@ use super::columns::{at, field};
 use crate::crack::Motion;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line};
-use crate::plan::curves::{Family, Kind, families, figure, innermost, swept_axis, swept_label, thinned, value};
+use crate::plan::curves::{
+    Family, Kind, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value,
+};
+use crate::plan::maps::Answer;
 use crate::scene::typed::{CrackControl, Scene, Theory, Units};
+
+/// Most states whose fields are drawn in one figure.
+const MOST_FIELDS: usize = 6;
 
 /// The theory of the program is solid, its rivals are dashed and dotted.
 const fn kind(theory: Theory) -> Kind {
@@ -39,7 +45,7 @@ impl SteadyCrackPlan {
             let solid = self.plane_material.relaxed_modulus() > 0.0;
             let (column, stem, label) = match (solid, si) {
                 (true, true) => (at::ENERGY_RELEASE_RATE, "energy_release_rate", "energy release rate $G$ (J/m²)"),
-                (true, false) => (at::RATIO, "energy_release_rate", r"$G/\Delta\gamma$"),
+                (true, false) => (at::RATIO, "energy_release_rate", r"energy release rate $G/\Delta\gamma$"),
                 (false, _) => (at::STRESS_INTENSITY, "stress_intensity", "stress intensity $K$ (Pa √m)"),
             };
             figures.push((
@@ -47,6 +53,7 @@ impl SteadyCrackPlan {
                 figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), |family| over_column(family, at::SPEED, column)),
             ));
             figures.extend(self.against_swept(scene, &families));
+            figures = noted(figures, left_out(scene, rows, kinds.len()));
         }
         figures.extend(self.field_figures(scene, rows));
         figures
@@ -63,10 +70,23 @@ impl SteadyCrackPlan {
         let vertical = match (load, self.units) {
             (true, Units::Si) => Axis::logarithmic("crack speed $v$ (m/s)"),
             (true, Units::Reduced) => Axis::logarithmic(r"crack speed $v\tau/a_0$"),
-            (false, _) => Axis::logarithmic(r"$G/\Delta\gamma$"),
+            (false, _) => Axis::logarithmic(r"energy release rate $G/\Delta\gamma$"),
         };
         let drawn = figure(families, swept_axis(sweep), vertical, |family| family.points(innermost, |row| value(row, column)));
         Some((format!("{stem}_against_{}", sweep.key.replace('.', "_")), drawn))
+    }
+
+    /// The load that a speed needs, or the speed under a load.
+    pub(super) fn main_answer(&self) -> Answer {
+        let si = self.units == Units::Si;
+        let by_load = !matches!(self.crack.control, CrackControl::Speed(_));
+        let (column, label) = match (by_load, self.plane_material.relaxed_modulus() > 0.0) {
+            (true, _) => (at::SPEED, if si { "crack speed $v$ (m/s)" } else { r"crack speed $v\tau/a_0$" }),
+            (false, true) if si => (at::ENERGY_RELEASE_RATE, "energy release rate $G$ (J/m²)"),
+            (false, true) => (at::RATIO, r"energy release rate $G/\Delta\gamma$"),
+            (false, false) => (at::STRESS_INTENSITY, "stress intensity $K$ (Pa √m)"),
+        };
+        Answer { column, axis: Axis::logarithmic(label) }
     }
 
     fn field_figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
@@ -74,7 +94,8 @@ impl SteadyCrackPlan {
         if states.is_empty() {
             return Vec::new();
         }
-        states = thinned(states, 6);
+        let note = thinning(states.len(), MOST_FIELDS, "fields");
+        states = thinned(states, MOST_FIELDS);
         let si = self.units == Units::Si;
         let distance = |side: &str| {
             Axis::logarithmic(if si { format!("distance {side} the tip (m)") } else { format!("distance {side} the tip $s/a_0$") })
@@ -94,7 +115,7 @@ impl SteadyCrackPlan {
         for (index, row) in states.iter().enumerate() {
             let label = if scene.sweeps.is_empty() { String::new() } else { swept_label(scene, &row.swept) };
             let points = row.fields.iter().map(|point| (point.place, field(point, at::DISPLACEMENT))).collect();
-            opening = opening.with_curve(Curve::new(label.clone(), points).with_line(Line::Solid).with_colour(index));
+            opening = opening.with_curve(Curve::new(label.clone(), points).with_line(Line::Solid).with(shade(index, states.len())));
             // Tension solid, compression dashed: one curve of |σ| in two pieces.
             let part = |sign: f64| {
                 row.fields
@@ -106,16 +127,17 @@ impl SteadyCrackPlan {
                     .collect()
             };
             let tension = if scene.sweeps.is_empty() { "tension".to_owned() } else { label };
-            stress = stress.with_curve(Curve::new(tension, part(1.0)).with_line(Line::Solid).with_colour(index));
+            stress = stress.with_curve(Curve::new(tension, part(1.0)).with_line(Line::Solid).with(shade(index, states.len())));
             if row.fields.iter().any(|point| field(point, at::STRESS) < 0.0) {
                 let compression = if index == 0 { "compression" } else { "" };
-                stress = stress.with_curve(Curve::new(compression, part(-1.0)).with_line(Line::Dashed).with_colour(index));
+                stress = stress.with_curve(Curve::new(compression, part(-1.0)).with_line(Line::Dashed).with(shade(index, states.len())));
             }
         }
-        if self.crack.motion == Motion::Opening {
+        let figures = if self.crack.motion == Motion::Opening {
             vec![("opening".into(), opening), ("stress".into(), stress)]
         } else {
             vec![("stress".into(), stress), ("opening".into(), opening)]
-        }
+        };
+        noted(figures, note)
     }
 }

@@ -19,6 +19,7 @@ use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
+use crate::plan::maps::Answer;
 use crate::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, CrackControl, PoissonRatio, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 
@@ -264,6 +265,10 @@ impl ProblemPlan for SteadyCrackPlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn answer(&self, _: &[Row]) -> Option<Answer> {
+        Some(self.main_answer())
     }
 
     fn citations(&self) -> Vec<&'static Citation> {

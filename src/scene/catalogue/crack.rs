@@ -86,7 +86,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "crack.points",
         kind: Kind::Count { least: 0, most: 1_000_000 },
-        meaning: "Under a [[history]]: at how many times the tip is looked at; events are reported besides. 0 for summary and events alone. Default 200.",
+        meaning: "Under a [[history]]: at how many times the tip is looked at; events are reported besides, all in path.csv. 0 for summary and events alone. Default 200.",
     },
     Key {
         path: "crack.spacing",

@@ -143,7 +143,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "indentation.instants",
         kind: Kind::Count { least: 1, most: 10_000 },
-        meaning: "How many instants of each ramp and hold are rows, its end included; of tables and cycles each corner is one; of an oscillation so many of its last cycle, or of all if there are 12 for each, none if fewer than 12. Default 40.",
+        meaning: "How many instants of each ramp and hold are rows of path.csv, its end included; of tables and cycles each corner is one; of an oscillation so many of its last cycle, or of all if there are 12 for each, none if fewer than 12. Default 40.",
     },
     Key {
         path: "indentation.energies",

@@ -9,7 +9,6 @@ use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Node, Value};
 use crate::scene::typed::{CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, OscillationExtent, Pace};
 use crate::scene::units::Dimension;
-use std::sync::Arc;
 
 /// What a segment does, apart from going to a value of a quantity.
 const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];
@@ -97,7 +96,9 @@ fn segment(
         "hold" => HistorySegment::Hold { quantity: last, duration: item.required_number("hold")? },
         "table" => {
             let quantity = quantity(item, allowed, owner)?;
-            HistorySegment::Table { quantity, table: Arc::new(record(item, document, quantity, accuracy)?) }
+            let further = format!("{quantity:?} {accuracy:e}");
+            let table = document.records().of(item, &[], &further, || record(item, document, quantity, accuracy))?;
+            HistorySegment::Table { quantity, table }
         }
         "cycles" => cycles(item, quantity(item, allowed, owner)?)?,
         "oscillation" => HistorySegment::Oscillation(oscillation(item, allowed, owner)?),

@@ -75,7 +75,8 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
 fn shape(table: &Section<'_>, document: &Document) -> Result<IndentationShape, SceneError> {
     let name = table.exactly_one(&["sphere", "cone", "flat_punch", "power_law", "profile"])?;
     if name == "profile" {
-        let (points, measured) = shape_points(table, document, name)?;
+        let shape = document.shapes().of(table, &[name, "scan"], "", || shape_points(table, document, name))?;
+        let (points, measured) = shape.as_ref().clone();
         return Ok(IndentationShape::Table { points: points.into(), measured: measured.into() });
     }
     if table.node().get("scan").is_some() {

@@ -16,7 +16,6 @@ mod material_columns;
 mod material_data;
 mod material_draws;
 mod material_fractions;
-pub(super) mod material_memo;
 mod material_rows;
 mod material_shift;
 mod material_solid;
@@ -25,6 +24,7 @@ mod material_strain;
 mod material_table;
 mod material_taking;
 mod measured_table;
+pub(super) mod memo;
 mod record;
 mod record_corners;
 mod section;
@@ -41,7 +41,7 @@ use super::check::{Units, check};
 use super::diagnostic::{Place, SceneError, nearest};
 use super::document::{Document, Value};
 use super::sweep;
-use super::typed::{Problem, Scene, SceneMaterial};
+use super::typed::{Picture, Problem, Scene, SceneMaterial};
 use section::Section;
 
 /// Tables that name a problem; a scene holds exactly one of them.
@@ -141,8 +141,13 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         material,
         problem,
         sweeps: Vec::new(),
+        plots: if root.get("plots").is_some() {
+            top.texts("plots").into_iter().map(|word| if word == "png" { Picture::Png } else { Picture::Svg }).collect()
+        } else {
+            vec![Picture::Svg]
+        },
     };
-    top.all_read(&["units", "sweep"], owner)?;
+    top.all_read(&["units", "sweep", "latin_hypercube"], owner)?;
     Ok(scene)
 }
 

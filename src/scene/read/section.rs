@@ -41,6 +41,16 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// The keys of the scene that were read and begin so.
+    pub(super) fn keys_read(&self, below: &[String]) -> Vec<String> {
+        self.read.borrow().iter().filter(|key| below.iter().any(|below| key.starts_with(below))).cloned().collect()
+    }
+
+    /// Counts keys as read.
+    pub(super) fn count_as_read(&self, keys: &[String]) {
+        self.read.borrow_mut().extend(keys.iter().cloned());
+    }
+
     /// Refuses the first key of this table that nobody read: it would have no effect. `others` are read elsewhere.
     pub(super) fn all_read(&self, others: &[&str], owner: &str) -> Result<(), SceneError> {
         let read = self.read.borrow();

@@ -1,0 +1,130 @@
+//! What is kept of the rows of a run: all of a short one; of a long sweep counts, the states that pictures and the screen show, and the worst rows.
+
+use crate::outcome::tally::Tally;
+use crate::outcome::{Layout, Row, is_state};
+use crate::scene::sweep::{self, Sweep};
+
+/// Most rows that are kept of a sweep that is not kept as a whole.
+const MOST_ROWS: usize = 20_000;
+/// Most values of one sweep alone, of the last of several, of the last but one, and of each further one whose states are then kept.
+const ALONE: usize = 2000;
+const LATTICE: [usize; 3] = [200, 50, 2];
+/// First and last states, which the screen shows.
+const ENDS: usize = 24;
+
+/// The rows of a run as they come in.
+pub(super) struct Kept<'s> {
+    sweeps: &'s [Sweep],
+    states: usize,
+    layout: Option<&'s Layout>,
+    all: bool,
+    /// How many values of each sweep are kept, from the last on.
+    limits: Vec<usize>,
+    pub(super) rows: Vec<Row>,
+    /// Of each assumption, and of the draws of the material, the rows with the smallest and the largest number.
+    extremes: Vec<[Option<(f64, Row)>; 2]>,
+    pub(super) tally: Tally,
+}
+
+impl<'s> Kept<'s> {
+    /// Of a sweep whose states have so many rows each, at most; `all` keeps them whatever their number.
+    pub(super) fn new(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally, rows_of_a_state: u64, all: bool) -> Self {
+        let states = sweep::states(sweeps);
+        let limits = limits(sweeps, rows_of_a_state);
+        Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), limits, rows: Vec::new(), extremes: Vec::new(), tally }
+    }
+
+    /// Whether nothing is left out.
+    pub(super) const fn all(&self) -> bool {
+        self.all
+    }
+
+    /// Takes the rows of a state.
+    pub(super) fn add(&mut self, rows: Vec<Row>) {
+        for row in &rows {
+            self.tally.add(row, is_state(self.layout, row));
+        }
+        let Some(state) = rows.first().map(|row| row.state) else { return };
+        if self.all || self.is_shown(state) {
+            self.rows.extend(rows);
+            return;
+        }
+        for row in rows {
+            let numbers = row
+                .assumptions
+                .iter()
+                .copied()
+                .chain([row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64)]);
+            for (place, number) in numbers.enumerate() {
+                if self.extremes.len() <= place {
+                    self.extremes.push([None, None]);
+                }
+                let (Some(number), Some([least, most])) = (number, self.extremes.get_mut(place)) else { continue };
+                if least.as_ref().is_none_or(|(known, _)| number < *known) {
+                    *least = Some((number, without_fields(&row)));
+                }
+                if most.as_ref().is_none_or(|(known, _)| number > *known) {
+                    *most = Some((number, without_fields(&row)));
+                }
+            }
+        }
+    }
+
+    /// Whether the rows of a state are kept: on a lattice over the sweeps, so that curves and maps are whole, and at both ends.
+    fn is_shown(&self, state: usize) -> bool {
+        if state < ENDS || state + ENDS >= self.states {
+            return true;
+        }
+        let indices = sweep::indices(self.sweeps, state);
+        let lengths = self.sweeps.iter().map(|sweep| sweep.values.len());
+        let own = indices.iter().zip(lengths).rev().zip(&self.limits);
+        own.into_iter().all(|((&index, length), &most)| on_lattice(index, length, most))
+    }
+
+    /// The rows that the assumptions of the model are compared with: those kept, and the worst.
+    pub(super) fn worst(&self) -> Vec<Row> {
+        let mut rows: Vec<Row> = self.rows.clone();
+        rows.extend(self.extremes.iter().flatten().flatten().map(|(_, row)| row.clone()));
+        rows
+    }
+}
+
+/// Whether so many states are kept as a whole.
+pub(super) fn few(states: usize, rows_of_a_state: u64) -> bool {
+    (states as u64).saturating_mul(rows_of_a_state) <= MOST_ROWS as u64
+}
+
+/// How many values of each sweep are kept, from the last on: the more rows a state has, the fewer states.
+fn limits(sweeps: &[Sweep], rows_of_a_state: u64) -> Vec<usize> {
+    let room = (MOST_ROWS as u64 / rows_of_a_state.max(1)) as usize;
+    if sweeps.len() == 1 || sweep::is_together(sweeps) {
+        return vec![room.clamp(2, ALONE); sweeps.len()];
+    }
+    let [inner, outer, further] = LATTICE;
+    let inner = (room / 8).clamp(2, inner);
+    let outer = (room / inner).clamp(2, outer);
+    (0..sweeps.len()).map(|place| [inner, outer].get(place).copied().unwrap_or(further)).collect()
+}
+
+/// Most states whose rows are kept of a sweep that is not kept as a whole.
+pub(super) fn most_states(sweeps: &[Sweep], rows_of_a_state: u64) -> usize {
+    let kept = sweeps.iter().rev().zip(limits(sweeps, rows_of_a_state)).map(|(sweep, most)| sweep.values.len().min(most));
+    let kept = if sweep::is_together(sweeps) { kept.max().unwrap_or(1) } else { kept.product() };
+    (kept + 2 * ENDS).min(sweep::states(sweeps))
+}
+
+fn without_fields(row: &Row) -> Row {
+    let mut row = row.clone();
+    row.fields.clear();
+    row
+}
+
+/// Whether an index is one of at most so many that are evenly chosen, the first and the last among them.
+fn on_lattice(index: usize, length: usize, most: usize) -> bool {
+    let last = length.saturating_sub(1);
+    if length <= most || last == 0 {
+        return true;
+    }
+    let number = (index * (most - 1)).div_ceil(last);
+    number * last / (most - 1) == index
+}
