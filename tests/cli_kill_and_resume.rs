@@ -94,10 +94,11 @@ fn sealed(contents: &[String]) -> String {
     contents.iter().map(line).collect()
 }
 
-/// The contents of the lines of a journal.
+/// The contents of the whole lines of a journal.
 fn contents(journal: &[u8]) -> Vec<String> {
     let text = String::from_utf8(journal.to_vec()).unwrap();
-    text.lines().map(|line| line[68..line.len() - 1].to_owned()).collect()
+    let whole = text.rfind('\n').map_or("", |end| &text[..end]);
+    whole.lines().map(|line| line[68..line.len() - 1].to_owned()).collect()
 }
 
 /// The mark of a partial folder, without which it is somebody else's.
@@ -201,7 +202,7 @@ fn the_partial_folder_of_another_scene_is_refused_and_left_alone() {
     assert!(answer.stderr.contains("another scene"), "{}", answer.stderr);
     // Another build is another run, too.
     let mut other = contents(&journal);
-    assert_eq!(sealed(&other).into_bytes(), journal);
+    assert!(journal.starts_with(sealed(&other).as_bytes()), "the format that this test writes is not that of the program");
     other[0] = other[0].replacen("viscotack 0", "viscotack 99.0", 1);
     folder.write("DIR.partial/journal.jsonl", sealed(&other));
     let answer = folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(2);

@@ -175,7 +175,10 @@ fn what_was_computed_is_kept_and_what_changed_is_not() {
     assert!(run(&other, &options, &|_, _| ()).is_err(), "the curve `a 2.5` is gone, and a feature names it");
     // A half-written table counts as none.
     for entry in std::fs::read_dir(out.join(".computed")).unwrap() {
-        std::fs::write(entry.unwrap().path(), b"{\"rows\":").unwrap();
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "json") {
+            std::fs::write(path, b"{\"rows\":").unwrap();
+        }
     }
     let healed = made(&manifest, &["5.3"], Some(out.clone()), false);
     assert!(healed.figures.iter().all(|figure| figure.fresh));
