@@ -6,7 +6,7 @@
 //! Oracle: closed forms (the pull-off of a flat punch, Kendall 1971, and the work of its separation; JKR's force), the definition of a Latin hypercube, the
 //! same sweep in parts.
 //!
-//! Tolerance: the stated error bounds; none for what is counted.
+//! Tolerance: the stated error bounds, and the process zone over the radius (1e-4) where the closed form has none; none for what is counted.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod command_support;
@@ -55,7 +55,8 @@ fn a_state_has_one_row_with_its_answer() {
         {
             for (found, bound) in numbers(&states, name).into_iter().zip(numbers(&states, &format!("{name}_error"))) {
                 println!("{name}: {found:e} ± {bound:e}, right {right:e}");
-                assert!((found - right).abs() <= bound + 1e-12 * right.abs(), "{name}: {found:e} ± {bound:e}, right {right:e}");
+                // The closed form has no process zone; this one is 1e-4 of the radius.
+                assert!((found - right).abs() <= bound + 1e-4 * right.abs(), "{name}: {found:e} ± {bound:e}, right {right:e}");
                 assert!(bound <= 1e-2 * right.abs() || name == "pull_off_penetration", "{name}: {bound:e} says nothing");
             }
         }

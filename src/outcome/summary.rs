@@ -15,7 +15,7 @@ const MOST_ROWS: usize = 10_000;
 /// A writer that refuses, or a journal that cannot be read.
 pub fn write_whole(outcome: &Outcome, mut writer: impl Write) -> std::io::Result<()> {
     let head = pretty(&head(outcome))?;
-    write!(writer, "{},\n", head.trim_end_matches("\n}"))?;
+    writeln!(writer, "{},", head.trim_end_matches("\n}"))?;
     let mut results = Results::new(outcome.into(), &mut writer)?;
     outcome.each_row(&mut |row| results.write(row))?;
     results.finish()?.write_all(b"\n}")

@@ -34,11 +34,6 @@ impl<'s> Kept<'s> {
         Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), limits, rows: Vec::new(), extremes: Vec::new(), tally }
     }
 
-    /// Whether nothing is left out.
-    pub(super) const fn all(&self) -> bool {
-        self.all
-    }
-
     /// Takes the rows of a state.
     pub(super) fn add(&mut self, rows: Vec<Row>) {
         for row in &rows {
@@ -81,11 +76,12 @@ impl<'s> Kept<'s> {
         own.into_iter().all(|((&index, length), &most)| on_lattice(index, length, most))
     }
 
-    /// The rows that the assumptions of the model are compared with: those kept, and the worst.
-    pub(super) fn worst(&self) -> Vec<Row> {
-        let mut rows: Vec<Row> = self.rows.clone();
-        rows.extend(self.extremes.iter().flatten().flatten().map(|(_, row)| row.clone()));
-        rows
+    /// The rows, the worst that are not kept behind them, the number of those kept, and the counts.
+    pub(super) fn into_parts(self) -> (Vec<Row>, usize, Tally) {
+        let mut rows = self.rows;
+        let kept = rows.len();
+        rows.extend(self.extremes.into_iter().flatten().flatten().map(|(_, row)| row));
+        (rows, kept, self.tally)
     }
 }
 

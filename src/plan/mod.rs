@@ -44,6 +44,8 @@ const BYTES_OF_THE_PROGRAM: u64 = 10 << 20;
 /// A row with its words, certificate and work; a value with its error, as a number and in the tables that are written.
 const BYTES_OF_A_ROW: u64 = 800;
 const BYTES_OF_A_CELL: u64 = 48;
+/// Buffers of the journal, the tables and the pictures where not all rows are held.
+const BYTES_OF_A_STREAM: u64 = 5 << 20;
 /// A place of a field, and a field there.
 const BYTES_OF_A_POINT: u64 = 72;
 const BYTES_OF_A_FIELD: u64 = 48;
@@ -226,7 +228,8 @@ impl Plan {
         let rows = (self.problem.rows_of_a_state() * (states + draws)).saturating_mul(row);
         let fields = self.problem.predicted_work(states).field_evaluations.saturating_mul(point);
         let at_once = (rayon::current_num_threads() as u64).min(states * (1 + draws));
-        BYTES_OF_THE_PROGRAM + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
+        let streamed = if self.keeps_all_rows() { 0 } else { BYTES_OF_A_STREAM };
+        BYTES_OF_THE_PROGRAM + streamed + rows.saturating_add(fields).saturating_add(at_once * self.problem.memory_of_a_state())
     }
 
     /// Predicted time of a run (s), from 2 threads on: the states are read, solved and written. Within a factor of ten of what was measured on

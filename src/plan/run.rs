@@ -138,8 +138,9 @@ fn run_all(
         done = chunk.end;
     }
     progress(Stage::States { finished: total, total });
-    let validity = if kept.all() { plan.validity(&kept.rows) } else { plan.validity(&kept.worst()) };
-    let Kept { rows, tally, .. } = kept;
+    let (mut rows, held, tally) = kept.into_parts();
+    let validity = plan.validity(&rows);
+    rows.truncate(held);
     let mut figures = if scene.plots.is_empty() { Vec::new() } else { plan.figures(scene, &rows) };
     if rows.len() < tally.rows {
         let states = rows

@@ -49,10 +49,9 @@ pub(super) fn span(places: &[f64], scale: Scale) -> Option<(f64, f64)> {
 
 /// The edges between the cells: half way between neighbours, as the axis counts.
 fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
-    let (into, back): (fn(f64) -> f64, fn(f64) -> f64) = match scale {
-        Scale::Linear => (|value| value, |value| value),
-        Scale::Logarithmic => (f64::log10, |value| 10f64.powf(value)),
-    };
+    let logarithmic = scale == Scale::Logarithmic;
+    let into = |value: f64| if logarithmic { value.log10() } else { value };
+    let back = |place: f64| if logarithmic { 10f64.powf(place) } else { place };
     let places: Vec<f64> = places.iter().copied().filter(|place| has_place(scale, *place)).map(into).collect();
     let (Some(first), Some(last)) = (places.first(), places.last()) else { return Vec::new() };
     let half = |pair: &[f64]| match pair {
