@@ -46,8 +46,13 @@ impl Excess {
 
 /// Judges one of some marches, the finest first, by those behind it; nothing without a march there.
 pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usize) -> Option<Verdict> {
+    compared(problem, marches, told, None)
+}
+
+/// The same; `reduction`: of paths by panels, as observed from one to the next.
+pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: usize, reduction: Option<f64>) -> Option<Verdict> {
     let heard: Heard<&Trace> = std::array::from_fn(|k| marches.get(k));
-    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told };
+    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told, reduction };
     let march = marches.get(told)?;
     let mut instants = Vec::with_capacity(march.kept.len());
     let mut scales = march.summary.scales;

@@ -64,6 +64,6 @@ mod window;
 
 pub use energies::{Energies, TurnedOver};
 pub use problem::{End, Outcome, Row};
-pub use solution::solve_by_panels;
 pub(in crate::indentation) use solution::surface_at;
+pub use solution::{path_by_panels, solve_by_panels};
 pub use solve::{PanelOptions, march_by_panels};
