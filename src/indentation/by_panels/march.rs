@@ -91,7 +91,7 @@ impl<'a> March<'a> {
         let mut march = Self {
             problem,
             points: Points::new(problem.degree),
-            window: Window::new(problem.zone, problem.tolerance),
+            window: Window::new(problem.zone),
             line,
             upcoming: 0,
             branch,

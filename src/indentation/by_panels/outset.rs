@@ -21,6 +21,8 @@ pub(super) struct Outset {
     pub(super) stable: bool,
 }
 
+/// Way of a first panel over δ and the fourth root of the tolerance: paths that all start alike would err alike.
+const FIRST_WAY: f64 = 0.3;
 /// Part of the tolerance that a rest beside a turn may leave.
 const LINGER: f64 = 0.3;
 /// Halvings of such a rest.
@@ -110,7 +112,7 @@ impl March<'_> {
         // It sets out with a speed: no turn is behind it.
         self.since_turn = f64::INFINITY;
         self.start_rate = 0.0;
-        let way = 0.05 * zone * speed.signum();
+        let way = FIRST_WAY * self.problem.tolerance.powf(0.25) * zone * speed.signum();
         let duration = way / speed;
         // An edge that hardly goes in the time left is followed in time, and one of which panels in place are refused: it may turn at once.
         let in_time = duration > 0.5 * left || self.refusals >= PATIENCE;

@@ -23,7 +23,7 @@ const SECTIONS: usize = 40;
 
 /// Defect of the balance of energies on a part of a panel, over the tolerance and what has been turned over; rounding of what is stored; change by halving, over the
 /// defect, below which the defect is not one of the sums; halvings.
-const BALANCED: f64 = 1e-2;
+const BALANCED: f64 = 1e-4;
 const SAME: f64 = 0.1;
 const ROUNDING: f64 = 1e-14;
 const MOST_HALVINGS: u32 = 8;
