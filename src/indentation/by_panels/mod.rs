@@ -33,7 +33,9 @@
 //! Tables and power laws agree as well as spheres do (a table of eight points: degrees 5 and 7 differ by 2e-7 at 1e-6).
 //! An edge that turns sets out without speed: what the last panel left of ∂C/∂t there fades on the next one, for states left by a path that turns with a speed have a
 //! root at the turn that no series holds.
-//! Not yet: surfaces that touch again, rims, edge laws, a given radius, checkpoints, periodic states; many hundreds of cycles.
+//! Bounds at an accuracy of 1e-3: of 941 values of 33 random scenes (all histories of the calibration study, new seeds) one lies outside, by 6 %; bound over error is 6
+//! in the median and beyond 100 in the 95th percentile.
+//! Not yet: bounds that cover in hundreds of scenes; turns of a force or frame at tolerances below 1e-6, of which some are refused; surfaces that touch again, rims, edge laws, a given radius, checkpoints, periodic states; many hundreds of cycles.
 
 mod chain;
 mod check;
