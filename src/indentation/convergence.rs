@@ -15,6 +15,10 @@ pub(super) const HEARD: usize = BEHIND + 2;
 /// eleven tolerances.
 const DOUBT: f64 = 300.0;
 
+/// Error of a number of the finest path by panels, at most, over the change of the one before to it: the larger of that change itself and of what the change of a
+/// path looser still, over the reduction observed, makes one expect where the two agree by accident.
+const OF_PANELS: f64 = 4.0;
+
 /// The same of each march that is heard, the finest first; none where there is none.
 pub(super) type Heard<T> = [Option<T>; HEARD];
 
@@ -23,6 +27,8 @@ pub(super) type Heard<T> = [Option<T>; HEARD];
 pub(super) struct Ladder {
     pub(super) tolerances: Heard<f64>,
     pub(super) told: usize,
+    /// What the change between a looser path and the finest is over that of the one before, as observed over a whole history: of paths by panels.
+    pub(super) reduction: Option<f64>,
 }
 
 impl Ladder {
@@ -38,7 +44,13 @@ impl Ladder {
                 _ => {}
             }
         }
-        let change = values.get(self.told).copied().flatten().map_or(f64::INFINITY, |value| (value - finest).abs());
+        let told = values.get(self.told).copied().flatten();
+        let change = told.map_or(f64::INFINITY, |value| (value - finest).abs());
+        if let Some(reduction) = self.reduction {
+            let looser = values.get(self.told + 1).copied().flatten();
+            let changes = looser.zip(told).map_or(f64::INFINITY, |(looser, told)| (looser - finest).abs().max((looser - told).abs()));
+            return change + OF_PANELS * change.max(reduction * changes);
+        }
         doubt.map_or(f64::INFINITY, |doubt| change + DOUBT * doubt)
     }
 }
@@ -49,7 +61,7 @@ mod tests {
     use super::*;
 
     /// Three marches at 1e-4, 1e-5 and 1e-6, the first told.
-    const LADDER: Ladder = Ladder { tolerances: [Some(1e-6), Some(1e-5), Some(1e-4), None], told: 2 };
+    const LADDER: Ladder = Ladder { tolerances: [Some(1e-6), Some(1e-5), Some(1e-4), None], told: 2, reduction: None };
 
     fn off(errors: [f64; 3]) -> f64 {
         LADDER.error([Some(1.0 + errors[0]), Some(1.0 + errors[1]), Some(1.0 + errors[2]), None])

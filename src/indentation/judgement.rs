@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 const AT_FOLDS: f64 = 12.0;
 /// The place of K among the quantities: what panels leave unknown of it all marches have alike.
 const INTENSITY: usize = 3;
+const DISSIPATED: usize = 7;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
 /// Last digits of the largest value of a quantity: what a sum of parts, some of them larger, leaves where it vanishes.
@@ -46,8 +47,13 @@ impl Excess {
 
 /// Judges one of some marches, the finest first, by those behind it; nothing without a march there.
 pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usize) -> Option<Verdict> {
+    compared(problem, marches, told, None)
+}
+
+/// The same; `reduction`: of paths by panels, as observed from one to the next.
+pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: usize, reduction: Option<f64>) -> Option<Verdict> {
     let heard: Heard<&Trace> = std::array::from_fn(|k| marches.get(k));
-    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told };
+    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told, reduction };
     let march = marches.get(told)?;
     let mut instants = Vec::with_capacity(march.kept.len());
     let mut scales = march.summary.scales;
@@ -57,8 +63,15 @@ pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usiz
         scales[3] = if a > 0.0 { force / (2.0 * a * (PI * a).sqrt()) } else { 0.0 };
     }
     let mut excess = Excess(0.0);
+    // What does not balance up to a point is not known of what is dissipated.
+    let (mut unbalanced, mut summed) = (0.0, 0);
     for (index, &place) in march.kept.iter().enumerate() {
         let Some(point) = march.path.get(place) else { continue };
+        if reduction.is_some() {
+            let since = march.path.iter().take(place + 1).skip(summed);
+            unbalanced += since.filter_map(|point| point.energies).map(|energies| energies.balance_defect.abs()).sum::<f64>();
+            summed = place + 1;
+        }
         let heard = heard.map(|march| march.and_then(|march| march.path.get(*march.kept.get(index)?)));
         // An indenter that flies is where its contact let go.
         let flies = |(event, _): &(&Event<f64>, &[f64; 4])| event.penetration.to_bits() == point.penetration.to_bits();
@@ -69,7 +82,11 @@ pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usiz
             let scale = scales.get(quantity);
             let digits = LAST_DIGITS * scale.copied().unwrap_or(0.0);
             let unresolved = if quantity == INTENSITY { point.intensity_floor() } else { 0.0 };
-            let unresolved = if quantity == 0 { of_its_place } else { unresolved };
+            let unresolved = match quantity {
+                0 => of_its_place,
+                DISSIPATED => unbalanced,
+                _ => unresolved,
+            };
             let error = ladder.error(heard.map(|point| point.map(of))) + unresolved + ROUNDING * value.abs() + digits;
             if let Some(scale) = scale {
                 excess.hear(error, problem.accuracy * scale);

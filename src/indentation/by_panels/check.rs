@@ -8,7 +8,7 @@
 use super::closure::{Way, Window};
 use super::drive::Instant;
 use super::line::{Segment, series};
-use super::newton::Panel;
+use super::newton::{Panel, Target};
 use super::path::{Chart, Points, Setting, passed};
 
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ pub(super) fn checked(
     window: &mut Window,
     setting: &Setting<'_>,
     panel: &Panel,
-    ((start_residual, fades), tolerance): ((f64, f64), f64),
+    (target, tolerance): (Target, f64),
 ) -> Checked {
     let mut now = Instant::default();
     let mut at = |window: &mut Window, segment: &Segment, theta: f64| {
@@ -43,13 +43,14 @@ pub(super) fn checked(
     };
     let (nodes, p) = (&points.nodes, points.p);
     let mut defect: f64 = 0.0;
-    for gap in [0, p / 2, p - 1] {
+    // In every gap: a kink of the closure shows beside it only.
+    for gap in 0..p {
         let theta = 0.5 * (nodes[gap] + nodes[gap + 1]);
-        let residual = at(window, &panel.segment, theta) - start_residual * (1.0 - 0.5 * fades * (1.0 + theta));
+        let residual = at(window, &panel.segment, theta) - target.at(theta, panel.segment.time_at(theta));
         defect = defect.max((residual / panel.stiffness).abs());
     }
     let way = nodes.iter().map(|&x| panel.segment.place_at(x).0.abs()).fold(0.0, f64::max);
-    let target = start_residual * (1.0 - 0.5 * fades * (1.0 + nodes[1]));
+    let target = target.at(nodes[1], panel.segment.time_at(nodes[1]));
     let noise = WITHIN * tolerance * panel.stiffness;
     let mut now = Instant::default();
     let mut sudden = |window: &mut Window, segment: &Segment| {

@@ -13,7 +13,7 @@ use super::drive::Instant;
 use super::gauss::{Gauss, NODES};
 use super::kernel::{Kernel, MOST};
 use super::line::{Field, Line, SERIES, Segment, chebyshev, field};
-use super::window::{FAST_GROWTH, GROWTH, LOOSE, Scene};
+use super::window::Scene;
 use crate::indentation::Profile;
 use std::f64::consts::PI;
 
@@ -53,8 +53,6 @@ pub(super) struct Closure {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Window {
     pub(super) zone: f64,
-    /// Growth of a lag over a piece.
-    pub(super) growth: f64,
     pub(super) kernel: Kernel,
     pub(super) nodes: Vec<Node>,
     /// c_p and T_p′ at the nodes, rank after rank.
@@ -65,8 +63,8 @@ pub(super) struct Window {
 }
 
 impl Window {
-    pub(super) fn new(zone: f64, tolerance: f64) -> Self {
-        Self { zone, growth: if tolerance >= LOOSE { FAST_GROWTH } else { GROWTH }, ..Self::default() }
+    pub(super) fn new(zone: f64) -> Self {
+        Self { zone, ..Self::default() }
     }
 
     /// C at the edge (relative to the line's origin) at an instant; derivatives only if asked.

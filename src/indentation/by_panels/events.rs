@@ -120,6 +120,7 @@ impl March<'_> {
         }
         if turn == Some(cut) {
             (self.to_turn, self.since_turn) = (0.0, 0.0);
+            self.start_rate = self.rate(advances);
             self.mark(false);
             self.merge();
             self.span = (Chart::PlaceOfTime, full * factor.min(1.0));
@@ -154,6 +155,8 @@ impl March<'_> {
     /// Begins the stretch: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
         self.past = None;
+        self.start_rate = 0.0;
+        (self.refusals, self.flips) = (0, 0);
         self.piece += 1;
         let Some(stretch) = self.problem.drive.stretches.get(self.upcoming) else { return };
         let chain = &self.problem.chain;

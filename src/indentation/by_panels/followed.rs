@@ -13,7 +13,7 @@ use super::drive::Instant;
 use super::force::force;
 use super::gauss::{Gauss, solve};
 use super::line::{FADED, series};
-use super::newton::{Panel, tail};
+use super::newton::{Panel, Target, tail};
 use super::path::{Chart, Points, Setting, passed};
 
 /// Δ, its rate and P_i at the origin of the line.
@@ -99,10 +99,14 @@ impl Memory<'_> {
 
 /// Newton's iterations; the derivatives are differences and serve for all of them while they converge.
 const MOST_ITERATIONS: u32 = 12;
-/// A difference, in parts of the unknown's own scale.
+/// A difference, in parts of the unknown's own scale; of a place in parts of itself, for beside a turn the first ones are next to nothing and have a root
+/// behind them; and the least one, in process zones.
 const DIFFERENCE: f64 = 1e-6;
-/// Least scale of an unknown place, in process zones.
-const LEAST_REACH: f64 = 1e-3;
+const OF_ITSELF: f64 = 1e-4;
+const LEAST_DIFFERENCE: f64 = 1e-12;
+/// What rounding leaves of a control, as a part of the penetration, and of C over Δγ.
+const ROUNDING: f64 = 2e-15;
+const CLOSURE_ROUNDING: f64 = 2e-13;
 
 /// A panel of edge and penetration, from values of both at the points; `target` at a time since the origin.
 pub(super) fn solved_with_depth(
@@ -112,7 +116,7 @@ pub(super) fn solved_with_depth(
     (control, target): (Control, &dyn Fn(f64) -> f64),
     (chart, span): (Chart, f64),
     (mut values, mut depths): (Vec<f64>, Vec<f64>),
-    ((start_residual, fades), enough): ((f64, f64), f64),
+    (goal, enough): (Target, f64),
 ) -> Option<Panel> {
     let p = points.p;
     // Of F or its like by Δ, at once.
@@ -126,7 +130,7 @@ pub(super) fn solved_with_depth(
             let way = Some(Way { panel: &segment, advances: setting.advances, theta });
             setting.along(&segment.times, &segment.depths, theta, &mut now);
             let excess = setting.excess(window, way, &now, false).value;
-            found[i - 1] = excess - start_residual * (1.0 - 0.5 * fades * (1.0 + theta));
+            found[i - 1] = excess - goal.at(theta, now.time);
             let force = force((setting.chain, setting.profile), setting.line, way, &now);
             let edge = setting.line.edge + segment.place_at(theta).0;
             found[p + i - 1] = (control.force * force + control.depth * now.depth - target(now.time)) / firmness(edge);
@@ -136,10 +140,15 @@ pub(super) fn solved_with_depth(
     let (mut found, mut segment) = residuals(window, &values, &depths);
     let mut matrix: Vec<f64> = Vec::new();
     let mut last = f64::INFINITY;
-    // Differences over a way that is nothing would be rounding.
-    let least = if chart == Chart::PlaceOfTime { LEAST_REACH * window.zone } else { f64::MIN_POSITIVE };
-    let reach = values.iter().fold(least, |far, value| far.max(value.abs()));
+    let zone = window.zone;
+    let reach = values.iter().fold(f64::MIN_POSITIVE, |far, value| far.max(value.abs()));
+    let ahead = if setting.advances { 1.0 } else { -1.0 };
+    let difference = |value: f64| match chart {
+        Chart::TimeOfPlace => DIFFERENCE * reach,
+        Chart::PlaceOfTime => ahead * (DIFFERENCE * reach).min(OF_ITSELF * value.abs()).max(LEAST_DIFFERENCE * zone),
+    };
     let sink = depths.iter().map(|depth| (depth - depths[0]).abs()).fold(1e-6 * depths[0].abs(), f64::max);
+    let depth_scale = depths[0].abs() + setting.profile.line(setting.line.edge);
     let mut stiffness = setting.scale / window.zone;
     for _ in 0..MOST_ITERATIONS {
         if !found.iter().all(|value| value.is_finite()) {
@@ -147,8 +156,9 @@ pub(super) fn solved_with_depth(
         }
         let worst = found[..p].iter().fold(0.0_f64, |worst, r| worst.max(r.abs())) / stiffness;
         let off = found[p..].iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
-        let allowed = enough * stiffness * (sink / setting.scale).min(1.0);
-        let size = (worst / enough).max(off / allowed.max(1e-15 * sink));
+        // As a part of what it acts upon, or rounding.
+        let allowed = (enough * stiffness / setting.scale * sink).max(ROUNDING * depth_scale);
+        let size = (worst / enough.max(CLOSURE_ROUNDING * setting.scale / stiffness)).max(off / allowed);
         if size <= 1.0 && !matrix.is_empty() {
             let mut now = Instant::default();
             setting.along(&segment.times, &segment.depths, 1.0, &mut now);
@@ -164,7 +174,7 @@ pub(super) fn solved_with_depth(
             matrix = vec![0.0; 4 * p * p];
             for j in 0..2 * p {
                 let (mut values, mut depths) = (values.clone(), depths.clone());
-                let step = DIFFERENCE * if j < p { reach } else { sink };
+                let step = if j < p { difference(values[j + 1]) } else { DIFFERENCE * sink };
                 if j < p {
                     values[j + 1] += step
                 } else {

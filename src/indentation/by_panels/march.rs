@@ -10,7 +10,7 @@ use super::events::{Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
-use super::newton::solved;
+use super::newton::{Target, solved};
 use super::path::{Chart, Motion, Points, Setting, continued};
 use super::problem::{End, Outcome, Problem, Row};
 use super::start::{breaks, glassy};
@@ -22,8 +22,10 @@ const RESIDUAL: f64 = 3.0;
 const FADES: u32 = 2;
 /// Excess over Δγ that a sudden change of a control makes at least.
 const SUDDEN: f64 = 1e-3;
-/// Refusals in a row after which the edge sets out anew from its present state.
-const PATIENCE: u32 = 5;
+/// Refusals in a row after which the edge sets out anew from its present state, in time.
+pub(super) const PATIENCE: u32 = 5;
+/// Way of a held edge, in process zones, that is rounding.
+const REST: f64 = 1e-9;
 
 /// The state of the march.
 pub(super) struct March<'a> {
@@ -46,6 +48,8 @@ pub(super) struct March<'a> {
     pub(super) slows: bool,
     /// C − Δγ at the last point, and |∂C/∂a| of the last panel.
     pub(super) start_residual: f64,
+    /// ∂C/∂t of the edge at rest where it turned.
+    pub(super) start_rate: f64,
     pub(super) stiffness: f64,
     pub(super) refusals: u32,
     pub(super) flips: u32,
@@ -87,7 +91,7 @@ impl<'a> March<'a> {
         let mut march = Self {
             problem,
             points: Points::new(problem.degree),
-            window: Window::new(problem.zone, problem.tolerance),
+            window: Window::new(problem.zone),
             line,
             upcoming: 0,
             branch,
@@ -98,6 +102,7 @@ impl<'a> March<'a> {
             since_turn: 0.0,
             slows: false,
             start_residual: 0.0,
+            start_rate: 0.0,
             stiffness: 0.0,
             refusals: 0,
             flips: 0,
@@ -196,8 +201,9 @@ impl<'a> March<'a> {
             }
             let outset = self.sets_out();
             let held = self.state.is_none() && self.branch.is_held();
-            if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance {
-                // Held, everything relaxes: an edge that would not leave its tolerance rests.
+            // Held, everything relaxes. However little an edge goes it has another K than one that rests: it is followed, down to rounding or where panels end.
+            let least = if self.refusals >= PATIENCE { tolerance } else { REST * zone };
+            if outset.speed == 0.0 || held && outset.speed.abs() * left <= least {
                 return self.rests(left);
             }
             if !outset.stable {
@@ -256,7 +262,7 @@ impl<'a> March<'a> {
         } else {
             (0.02 * expected * self.stiffness / self.start_residual.abs()).min(1.0)
         };
-        let target = (self.start_residual, fades);
+        let target = Target { residual: self.start_residual, fades, rate: self.start_rate };
         let wanted = (5e-3 * tolerance).min(1e-3 * expected.max(1e-300));
         let points = &self.points;
         let panel = match self.branch.control {
@@ -278,7 +284,8 @@ impl<'a> March<'a> {
         };
         let least = tolerance.min(RESIDUAL * self.problem.tolerance * self.scale() / panel.stiffness);
         // A motion that its error could have made is none.
-        let error = (checked.defect / least.min(0.02 * checked.way.max(1e-300))).max(panel.tail / least);
+        let added = target.added(span) / panel.stiffness;
+        let error = (checked.defect / least.min(0.02 * checked.way.max(1e-300))).max(panel.tail.max(added) / least);
         let factor = (0.85 * (1.0 / error.max(1e-300)).powf(1.0 / (self.points.p as f64 + 1.0))).clamp(0.3, 3.0);
         if error > 1.0 {
             return self.refuses(span, factor.min(0.9), sign * expected);
@@ -311,7 +318,7 @@ impl<'a> March<'a> {
         self.outcome.panels += 1;
         (self.refusals, self.flips) = (0, 0);
         self.stiffness = panel.stiffness;
-        self.start_residual = panel.end_residual;
+        (self.start_residual, self.start_rate) = (panel.end_residual, 0.0);
         self.accept(advances, panel, factor, floor)
     }
 
@@ -323,7 +330,7 @@ impl<'a> March<'a> {
             self.span = (Chart::TimeOfPlace, factor * way);
         }
         self.refusals += 1;
-        if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace {
+        if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace || self.refusals == 3 * PATIENCE {
             self.past = None;
             return None;
         }

@@ -8,6 +8,8 @@ use super::line::{Line, Segment};
 
 /// Segments that one series over their union replaces, and the error that it may make in ΣX.
 const MERGED: usize = 10;
+/// Places at which each of the old ones is looked at, less one.
+const LOOKS: u32 = 40;
 
 impl Line {
     /// Joins neighbours of a list, away from the edge, where one series in s holds the present strains of both; `clear`: so far from the edge.
@@ -69,10 +71,10 @@ pub(super) fn joined(chain: &Chain, inside: bool, far: &Segment, near: &Segment,
         depths: vec![],
         states,
     };
-    // In each of the two, however narrow it is, and at its ends, where a root may stand.
-    const PARTS: [f64; 9] = [0.0, 1e-3, 0.03, 0.2, 0.4, 0.6, 0.8, 0.97, 1.0];
+    // In each of the two, however narrow it is, and towards its ends, where a root may stand; between them a strain of one term may come and go within a short way.
     let holds = |old: &Segment| {
-        PARTS.iter().all(|part| {
+        (0..=LOOKS).all(|k| {
+            let part = 0.5 * (1.0 - (std::f64::consts::PI * f64::from(k) / f64::from(LOOKS)).cos());
             let theta = old.theta_low + (old.theta_high - old.theta_low) * part;
             let lag = -old.time_at(theta);
             let x = (2.0 * old.place_at(theta).0 - low - high) / (high - low);

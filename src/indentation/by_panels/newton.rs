@@ -1,7 +1,6 @@
 //! Newton's method for a panel, with the exact memory of its fields.
 //!
-//! Residuals r_i = C(θ_i) − Δγ − r₀[1 − φ(1 + θ_i)/2]: r₀ is what a cut between points left at the start; a part φ of it fades over the
-//! panel. With δT(s) the change of the passage,
+//! Residuals r_i = C(θ_i) − Δγ − [`Target`]: what a cut between points left at the start, which fades over the panel. With δT(s) the change of the passage,
 //! ```text
 //! δC = ∂C/∂t δT(θ_i) + ∫ (δC/δT) δT ds                         TimeOfPlace
 //! δC = ∂C/∂a δs(θ_i) − ∫ (δC/δT)(dT/ds) δs ds,                 PlaceOfTime, with ∂C/∂a = (r′ − ∂C/∂t T′)/s′ along the path
@@ -26,6 +25,27 @@ pub(super) struct Panel {
     pub(super) tail: f64,
 }
 
+/// What C − Δγ is to be along a panel: what the cut before it left, of which a part fades on the way, and what that cut left of ∂C/∂t of an edge that
+/// turns: it sets out without speed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Target {
+    pub(super) residual: f64,
+    pub(super) fades: f64,
+    pub(super) rate: f64,
+}
+
+impl Target {
+    pub(super) fn at(&self, theta: f64, time: f64) -> f64 {
+        let (gone, left) = (0.5 * (1.0 + theta), 0.5 * (1.0 - theta));
+        self.residual * (1.0 - self.fades * gone) + self.rate * time * left * left
+    }
+
+    /// The most that its rate adds over a time.
+    pub(super) fn added(&self, time: f64) -> f64 {
+        4.0 / 27.0 * (self.rate * time).abs()
+    }
+}
+
 /// Iterations of a panel: a good one takes two or three.
 const MOST_ITERATIONS: u32 = 12;
 /// A step that leaves more of the residual than this is slow.
@@ -43,7 +63,7 @@ pub(super) fn solved(
     setting: &Setting<'_>,
     (chart, span): (Chart, f64),
     mut values: Vec<f64>,
-    ((start_residual, fades), enough): ((f64, f64), f64),
+    (target, enough): (Target, f64),
     firmness: Option<f64>,
 ) -> Option<Panel> {
     let p = points.p;
@@ -60,7 +80,7 @@ pub(super) fn solved(
             setting.along(&segment.times, &segment.depths, theta, &mut now);
             let way = Way { panel: &segment, advances: setting.advances, theta };
             closures[i] = setting.excess(window, Some(way), &now, true);
-            residuals[i] = closures[i].value - start_residual * (1.0 - 0.5 * fades * (1.0 + theta));
+            residuals[i] = closures[i].value - target.at(theta, now.time);
         }
         if !residuals.iter().all(|r| r.is_finite()) {
             return None;

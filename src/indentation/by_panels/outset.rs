@@ -10,7 +10,7 @@ use super::drive::Instant;
 use super::followed::State;
 use super::force::force_rate;
 use super::line::Segment;
-use super::march::March;
+use super::march::{March, PATIENCE};
 use super::path::{Chart, passed};
 
 /// How an edge sets out.
@@ -21,6 +21,8 @@ pub(super) struct Outset {
     pub(super) stable: bool,
 }
 
+/// Way of a first panel over δ and the fourth root of the tolerance: paths that all start alike would err alike.
+const FIRST_WAY: f64 = 0.3;
 /// Part of the tolerance that a rest beside a turn may leave.
 const LINGER: f64 = 0.3;
 /// Halvings of such a rest.
@@ -79,7 +81,7 @@ impl March<'_> {
     }
 
     /// ∂C/∂t now, the edge at rest; without adhesion of an edge that advances or recedes.
-    fn rate(&mut self, advances: bool) -> f64 {
+    pub(super) fn rate(&mut self, advances: bool) -> f64 {
         self.follow();
         let mut window = std::mem::take(&mut self.window);
         let setting = self.setting(advances);
@@ -109,10 +111,12 @@ impl March<'_> {
         let Outset { advances, speed, .. } = outset;
         // It sets out with a speed: no turn is behind it.
         self.since_turn = f64::INFINITY;
-        let way = 0.05 * zone * speed.signum();
+        self.start_rate = 0.0;
+        let way = FIRST_WAY * self.problem.tolerance.powf(0.25) * zone * speed.signum();
         let duration = way / speed;
-        // An edge that hardly goes in the time left is followed in time.
-        self.span = if duration > 0.5 * left { (Chart::PlaceOfTime, 0.1 * left) } else { (Chart::TimeOfPlace, way) };
+        // An edge that hardly goes in the time left is followed in time, and one of which panels in place are refused: it may turn at once.
+        let in_time = duration > 0.5 * left || self.refusals >= PATIENCE;
+        self.span = if in_time { (Chart::PlaceOfTime, 0.1 * left.min(duration)) } else { (Chart::TimeOfPlace, way) };
         let follows = |state: &State| vec![state.depth - state.rate * duration, state.rate * duration];
         let depths = self.state.as_ref().map_or_else(Vec::new, follows);
         let straight = Segment { places: vec![-way, way], times: vec![-duration, duration], depths, ..Segment::blank(0.0, 0.0) };

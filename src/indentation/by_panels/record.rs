@@ -21,6 +21,35 @@ const NEARLY_LEAST: f64 = 1e-3;
 /// Golden sections of a least force: beyond them rounding decides.
 const SECTIONS: usize = 40;
 
+/// Defect of the balance of energies on a part of a panel, over the tolerance and what has been turned over; rounding of what is stored; change by halving, over the
+/// defect, below which the defect is not one of the sums; halvings.
+const BALANCED: f64 = 1e-4;
+const SAME: f64 = 0.1;
+const ROUNDING: f64 = 1e-14;
+const MOST_HALVINGS: u32 = 8;
+
+/// A part of a panel, and what is turned over at its Gauss points.
+struct Part {
+    from: f64,
+    to: f64,
+    rates: [TurnedOver; NODES],
+}
+
+impl Part {
+    /// With what it turns over up to a parameter.
+    fn until(&self, theta: f64, mut total: TurnedOver) -> TurnedOver {
+        let share = ((theta - self.from) / (self.to - self.from)).min(1.0);
+        let rule = Gauss::get();
+        let weights = if share < 1.0 { rule.until(share) } else { rule.weights };
+        for (weight, rate) in weights.iter().zip(&self.rates) {
+            total.external += weight * rate.external;
+            total.tip += weight * rate.tip;
+            total.dissipated += weight * rate.dissipated;
+        }
+        total
+    }
+}
+
 impl March<'_> {
     pub(super) fn row(&self, way: Option<Way<'_>>, time: f64) -> Row {
         let now = self.instant(way, time);
@@ -66,19 +95,10 @@ impl March<'_> {
         let mut points: Vec<(f64, Row, bool)> = rule.nodes.iter().map(|x| -1.0 + span * x).map(|at| (at, row(self, at), false)).collect();
         // dA/dt, and what is turned over for each dθ.
         let area_rate = |row: &Row, theta: f64| 2.0 * PI * row.contact_radius * segment.place_at(theta).1 / series(&segment.times, theta).1;
-        let mut rates = [TurnedOver::default(); NODES];
-        let mut accounts = [None; NODES];
+        let mut parts = Vec::new();
         if self.problem.energies {
-            for ((rate, account), (theta, row, _)) in rates.iter_mut().zip(&mut accounts).zip(&points) {
-                let now = self.instant(Some(way(*theta)), 0.0);
-                let duration = span * series(&segment.times, *theta).1;
-                let area = span * 2.0 * PI * row.contact_radius * segment.place_at(*theta).1;
-                rate.external = duration * now.rate * row.force;
-                rate.tip = area * row.stress_intensity * row.stress_intensity / (2.0 * self.problem.chain.glassy);
-                let stored = self.account(Some(way(*theta)), 0.0);
-                rate.dissipated = duration * stored.dissipated_power;
-                *account = Some((*theta, stored));
-            }
+            let ends = [-1.0, cut].map(|theta| self.account(Some(way(theta)), 0.0).stored);
+            self.turned(way(cut), self.part(way(cut), (-1.0, cut)), ends, MOST_HALVINGS, &mut parts);
         }
         let asked = self.outcome.wanted.len();
         let mut next = asked;
@@ -98,14 +118,8 @@ impl March<'_> {
         let before = self.turned_over();
         for (theta, row, wanted) in points {
             let account = self.problem.energies.then(|| {
-                let mut total = before;
-                for (weight, rate) in rule.until((theta + 1.0) / span).iter().zip(&rates) {
-                    total.external += weight * rate.external;
-                    total.tip += weight * rate.tip;
-                    total.dissipated += weight * rate.dissipated;
-                }
-                let known = accounts.iter().flatten().find(|known| known.0.to_bits() == theta.to_bits());
-                (known.map_or_else(|| self.account(Some(way(theta)), 0.0), |known| known.1), total)
+                let total = parts.iter().take_while(|part| part.from < theta).fold(before, |total, part| part.until(theta, total));
+                (self.account(Some(way(theta)), 0.0), total)
             });
             let (residual, area_rate) = (self.panel_residual, area_rate(&row, theta));
             self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
@@ -117,6 +131,46 @@ impl March<'_> {
             self.outcome.surface =
                 Some(surface((&self.problem.chain, &self.problem.profile), &self.line, Some(way), &self.instant(Some(way), 0.0)));
         }
+    }
+
+    /// What is turned over on a part of a panel, of which the stored energy at both ends is known: halved where F dΔ + G_tip dA = dU + P_d dt does not close
+    /// and halves differ from the whole.
+    fn turned(&self, way: Way<'_>, part: Part, stored: [f64; 2], halvings: u32, parts: &mut Vec<Part>) {
+        let (from, to) = (part.from, part.to);
+        let [all, so_far] = [part.until(to, TurnedOver::default()), self.turned_over()];
+        let gain = |turned: &TurnedOver| turned.external + turned.tip - turned.dissipated;
+        let defect = (gain(&all) - (stored[1] - stored[0])).abs();
+        let size = |turned: &TurnedOver| turned.external.abs() + turned.tip.abs() + turned.dissipated;
+        let allowed = BALANCED * self.problem.tolerance * (size(&all) + size(&so_far)) + ROUNDING * (stored[0] + stored[1]);
+        if halvings == 0 || defect <= allowed {
+            return parts.push(part);
+        }
+        let middle = 0.5 * (from + to);
+        let halves = [(from, middle), (middle, to)].map(|range| self.part(way, range));
+        let changed = halves.iter().map(|half| gain(&half.until(half.to, TurnedOver::default()))).sum::<f64>() - gain(&all);
+        if changed.abs() < SAME * defect {
+            return parts.extend(halves);
+        }
+        let between = self.account(Some(Way { theta: middle, ..way }), 0.0).stored;
+        for (half, stored) in halves.into_iter().zip([[stored[0], between], [between, stored[1]]]) {
+            self.turned(way, half, stored, halvings - 1, parts);
+        }
+    }
+
+    fn part(&self, way: Way<'_>, (from, to): (f64, f64)) -> Part {
+        let (segment, span) = (way.panel, to - from);
+        let mut part = Part { from, to, rates: [TurnedOver::default(); NODES] };
+        for (rate, x) in part.rates.iter_mut().zip(Gauss::get().nodes) {
+            let theta = from + span * x;
+            let here = Way { theta, ..way };
+            let row = self.row(Some(here), segment.time_at(theta));
+            let duration = span * series(&segment.times, theta).1;
+            let area = span * 2.0 * PI * row.contact_radius * segment.place_at(theta).1;
+            rate.external = duration * self.instant(Some(here), 0.0).rate * row.force;
+            rate.tip = area * row.stress_intensity * row.stress_intensity / (2.0 * self.problem.chain.glassy);
+            rate.dissipated = duration * self.account(Some(here), 0.0).dissipated_power;
+        }
+        part
     }
 
     /// Whether the last of the instants wanted has been met, and its surface is asked for.

@@ -1,30 +1,28 @@
-//! A history with error bounds: two paths, the better one by two degrees and a tenth of the tolerance, at tolerances that fall until the bounds meet the
-//! accuracy. The better path is given, each number with ten times how far the other one is off: paths of one tolerance have in common what a rest beside a
-//! turn leaves.
+//! A history with error bounds, from three paths, each of a tenth of the tolerance of the one before, the last one of two degrees more as well. The middle one is
+//! given. Its distance to the finest is its error but for that of the finest, which is bounded by that distance as well, or by what the loosest one makes one
+//! expect: its own distance, reduced by what the distances of all quantities fall from one path to the next. Paths are followed at tolerances that fall until the
+//! bounds meet the accuracy.
+//!
+//! Not the finest path is given, although it is closer: its error is some thirty times less than any distance, by much more or less, so that a bound that covers
+//! is more than a hundred times what is true.
 
 use super::energies::{Energies as Stored, TurnedOver};
-use super::problem::{End, Outcome, Row, Step};
+use super::problem::{End, Outcome, Step};
 use super::solve::{PanelOptions, marched};
-use crate::estimate::Estimate;
 use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Tolerance of the first path over the accuracy, and the loosest.
+/// Tolerance of the first path that is given, over the accuracy, and the loosest.
 const FIRST: f64 = 0.3;
-const LOOSEST: f64 = 1e-3;
+const LOOSEST: f64 = 3e-4;
 /// Each tolerance over the one before, and the last.
 const TIGHTER: f64 = 0.1;
 const TIGHTEST: f64 = 1e-8;
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
-/// Tolerance of the better path over that of the other one.
-const BETTER: f64 = 0.1;
-/// Ratio of tolerances with which the comparison of two traces gives a bound of ten times their distance.
-const OF_DISTANCE: f64 = 30.0;
-const SAFETY: f64 = 10.0;
 
 /// Solves a history to its accuracy; cycles of an oscillation are not added up.
 ///
@@ -59,13 +57,25 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
     }
 }
 
+/// One path at the instants that a problem keeps, without bounds.
+///
+/// # Errors
+/// Those of [`solve_by_panels`].
+pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
+    let instants = kept_instants(problem);
+    let outcome = marched(material, problem, options, (&instants, false))?;
+    trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
+}
+
 fn not_converged(detail: String) -> Refusal {
     Refusal::NotConverged { what: "the path of the edge by panels", detail }
 }
 
-fn options(tolerance: f64) -> [PanelOptions; 2] {
+/// Of the finest path, the one that is given and the loosest.
+fn options(tolerance: f64) -> [PanelOptions; 3] {
     let degree = if tolerance < HIGH_DEGREE { 7 } else { 5 };
-    [(degree, tolerance), (degree + 2, BETTER * tolerance)].map(|(degree, tolerance)| PanelOptions { degree, tolerance })
+    let option = |degree, tolerance| PanelOptions { degree, tolerance };
+    [option(degree + 2, TIGHTER * tolerance), option(degree, tolerance), option(degree, tolerance / TIGHTER)]
 }
 
 fn compared_paths(
@@ -75,35 +85,52 @@ fn compared_paths(
     tolerance: f64,
     work: &mut IndentationWork,
 ) -> Result<IndentationSolution, Refusal> {
-    let [low, high] = options(tolerance);
-    let coarse = marched(material, problem, low, (instants, false))?;
-    // The better path is asked at the panel ends of the other one too; where two of them have one time, a jump or a sudden step is between.
-    let times: Vec<u64> = coarse.ends.iter().map(|row| row.time.to_bits()).collect();
-    let single = |row: &&Row| times.iter().filter(|time| **time == row.time.to_bits()).count() == 1;
-    let ends: Vec<Row> = coarse.ends.iter().filter(single).copied().collect();
-    let mut asked: Vec<(f64, bool)> = instants.iter().map(|&time| (time, true)).chain(ends.iter().map(|row| (row.time, false))).collect();
-    asked.sort_by(|one, other| one.0.total_cmp(&other.0));
-    let times: Vec<f64> = asked.iter().map(|(time, _)| *time).collect();
-    let fine = marched(material, problem, high, (&times, false))?;
-    for outcome in [&coarse, &fine] {
+    let mut traces = Vec::new();
+    let mut ends = Vec::new();
+    // The given one first: what it is refused for, all are.
+    let [finest, given, loosest] = options(tolerance);
+    for options in [given, finest, loosest] {
+        let outcome = marched(material, problem, options, (instants, false))?;
         if outcome.end == End::TouchesAgain {
             return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: "the surfaces touch again".into() });
         }
-        work.add(&work_of(outcome));
+        work.add(&work_of(&outcome));
+        ends.push((outcome.events.iter().map(|event| event.kind).collect::<Vec<_>>(), outcome.end));
+        traces.push(trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))?);
     }
-    let kinds = |outcome: &Outcome| outcome.events.iter().map(|event| event.kind).collect::<Vec<_>>();
-    if kinds(&coarse) != kinds(&fine) || coarse.end != fine.end {
-        return Err(not_converged(format!("degrees {} and {} end or jump differently", low.degree, high.degree)));
+    if ends.windows(2).any(|pair| pair[0] != pair[1]) {
+        return Err(not_converged(format!("paths at {tolerance:e} and beside it end or jump differently")));
     }
-    let glassy = material.glassy_modulus();
-    let fine_trace = trace(&fine, &asked.iter().map(|(_, kept)| *kept).collect::<Vec<_>>(), (tolerance, glassy))?;
-    let coarse_trace = trace(&coarse, &vec![true; instants.len()], (tolerance * OF_DISTANCE, glassy))?;
-    let distances = distances(&ends, &fine, &asked);
-    let compared = judgement::judged(problem, &[fine_trace, coarse_trace], 0).ok_or_else(|| not_converged("no path".into()))?;
-    let mut solution = compared.solution(*work);
-    widen(&mut solution, problem, &distances);
-    solution.by_panels = true;
-    Ok(solution)
+    traces.swap(0, 1);
+    let reduction = reduction(&traces);
+    let compared = judgement::compared(problem, &traces, 1, Some(reduction)).ok_or_else(|| not_converged("no path".into()))?;
+    Ok(IndentationSolution { by_panels: true, ..compared.solution(*work) })
+}
+
+/// What the distance of the middle path to the finest is over that of the loosest, over all numbers of all instants kept, each over its scale; at most one.
+fn reduction(traces: &[Trace]) -> f64 {
+    let numbers = |trace: &Trace| -> Vec<[f64; 8]> {
+        let points = trace.kept.iter().filter_map(|place| trace.path.get(*place));
+        let energies = |point: &PathPoint| point.energies.unwrap_or_default();
+        let all = |point: &PathPoint| {
+            let Energies { stored, dissipated_power, external_work, dissipated, .. } = energies(point);
+            let PathPoint { penetration, force, contact_radius, stress_intensity_factor, .. } = *point;
+            [penetration, force, contact_radius, stress_intensity_factor, stored, dissipated_power, external_work, dissipated]
+        };
+        points.map(all).collect()
+    };
+    let numbers: Vec<_> = traces.iter().map(numbers).collect();
+    let [finest, given, loosest] = numbers.as_slice() else { return 1.0 };
+    let mut sums = [0.0_f64; 2];
+    for quantity in 0..8 {
+        let of = |row: &[f64; 8]| row.get(quantity).copied().unwrap_or(0.0);
+        let scale = finest.iter().map(|row| of(row).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        for (sum, rows) in sums.iter_mut().zip([given, loosest]) {
+            *sum += rows.iter().zip(finest).map(|(row, fine)| ((of(row) - of(fine)) / scale).powi(2)).sum::<f64>();
+        }
+    }
+    let reduction = (sums[0] / sums[1]).sqrt();
+    if reduction < 1.0 { reduction } else { 1.0 }
 }
 
 /// The contact at a time of a history that has been solved here, and its surface by both paths, the better one first.
@@ -113,7 +140,7 @@ pub(in crate::indentation) fn surface_at(
     solved: &Trace,
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
-    let [low, high] = options(solved.tolerance);
+    let [high, low, _] = options(solved.tolerance);
     let mut found = Vec::new();
     for options in [high, low] {
         let outcome = marched(material, problem, options, (&[time], true))?;
@@ -149,16 +176,15 @@ fn work_of(outcome: &Outcome) -> IndentationWork {
     }
 }
 
-/// The path as a trace that can be compared: `kept` says which of the instants wanted it keeps.
-fn trace(outcome: &Outcome, kept: &[bool], (tolerance, glassy): (f64, f64)) -> Result<Trace, Refusal> {
+/// The path as a trace that can be compared, which keeps every instant wanted.
+fn trace(outcome: &Outcome, wanted: usize, (tolerance, glassy): (f64, f64)) -> Result<Trace, Refusal> {
     let mut trace = Trace { tolerance, events: outcome.events.clone(), work: work_of(outcome), ..Trace::default() };
     trace.unknown_of_events = vec![[0.0; 4]; trace.events.len()];
     let mut summary = Summary::default();
-    let mut wanted = kept.iter();
     for step in &outcome.path {
         let point = point(step, trace.path.last(), glassy);
         summary.add(&point, trace.path.last());
-        if step.wanted && wanted.next() == Some(&true) {
+        if step.wanted {
             trace.kept.push(trace.path.len());
         }
         if point.contact_radius > 0.0 {
@@ -168,7 +194,7 @@ fn trace(outcome: &Outcome, kept: &[bool], (tolerance, glassy): (f64, f64)) -> R
     }
     trace.summary = summary;
     trace.smallest_gap_factor = outcome.smallest_gap;
-    if trace.kept.len() != kept.iter().filter(|kept| **kept).count() {
+    if trace.kept.len() != wanted {
         return Err(not_converged("not every instant was met".into()));
     }
     Ok(trace)
@@ -206,43 +232,4 @@ fn point(step: &Step, before: Option<&PathPoint>, glassy: f64) -> PathPoint {
         piece: step.piece,
         energies,
     }
-}
-
-/// Largest distance of both paths in Δ, F and a up to each of the instants kept.
-fn distances(ends: &[Row], fine: &Outcome, asked: &[(f64, bool)]) -> Vec<[f64; 3]> {
-    let mut ends = ends.iter();
-    let mut most = [0.0_f64; 3];
-    let mut found = Vec::new();
-    for (step, (_, kept)) in fine.path.iter().filter(|step| step.wanted).zip(asked) {
-        if *kept {
-            found.push(most);
-            continue;
-        }
-        let Some(end) = ends.next() else { continue };
-        let row = step.row;
-        // At a jump two states have one time.
-        if row.contact_radius > 0.0 && (row.contact_radius - end.contact_radius).abs() < 0.1 * end.contact_radius {
-            let now = [row.penetration - end.penetration, row.force - end.force, row.contact_radius - end.contact_radius];
-            most.iter_mut().zip(now).for_each(|(most, now)| *most = most.max(now.abs()));
-        }
-    }
-    found
-}
-
-/// Bounds are no less than the distance of the paths before.
-fn widen(solution: &mut IndentationSolution, problem: &IndentationProblem, distances: &[[f64; 3]]) {
-    let scales = solution.march.summary.scales;
-    let mut reached = solution.reached;
-    for (instant, &[depth, force, radius]) in solution.instants.iter_mut().zip(distances) {
-        if instant.contact_radius.value <= 0.0 {
-            continue;
-        }
-        // K has two values where an edge turns, and is compared at the instants alone.
-        let numbers = [(&mut instant.penetration, depth), (&mut instant.force, force), (&mut instant.contact_radius, radius)];
-        for ((number, distance), scale) in numbers.into_iter().zip(scales) {
-            *number = Estimate::new(number.value, number.error.max(SAFETY * distance));
-            reached = reached && number.error <= problem.accuracy * scale;
-        }
-    }
-    solution.reached = reached;
 }

@@ -44,7 +44,7 @@ pub(super) fn glassy(problem: &Problem, line: &mut Line, depth: f64) {
 /// The larger radius in elastic equilibrium, modulus E*, under a penetration.
 pub(super) fn elastic_start(profile: &Profile, modulus: f64, adhesion: f64, zone: f64, depth: f64) -> Option<f64> {
     let chain = Chain::new(modulus, modulus, &[], &[]);
-    let mut window = Window::new(zone, 0.0);
+    let mut window = Window::new(zone);
     let now = Instant { depth, base: modulus * depth, ..Instant::default() };
     let mut excess = |edge: f64| {
         let value = window.closure((&chain, profile), &Line::new(edge, &breaks(profile, edge)), None, &now, false).value;

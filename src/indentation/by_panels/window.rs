@@ -14,9 +14,6 @@ use crate::indentation::Profile;
 
 /// Growth of a lag over a piece: eight nodes then keep e^{−lag/τ} to 1e-10 of its value at lag 0, whatever the lag.
 pub(super) const GROWTH: f64 = 3.0;
-/// The same where a tolerance of [`LOOSE`] or more does not see 2e-8: below it they are steps of the closure where a cut comes or goes.
-pub(super) const FAST_GROWTH: f64 = 5.0;
-pub(super) const LOOSE: f64 = 1e-5;
 /// A piece narrower than this part of the zone is rounding.
 const SLIVER: f64 = 1e-14;
 /// Most cuts of one piece towards an edge.
@@ -128,7 +125,7 @@ impl Window {
     }
 
     pub(super) fn cut(&mut self, scene: &Scene<'_>, piece: Piece<'_>, [first, second]: [[f64; 2]; 2], cuts: u32) {
-        let asks = |&i: &usize| first[i].max(second[i]) > self.growth * first[i].min(second[i]);
+        let asks = |&i: &usize| first[i].max(second[i]) > GROWTH * first[i].min(second[i]);
         let Some(i) = (0..2).find(asks).filter(|_| cuts > 0) else { return self.fill(scene, piece) };
         let part = if first[i] < second[i] { 0.25 } else { 0.75 };
         let middle = piece.from + part * (piece.to - piece.from);
