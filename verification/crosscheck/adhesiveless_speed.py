@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """How many times faster one program solves indentation without adhesion than another one: both in one run, one after the other, again and again.
 
-    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS] [--energies] [--instants 4] [--instructions]
+    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS] [--energies] [--instants 4] [--processor] [--instructions]
 
 `whole`: wall-clock time of `viscotack run`, the least of all repeats. `solver`: the same without that of `viscotack --version` of the same binary.
 `floor`: `solver` of a scene that the new program reads, plans and prints but hardly solves: one ramp of a sphere with one instant. Where the old program
 takes less than 20 floors, no solver is 20 times faster; of the other scenes the last lines say how many are.
-`--instructions` counts instructions of all threads under `valgrind` instead, which other work on the machine does not change.
+On a machine with other work, `--processor` takes the processor time of all threads instead, and `--instructions` counts theirs under `valgrind`; the new
+program, which has two threads, then counts both.
 Both programs must give the same values, within the error bounds of both; a scene that one of them does not solve has no ratio.
 """
 
@@ -74,6 +75,15 @@ def timed(command, folder):
     return (time.perf_counter() - start) * 1e3, done
 
 
+def processor(command, folder):
+    """Milliseconds of the processor, and the process that is over."""
+    with open(os.devnull, "w", encoding="utf-8") as nothing:
+        done = subprocess.Popen(command, cwd=folder, stdout=nothing, stderr=nothing)
+        _, status, usage = os.wait4(done.pid, 0)
+        done.returncode = os.waitstatus_to_exitcode(status)
+    return (usage.ru_utime + usage.ru_stime) * 1e3, done
+
+
 def counted(command, folder):
     """Millions of instructions, and the process that is over."""
     done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *command], cwd=folder, capture_output=True, text=True,
@@ -107,8 +117,8 @@ def apart(old, new):
     return most, over_scale
 
 
-def compared(binaries, name, text, floor, measured, repeats):
-    """The ratios of both programs, and that of the old one to the floor."""
+def compared(binaries, name, text, floor, measured, repeats, least):
+    """The ratios of both programs, and what the old one's solver takes. `least`: of the starts and of the floor so far, which no scene changes."""
     with tempfile.TemporaryDirectory() as folder:
         for file_name, content in (("shape.csv", table()), ("scene.toml", text), ("floor.toml", floor)):
             with open(os.path.join(folder, file_name), "w", encoding="utf-8") as file:
@@ -125,18 +135,18 @@ def compared(binaries, name, text, floor, measured, repeats):
             return None
         commands = {(key, *arguments): [binary, *arguments] for key, binary in binaries.items() for arguments in (("run", "scene.toml"), ("--version",))}
         commands["floor"] = [binaries["new"], "run", "floor.toml"]
-        least = dict.fromkeys(commands, math.inf)
+        for key in binaries:
+            least[key, "run", "scene.toml"] = math.inf
         for _ in range(repeats):
             for key, command in commands.items():
-                least[key] = min(least[key], measured(command, folder)[0])
+                least[key] = min(least.get(key, math.inf), measured(command, folder)[0])
     old_start, start = least["old", "--version"], least["new", "--version"]
     old, new, floor = least["old", "run", "scene.toml"], least["new", "run", "scene.toml"], least["floor"]
     # What is below a tenth of a millisecond, or of a million instructions, is scatter of the start.
     solver = (old - old_start) / max(new - start, 0.1)
-    floors = (old - old_start) / max(floor - start, 0.1)
     print(f"{name:28} old {old:9.2f}  new {new:7.2f} (start {start:.2f}, floor {floor - start:.2f})  whole {old / new:7.1f}  solver {solver:7.1f}"
-          f"  at most {floors:7.1f}  apart {scale:.1e} ({bounds:.2g} of both bounds)", flush=True)
-    return old / new, solver, floors
+          f"  apart {scale:.1e} ({bounds:.2g} of both bounds)", flush=True)
+    return old / new, solver, old - old_start
 
 
 def main():
@@ -148,12 +158,17 @@ def main():
     parser.add_argument("--only", nargs="*", default=[], help="words that the name of a scene must hold")
     parser.add_argument("--energies", action="store_true", help="with the work done and the energies stored and lost")
     parser.add_argument("--instants", type=int, default=4, help="instants of each segment")
+    parser.add_argument("--processor", action="store_true", help="milliseconds of the processor, of all threads")
     parser.add_argument("--instructions", action="store_true", help="millions of instructions, by valgrind, instead of milliseconds")
     options = parser.parse_args()
     binaries = {"old": os.path.abspath(options.old), "new": os.path.abspath(options.new)}
-    measured, repeats = (counted, 1) if options.instructions else (timed, options.repeats)
-    print("millions of instructions" if options.instructions else "milliseconds")
-    floor = floor_scene(options.accuracy)
+    measured, repeats, unit = timed, options.repeats, "milliseconds"
+    if options.processor:
+        measured, unit = processor, "milliseconds of the processor"
+    if options.instructions:
+        measured, repeats, unit = counted, 1, "millions of instructions"
+    print(unit)
+    floor, least = floor_scene(options.accuracy), {}
     ratios = []
     for control in CONTROLS:
         for shape in SHAPES:
@@ -161,16 +176,19 @@ def main():
                 name = f"{control} {shape} {terms}"
                 if all(word in name.split() for word in options.only):
                     text = scene(shape, terms, control, options.accuracy, options.energies, options.instants)
-                    ratios.append((name, compared(binaries, name, text, floor, measured, repeats)))
+                    ratios.append((name, compared(binaries, name, text, floor, measured, repeats, least)))
     for index, word in enumerate(("whole", "solver")):
         known = sorted((ratio[index], name) for name, ratio in ratios if ratio)
         if known:
             print(f"{word}: least {known[0][0]:.1f} ({known[0][1]}), median {known[len(known) // 2][0]:.1f}, "
                   f"{sum(ratio >= 20.0 for ratio, _ in known)} of {len(known)} at least 20")
     solved = [(name, *ratio) for name, ratio in ratios if ratio]
-    allowed = [(solver, name) for name, _, solver, floors in solved if floors >= 20.0]
-    short = [f"{name} {solver:.1f}" for solver, name in allowed if solver < 20.0]
-    print(f"the old program takes 20 floors in {len(allowed)} of {len(solved)}; of these {len(allowed) - len(short)} at least 20"
+    if not solved:
+        return
+    floor = least["floor"] - least["new", "--version"]
+    allowed = [(name, solver) for name, _, solver, old in solved if old >= 20.0 * floor]
+    short = [f"{name} {solver:.1f}" for name, solver in allowed if solver < 20.0]
+    print(f"floor: {floor:.2f}; the old program takes 20 of them in {len(allowed)} of {len(solved)}, of which {len(allowed) - len(short)} at least 20"
           + (f", not: {', '.join(short)}" if short else ""))
 
 
