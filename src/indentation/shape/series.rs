@@ -110,7 +110,7 @@ impl Series {
         stretches.get(stretches.partition_point(|stretch| stretch.low <= s).saturating_sub(1))
     }
 
-    /// f/s and f′ beyond the point before s, where no series has them.
+    /// f and f′, and the magnitudes of the terms of f′, where no series has them.
     fn summed(&self, s: f64) -> [f64; 3] {
         let low = self.piece(s).map_or(0.0, |piece| piece.low);
         line_profile(&self.pieces, low, s - low)
@@ -119,12 +119,12 @@ impl Series {
     /// f at eight places in rising order, side by side where one stretch holds them all: the same digits as one by one.
     pub(super) fn values(&self, places: &Row) -> Row {
         let [low, .., high] = *places;
-        if low > self.first && high < 1.0 {
-            if let (Some(stretch), Some(other)) = (self.stretch(low), self.stretch(high)) {
-                if std::ptr::eq(stretch, other) {
-                    return sum(&stretch.value, places.map(|s| stretch.variable(s)));
-                }
-            }
+        if low > self.first
+            && high < 1.0
+            && let (Some(stretch), Some(other)) = (self.stretch(low), self.stretch(high))
+            && std::ptr::eq(stretch, other)
+        {
+            return sum(&stretch.value, places.map(|s| stretch.variable(s)));
         }
         places.map(|s| self.value(s))
     }
