@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """How many times faster one program solves indentation without adhesion than another one: both in one run, one after the other, again and again.
 
-    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS] [--energies] [--instants 4]
+    verification/crosscheck/adhesiveless_speed.py --old BINARY --new BINARY [--accuracy 1e-6] [--repeats 15] [--only WORDS] [--energies] [--instants 4] [--processor] [--instructions]
 
 `whole`: wall-clock time of `viscotack run`, the least of all repeats. `solver`: the same without that of `viscotack --version` of the same binary.
+`floor`: `solver` of a scene that the new program reads, plans and prints but hardly solves: one ramp of a sphere with one instant. Where the old program
+takes less than 20 floors, no solver is 20 times faster; of the other scenes the last lines say how many are.
+On a machine with other work, `--processor` takes the processor time of all threads instead, and `--instructions` counts theirs under `valgrind`; the new
+program, which has two threads, then counts both.
 Both programs must give the same values, within the error bounds of both; a scene that one of them does not solve has no ratio.
 """
 
@@ -11,6 +15,7 @@ import argparse
 import json
 import math
 import os
+import re
 import subprocess
 import tempfile
 import time
@@ -58,10 +63,32 @@ def table():
     return "r, z\n" + "\n".join(rows) + "\n"
 
 
+def floor_scene(accuracy):
+    return "\n".join(['units = "reduced"', f"accuracy = {accuracy!r}", material(1), "[indentation]", SHAPES["sphere"], "instants = 1", "[[history]]",
+                      "penetration = 0.01", "duration = 1.0"]) + "\n"
+
+
 def timed(command, folder):
+    """Milliseconds, and the process that is over."""
     start = time.perf_counter()
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    return time.perf_counter() - start, done
+    return (time.perf_counter() - start) * 1e3, done
+
+
+def processor(command, folder):
+    """Milliseconds of the processor, and the process that is over."""
+    with open(os.devnull, "w", encoding="utf-8") as nothing:
+        done = subprocess.Popen(command, cwd=folder, stdout=nothing, stderr=nothing)
+        _, status, usage = os.wait4(done.pid, 0)
+        done.returncode = os.waitstatus_to_exitcode(status)
+    return (usage.ru_utime + usage.ru_stime) * 1e3, done
+
+
+def counted(command, folder):
+    """Millions of instructions, and the process that is over."""
+    done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *command], cwd=folder, capture_output=True, text=True,
+                          check=False)
+    return int(re.search(r"Collected : (\d+)", done.stderr)[1]) / 1e6, done
 
 
 def values(done):
@@ -90,13 +117,12 @@ def apart(old, new):
     return most, over_scale
 
 
-def compared(binaries, name, text, repeats):
+def compared(binaries, name, text, floor, measured, repeats, least):
+    """The ratios of both programs, and what the old one's solver takes. `least`: of the starts and of the floor so far, which no scene changes."""
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "shape.csv"), "w", encoding="utf-8") as file:
-            file.write(table())
-        with open(os.path.join(folder, "scene.toml"), "w", encoding="utf-8") as file:
-            file.write(text)
-        least = {key: [math.inf, math.inf] for key in binaries}
+        for file_name, content in (("shape.csv", table()), ("scene.toml", text), ("floor.toml", floor)):
+            with open(os.path.join(folder, file_name), "w", encoding="utf-8") as file:
+                file.write(content)
         found = {}
         for key, binary in binaries.items():
             found[key] = values(timed([binary, "run", "scene.toml", "--json"], folder)[1])
@@ -107,16 +133,20 @@ def compared(binaries, name, text, repeats):
         if bounds > 1.0:
             print(f"{name:28} they differ by {scale:.1e} of the largest value, {bounds:.2g} of both bounds: no ratio")
             return None
+        commands = {(key, *arguments): [binary, *arguments] for key, binary in binaries.items() for arguments in (("run", "scene.toml"), ("--version",))}
+        commands["floor"] = [binaries["new"], "run", "floor.toml"]
+        for key in binaries:
+            least[key, "run", "scene.toml"] = math.inf
         for _ in range(repeats):
-            for key, binary in binaries.items():
-                for index, arguments in enumerate((["run", "scene.toml"], ["--version"])):
-                    least[key][index] = min(least[key][index], timed([binary, *arguments], folder)[0])
-    (old, old_start), (new, new_start) = least["old"], least["new"]
-    # What is below a tenth of a millisecond is scatter of the start.
-    whole, solver = old / new, (old - old_start) / max(new - new_start, 1e-4)
-    print(f"{name:28} old {old * 1e3:9.2f} ms  new {new * 1e3:7.2f} ms (start {new_start * 1e3:.2f})  whole {whole:7.1f}  solver {solver:7.1f}"
+            for key, command in commands.items():
+                least[key] = min(least.get(key, math.inf), measured(command, folder)[0])
+    old_start, start = least["old", "--version"], least["new", "--version"]
+    old, new, floor = least["old", "run", "scene.toml"], least["new", "run", "scene.toml"], least["floor"]
+    # What is below a tenth of a millisecond, or of a million instructions, is scatter of the start.
+    solver = (old - old_start) / max(new - start, 0.1)
+    print(f"{name:28} old {old:9.2f}  new {new:7.2f} (start {start:.2f}, floor {floor - start:.2f})  whole {old / new:7.1f}  solver {solver:7.1f}"
           f"  apart {scale:.1e} ({bounds:.2g} of both bounds)", flush=True)
-    return whole, solver
+    return old / new, solver, old - old_start
 
 
 def main():
@@ -128,8 +158,17 @@ def main():
     parser.add_argument("--only", nargs="*", default=[], help="words that the name of a scene must hold")
     parser.add_argument("--energies", action="store_true", help="with the work done and the energies stored and lost")
     parser.add_argument("--instants", type=int, default=4, help="instants of each segment")
+    parser.add_argument("--processor", action="store_true", help="milliseconds of the processor, of all threads")
+    parser.add_argument("--instructions", action="store_true", help="millions of instructions, by valgrind, instead of milliseconds")
     options = parser.parse_args()
     binaries = {"old": os.path.abspath(options.old), "new": os.path.abspath(options.new)}
+    measured, repeats, unit = timed, options.repeats, "milliseconds"
+    if options.processor:
+        measured, unit = processor, "milliseconds of the processor"
+    if options.instructions:
+        measured, repeats, unit = counted, 1, "millions of instructions"
+    print(unit)
+    floor, least = floor_scene(options.accuracy), {}
     ratios = []
     for control in CONTROLS:
         for shape in SHAPES:
@@ -137,12 +176,20 @@ def main():
                 name = f"{control} {shape} {terms}"
                 if all(word in name.split() for word in options.only):
                     text = scene(shape, terms, control, options.accuracy, options.energies, options.instants)
-                    ratios.append((name, compared(binaries, name, text, options.repeats)))
+                    ratios.append((name, compared(binaries, name, text, floor, measured, repeats, least)))
     for index, word in enumerate(("whole", "solver")):
         known = sorted((ratio[index], name) for name, ratio in ratios if ratio)
         if known:
             print(f"{word}: least {known[0][0]:.1f} ({known[0][1]}), median {known[len(known) // 2][0]:.1f}, "
                   f"{sum(ratio >= 20.0 for ratio, _ in known)} of {len(known)} at least 20")
+    solved = [(name, *ratio) for name, ratio in ratios if ratio]
+    if not solved:
+        return
+    floor = least["floor"] - least["new", "--version"]
+    allowed = [(name, solver) for name, _, solver, old in solved if old >= 20.0 * floor]
+    short = [f"{name} {solver:.1f}" for name, solver in allowed if solver < 20.0]
+    print(f"floor: {floor:.2f}; the old program takes 20 of them in {len(allowed)} of {len(solved)}, of which {len(allowed) - len(short)} at least 20"
+          + (f", not: {', '.join(short)}" if short else ""))
 
 
 if __name__ == "__main__":

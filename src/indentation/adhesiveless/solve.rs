@@ -11,10 +11,10 @@ use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::judgement::judged;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
+use crate::indentation::profile::Profile;
 use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
-use std::collections::VecDeque;
 
 /// Series of the finest course, and how much coarser the other is.
 const FINEST: f64 = 1e-13;
@@ -56,12 +56,12 @@ pub(in crate::indentation) fn solve(
     };
     // A coarser course tells finer ones where an oscillation ends. Without one, the first two do not wait for each other; many states share the cores anyway.
     let waits = |segment: &Segment| segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
-    let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits);
-    let mut ahead = if alone { side_by_side(|| course(0, None, &[]), || course(1, watch, &[])) } else { VecDeque::new() };
+    let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits) && !short(problem, &chain);
+    let mut ahead = if alone { side_by_side(|| course(0, None, &[]), || course(1, watch, &[])) } else { [None, None] };
     let (mut stops, mut coarser): (Vec<(usize, f64)>, Option<Trace>) = (Vec::new(), None);
     for level in 0.. {
         let finest = fineness(problem.accuracy, level).series <= FINEST;
-        let (fine, unknown) = match ahead.pop_front().unwrap_or_else(|| course(level, watch, &stops)) {
+        let (fine, unknown) = match ahead.get_mut(level as usize).and_then(Option::take).unwrap_or_else(|| course(level, watch, &stops)) {
             Ok(found) => found,
             // What series leave may be too much for a small contact.
             Err(Refusal::NotConverged { .. }) if !finest => {
@@ -98,14 +98,24 @@ pub(in crate::indentation) fn solve(
 
 type Found = Result<(Trace, Unknown), Refusal>;
 
-/// What both find, the second one in another thread; the first one alone where no thread is to be had.
-fn side_by_side(first: impl FnOnce() -> Found, second: impl FnOnce() -> Found + Send) -> VecDeque<Found> {
+/// Segments times terms along which a course takes less than the tenth of a millisecond in which another thread starts.
+const SHORT: usize = 8;
+
+/// Whether courses are over sooner than another thread has started: a few segments of a given penetration, on a shape with a closed line profile.
+fn short(problem: &IndentationProblem, chain: &Chain) -> bool {
+    let segments = &problem.history.segments;
+    let given = |segment: &Segment| segment.controlled == Controlled::Penetration && segment.oscillation.is_none();
+    segments.len() * chain.terms().max(1) <= SHORT && segments.iter().all(given) && !matches!(problem.profile.face(), Profile::Table(_))
+}
+
+/// What both find, the first one in another thread, as the shorter one; not at all where no thread is to be had.
+fn side_by_side(first: impl FnOnce() -> Found + Send, second: impl FnOnce() -> Found) -> [Option<Found>; 2] {
     let (mut one, mut other) = (None, None);
     std::thread::scope(|scope| {
-        let _second = std::thread::Builder::new().spawn_scoped(scope, || other = Some(second()));
-        one = Some(first());
+        let _first = std::thread::Builder::new().spawn_scoped(scope, || one = Some(first()));
+        other = Some(second());
     });
-    one.into_iter().chain(other).collect()
+    [one, other]
 }
 
 /// Overlap over the depth that is what series leave.

@@ -55,6 +55,15 @@ impl Piece {
         self.integrands(r - self.low)[0]
     }
 
+    /// Whether z′ + r z″ is nowhere negative in it: a parabola in x, lowest at an end or at its vertex.
+    pub(super) fn pushes_up(&self) -> bool {
+        let width = self.high - self.low;
+        let [_, b, c] = self.coefficients;
+        let vertex = -(b + self.low * c) / (3.0 * c);
+        let inner = if vertex > 0.0 && vertex < width { vertex } else { 0.0 };
+        [0.0, inner, width].iter().all(|x| self.integrands(*x)[1] >= 0.0)
+    }
+
     /// z′ and z′ + r z″ at x = r − low.
     fn integrands(&self, x: f64) -> [f64; 2] {
         let r = self.low + x;

@@ -35,7 +35,6 @@ pub struct TabulatedShape {
     height: f64,
     /// r_i over `end`, from 0 to 1.
     knots: Vec<f64>,
-    pieces: Vec<Piece>,
     series: Series,
 }
 
@@ -43,7 +42,8 @@ impl TabulatedShape {
     /// The shape through points (r, z) (m): the first is (0, 0), both numbers rise from point to point, and there are 4 to 2000.
     ///
     /// # Errors
-    /// [`Refusal::OutOfRange`] for points that are not so; [`Refusal::NoSuchState`] for a shape that flattens outwards so much that its line profile
+    /// [`Refusal::OutOfRange`] for points that are not so; [`Refusal::NotConverged`] for points too uneven for a line profile that might fall;
+    /// [`Refusal::NoSuchState`] for a shape that flattens outwards so much that its line profile
     /// falls: its contact would not be one circle.
     pub fn through(points: &[(f64, f64)]) -> Result<Self, Refusal> {
         if points.len() < FEWEST || points.len() > MOST {
@@ -75,16 +75,15 @@ impl TabulatedShape {
             return Err(Refusal::out_of_range("points of a shape", end, "further apart: they cannot be told from one another"));
         }
         let slopes = slopes::rising(&knots, &heights);
-        let pieces = Piece::all(&knots, &heights, &slopes);
-        let series = Series::of(&pieces)?;
-        if let Some(place) = series.falls_at() {
+        let series = Series::of(Piece::all(&knots, &heights, &slopes))?;
+        if let Some(place) = series.falls_at()? {
             return Err(Refusal::NoSuchState {
                 reason: "the shape flattens outwards so much that its contact would not be one circle".into(),
                 limit_name: "the radius at which its line profile falls",
                 limit: place * end,
             });
         }
-        Ok(Self { end, height, knots, pieces, series })
+        Ok(Self { end, height, knots, series })
     }
 
     /// The radius of the last point (m): beyond it there is no shape.
@@ -97,19 +96,14 @@ impl TabulatedShape {
     #[must_use]
     pub fn height(&self, r: f64) -> f64 {
         let x = (r / self.end).clamp(0.0, 1.0);
-        self.piece(x).map_or(0.0, |piece| piece.height(x)) * self.height
+        self.series.piece(x).map_or(0.0, |piece| piece.height(x)) * self.height
     }
 
     /// z′ at a radius (m) within the shape; that of the last point beyond it.
     #[must_use]
     pub fn slope(&self, r: f64) -> f64 {
         let x = (r / self.end).clamp(0.0, 1.0);
-        self.piece(x).map_or(0.0, |piece| piece.slope(x)) * (self.height / self.end)
-    }
-
-    fn piece(&self, x: f64) -> Option<&Piece> {
-        let index = self.knots.partition_point(|knot| *knot <= x).clamp(1, self.pieces.len());
-        self.pieces.get(index - 1)
+        self.series.piece(x).map_or(0.0, |piece| piece.slope(x)) * (self.height / self.end)
     }
 
     /// f(s) (m). Beyond the last point f goes on as a parabola, for trials of a search only.

@@ -1,10 +1,10 @@
-//! f and f′ as Chebyshev series, so that a value costs one search and one recursion, however many points the shape has.
+//! f and f′ as Chebyshev series, so that a value costs two searches and one recursion, however many points the shape has.
 
 use super::super::row::Row;
 use super::abel::{Piece, integrals, line_profile};
 use crate::refusal::Refusal;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// Terms of a series.
 const TERMS: usize = 24;
@@ -12,7 +12,8 @@ const TERMS: usize = 24;
 const SMALL: f64 = 2e-15;
 /// Halvings of a stretch, all towards a point near which another one lies.
 const DEEPEST: u32 = 40;
-/// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; a shape that asks for more is noise.
+/// Most series from one point to the next. Halving towards a near point takes one a halving and the deepest ones two; what asks for more is noise, and is
+/// summed piece by piece.
 const MOST_STRETCHES: usize = 3 * DEEPEST as usize;
 
 /// Widths of a stretch between it and a piece beyond which so many places in it tell what the piece does, the widest first: their series err as ρ^{−places},
@@ -37,117 +38,140 @@ struct Stretch {
     slope: [f64; TERMS],
 }
 
-/// f and f′ from the axis on.
-#[derive(Debug, Clone, PartialEq)]
+/// The stretches from one point to the next; none where so many do not suffice.
+type Section = OnceLock<Option<Vec<Stretch>>>;
+
+/// f and f′ from the axis on. A section is cut into stretches when it is first asked for: few contacts reach all points of a table.
+#[derive(Debug, Clone)]
 pub(super) struct Series {
+    pieces: Vec<Piece>,
     /// f = c₀s + c₁s² + c₂s³ up to the first point: there the shape is one polynomial.
     axis: [f64; 3],
     first: f64,
-    lows: Vec<f64>,
-    stretches: Vec<Stretch>,
+    /// Of each piece.
+    sections: Vec<Section>,
     /// f, f′ and half of f″ at the last point, of the parabola beyond.
     last: [f64; 3],
-    falls_at: Option<f64>,
+}
+
+impl PartialEq for Series {
+    /// What is already cut follows from the pieces.
+    fn eq(&self, other: &Self) -> bool {
+        self.pieces == other.pieces
+    }
 }
 
 impl Series {
-    pub(super) fn of(pieces: &[Piece]) -> Result<Self, Refusal> {
-        let Some((axis, rest)) = pieces.split_first() else { return Err(unresolved(0.0)) };
+    pub(super) fn of(pieces: Vec<Piece>) -> Result<Self, Refusal> {
+        let Some(axis) = pieces.first() else { return Err(unresolved()) };
         let [a, b, c] = axis.coefficients;
-        let axis_terms = [FRAC_PI_2 * a, b, FRAC_PI_4 * c];
-        let mut stretches = Vec::with_capacity(rest.len());
-        for piece in rest {
-            // What is still to be covered, from the point on, the nearest last.
-            let mut waiting = vec![(0.0, piece.high - piece.low, true, 0)];
-            let own = stretches.len();
-            while let Some((from, to, rooted, depth)) = waiting.pop() {
-                let (stretch, converged) = Stretch::sampled(pieces, piece.low, [from, to], rooted);
-                if converged {
-                    stretches.push(stretch);
-                } else if depth < DEEPEST && stretches.len() < own + MOST_STRETCHES {
-                    let middle = 0.5 * (from + to);
-                    waiting.push((middle, to, false, depth + 1));
-                    waiting.push((from, middle, rooted, depth + 1));
-                } else {
-                    return Err(unresolved(piece.low + from));
-                }
-            }
+        let [value, slope, size] = line_profile(&pieces, 1.0, 0.0);
+        if ![value, slope, size].iter().all(|number| number.is_finite()) {
+            return Err(unresolved());
         }
-        let [value, slope, _] = line_profile(pieces, 1.0, 0.0);
-        let mut series = Self {
-            axis: axis_terms,
+        Ok(Self {
+            axis: [FRAC_PI_2 * a, b, FRAC_PI_4 * c],
             first: axis.high,
-            lows: stretches.iter().map(|stretch| stretch.low).collect(),
-            stretches,
+            sections: pieces.iter().map(|_| Section::new()).collect(),
             last: [value, slope, 0.5 * slope],
-            falls_at: None,
-        };
-        if !series.last.iter().chain(series.stretches.iter().flat_map(|stretch| &stretch.slope)).all(|number| number.is_finite()) {
-            return Err(unresolved(1.0));
-        }
-        series.falls_at = series.first_fall();
-        Ok(series)
+            pieces,
+        })
+    }
+
+    pub(super) fn piece(&self, s: f64) -> Option<&Piece> {
+        self.pieces.get(self.index(s))
     }
 
     /// The first place at which f does not rise.
-    pub(super) const fn falls_at(&self) -> Option<f64> {
-        self.falls_at
-    }
-
-    fn first_fall(&self) -> Option<f64> {
-        let axis = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64);
-        // Where the first term is larger than all others together, f′ cannot vanish.
-        let may_fall = self.stretches.iter().filter(|stretch| 2.0 * stretch.slope[0] <= stretch.slope.iter().map(|c| c.abs()).sum::<f64>());
-        let places = may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64));
-        axis.chain(places).find(|s| self.slope(*s) <= 0.0)
+    pub(super) fn falls_at(&self) -> Result<Option<f64>, Refusal> {
+        // Up to the first piece in which z′ + r z″ is negative, f′ is a sum of positive terms.
+        let Some(suspect) = self.pieces.iter().position(|piece| !piece.pushes_up()) else { return Ok(None) };
+        let mut places: Vec<f64> = (1..=TERMS).map(|k| self.first * k as f64 / TERMS as f64).collect();
+        for index in suspect.max(1)..self.pieces.len() {
+            let Some(stretches) = self.section(index) else { return Err(unresolved()) };
+            // Where the first term is larger than all others together, f′ cannot vanish.
+            let may_fall = stretches.iter().filter(|stretch| 2.0 * stretch.slope[0] <= stretch.slope.iter().map(|c| c.abs()).sum::<f64>());
+            places
+                .extend(may_fall.flat_map(|stretch| (0..=2 * TERMS).map(|k| stretch.low + stretch.width * k as f64 / (2 * TERMS) as f64)));
+        }
+        Ok(places.into_iter().find(|s| self.slope(*s) <= 0.0))
     }
 
     fn index(&self, s: f64) -> usize {
-        self.lows.partition_point(|low| *low <= s).saturating_sub(1)
+        self.pieces.partition_point(|piece| piece.low <= s).saturating_sub(1)
+    }
+
+    fn section(&self, index: usize) -> Option<&[Stretch]> {
+        self.sections.get(index)?.get_or_init(|| stretches(&self.pieces, self.pieces.get(index)?)).as_deref()
     }
 
     fn stretch(&self, s: f64) -> Option<&Stretch> {
-        self.stretches.get(self.index(s))
+        let stretches = self.section(self.index(s))?;
+        stretches.get(stretches.partition_point(|stretch| stretch.low <= s).saturating_sub(1))
+    }
+
+    /// f and f′, and the magnitudes of the terms of f′, where no series has them.
+    fn summed(&self, s: f64) -> [f64; 3] {
+        let low = self.piece(s).map_or(0.0, |piece| piece.low);
+        line_profile(&self.pieces, low, s - low)
     }
 
     /// f at eight places in rising order, side by side where one stretch holds them all: the same digits as one by one.
     pub(super) fn values(&self, places: &Row) -> Row {
         let [low, .., high] = *places;
-        let index = self.index(low);
-        match self.stretches.get(index) {
-            Some(stretch) if low > self.first && high <= 1.0 && self.index(high) == index => {
-                sum(&stretch.value, places.map(|s| stretch.variable(s)))
-            }
-            _ => places.map(|s| self.value(s)),
+        if low > self.first
+            && high < 1.0
+            && let (Some(stretch), Some(other)) = (self.stretch(low), self.stretch(high))
+            && std::ptr::eq(stretch, other)
+        {
+            return sum(&stretch.value, places.map(|s| stretch.variable(s)));
         }
+        places.map(|s| self.value(s))
     }
 
     pub(super) fn value(&self, s: f64) -> f64 {
         if s <= self.first {
             return s * (self.axis[0] + s * (self.axis[1] + s * self.axis[2]));
         }
-        if s > 1.0 {
+        if s >= 1.0 {
             return self.last[0] + (s - 1.0) * (self.last[1] + (s - 1.0) * self.last[2]);
         }
-        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.value, [stretch.variable(s)])[0])
+        self.stretch(s).map_or_else(|| self.summed(s)[0], |stretch| sum(&stretch.value, [stretch.variable(s)])[0])
     }
 
     pub(super) fn slope(&self, s: f64) -> f64 {
         if s <= self.first {
             return self.axis[0] + s * (2.0 * self.axis[1] + s * 3.0 * self.axis[2]);
         }
-        if s > 1.0 {
+        if s >= 1.0 {
             return self.last[1] + 2.0 * (s - 1.0) * self.last[2];
         }
-        self.stretch(s).map_or(0.0, |stretch| sum(&stretch.slope, [stretch.variable(s)])[0])
+        self.stretch(s).map_or_else(|| self.summed(s)[1], |stretch| sum(&stretch.slope, [stretch.variable(s)])[0])
     }
 }
 
-fn unresolved(place: f64) -> Refusal {
-    Refusal::NotConverged {
-        what: "the line profile of a shape",
-        detail: format!("at {place:e} of its last radius: its points are too uneven"),
+/// Of a piece, halved until their series have converged.
+fn stretches(pieces: &[Piece], piece: &Piece) -> Option<Vec<Stretch>> {
+    let mut found = Vec::new();
+    // What is still to be covered, from the point on, the nearest last.
+    let mut waiting = vec![(0.0, piece.high - piece.low, true, 0)];
+    while let Some((from, to, rooted, depth)) = waiting.pop() {
+        let (stretch, converged) = Stretch::sampled(pieces, piece.low, [from, to], rooted);
+        if converged {
+            found.push(stretch);
+        } else if depth < DEEPEST && found.len() < MOST_STRETCHES {
+            let middle = 0.5 * (from + to);
+            waiting.push((middle, to, false, depth + 1));
+            waiting.push((from, middle, rooted, depth + 1));
+        } else {
+            return None;
+        }
     }
+    Some(found)
+}
+
+fn unresolved() -> Refusal {
+    Refusal::NotConverged { what: "the line profile of a shape", detail: "its points are too uneven".into() }
 }
 
 impl Stretch {
