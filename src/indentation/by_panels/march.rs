@@ -6,7 +6,7 @@
 use super::check::checked;
 use super::closure::Window;
 use super::drive::{Branch, Stretch};
-use super::events::{Mark, first_crossing, turning};
+use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
@@ -106,6 +106,7 @@ impl<'a> March<'a> {
             panel_residual: 0.0,
             outcome,
         };
+        march.window.blur = MERGE * problem.tolerance * march.displacement();
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
         if !problem.relaxed && problem.adhesion.is_some() {
@@ -214,6 +215,9 @@ impl<'a> March<'a> {
                 span = kink;
             } else if span.abs() > 0.6 * kink.abs() && span.abs() < kink.abs() {
                 span = 0.5 * kink;
+            }
+            if let Some(kink) = self.kink_of_shape(span) {
+                span = kink;
             }
             let least = if self.problem.adhesion.is_some() { FLOOR * zone - self.line.edge } else { -self.line.edge };
             if span < least {

@@ -3,7 +3,6 @@
 use super::chain::Chain;
 use super::drive::{Drive, Stretch};
 use super::followed::Control;
-use super::gauss::Gauss;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -17,12 +16,6 @@ const SAME_PACE: f64 = 1e-14;
 
 pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
-    if material.relaxation_terms().is_empty() {
-        return Err(Refusal::Undefined {
-            quantity: "the path of the edge by panels",
-            reason: "an elastic solid has no time of its own".into(),
-        });
-    }
     let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
     let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
     Ok(Chain::new(material.glassy_modulus(), relaxed, &creep, &relaxation))
@@ -59,14 +52,7 @@ pub(super) fn control_of(controlled: Controlled, frame_stiffness: f64) -> Option
 
 /// c_F F + c_D Δ of an elastic contact.
 pub(super) fn imposed(profile: &Profile, modulus: f64, control: Control, edge: f64, depth: f64) -> f64 {
-    let rule = Gauss::get();
-    let breaks = profile.breaks(edge);
-    let piece = |pair: &[f64]| -> f64 {
-        let (from, span) = (pair[0], pair[1] - pair[0]);
-        rule.nodes.iter().zip(rule.weights).map(|(x, weight)| weight * span * profile.line(from + span * x)).sum()
-    };
-    let volume: f64 = breaks.windows(2).map(piece).sum();
-    control.force * 2.0 * modulus * (edge * depth - volume) + control.depth * depth
+    control.force * 2.0 * modulus * (edge * depth - profile.volume(edge)) + control.depth * depth
 }
 
 /// The penetration at which a control has a value, on the branch that is stable far out: from there inwards to the first crossing.

@@ -3,15 +3,15 @@
 use super::chain::Chain;
 use super::closure::Window;
 use super::drive::Instant;
-use super::line::{Line, Segment};
+use super::line::{Break, Line, Segment};
 use super::problem::Problem;
 use crate::indentation::Profile;
 
 /// Radii at which a profile has no smooth continuation, of a contact of about a radius.
-pub(super) fn breaks(profile: &Profile, edge: f64) -> Vec<f64> {
-    match profile {
-        Profile::Table(shape) => profile.breaks(shape.reach()),
-        _ => profile.breaks(edge),
+pub(super) fn breaks(profile: &Profile, edge: f64) -> Vec<Break> {
+    match profile.face() {
+        Profile::Table(shape) => shape.roots().into_iter().map(|(place, roots)| Break { place, roots: Some(roots) }).collect(),
+        _ => profile.breaks(edge).into_iter().map(|place| Break { place, roots: None }).collect(),
     }
 }
 

@@ -17,6 +17,7 @@ mod slopes;
 use super::row::Row;
 use crate::refusal::{Refusal, require_finite, require_positive};
 use abel::Piece;
+use crate::special::gauss_legendre::UNIT_RULE_20;
 use series::Series;
 
 /// Fewer points have no smooth shape.
@@ -25,6 +26,12 @@ const FEWEST: usize = 4;
 const MOST: usize = 2000;
 /// A break this near to an end of a panel, relative, is left out.
 const CLEARANCE: f64 = 1e-9;
+
+/// ∫f from a point on: in the root of the way, where f is smooth.
+fn integral(series: &Series, from: f64, to: f64) -> f64 {
+    let root = (to - from).max(0.0).sqrt();
+    UNIT_RULE_20.iter().map(|(x, weight)| weight * 2.0 * root * root * x * series.value(from + (root * x).powi(2))).sum()
+}
 
 /// An axisymmetric shape z(r) through points, and its line profile. Cheap to share in an `Arc`.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +44,8 @@ pub struct TabulatedShape {
     knots: Vec<f64>,
     pieces: Vec<Piece>,
     series: Series,
+    /// ∫f up to every point.
+    volumes: Vec<f64>,
 }
 
 impl TabulatedShape {
@@ -84,7 +93,12 @@ impl TabulatedShape {
                 limit: place * end,
             });
         }
-        Ok(Self { end, height, knots, pieces, series })
+        let mut volumes = vec![0.0];
+        for pair in knots.windows(2) {
+            let before = volumes.last().copied().unwrap_or(0.0);
+            volumes.push(before + integral(&series, pair[0], pair[1]));
+        }
+        Ok(Self { end, height, knots, pieces, series, volumes })
     }
 
     /// The radius of the last point (m): beyond it there is no shape.
@@ -153,6 +167,27 @@ impl TabulatedShape {
         let (from, to) = (low / self.end * (1.0 + CLEARANCE), high / self.end * (1.0 - CLEARANCE));
         let [first, last] = [from, to].map(|end| self.knots.partition_point(|knot| *knot <= end));
         self.knots.get(first..last).unwrap_or(&[]).iter().filter(|knot| **knot > 0.0).map(|knot| knot * self.end).collect()
+    }
+
+    /// Places (m) beyond which f has a root more, and its factors: b·h^{3/2} + c·h^{5/2} at h (m) beyond the place, from jumps of z″ and z‴.
+    pub(super) fn roots(&self) -> Vec<(f64, [f64; 2])> {
+        let of = |pair: &[Piece]| {
+            let [before, piece] = pair else { return None };
+            let [second, third] = piece.jumps(before);
+            let scale = self.height * (0.5 * piece.low).sqrt();
+            let factors = [4.0 / 3.0 * scale * second / self.end.powf(1.5), 16.0 / 15.0 * scale * third / self.end.powf(2.5)];
+            Some((piece.low * self.end, factors))
+        };
+        self.pieces.windows(2).filter_map(of).collect()
+    }
+
+    /// ∫₀^s f ds′ (m²).
+    pub(super) fn volume(&self, s: f64) -> f64 {
+        let x = s / self.end;
+        let index = self.knots.partition_point(|knot| *knot <= x.min(1.0)).saturating_sub(1);
+        let from = self.knots.get(index).copied().unwrap_or(0.0);
+        let before = self.volumes.get(index).copied().unwrap_or(0.0);
+        (before + integral(&self.series, from, x)) * self.height * self.end
     }
 
     /// 0, the points below a place (m), and the place: between them f is smooth.
