@@ -13,6 +13,7 @@ use std::time::Instant;
 use viscotack::indentation::by_panels::{PanelOptions, march_by_panels, solve_by_panels};
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Oscillation, Profile, run};
 use viscotack::material::{CreepTerm, RelaxationTerm};
+use viscotack::special::gauss_legendre::UNIT_RULE_20;
 use viscotack::{Material, Refusal};
 
 /// Uniform numbers of a linear congruential generator (Knuth's MMIX constants).
@@ -127,18 +128,112 @@ fn tables_of_many_points() {
     });
 }
 
+/// An elastic solid has no memory: at every instant of any history, turns and forces among it, C = Δγ by plain quadrature and F is that of the springs, within the bounds.
+/// The time integration beside the panels does not serve: it is off by 1e-6 to 1e-5 of a radius under forces and after turns, and its bounds say 1e-10.
 #[test]
-fn elastic_solids() {
-    compared("elastic", 20, &mut Draw(371_002), |draw| {
+fn elastic_solids_are_in_equilibrium_at_every_instant() {
+    let draw = &mut Draw(371_002);
+    let (mut worst, mut values, mut refused) = (0.0_f64, 0, 0);
+    let scenes = wanted(40);
+    for number in 0..scenes {
+        let units = units(draw);
+        let profile = [any_shape(draw, &units), Profile::Paraboloid { radius: units.length }]
+            .into_iter()
+            .find(|shape| !matches!(shape, Profile::Table(_)));
+        let material = Material::elastic(units.modulus).unwrap();
+        let problem = problem(draw, &units, profile.unwrap());
+        let found = match solve_by_panels(&material, &problem) {
+            Ok(found) => found,
+            Err(refusal) => {
+                println!("elastic {number}: {refusal} {:?}", problem.history);
+                refused += 1;
+                continue;
+            }
+        };
+        let Adhesion { work_of_adhesion, process_zone } = problem.adhesion.unwrap();
+        let scale = found.instants.iter().fold(0.0_f64, |most, instant| most.max(instant.force.value.abs()));
+        for instant in found.instants.iter().take_while(|instant| instant.contact_radius.value > 0.0) {
+            let (a, depth) = (instant.contact_radius, instant.penetration);
+            let excess = |a: f64, depth: f64| raw_closure(&problem.profile, units.modulus, process_zone, a, depth) / work_of_adhesion - 1.0;
+            let slope = |end: &dyn Fn(f64) -> f64| 0.5 * (end(1.0) - end(-1.0)).abs();
+            let step = 1e-6 * a.value;
+            let allowed = 1e-9
+                + slope(&|sign| excess(a.value + sign * step, depth.value)) * a.error / step
+                + slope(&|sign| excess(a.value, depth.value + sign * 1e-6 * units.length)) * depth.error / (1e-6 * units.length);
+            let miss = excess(a.value, depth.value).abs() / allowed;
+            let force = 2.0 * units.modulus * (a.value * depth.value - area(&problem.profile, a.value));
+            let [by_edge, by_depth] = [(depth.value - problem.profile.line(a.value)) * a.error, a.value * depth.error]
+                .map(|part| 2.0 * units.modulus * part.abs());
+            let off = (force - instant.force.value).abs() / (instant.force.error + by_edge + by_depth + 1e-9 * scale);
+            values += 2;
+            worst = worst.max(miss).max(off);
+            assert!(miss <= 1.0 && off <= 1.0, "{number} {:?}: {instant:?}: {miss} {off}", problem.history);
+        }
+    }
+    println!("elastic: {values} values of {} scenes, at most {worst:.2} of the bounds", scenes - refused);
+    assert_eq!(refused, 0);
+}
+
+fn wanted(usual: usize) -> usize {
+    std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual)
+}
+
+/// ∫₀^a f ds.
+fn area(profile: &Profile, a: f64) -> f64 {
+    match profile {
+        Profile::Paraboloid { radius } => a.powi(3) / 3.0 / radius,
+        Profile::Cone { slope } => std::f64::consts::FRAC_PI_4 * slope * a * a,
+        Profile::PowerLaw { coefficient, exponent } => coefficient * a.powf(exponent + 1.0) / (exponent + 1.0),
+        _ => panic!("not drawn"),
+    }
+}
+
+/// C = (1/π²δ) ∫₀^δ dy D(a+δ−y) {−Q(0)k(δ−y, 0) − ∫₀^y Q′ k dy′}, k = K(m)/√((a−ξ)(a+η)), of Q = E(Δ − f), by Gauss nodes in both.
+fn raw_closure(profile: &Profile, modulus: f64, zone: f64, a: f64, depth: f64) -> f64 {
+    let elliptic = |m: f64| {
+        let (mut x, mut y) = (1.0_f64, (1.0 - m).sqrt());
+        for _ in 0..8 {
+            (x, y) = (0.5 * (x + y), (x * y).sqrt());
+        }
+        std::f64::consts::FRAC_PI_2 / x
+    };
+    let kernel =
+        |eta: f64, xi: f64| elliptic((zone * zone - (eta + xi).powi(2)) / (4.0 * (a - xi) * (a + eta))) / ((a - xi) * (a + eta)).sqrt();
+    let mut sum = 0.0;
+    for (x, weight) in UNIT_RULE_20.iter() {
+        let y = zone * x;
+        let inner: f64 =
+            UNIT_RULE_20.iter().map(|(x, weight)| weight * y * modulus * profile.line_slope(a - y * x) * kernel(zone - y, y * x)).sum();
+        let load = modulus * (depth - profile.line(a));
+        sum += weight * zone * (profile.line(a + zone - y) - depth) * (-load * kernel(zone - y, 0.0) - inner);
+    }
+    sum / (std::f64::consts::PI.powi(2) * zone)
+}
+
+/// Ramps of the radius to and fro, holds of it, and ramps of the penetration between.
+#[test]
+fn given_radii() {
+    compared("radius", 20, &mut Draw(371_004), |draw| {
         let units = units(draw);
         let profile = any_shape(draw, &units);
-        (Material::elastic(units.modulus).unwrap(), problem(draw, &units, profile))
+        let adhesion = adhesion(draw, &units);
+        let start = draw.between(0.1, 0.2) * units.length;
+        let mut history = History::contact_radius(start);
+        for _ in 0..3 {
+            let duration = draw.ratio(0.03, 10.0) * units.time;
+            history = match (draw.unit() * 4.0) as usize {
+                0 => history.hold(duration),
+                _ => history.ramp(start * draw.between(0.6, 1.3), duration),
+            };
+        }
+        let problem = IndentationProblem { instants_per_segment: 3, ..IndentationProblem::new(profile, Some(adhesion), history) };
+        (solid(draw, &units), if draw.unit() < 0.7 { problem.relaxed() } else { problem })
     });
 }
 
 /// Scenes of a kind by both methods; at least nine of ten are compared.
 fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (Material, IndentationProblem)) {
-    let scenes: usize = std::env::var("VISCOTACK_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual);
+    let scenes = wanted(usual);
     let skipped: usize = std::env::var("VISCOTACK_SKIP").ok().and_then(|count| count.parse().ok()).unwrap_or(0);
     let (mut failures, mut values, mut refused, mut times) = (Vec::new(), 0_u32, 0, [0.0; 2]);
     let mut furthest = (0.0_f64, String::new());
@@ -158,6 +253,12 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
             (Ok(rival), Ok(panels)) => (rival, panels),
             (rival, panels) => {
                 refused += 1;
+                println!(
+                    "{:?} {:?} {:?}",
+                    problem.history,
+                    problem.adhesion,
+                    matches!(problem.profile, Profile::Table(_)).then_some("table")
+                );
                 if let (Ok(_), Err(refusal)) = (&rival, &panels) {
                     let text = format!("{kind} {number}: the panels refuse: {refusal}");
                     println!("{text}");
@@ -204,7 +305,14 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
             }
         }
     }
-    println!("{kind}: {} of {scenes} compared, {values} values, furthest {:.2} of both bounds ({}); {:.2} s and by panels {:.2} s", scenes - skipped - refused, furthest.0, furthest.1, times[0], times[1]);
+    println!(
+        "{kind}: {} of {scenes} compared, {values} values, furthest {:.2} of both bounds ({}); {:.2} s and by panels {:.2} s",
+        scenes - skipped - refused,
+        furthest.0,
+        furthest.1,
+        times[0],
+        times[1]
+    );
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
     assert!(refused * 10 <= scenes, "nearly all scenes are compared");
 }
@@ -230,16 +338,27 @@ fn worn() -> Profile {
 #[test]
 #[ignore = "work"]
 fn worn_sphere() {
-    let zone = 60e-3 / 0.1e6;
+    let zone = std::env::var("ZONE").map_or(6e-7, |z| z.parse().unwrap());
+    let shape = if std::env::var("SPHERE").is_ok() { Profile::Paraboloid { radius: 1e-3 } } else { worn() };
     for speed in [1e-6, 1e-7, 1e-5] {
         let history = History::penetration(0.0).at_speed(6e-6, speed).at_speed(-12e-6, speed);
-        let problem = IndentationProblem::new(worn(), Some(Adhesion { work_of_adhesion: 60e-3, process_zone: zone }), history);
+        let problem = IndentationProblem::new(shape.clone(), Some(Adhesion { work_of_adhesion: 60e-3, process_zone: zone }), history);
         let problem = IndentationProblem { instants_per_segment: 20, accuracy: 1e-4, ..problem };
         let material = rubber();
         for (degree, tolerance) in [(5, 1e-3), (5, 3e-5), (7, 3e-6)] {
             let clock = Instant::now();
             match march_by_panels(&material, &problem, PanelOptions { degree, tolerance }, &[]) {
-                Ok(o) => println!("{speed:e} {degree} {tolerance:e}: {:.2} s, {:?} panels {} refused {} closures {} nodes {} segments {} F {:e}", clock.elapsed().as_secs_f64(), o.end, o.panels, o.refused, o.closures, o.kernel_nodes, o.most_segments, o.least_force.force),
+                Ok(o) => println!(
+                    "{speed:e} {degree} {tolerance:e}: {:.2} s, {:?} panels {} refused {} closures {} nodes {} segments {} F {:e}",
+                    clock.elapsed().as_secs_f64(),
+                    o.end,
+                    o.panels,
+                    o.refused,
+                    o.closures,
+                    o.kernel_nodes,
+                    o.most_segments,
+                    o.least_force.force
+                ),
                 Err(e) => println!("{e}"),
             }
         }

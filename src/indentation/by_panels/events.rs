@@ -16,6 +16,7 @@ use super::line::{Break, series};
 use super::march::March;
 use super::newton::Panel;
 use super::path::Chart;
+use super::prescribed::RADIUS;
 use super::problem::End;
 
 /// Distances to kinks below this part of the zone are rounding of places.
@@ -178,8 +179,13 @@ impl March<'_> {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
         } else {
+            let radius = self.line.edge;
             stretch.control.map_or(now.depth, |control| {
-                control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
+                if control == RADIUS {
+                    radius
+                } else {
+                    control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
+                }
             })
         };
         self.upcoming += 1;

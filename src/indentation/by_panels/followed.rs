@@ -101,6 +101,8 @@ impl Memory<'_> {
 const MOST_ITERATIONS: u32 = 12;
 /// A difference, in parts of the unknown's own scale.
 const DIFFERENCE: f64 = 1e-6;
+/// Rounding of a force as a penetration, over the penetration.
+const ROUNDING: f64 = 1e-15;
 /// Least scale of an unknown place, in process zones.
 const LEAST_REACH: f64 = 1e-3;
 
@@ -147,8 +149,8 @@ pub(super) fn solved_with_depth(
         }
         let worst = found[..p].iter().fold(0.0_f64, |worst, r| worst.max(r.abs())) / stiffness;
         let off = found[p..].iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
-        let allowed = enough * stiffness * (sink / setting.scale).min(1.0);
-        let size = (worst / enough).max(off / allowed.max(1e-15 * sink));
+        let allowed = (enough * stiffness / setting.scale).min(1.0) * sink;
+        let size = (worst / enough).max(off / allowed.max(ROUNDING * depths[0].abs()));
         if size <= 1.0 && !matrix.is_empty() {
             let mut now = Instant::default();
             setting.along(&segment.times, &segment.depths, 1.0, &mut now);
@@ -175,12 +177,14 @@ pub(super) fn solved_with_depth(
                     matrix[i * 2 * p + j] = (moved[i] - found[i]) / step;
                 }
             }
-            // ∂C/∂a at fixed history: of a time, along the path.
+            // ∂C/∂a at fixed history: of a time and the Δ that goes with it, along the path.
             let slope = |i: usize| {
                 let theta = points.nodes[i + 1];
                 let diagonal = matrix[i * 2 * p + i];
-                let path = (series(&segment.places, theta).1 / series(&segment.times, theta).1).abs();
-                (if chart == Chart::TimeOfPlace { diagonal / path } else { diagonal }).abs()
+                let duration = series(&segment.times, theta).1;
+                let with_depth = matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration;
+                let speed = series(&segment.places, theta).1 / duration;
+                (if chart == Chart::TimeOfPlace { (diagonal + with_depth) / speed } else { diagonal }).abs()
             };
             stiffness = (0..p).map(slope).sum::<f64>() / p as f64;
         }

@@ -18,6 +18,10 @@ use crate::indentation::EventKind;
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
+/// Rounding of a time, over it: of a sum of durations.
+const ROUNDING_OF_TIME: f64 = 1e-14;
+/// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
+const IDLE: f64 = 1e-12;
 /// Refusals after which nothing fades.
 const FADES: u32 = 2;
 /// Excess over Δγ that a sudden change of a control makes at least.
@@ -181,6 +185,14 @@ impl<'a> March<'a> {
     pub(super) fn panel(&mut self) -> Option<End> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
+        if !self.branch.is_sudden() && self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
+            // A panel that ended where the stretch does, but for rounding.
+            self.mark(false);
+            return self.next_stretch();
+        }
+        if self.is_prescribed() {
+            return self.prescribed();
+        }
         if self.past.is_none() {
             let left = self.branch.end - self.line.time;
             if self.state.is_some() || self.branch.is_sudden() {
@@ -197,7 +209,7 @@ impl<'a> March<'a> {
             }
             let outset = self.sets_out();
             let held = self.state.is_none() && self.branch.is_held();
-            if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance {
+            if outset.speed == 0.0 || held && outset.speed.abs() * left <= tolerance || self.is_idle(outset.speed * left) {
                 // Held, everything relaxes: an edge that would not leave its tolerance rests.
                 return self.rests(left);
             }
@@ -317,6 +329,11 @@ impl<'a> March<'a> {
         self.stiffness = panel.stiffness;
         self.start_residual = panel.end_residual;
         self.accept(advances, panel, factor, floor)
+    }
+
+    /// Whether a way is rounding of what holds an elastic solid still.
+    fn is_idle(&self, way: f64) -> bool {
+        self.problem.chain.terms() == 0 && self.branch.amplitude == 0.0 && way.abs() <= IDLE * self.line.edge
     }
 
     /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.

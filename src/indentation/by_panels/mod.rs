@@ -14,6 +14,7 @@
 //! | `outset`, `jump`, `events` | directions and speeds from rest, instabilities, cuts of a panel |
 //! | `march`, `record`, `force`, `start` | the history |
 //! | `followed` | force and frame: the penetration as a second unknown |
+//! | `prescribed` | a given radius: the penetration as the only unknown |
 //! | `flight` | after the contact |
 //! | `energies`, `surface` | what is stored and lost; pressure and displacement |
 //! | `problem`, `setup`, `solve` | what is asked and given |
@@ -53,6 +54,7 @@ mod merge;
 mod newton;
 mod outset;
 mod path;
+mod prescribed;
 mod problem;
 mod record;
 mod setup;

@@ -3,6 +3,7 @@
 use super::chain::Chain;
 use super::drive::{Drive, Stretch};
 use super::followed::Control;
+use super::prescribed::RADIUS;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -31,7 +32,11 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let refusals = [
         (problem.profile.rim().is_finite(), "shapes with a rim"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
-        (given(history.controlled) || history.segments.iter().any(|segment| given(segment.controlled)), "a given contact radius"),
+        (
+            history.segments.iter().any(|segment| given(segment.controlled) && segment.duration <= 0.0),
+            "a sudden change of the contact radius",
+        ),
+        (problem.adhesion.is_none() && given(history.controlled), "a given contact radius without adhesion"),
         (problem.adhesion.is_none() && !by_depth, "a force or a sudden step without adhesion"),
         (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept or open-ended oscillations"),
     ];
@@ -46,7 +51,8 @@ pub(super) fn control_of(controlled: Controlled, frame_stiffness: f64) -> Option
     match controlled {
         Controlled::Force => Some(Control { force: 1.0, depth: 0.0 }),
         Controlled::Frame => Some(Control { force: frame_stiffness.recip(), depth: 1.0 }),
-        Controlled::Penetration | Controlled::ContactRadius => None,
+        Controlled::ContactRadius => Some(RADIUS),
+        Controlled::Penetration => None,
     }
 }
 

@@ -59,9 +59,7 @@ impl Window {
                 }
             }
         }
-        borders.extend(
-            self.cuts(line, edge).filter(|y| *y > low + SLIVER * zone && *y < high - SLIVER * zone),
-        );
+        borders.extend(self.cuts(line, edge).filter(|y| *y > low + SLIVER * zone && *y < high - SLIVER * zone));
         borders.sort_by(f64::total_cmp);
         borders.dedup_by(|x, y| (*x - *y).abs() < SLIVER * zone);
         let mut theta = from;

@@ -16,8 +16,8 @@ mod slopes;
 
 use super::row::Row;
 use crate::refusal::{Refusal, require_finite, require_positive};
-use abel::Piece;
 use crate::special::gauss_legendre::UNIT_RULE_20;
+use abel::Piece;
 use series::Series;
 
 /// Fewer points have no smooth shape.
