@@ -242,6 +242,26 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
         if number < skipped {
             continue;
         }
+        if std::env::var("COUNT").is_ok() {
+            for (degree, tolerance) in [(5, 3e-5), (7, 3e-6), (5, 3e-6)] {
+                let clock = Instant::now();
+                match march_by_panels(&material, &problem, PanelOptions { degree, tolerance }, &[]) {
+                    Ok(o) => println!(
+                        "{number} {tolerance:e} terms {}: {:.2} s, {:?} panels {} refused {} closures {} nodes {} segments {}",
+                        material.creep_terms().len(),
+                        clock.elapsed().as_secs_f64(),
+                        o.end,
+                        o.panels,
+                        o.refused,
+                        o.closures,
+                        o.kernel_nodes,
+                        o.most_segments
+                    ),
+                    Err(e) => println!("{e}"),
+                }
+            }
+            continue;
+        }
         let clock = Instant::now();
         let rival = run(&material, &problem);
         let old = clock.elapsed().as_secs_f64();

@@ -101,6 +101,8 @@ impl Memory<'_> {
 const MOST_ITERATIONS: u32 = 12;
 /// A difference, in parts of the unknown's own scale.
 const DIFFERENCE: f64 = 1e-6;
+/// Part of what the edge may leave that the control may: it costs nothing to hold it better.
+const FORCE: f64 = 1e-2;
 /// Rounding of a force as a penetration, over the penetration.
 const ROUNDING: f64 = 1e-15;
 /// Least scale of an unknown place, in process zones.
@@ -149,7 +151,7 @@ pub(super) fn solved_with_depth(
         }
         let worst = found[..p].iter().fold(0.0_f64, |worst, r| worst.max(r.abs())) / stiffness;
         let off = found[p..].iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
-        let allowed = (enough * stiffness / setting.scale).min(1.0) * sink;
+        let allowed = FORCE * (enough * stiffness / setting.scale).min(1.0) * sink;
         let size = (worst / enough).max(off / allowed.max(ROUNDING * depths[0].abs()));
         if size <= 1.0 && !matrix.is_empty() {
             let mut now = Instant::default();
@@ -177,14 +179,15 @@ pub(super) fn solved_with_depth(
                     matrix[i * 2 * p + j] = (moved[i] - found[i]) / step;
                 }
             }
-            // ∂C/∂a at fixed history: of a time and the Δ that goes with it, along the path.
+            // ∂C/∂a at fixed history: of a time, along the path. That of an elastic solid depends on time through Δ alone.
             let slope = |i: usize| {
                 let theta = points.nodes[i + 1];
                 let diagonal = matrix[i * 2 * p + i];
                 let duration = series(&segment.times, theta).1;
-                let with_depth = matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration;
+                let by_depth =
+                    if setting.chain.terms() == 0 { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
                 let speed = series(&segment.places, theta).1 / duration;
-                (if chart == Chart::TimeOfPlace { (diagonal + with_depth) / speed } else { diagonal }).abs()
+                (if chart == Chart::TimeOfPlace { (diagonal + by_depth) / speed } else { diagonal }).abs()
             };
             stiffness = (0..p).map(slope).sum::<f64>() / p as f64;
         }
