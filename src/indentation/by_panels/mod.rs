@@ -34,7 +34,7 @@
 //! Tables and power laws agree as well as spheres do (a table of eight points: degrees 5 and 7 differ by 2e-7 at 1e-6). Where what is given changes along
 //! the history, or Δ or a force changes at once, one of 72 random marches at 1e-4 and four of 40 at 1e-6 do not converge beside a turn.
 //! Not yet: bounds that are calibrated (of 818 values of 40 scenes of the calibration study 14 lay outside of ten times the distance of two paths of one tolerance),
-//! surfaces that touch again, rims, edge laws, a given radius, checkpoints, periodic states; many hundreds of cycles.
+//! surfaces that touch again, rims, edge laws, checkpoints, periodic states; many hundreds of cycles.
 
 mod chain;
 mod check;
