@@ -122,6 +122,18 @@ impl Profile {
         }
     }
 
+    /// ∫₀^s f ds′ (m²): half the volume that the shape displaces of a line of springs.
+    pub(super) fn volume(&self, s: f64) -> f64 {
+        match self {
+            Self::Paraboloid { radius } => s / radius * s * s / 3.0,
+            Self::Cone { slope } => 0.5 * FRAC_PI_2 * slope * s * s,
+            Self::FlatPunch { .. } => 0.0,
+            Self::PowerLaw { coefficient, exponent } => coefficient * s.powf(exponent + 1.0) / (exponent + 1.0),
+            Self::Table(shape) => shape.volume(s),
+            Self::Rimmed { face, rim } => face.volume(s.min(*rim)) + face.line(*rim) * (s - rim).max(0.0),
+        }
+    }
+
     /// f at the nodes of a panel, or at eight other places in rising order, as [`Profile::line`].
     pub(super) fn line_row(&self, places: &Row) -> Row {
         match self {

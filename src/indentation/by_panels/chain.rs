@@ -49,6 +49,10 @@ impl Chain {
     /// The shortest and the longest time of the bonded (ρ) or of the free (τ) chains.
     pub(super) fn times(&self, bonded: bool) -> [f64; 2] {
         let terms = if bonded { &self.relaxation } else { &self.creep };
+        if terms.is_empty() {
+            // An elastic solid has none: any will do.
+            return [1.0; 2];
+        }
         let rates = terms.iter().map(|&(_, rate)| rate);
         [rates.clone().fold(0.0, f64::max).recip(), rates.fold(f64::INFINITY, f64::min).recip()]
     }

@@ -53,6 +53,8 @@ pub(super) struct Closure {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Window {
     pub(super) zone: f64,
+    /// Displacement that it may miss at a break of the profile.
+    pub(super) blur: f64,
     pub(super) kernel: Kernel,
     pub(super) nodes: Vec<Node>,
     /// c_p and T_p′ at the nodes, rank after rank.

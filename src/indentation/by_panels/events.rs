@@ -12,16 +12,17 @@
 use super::drive::Instant;
 use super::followed::State;
 use super::force::force;
-use super::line::series;
+use super::line::{Break, series};
 use super::march::March;
 use super::newton::Panel;
 use super::path::Chart;
+use super::prescribed::RADIUS;
 use super::problem::End;
 
 /// Distances to kinks below this part of the zone are rounding of places.
 const KINK_NOISE: f64 = 1e-9;
 /// Part of the tolerance that merging may spend on the fields, and how far from the edge, in zones, segments are merged.
-const MERGE: f64 = 1e-2;
+pub(super) const MERGE: f64 = 1e-2;
 const CLEAR: f64 = 0.02;
 /// Panels between two merges.
 const MERGED_EVERY: u64 = 8;
@@ -52,6 +53,20 @@ impl March<'_> {
             }
         }
         (sign * nearest.0, nearest.1, nearest.2)
+    }
+
+    /// The first break of the profile, or its image by the zone, beyond which the rest of a way would see more of it than the tolerance.
+    pub(super) fn kink_of_shape(&self, span: f64) -> Option<f64> {
+        let (zone, sign) = (self.problem.zone, span.signum());
+        let seen = self.problem.tolerance * self.displacement();
+        let images = |at: &Break| [-1.0, 0.0, 1.0].map(|image| (sign * (at.place + image * zone), *at));
+        let of = |(way, at): (f64, Break)| {
+            let rest = span.abs() - way;
+            (way > KINK_NOISE * zone && rest > 0.0 && at.size(rest).is_some_and(|size| size > seen)).then_some(way)
+        };
+        let near = |at: &&Break| at.place.abs() < span.abs() + zone;
+        let nearest = self.line.breaks.iter().filter(near).flat_map(images).filter_map(of).fold(f64::INFINITY, f64::min);
+        nearest.is_finite().then_some(sign * nearest)
     }
 
     pub(super) fn accept(&mut self, advances: bool, panel: Panel, factor: f64, floor: bool) -> Option<End> {
@@ -167,8 +182,13 @@ impl March<'_> {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
         } else {
+            let radius = self.line.edge;
             stretch.control.map_or(now.depth, |control| {
-                control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
+                if control == RADIUS {
+                    radius
+                } else {
+                    control.force * force((chain, &self.problem.profile), &self.line, None, &now) + control.depth * now.depth
+                }
             })
         };
         self.upcoming += 1;

@@ -104,6 +104,8 @@ const MOST_ITERATIONS: u32 = 12;
 const DIFFERENCE: f64 = 1e-6;
 const OF_ITSELF: f64 = 1e-4;
 const LEAST_DIFFERENCE: f64 = 1e-12;
+/// Part of what the edge may leave that the control may: it costs nothing to hold it better.
+const FORCE: f64 = 1e-2;
 /// What rounding leaves of a control, as a part of the penetration, and of C over Δγ.
 const ROUNDING: f64 = 2e-15;
 const CLOSURE_ROUNDING: f64 = 2e-13;
@@ -157,7 +159,7 @@ pub(super) fn solved_with_depth(
         let worst = found[..p].iter().fold(0.0_f64, |worst, r| worst.max(r.abs())) / stiffness;
         let off = found[p..].iter().fold(0.0_f64, |worst, r| worst.max(r.abs()));
         // As a part of what it acts upon, or rounding.
-        let allowed = (enough * stiffness / setting.scale * sink).max(ROUNDING * depth_scale);
+        let allowed = (FORCE * (enough * stiffness / setting.scale) * sink).max(ROUNDING * depth_scale);
         let size = (worst / enough.max(CLOSURE_ROUNDING * setting.scale / stiffness)).max(off / allowed);
         if size <= 1.0 && !matrix.is_empty() {
             let mut now = Instant::default();
@@ -185,12 +187,15 @@ pub(super) fn solved_with_depth(
                     matrix[i * 2 * p + j] = (moved[i] - found[i]) / step;
                 }
             }
-            // ∂C/∂a at fixed history: of a time, along the path.
+            // ∂C/∂a at fixed history: of a time, along the path. That of an elastic solid depends on time through Δ alone.
             let slope = |i: usize| {
                 let theta = points.nodes[i + 1];
                 let diagonal = matrix[i * 2 * p + i];
-                let path = (series(&segment.places, theta).1 / series(&segment.times, theta).1).abs();
-                (if chart == Chart::TimeOfPlace { diagonal / path } else { diagonal }).abs()
+                let duration = series(&segment.times, theta).1;
+                let by_depth =
+                    if setting.chain.terms() == 0 { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
+                let speed = series(&segment.places, theta).1 / duration;
+                (if chart == Chart::TimeOfPlace { (diagonal + by_depth) / speed } else { diagonal }).abs()
             };
             stiffness = (0..p).map(slope).sum::<f64>() / p as f64;
         }

@@ -184,21 +184,44 @@ pub(super) struct Line {
     pub(super) inside: Vec<Segment>,
     pub(super) outside: Vec<Segment>,
     /// Places of no smooth continuation of the profile.
-    pub(super) breaks: Vec<f64>,
+    pub(super) breaks: Vec<Break>,
+}
+
+/// A place of no smooth continuation of the profile.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Break {
+    pub(super) place: f64,
+    /// b and c of what f has more beyond it, b·h^{3/2} + c·h^{5/2}; None where pieces only grow towards a place that is rough.
+    pub(super) roots: Option<[f64; 2]>,
+}
+
+/// What eight nodes over a stretch with such a root within it leave of its value at the end.
+const LEFT: [f64; 2] = [4e-4, 2e-5];
+
+impl Break {
+    /// What f has more at a way beyond the place.
+    pub(super) fn size(&self, way: f64) -> Option<f64> {
+        self.roots.map(|[b, c]| (b.abs() + c.abs() * way) * way * way.sqrt())
+    }
+
+    /// Whether eight nodes over a stretch miss more of f than allowed.
+    pub(super) fn cuts(&self, stretch: f64, allowed: f64) -> bool {
+        self.roots.is_none_or(|[b, c]| (LEFT[0] * b.abs() + LEFT[1] * c.abs() * stretch) * stretch * stretch.sqrt() > allowed)
+    }
 }
 
 impl Line {
     /// Relaxed inside and untouched outside; `breaks`: radii at which the profile has no smooth continuation.
-    pub(super) fn new(edge: f64, breaks: &[f64]) -> Self {
+    pub(super) fn new(edge: f64, breaks: &[Break]) -> Self {
         let (inside, outside) = (vec![Segment::blank(-edge, 0.0)], vec![Segment::blank(0.0, f64::INFINITY)]);
-        let mut breaks: Vec<f64> = breaks.iter().map(|radius| radius - edge).collect();
-        breaks.sort_by(f64::total_cmp);
+        let mut breaks: Vec<Break> = breaks.iter().map(|at| Break { place: at.place - edge, ..*at }).collect();
+        breaks.sort_by(|one, other| one.place.total_cmp(&other.place));
         Self { edge, time: 0.0, rest: (0.0, 0.0), inside, outside, breaks }
     }
 
     /// Two places with the breaks of the profile between them, in their order.
     pub(super) fn broken(&self, low: f64, high: f64) -> impl Iterator<Item = f64> {
-        let between = self.breaks.iter().copied().filter(move |place| *place > low && *place < high);
+        let between = self.breaks.iter().map(|at| at.place).filter(move |place| *place > low && *place < high);
         std::iter::once(low).chain(between).chain(std::iter::once(high))
     }
 
@@ -254,7 +277,7 @@ impl Line {
             segment.place -= way;
             segment.time -= duration;
         }
-        self.breaks.iter_mut().for_each(|place| *place -= way);
+        self.breaks.iter_mut().for_each(|at| at.place -= way);
         (self.edge, self.rest.0) = added(self.edge, self.rest.0, way);
         (self.time, self.rest.1) = added(self.time, self.rest.1, duration);
     }

@@ -6,7 +6,7 @@
 use super::check::checked;
 use super::closure::Window;
 use super::drive::{Branch, Stretch};
-use super::events::{Mark, first_crossing, turning};
+use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
@@ -18,6 +18,10 @@ use crate::indentation::EventKind;
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
+/// Rounding of a time, over it: of a sum of durations.
+const ROUNDING_OF_TIME: f64 = 1e-14;
+/// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
+const IDLE: f64 = 1e-12;
 /// Refusals after which nothing fades.
 const FADES: u32 = 2;
 /// Excess over Δγ that a sudden change of a control makes at least.
@@ -111,6 +115,7 @@ impl<'a> March<'a> {
             panel_residual: 0.0,
             outcome,
         };
+        march.window.blur = MERGE * problem.tolerance * march.displacement();
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
         if !problem.relaxed && problem.adhesion.is_some() {
@@ -185,6 +190,14 @@ impl<'a> March<'a> {
     pub(super) fn panel(&mut self) -> Option<End> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
+        if !self.branch.is_sudden() && self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
+            // A panel that ended where the stretch does, but for rounding.
+            self.mark(false);
+            return self.next_stretch();
+        }
+        if self.is_prescribed() {
+            return self.prescribed();
+        }
         if self.past.is_none() {
             let left = self.branch.end - self.line.time;
             if self.state.is_some() || self.branch.is_sudden() {
@@ -203,7 +216,7 @@ impl<'a> March<'a> {
             let held = self.state.is_none() && self.branch.is_held();
             // Held, everything relaxes. However little an edge goes it has another K than one that rests: it is followed, down to rounding or where panels end.
             let least = if self.refusals >= PATIENCE { tolerance } else { REST * zone };
-            if outset.speed == 0.0 || held && outset.speed.abs() * left <= least {
+            if outset.speed == 0.0 || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
                 return self.rests(left);
             }
             if !outset.stable {
@@ -220,6 +233,9 @@ impl<'a> March<'a> {
                 span = kink;
             } else if span.abs() > 0.6 * kink.abs() && span.abs() < kink.abs() {
                 span = 0.5 * kink;
+            }
+            if let Some(kink) = self.kink_of_shape(span) {
+                span = kink;
             }
             let least = if self.problem.adhesion.is_some() { FLOOR * zone - self.line.edge } else { -self.line.edge };
             if span < least {
@@ -320,6 +336,11 @@ impl<'a> March<'a> {
         self.stiffness = panel.stiffness;
         (self.start_residual, self.start_rate) = (panel.end_residual, 0.0);
         self.accept(advances, panel, factor, floor)
+    }
+
+    /// Whether a way is rounding of what holds an elastic solid still.
+    fn is_idle(&self, way: f64) -> bool {
+        self.problem.chain.terms() == 0 && self.branch.amplitude == 0.0 && way.abs() <= IDLE * self.line.edge
     }
 
     /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.

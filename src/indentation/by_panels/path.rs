@@ -14,6 +14,7 @@ use super::followed::State;
 use super::force::force;
 use super::gauss::{inverse, radau};
 use super::line::{Line, SERIES, Segment, chebyshev, field, series};
+use super::prescribed::RADIUS;
 use crate::indentation::Profile;
 
 /// Which unknown a panel has.
@@ -105,7 +106,7 @@ impl Setting<'_> {
     /// The sudden change of Δ that brings a control to its value; 0 where Δ is given.
     pub(super) fn imbalance(&self, way: Option<Way<'_>>, now: &Instant) -> f64 {
         let Motion::Followed(_, branch) = self.motion else { return 0.0 };
-        let Some(control) = branch.control else { return 0.0 };
+        let Some(control) = branch.control.filter(|control| *control != RADIUS) else { return 0.0 };
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let force = force((self.chain, self.profile), self.line, way, now);
         let (target, _) = branch.value((self.line.time - branch.start) + now.time);

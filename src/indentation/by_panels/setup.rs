@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::drive::{Drive, Stretch};
 use super::followed::Control;
-use super::gauss::Gauss;
+use super::prescribed::RADIUS;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
 use crate::material::Material;
 use crate::refusal::Refusal;
@@ -17,12 +17,6 @@ const SAME_PACE: f64 = 1e-14;
 
 pub(super) fn chain_of(material: &Material) -> Result<Chain, Refusal> {
     let relaxed = material.solid_modulus("the relaxed contact")?;
-    if material.relaxation_terms().is_empty() {
-        return Err(Refusal::Undefined {
-            quantity: "the path of the edge by panels",
-            reason: "an elastic solid has no time of its own".into(),
-        });
-    }
     let creep: Vec<_> = material.creep_terms().iter().map(|term| (term.compliance, term.retardation_time)).collect();
     let relaxation: Vec<_> = material.relaxation_terms().iter().map(|term| (term.modulus, term.relaxation_time)).collect();
     Ok(Chain::new(material.glassy_modulus(), relaxed, &creep, &relaxation))
@@ -38,7 +32,11 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let refusals = [
         (problem.profile.rim().is_finite(), "shapes with a rim"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
-        (given(history.controlled) || history.segments.iter().any(|segment| given(segment.controlled)), "a given contact radius"),
+        (
+            history.segments.iter().any(|segment| given(segment.controlled) && segment.duration <= 0.0),
+            "a sudden change of the contact radius",
+        ),
+        (problem.adhesion.is_none() && given(history.controlled), "a given contact radius without adhesion"),
         (problem.adhesion.is_none() && !by_depth, "a force or a sudden step without adhesion"),
         (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept or open-ended oscillations"),
     ];
@@ -53,20 +51,14 @@ pub(super) fn control_of(controlled: Controlled, frame_stiffness: f64) -> Option
     match controlled {
         Controlled::Force => Some(Control { force: 1.0, depth: 0.0 }),
         Controlled::Frame => Some(Control { force: frame_stiffness.recip(), depth: 1.0 }),
-        Controlled::Penetration | Controlled::ContactRadius => None,
+        Controlled::ContactRadius => Some(RADIUS),
+        Controlled::Penetration => None,
     }
 }
 
 /// c_F F + c_D Δ of an elastic contact.
 pub(super) fn imposed(profile: &Profile, modulus: f64, control: Control, edge: f64, depth: f64) -> f64 {
-    let rule = Gauss::get();
-    let breaks = profile.breaks(edge);
-    let piece = |pair: &[f64]| -> f64 {
-        let (from, span) = (pair[0], pair[1] - pair[0]);
-        rule.nodes.iter().zip(rule.weights).map(|(x, weight)| weight * span * profile.line(from + span * x)).sum()
-    };
-    let volume: f64 = breaks.windows(2).map(piece).sum();
-    control.force * 2.0 * modulus * (edge * depth - volume) + control.depth * depth
+    control.force * 2.0 * modulus * (edge * depth - profile.volume(edge)) + control.depth * depth
 }
 
 /// The penetration at which a control has a value, on the branch that is stable far out: from there inwards to the first crossing.

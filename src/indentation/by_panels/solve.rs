@@ -1,10 +1,12 @@
 //! From a problem of this crate to its panels, and one path of its edge.
 
+use super::jump::FLOOR;
 use super::march::March;
+use super::prescribed::{RADIUS, depth_of};
 use super::problem::{End, Outcome, Problem};
 use super::setup::{chain_of, control_of, drive_of, radius_of, started, supported};
 use super::start::elastic_start;
-use crate::indentation::{IndentationProblem, Start};
+use crate::indentation::{Controlled, IndentationProblem, Start};
 use crate::material::Material;
 use crate::refusal::{Refusal, require_positive};
 
@@ -63,10 +65,16 @@ pub(super) fn marched(
             let radius = |depth: f64| elastic_start(&problem.profile, modulus, work, zone, depth);
             let depth = match control_of(history.controlled, frame) {
                 None => history.start,
+                Some(RADIUS) => 0.0,
                 Some(control) => started(&problem.profile, modulus, control, history.start, radius)
                     .ok_or_else(|| none("the value of the control there", history.start))?,
             };
-            (Some(work), zone, radius(depth).ok_or_else(|| none("the process zone", zone))?, depth)
+            let edge = match history.controlled {
+                Controlled::ContactRadius if history.start > FLOOR * zone => history.start,
+                Controlled::ContactRadius => return Err(none("the process zone", zone)),
+                _ => radius(depth).ok_or_else(|| none("the process zone", zone))?,
+            };
+            (Some(work), zone, edge, depth)
         }
         None => {
             let deepest = history.segments.iter().map(|segment| segment.end + segment.oscillation.map_or(0.0, |o| o.amplitude));
@@ -87,6 +95,10 @@ pub(super) fn marched(
         instants: instants.to_vec(),
         energies: problem.energies,
         surface,
+    };
+    let depth = match history.controlled {
+        Controlled::ContactRadius => depth_of(&own, modulus, edge).ok_or_else(|| none("the contact radius there", edge))?,
+        _ => depth,
     };
     let outcome = March::new(&own, edge, depth).run();
     // The widest contacts are at ends of panels: an edge that turns back ends one.

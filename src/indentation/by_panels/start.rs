@@ -3,15 +3,15 @@
 use super::chain::Chain;
 use super::closure::Window;
 use super::drive::Instant;
-use super::line::{Line, Segment};
+use super::line::{Break, Line, Segment};
 use super::problem::Problem;
 use crate::indentation::Profile;
 
 /// Radii at which a profile has no smooth continuation, of a contact of about a radius.
-pub(super) fn breaks(profile: &Profile, edge: f64) -> Vec<f64> {
-    match profile {
-        Profile::Table(shape) => profile.breaks(shape.reach()),
-        _ => profile.breaks(edge),
+pub(super) fn breaks(profile: &Profile, edge: f64) -> Vec<Break> {
+    match profile.face() {
+        Profile::Table(shape) => shape.roots().into_iter().map(|(place, roots)| Break { place, roots: Some(roots) }).collect(),
+        _ => profile.breaks(edge).into_iter().map(|place| Break { place, roots: None }).collect(),
     }
 }
 
@@ -46,8 +46,11 @@ pub(super) fn elastic_start(profile: &Profile, modulus: f64, adhesion: f64, zone
     let chain = Chain::new(modulus, modulus, &[], &[]);
     let mut window = Window::new(zone);
     let now = Instant { depth, base: modulus * depth, ..Instant::default() };
+    // Those of a table do not depend on the edge.
+    let fixed = matches!(profile.face(), Profile::Table(_)).then(|| breaks(profile, zone));
     let mut excess = |edge: f64| {
-        let value = window.closure((&chain, profile), &Line::new(edge, &breaks(profile, edge)), None, &now, false).value;
+        let line = fixed.as_ref().map_or_else(|| Line::new(edge, &breaks(profile, edge)), |breaks| Line::new(edge, breaks));
+        let value = window.closure((&chain, profile), &line, None, &now, false).value;
         (if depth > profile.line(edge) { -value } else { value }) - adhesion
     };
     let mut high = 1.05 * zone;
@@ -66,6 +69,9 @@ pub(super) fn elastic_start(profile: &Profile, modulus: f64, adhesion: f64, zone
     }
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
         if excess(middle) > 0.0 { high = middle } else { low = middle }
     }
     Some(0.5 * (low + high))

@@ -8,7 +8,7 @@
 use super::chain::Chain;
 use super::closure::{Node, Way, Window};
 use super::drive::Instant;
-use super::gauss::Gauss;
+use super::gauss::{Gauss, NODES};
 use super::line::{FADED, Line, Segment, field};
 use crate::indentation::Profile;
 
@@ -56,12 +56,7 @@ impl Window {
                 }
             }
         }
-        borders.extend(
-            line.breaks
-                .iter()
-                .flat_map(|place| [edge - place, zone - (place - edge)])
-                .filter(|y| *y > low + SLIVER * zone && *y < high - SLIVER * zone),
-        );
+        borders.extend(self.cuts(line, edge).filter(|y| *y > low + SLIVER * zone && *y < high - SLIVER * zone));
         borders.sort_by(f64::total_cmp);
         borders.dedup_by(|x, y| (*x - *y).abs() < SLIVER * zone);
         let mut theta = from;
@@ -74,6 +69,13 @@ impl Window {
             self.graded(scene, Piece { inner, outer, lead: Some(inside), under_way: Some(inside), from: theta, to: next });
             (theta, y) = (next, end);
         }
+    }
+
+    /// Breaks of the profile that eight nodes over the zone would miss, on both sides of an edge.
+    fn cuts(&self, line: &Line, edge: f64) -> impl Iterator<Item = f64> {
+        let (zone, blur) = (self.zone, self.blur);
+        let near = line.breaks.iter().filter(move |at| (at.place - edge).abs() < zone && at.cuts(zone, blur));
+        near.flat_map(move |at| [edge - at.place, zone - (at.place - edge)])
     }
 
     /// The part of the window between segments of the past.
@@ -90,7 +92,7 @@ impl Window {
                 }
             }
         }
-        borders.extend(line.breaks.iter().flat_map(|place| [edge - place, zone - (place - edge)]).filter(|y| *y > low && *y < high));
+        borders.extend(self.cuts(line, edge).filter(|y| *y > low && *y < high));
         borders.sort_by(f64::total_cmp);
         for pair in borders.windows(2) {
             let (from, to) = (pair[0], pair[1]);
@@ -136,17 +138,18 @@ impl Window {
 
     pub(super) fn fill(&mut self, scene: &Scene<'_>, piece: Piece<'_>) {
         let span = piece.to - piece.from;
-        for x in Gauss::get().nodes {
+        let rule = Gauss::get();
+        let both = rule.nodes.map(|x| thetas(scene, &piece, piece.from + span * x));
+        let mut nodes = [Node { theta: f64::NAN, slope: f64::NAN, ..Node::default() }; NODES];
+        for ((node, x), [inner, outer]) in nodes.iter_mut().zip(rule.nodes).zip(&both) {
             let u = piece.from + span * x;
-            let mut node = Node { theta: f64::NAN, slope: f64::NAN, ..Node::default() };
-            let [inner, outer] = thetas(scene, &piece, u);
             node.y = match piece.lead {
                 None => {
                     node.stretch = span;
                     u
                 }
                 Some(inside) => {
-                    let (place, slope) = if inside { piece.inner.place_at(inner) } else { piece.outer.place_at(outer) };
+                    let (place, slope) = if inside { piece.inner.place_at(*inner) } else { piece.outer.place_at(*outer) };
                     node.stretch = -slope * span;
                     if piece.under_way.is_some() {
                         (node.theta, node.slope) = (u, slope);
@@ -154,9 +157,16 @@ impl Window {
                     if inside { scene.edge - place } else { scene.edge + scene.zone - place }
                 }
             };
-            let heights = [scene.edge - node.y, scene.edge + scene.zone - node.y].map(|s| scene.profile.line(scene.origin + s));
-            node.inner = field(scene.chain, true, piece.inner, inner, heights[0], scene.now);
-            node.outer = field(scene.chain, false, piece.outer, outer, heights[1], scene.now);
+        }
+        // y rises along the window, so the places fall: eight of them at once, in rising order.
+        let heights = [scene.edge, scene.edge + scene.zone].map(|from| {
+            let places = std::array::from_fn(|k| scene.origin + (from - nodes[NODES - 1 - k].y));
+            scene.profile.line_row(&places)
+        });
+        for (k, (mut node, [inner, outer])) in nodes.into_iter().zip(both).enumerate() {
+            let [height_inside, height_outside] = heights.map(|row| row[NODES - 1 - k]);
+            node.inner = field(scene.chain, true, piece.inner, inner, height_inside, scene.now);
+            node.outer = field(scene.chain, false, piece.outer, outer, height_outside, scene.now);
             if piece.under_way == Some(true) {
                 node.outer.memory = 0.0;
             } else {

@@ -45,6 +45,12 @@ impl Piece {
         piece
     }
 
+    /// By how much z″ and half of z‴ jump from the piece before to this one.
+    pub(super) fn jumps(&self, before: &Self) -> [f64; 2] {
+        let ([_, b, c], [_, b0, c0]) = (self.coefficients, before.coefficients);
+        [b - (b0 + 2.0 * c0 * (before.high - before.low)), c - c0]
+    }
+
     pub(super) fn height(&self, r: f64) -> f64 {
         let x = r - self.low;
         let [a, b, c] = self.coefficients;

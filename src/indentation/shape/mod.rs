@@ -16,8 +16,10 @@ mod slopes;
 
 use super::row::Row;
 use crate::refusal::{Refusal, require_finite, require_positive};
+use crate::special::gauss_legendre::UNIT_RULE_20;
 use abel::Piece;
 use series::Series;
+use std::sync::OnceLock;
 
 /// Fewer points have no smooth shape.
 const FEWEST: usize = 4;
@@ -26,8 +28,14 @@ const MOST: usize = 2000;
 /// A break this near to an end of a panel, relative, is left out.
 const CLEARANCE: f64 = 1e-9;
 
+/// ∫f from a point on: in the root of the way, where f is smooth.
+fn integral(series: &Series, from: f64, to: f64) -> f64 {
+    let root = (to - from).max(0.0).sqrt();
+    UNIT_RULE_20.iter().map(|(x, weight)| weight * 2.0 * root * root * x * series.value(from + (root * x).powi(2))).sum()
+}
+
 /// An axisymmetric shape z(r) through points, and its line profile. Cheap to share in an `Arc`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct TabulatedShape {
     /// Of the last point (m): inside, all lengths are in it.
     end: f64,
@@ -36,6 +44,15 @@ pub struct TabulatedShape {
     /// r_i over `end`, from 0 to 1.
     knots: Vec<f64>,
     series: Series,
+    /// ∫f up to every point, once it is asked for.
+    volumes: OnceLock<Vec<f64>>,
+}
+
+impl PartialEq for TabulatedShape {
+    /// The integrals follow from the rest.
+    fn eq(&self, other: &Self) -> bool {
+        self.end.to_bits() == other.end.to_bits() && self.height.to_bits() == other.height.to_bits() && self.knots == other.knots && self.series == other.series
+    }
 }
 
 impl TabulatedShape {
@@ -83,7 +100,7 @@ impl TabulatedShape {
                 limit: place * end,
             });
         }
-        Ok(Self { end, height, knots, series })
+        Ok(Self { end, height, knots, series, volumes: OnceLock::new() })
     }
 
     /// The radius of the last point (m): beyond it there is no shape.
@@ -147,6 +164,36 @@ impl TabulatedShape {
         let (from, to) = (low / self.end * (1.0 + CLEARANCE), high / self.end * (1.0 - CLEARANCE));
         let [first, last] = [from, to].map(|end| self.knots.partition_point(|knot| *knot <= end));
         self.knots.get(first..last).unwrap_or(&[]).iter().filter(|knot| **knot > 0.0).map(|knot| knot * self.end).collect()
+    }
+
+    /// Places (m) beyond which f has a root more, and its factors: b·h^{3/2} + c·h^{5/2} at h (m) beyond the place, from jumps of z″ and z‴.
+    pub(super) fn roots(&self) -> Vec<(f64, [f64; 2])> {
+        let of = |pair: &[Piece]| {
+            let [before, piece] = pair else { return None };
+            let [second, third] = piece.jumps(before);
+            let scale = self.height * (0.5 * piece.low).sqrt();
+            let factors = [4.0 / 3.0 * scale * second / self.end.powf(1.5), 16.0 / 15.0 * scale * third / self.end.powf(2.5)];
+            Some((piece.low * self.end, factors))
+        };
+        self.series.pieces().windows(2).filter_map(of).collect()
+    }
+
+    fn volumes_of_points(&self) -> Vec<f64> {
+        let mut volumes = vec![0.0];
+        for pair in self.knots.windows(2) {
+            let before = volumes.last().copied().unwrap_or(0.0);
+            volumes.push(before + integral(&self.series, pair[0], pair[1]));
+        }
+        volumes
+    }
+
+    /// ∫₀^s f ds′ (m²).
+    pub(super) fn volume(&self, s: f64) -> f64 {
+        let x = s / self.end;
+        let index = self.knots.partition_point(|knot| *knot <= x.min(1.0)).saturating_sub(1);
+        let from = self.knots.get(index).copied().unwrap_or(0.0);
+        let before = self.volumes.get_or_init(|| self.volumes_of_points()).get(index).copied().unwrap_or(0.0);
+        (before + integral(&self.series, from, x)) * self.height * self.end
     }
 
     /// 0, the points below a place (m), and the place: between them f is smooth.

@@ -78,6 +78,10 @@ impl Series {
         })
     }
 
+    pub(super) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
     pub(super) fn piece(&self, s: f64) -> Option<&Piece> {
         self.pieces.get(self.index(s))
     }
