@@ -46,6 +46,7 @@ pub(super) fn limits_are_errors() {
     }
 }
 
+#[cfg_attr(not(unix), allow(dead_code))]
 fn words(partial: Option<&str>, states: usize) -> String {
     let Some(partial) = partial else {
         return "\ninterrupted: nothing is kept; a run with --out DIR goes on where it was interrupted\n".to_owned();
