@@ -169,15 +169,26 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         first.chain(problem.history.segments.iter().map(kept)).flat_map(|(controlled, times)| std::iter::repeat_n(controlled, times));
     let works = solution.instants.iter().filter_map(|instant| instant.energies).map(|[_, _, work, _]| work.value.abs());
     let most_work = works.fold(0.0, f64::max);
+    let largest = |place: usize| {
+        let energies = solution.instants.iter().filter_map(|instant| instant.energies);
+        energies.filter_map(|energies| energies.get(place).copied()).fold(0.0, |most: f64, energy| most.max(energy.value.abs()))
+    };
+    let (most_stored, most_power) = (largest(0), largest(1));
+    let of_strain = unknown / solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
     let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
     for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth(controlled));
         wider(&mut instant.force, of_force(a));
         wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
-        if let Some([.., lost]) = &mut instant.energies {
+        if let Some([stored, power, work, lost]) = &mut instant.energies {
+            // Both courses may take the same panels of time, and then agree about what these leave.
+            wider(work, not_known.sums * most_work);
             // What is lost is a difference of sums.
             wider(lost, OF_DIFFERENCE.max(not_known.sums) * most_work);
+            // Both are squares of strains.
+            wider(stored, 2.0 * of_strain * most_stored);
+            wider(power, 2.0 * of_strain * most_power);
         }
     }
     for cycle in &mut solution.cycles {

@@ -1,7 +1,7 @@
 //! Pressure, gap and displacement along the surface of a partial contact, with bounds.
 //!
-//! A field follows from both edges and the load. Its bound is what it changes at its place where each of these three moves by its own bound, in a contact that is solved
-//! and evaluated at the next finer resolution, and rounding of the terms that it is a sum of. Nearer to an edge than that edge is known, a place is a distance from it:
+//! A field follows from both edges and the load. Its bound is what it changes at its place from its resolution to the next finer one, and where each of these three moves
+//! by its own bound, and rounding of the terms that it is a sum of. Nearer to an edge than that edge is known, a place is a distance from it:
 //! there a field goes as a root of the distance, at most.
 
 use super::SlidingPlan;
@@ -20,6 +20,8 @@ const CLEAR: f64 = 4.0;
 /// A contact and the three that its bounds leave open.
 struct Fields<'a> {
     state: &'a ContactState,
+    /// The contact itself at the finer resolution.
+    finer: Option<ContactState>,
     /// How far both edges move, and the contact then.
     moved: Vec<([f64; 2], ContactState)>,
     /// Errors of the trailing and the leading edge.
@@ -38,7 +40,8 @@ impl<'a> Fields<'a> {
             moves.into_iter().filter_map(|(edges, load)| Some((edges, state.moved(edges, load).ok()?))).collect();
         let lost = moves.len() - moved.len();
         let accuracy = if lost > 0 { partial.certificate.accuracy } else { 0.0 };
-        Self { state, moved, edges, accuracy, rounding: ROUNDING * (1.0 + state.condition().ln()) }
+        let finer = state.moved([0.0; 2], 0.0).ok();
+        Self { state, finer, moved, edges, accuracy, rounding: ROUNDING * (1.0 + state.condition().ln()) }
     }
 
     /// A field at a point, its distance from the nearer edge being given; `field` is its value and the size of its terms, `outwards` the sign in which the distance to each
@@ -57,12 +60,14 @@ impl<'a> Fields<'a> {
                 error += 0.5 * value.abs() * edge / distance;
             }
         }
+        let finer = self.finer.as_ref().map_or(value, |state| field(state, point).0);
+        error += (finer - value).abs();
         for (edges, state) in &self.moved {
             // A place that is not clear of an edge moves with it.
             let unclear = (0..2).find(|&index| near[index] < CLEAR * self.edges[index]);
             let shift = unclear.map_or(0.0, |index| edges[index]);
             let moved = |index: usize| near[index] + outwards[index] * (edges[index] - shift);
-            error += (field(state, ArcPoint { from_trailing: moved(0), from_leading: moved(1) }).0 - value).abs();
+            error += (field(state, ArcPoint { from_trailing: moved(0), from_leading: moved(1) }).0 - finer).abs();
         }
         Estimate::new(value, error)
     }

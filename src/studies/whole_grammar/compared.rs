@@ -12,6 +12,12 @@ use std::collections::BTreeMap;
 /// Two times of a history are one if they agree to this part of the longer.
 const SAME_TIME: f64 = 1e-9;
 
+/// What the last digits of inputs, written in other units, leave of a number, over itself.
+const INPUTS: f64 = 4.0 * f64::EPSILON;
+
+/// Columns that describe the run that was made, not the contact or crack: counts of work, and what a run itself left of its equations.
+const OF_THE_RUN: [&str; 6] = ["steps", "most_pieces", "most_panels", "residual", "power_balance_defect", "point"];
+
 /// A number with the column that it stands in.
 #[derive(Debug, Clone)]
 pub struct Value {
@@ -81,17 +87,23 @@ fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
     for ((state, labels), truths) in theirs {
         let founds = ours.remove(&(state, labels.clone())).unwrap_or_default();
         let name = format!("{state} {}", labels.join(" "));
-        if founds.len() == truths.len() {
+        let at = |row: &Row| time.and_then(|column| row.value(column));
+        let event = labels.first().is_some_and(|label| label == "event");
+        let together = |found: &Row, truth: &Row| match (at(found), at(truth)) {
+            (Some(one), Some(two)) => event || (one - two).abs() <= SAME_TIME * one.abs().max(two.abs()),
+            _ => true,
+        };
+        if founds.len() == truths.len() && founds.iter().zip(&truths).all(|(found, truth)| together(found, truth)) {
             founds.iter().zip(&truths).for_each(|(found, truth)| pair(judged, (&name, found, truth), &exact_columns(exact), exact));
             continue;
         }
-        judged.unmatched.push(format!("{name}: {} rows, and {} at the tighter accuracy", founds.len(), truths.len()));
+        // Points between instants stand where steps of the solver ended.
+        if time.is_none() || event {
+            judged.unmatched.push(format!("{name}: {} rows, and {} at the tighter accuracy", founds.len(), truths.len()));
+            continue;
+        }
         for found in &founds {
-            let at = |row: &Row| time.and_then(|column| row.value(column));
-            let partner = truths.iter().find(|truth| match (at(found), at(truth)) {
-                (Some(one), Some(two)) => (one - two).abs() <= SAME_TIME * one.abs().max(two.abs()),
-                _ => false,
-            });
+            let partner = truths.iter().find(|truth| together(found, truth));
             if let Some(truth) = partner {
                 pair(judged, (&name, found, truth), &exact_columns(exact), exact);
             }
@@ -111,7 +123,7 @@ fn pair(judged: &mut Judged, (name, found, truth): (&str, &Row, &Row), columns: 
         judged.unmatched.push(format!("{name}: {}, and {} at the tighter accuracy", found.status.word(), truth.status.word()));
         return;
     }
-    for (index, (column, unit)) in columns.iter().enumerate() {
+    for (index, (column, unit)) in columns.iter().enumerate().filter(|(_, (column, _))| !OF_THE_RUN.contains(&column.as_str())) {
         let at = |row: &Row| row.values.get(index).copied().flatten();
         match (at(found), at(truth)) {
             (Some(value), Some(other)) => {
@@ -135,6 +147,7 @@ fn pair(judged: &mut Judged, (name, found, truth): (&str, &Row, &Row), columns: 
 }
 
 fn value_of(column: String, row: &str, (found, truth): (Estimate, Estimate), scale: f64) -> Value {
+    let truth = Estimate::new(truth.value, truth.error + INPUTS * truth.value.abs());
     let compared = Compared { quantity: "", found, truth, scale, floor: 0.0 };
     Value { column, row: row.to_owned(), compared, exact: found.error == 0.0 }
 }
@@ -151,15 +164,16 @@ fn fields(judged: &mut Judged, name: &str, (found, truth): (&Row, &Row), outcome
         for (place, column) in names.iter().enumerate() {
             let (Some(value), Some(exact)) = (one.values.get(place), other.values.get(place)) else { continue };
             let moved = one.place - other.place;
-            let slope = [around(0), around(1)].into_iter().flatten().filter_map(|next| {
-                let rise = next.values.get(place)?.value - exact.value;
+            let slopes = [around(0), around(1)].map(|next| {
+                let next = next?;
                 let run = next.place - other.place;
-                (run != 0.0).then_some((rise / run).abs())
+                (run != 0.0).then(|| (next.values.get(place).map_or(f64::NAN, |value| value.value) - exact.value) / run)
             });
-            // Between the slopes on both sides.
-            let slope = slope.fold(0.0, f64::max);
-            let unknown = if moved == 0.0 { 0.0 } else { slope * moved.abs() };
-            let truth = Estimate::new(exact.value, exact.error + unknown);
+            // The truth at the place of the found one, between the slopes on both sides.
+            let [one_side, other_side] = [slopes[0].or(slopes[1]).unwrap_or(0.0), slopes[1].or(slopes[0]).unwrap_or(0.0)];
+            let (slope, unknown) = (0.5 * (one_side + other_side), (one_side - other_side).abs());
+            let (carried, unknown) = if moved == 0.0 { (0.0, 0.0) } else { (slope * moved, unknown * moved.abs()) };
+            let truth = Estimate::new(exact.value + carried, exact.error + unknown);
             let row = format!("{name} at {:e}", one.place);
             let scale = scales.get(place).copied().unwrap_or(0.0);
             judged.values.push(value_of(format!("fields: {column}"), &row, (*value, truth), scale));

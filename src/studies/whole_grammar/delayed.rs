@@ -96,16 +96,11 @@ fn history(text: &mut Text, controlled: &Controlled, span: f64) -> Vec<String> {
             )]
         }
         _ => {
-            let header = if text.reduced {
-                "a, b, g\n".to_owned()
-            } else {
-                format!("a in s, b in {}, g in m\n", units.first().map_or("1", |unit| unit.0))
-            };
-            let rows: Vec<String> = [(0.0, 0.0), (0.2, 0.5), (0.5, 1.0), (0.9, 1.05), (1.2, lower), (1.6, 1.1)]
+            let rows: Vec<String> = [(0.0, 0.02), (0.2, 0.5), (0.5, 1.0), (0.9, 1.05), (1.2, lower), (1.6, 1.1)]
                 .iter()
                 .map(|(when, part)| format!("{:e}, {:e}, 0", when * span, part * unit))
                 .collect();
-            text.files.push(("record.csv".to_owned(), format!("{header}{}\n", rows.join("\n"))));
+            text.files.push(("record.csv".to_owned(), format!("a, b, g\n{}\n", rows.join("\n"))));
             let names = if text.reduced { ["a", "b", "g"] } else { ["a in s", "b in B", "g in m"] };
             let own = names[1].replace('B', units.first().map_or("1", |unit| unit.0));
             let mut more = String::new();

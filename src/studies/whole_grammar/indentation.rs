@@ -300,12 +300,12 @@ fn table(text: &mut Text, word: &str, (span, value): (f64, f64), units: Units) -
         .iter()
         .map(|(when, part)| format!("{:e}, {:e}, 0", when * span, sign * part * value))
         .collect();
-    let (header, names) = if text.reduced {
-        ("a, b, c\n".to_owned(), ["a".to_owned(), "b".to_owned(), "c".to_owned()])
+    let names = if text.reduced {
+        ["a".to_owned(), "b".to_owned(), "c".to_owned()]
     } else {
-        (format!("a in s, b in {own}, c in N\n"), ["a in s".to_owned(), format!("b in {own}"), "c in N".to_owned()])
+        ["a in s".to_owned(), format!("b in {own}"), "c in N".to_owned()]
     };
-    text.files.push(("record.csv".to_owned(), format!("{header}{}\n", rows.join("\n"))));
+    text.files.push(("record.csv".to_owned(), format!("a, b, c\n{}\n", rows.join("\n"))));
     let mut columns = format!("time = \"{}\", {word} = \"{}\"", names[0], names[1]);
     if word != "force" && text.chance(0.5) {
         columns += &format!(", force = \"{}\"", names[2]);

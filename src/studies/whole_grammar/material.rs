@@ -101,7 +101,9 @@ pub(super) fn write(text: &mut Text, taken: Taken) -> Scales {
     if text.chance(0.05) {
         text.put("material.leave_out", "0");
     }
-    match form {
+    // A fit, an expansion and a conversion of two moduli turn on the last digits of what they are made from.
+    text.plain = matches!(form, Form::Data | Form::ShearAndBulk | Form::PowerLaw | Form::FractionalZener);
+    let scales = match form {
         Form::File | Form::Data | Form::Deck => {
             match form {
                 Form::File => of_a_file(text),
@@ -111,7 +113,9 @@ pub(super) fn write(text: &mut Text, taken: Taken) -> Scales {
             OF_FILES
         }
         _ => own(text, form, taken),
-    }
+    };
+    text.plain = false;
+    scales
 }
 
 fn own(text: &mut Text, form: Form, taken: Taken) -> Scales {

@@ -41,7 +41,7 @@ pub const SEED_OF_ASSESSMENT: u64 = 0x6772_616d;
 const MEDIAN: f64 = 10.0;
 const NINETY_FIFTH: f64 = 100.0;
 /// Scenes of each problem whose keys are counted.
-const COVERED: u64 = 1500;
+pub const COVERED: u64 = 1500;
 
 /// Scenes of a problem: reduced, full.
 const fn scenes(problem: Problem) -> (u64, u64) {

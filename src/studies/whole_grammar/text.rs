@@ -8,7 +8,7 @@ pub(super) type Units = &'static [(&'static str, f64)];
 pub(super) const NUMBER: Units = &[];
 pub(super) const LENGTH: Units = &[("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9)];
 pub(super) const TIME: Units = &[("s", 1.0), ("ms", 1e-3), ("min", 60.0)];
-pub(super) const RATE: Units = &[("Hz", 1.0), ("1/s", 1.0)];
+pub(super) const RATE: Units = &[("1/s", 1.0), ("1/min", 1.0 / 60.0)];
 pub(super) const FREQUENCY: Units = &[("Hz", 1.0), ("kHz", 1e3)];
 pub(super) const PRESSURE: Units = &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6)];
 pub(super) const COMPLIANCE: Units = &[("1/Pa", 1.0), ("1/MPa", 1e-6)];
@@ -40,6 +40,8 @@ pub(super) struct Text {
     units: Draw,
     /// Plain numbers in reduced groups.
     pub(super) reduced: bool,
+    /// Plain numbers now: what is fitted to them turns on their last digits.
+    pub(super) plain: bool,
     lines: Vec<String>,
     /// Files that it names.
     pub(super) files: Vec<(String, String)>,
@@ -47,7 +49,7 @@ pub(super) struct Text {
 
 impl Text {
     pub(super) fn new(draw: Draw, units: Draw) -> Self {
-        Self { draw, units, reduced: false, lines: Vec::new(), files: Vec::new() }
+        Self { draw, units, reduced: false, plain: false, lines: Vec::new(), files: Vec::new() }
     }
 
     /// A number of `reduced` units of `scale` (SI).
@@ -56,6 +58,9 @@ impl Text {
             return format!("{reduced:e}");
         }
         let value = reduced * scale;
+        if self.plain {
+            return format!("{value:e}");
+        }
         // Plain numbers are SI.
         let choice = self.units.below(units.len() + 1);
         match units.get(choice) {
