@@ -10,11 +10,11 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use rayon::prelude::*;
+use viscotack::studies::whole_grammar::SEED_OF_MENDING;
 use viscotack::studies::whole_grammar::compared::{Judged, judged};
 use viscotack::studies::whole_grammar::coverage::coverage;
 use viscotack::studies::whole_grammar::drawn::Problem;
 use viscotack::studies::whole_grammar::tally::counted;
-use viscotack::studies::whole_grammar::SEED_OF_MENDING;
 
 /// A number of the environment, for surveys by hand: `PROBLEM=2 FROM=0 COUNT=1000 cargo test --test studies_whole_grammar survey -- --ignored --nocapture`.
 fn given(name: &str, otherwise: u64) -> u64 {

@@ -46,12 +46,7 @@ impl<'a> Fields<'a> {
 
     /// A field at a point, its distance from the nearer edge being given; `field` is its value and the size of its terms, `outwards` the sign in which the distance to each
     /// edge grows as the edge moves along x.
-    fn bounded(
-        &self,
-        point: ArcPoint,
-        field: impl Fn(&ContactState, ArcPoint) -> (f64, f64),
-        outwards: [f64; 2],
-    ) -> Estimate {
+    fn bounded(&self, point: ArcPoint, field: impl Fn(&ContactState, ArcPoint) -> (f64, f64), outwards: [f64; 2]) -> Estimate {
         let (value, size) = field(self.state, point);
         let near = [point.from_trailing, point.from_leading];
         let mut error = self.rounding * size + self.accuracy * value.abs().max(1.0);

@@ -31,11 +31,5 @@ pub(super) fn by_speed(text: &mut Text, form: usize, (work, work_scale): (f64, f
 
 /// A file of works about one work and one speed, as the scene's plain numbers are.
 pub(super) fn works_file(work: f64, speed: f64) -> String {
-    format!(
-        "speed, work_of_adhesion\n{:e}, {:e}\n{speed:e}, {work:e}\n{:e}, {:e}\n",
-        1e-6 * speed,
-        0.8 * work,
-        1e6 * speed,
-        1.3 * work
-    )
+    format!("speed, work_of_adhesion\n{:e}, {:e}\n{speed:e}, {work:e}\n{:e}, {:e}\n", 1e-6 * speed, 0.8 * work, 1e6 * speed, 1.3 * work)
 }

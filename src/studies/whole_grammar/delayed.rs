@@ -2,9 +2,7 @@
 
 use super::crack::interface;
 use super::material::{Taken, write as material};
-use super::text::{
-    ENERGY_PER_AREA, INTENSITY, INTENSITY_RATE, LENGTH, NUMBER, PRESSURE, PRESSURE_RATE, TIME, Text, Units, quoted,
-};
+use super::text::{ENERGY_PER_AREA, INTENSITY, INTENSITY_RATE, LENGTH, NUMBER, PRESSURE, PRESSURE_RATE, TIME, Text, Units, quoted};
 
 const TAKEN: Taken = Taken { liquids: true, stiffest: 30.0, most_terms: 3, decades: 2.0 };
 
@@ -91,9 +89,7 @@ fn history(text: &mut Text, controlled: &Controlled, span: f64) -> Vec<String> {
             let (count, wave) = (2 + text.draw.below(3), text.word(&["triangle", "square"]));
             let (least, most, period) = (value(text, lower), value(text, 1.0), time(text, 0.4));
             let quantity = if text.chance(0.5) { format!(", quantity = \"{word}\"") } else { String::new() };
-            vec![format!(
-                "{{ cycles = {count}, period = {period}, lower = {least}, upper = {most}, wave = \"{wave}\"{quantity} }}"
-            )]
+            vec![format!("{{ cycles = {count}, period = {period}, lower = {least}, upper = {most}, wave = \"{wave}\"{quantity} }}")]
         }
         _ => {
             let rows: Vec<String> = [(0.0, 0.02), (0.2, 0.5), (0.5, 1.0), (0.9, 1.05), (1.2, lower), (1.6, 1.1)]

@@ -2,9 +2,7 @@
 
 use super::adhesion::{by_speed, works_file};
 use super::material::{Scales, Taken, write as material};
-use super::text::{
-    ENERGY_PER_AREA, FORCE, FORCE_RATE, FREQUENCY, LENGTH, NUMBER, PRESSURE, SPEED, STIFFNESS, TIME, Text, Units, quoted,
-};
+use super::text::{ENERGY_PER_AREA, FORCE, FORCE_RATE, FREQUENCY, LENGTH, NUMBER, PRESSURE, SPEED, STIFFNESS, TIME, Text, Units, quoted};
 use std::f64::consts::PI;
 
 const TAKEN: Taken = Taken { liquids: true, stiffest: 30.0, most_terms: 3, decades: 2.0 };
@@ -84,8 +82,7 @@ fn profile(text: &mut Text, size: f64) {
             }
         }
         1 => {
-            let rows: Vec<String> =
-                (-12..=12).map(|i| f64::from(i) * 0.025).map(|x| format!("{:e}, {:e}", x * size, height(x))).collect();
+            let rows: Vec<String> = (-12..=12).map(|i| f64::from(i) * 0.025).map(|x| format!("{:e}, {:e}", x * size, height(x))).collect();
             let up = text.chance(0.5);
             let rows = if up {
                 (-12..=12).map(|i| f64::from(i) * 0.025).map(|x| format!("{:e}, {:e}", x * size, -height(x))).collect()
@@ -139,7 +136,8 @@ fn adhesion(text: &mut Text, scales: Scales, size: &Size) {
         text.put_number("adhesion.process_zone.length", zone, 1.0, LENGTH);
     } else {
         let factor = text.draw.between(0.2, 1.0);
-        let stress = if text.reduced { (factor * work / zone).sqrt() / PI.sqrt() } else { (factor * scales.modulus * work / (PI * zone)).sqrt() };
+        let stress =
+            if text.reduced { (factor * work / zone).sqrt() / PI.sqrt() } else { (factor * scales.modulus * work / (PI * zone)).sqrt() };
         text.put_number("adhesion.process_zone.cohesive_stress", stress, 1.0, PRESSURE);
         text.put_number("adhesion.process_zone.factor", factor, 1.0, NUMBER);
         if text.chance(0.5) {
@@ -265,9 +263,7 @@ fn history(text: &mut Text, size: &Size, (span, first): (f64, &'static str), fra
         5 => {
             let wave = text.word(&["triangle", "square"]);
             let (least, most, period) = (number(text, back), number(text, 1.0), time(text, 0.7));
-            vec![format!(
-                "{{ cycles = 2, period = {period}, lower = {least}, upper = {most}, wave = \"{wave}\", quantity = \"{word}\" }}"
-            )]
+            vec![format!("{{ cycles = 2, period = {period}, lower = {least}, upper = {most}, wave = \"{wave}\", quantity = \"{word}\" }}")]
         }
         6 => vec![table(text, word, (span, value), units)],
         _ if swings => {
@@ -283,9 +279,7 @@ fn history(text: &mut Text, size: &Size, (span, first): (f64, &'static str), fra
             };
             vec![
                 ramp(text, 1.0, 0.3),
-                format!(
-                    "{{ oscillation = {{ quantity = \"{word}\", amplitude = {amplitude}, frequency = {frequency}, {rest} }} }}"
-                ),
+                format!("{{ oscillation = {{ quantity = \"{word}\", amplitude = {amplitude}, frequency = {frequency}, {rest} }} }}"),
             ]
         }
         _ => vec![ramp(text, 1.0, 0.2), ramp(text, back, 0.5)],

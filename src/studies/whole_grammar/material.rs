@@ -270,8 +270,7 @@ const FREQUENCIES: &str =
 const TANGENTS: &str =
     "a, b, c, d\n0.01, 0.02, 1.0e6, 0.1\n0.1, 0.2, 1.3e6, 0.4\n1, 2, 3.2e6, 0.6\n10, 20, 8e6, 0.25\n100, 200, 9.8e6, 0.05\n";
 const ISOTHERMS: &str = "a, b, c, d, e\n0.01, 0.01, 1.092e+06, 3.562e+05, 293.15\n0.03, 0.03, 1.488e+06, 7.086e+05, 293.15\n0.1, 0.1, 2.089e+06, 9.363e+05, 293.15\n0.3, 0.3, 2.942e+06, 1.329e+06, 293.15\n1, 1, 3.952e+06, 1.338e+06, 293.15\n3, 3, 4.947e+06, 1.934e+06, 293.15\n10, 10, 7.119e+06, 1.723e+06, 293.15\n0.01, 0.01, 1.062e+06, 6.103e+04, 303.15\n0.03, 0.03, 1.081e+06, 1.805e+05, 303.15\n0.1, 0.1, 1.257e+06, 5.204e+05, 303.15\n0.3, 0.3, 1.808e+06, 8.295e+05, 303.15\n1, 1, 2.463e+06, 1.153e+06, 303.15\n3, 3, 3.558e+06, 1.431e+06, 303.15\n10, 10, 4.462e+06, 1.563e+06, 303.15\n";
-const RELAXATION: &str =
-    "a, c\n0.001, 9.9e6\n0.01, 9e6\n0.1, 4.3e6\n1, 1.05e6\n10, 1e6\n";
+const RELAXATION: &str = "a, c\n0.001, 9.9e6\n0.01, 9e6\n0.1, 4.3e6\n1, 1.05e6\n10, 1e6\n";
 const CREEP: &str = "a, c\n0.001, 1.01e-7\n0.01, 1.1e-7\n0.1, 2e-7\n1, 6.7e-7\n10, 1e-6\n";
 
 fn data(text: &mut Text) {
@@ -309,7 +308,10 @@ fn data(text: &mut Text) {
         }
         3 => {
             text.put_file("material.data", "isotherms.csv", ISOTHERMS);
-            columns(text, &[("frequency", "a in Hz"), ("storage_modulus", "c in Pa"), ("loss_modulus", "d in Pa"), ("temperature", "e in K")]);
+            columns(
+                text,
+                &[("frequency", "a in Hz"), ("storage_modulus", "c in Pa"), ("loss_modulus", "d in Pa"), ("temperature", "e in K")],
+            );
             text.put("material.temperature", "298.15");
             text.put("material.reference_temperature", "293.15");
             text.put("material.temperature_tolerance", "\"0.5 K\"");

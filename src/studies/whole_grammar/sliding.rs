@@ -120,8 +120,7 @@ pub(super) fn write(text: &mut Text) {
 
 /// Some of the optional columns; those of the elastic contact are of a wave.
 fn columns(text: &mut Text, names: &[&str], wave: bool) {
-    let chosen: Vec<&str> =
-        names.iter().copied().filter(|name| (wave || *name != "elastic_companion") && text.chance(0.3)).collect();
+    let chosen: Vec<&str> = names.iter().copied().filter(|name| (wave || *name != "elastic_companion") && text.chance(0.3)).collect();
     if !chosen.is_empty() {
         text.put("sliding.columns", format!("{chosen:?}"));
     }
