@@ -114,7 +114,10 @@ impl ContactState {
             eccentricity: edges.eccentricity + 0.5 * (leading + trailing),
         };
         require_positive("half-width", moved.half_width)?;
-        require_positive("half the gap", moved.half_gap)?;
+        // Of a parabola it is infinite.
+        if moved.half_gap.is_nan() || moved.half_gap <= 0.0 {
+            return Err(Refusal::out_of_range("half the gap", moved.half_gap, "greater than zero"));
+        }
         let resolution = self.resolution.finer().unwrap_or(self.resolution);
         let prescribed = Prescribed::MeanPressure(self.totals.mean_pressure + load);
         Self::at_edges(&self.memory, self.indenter, moved, prescribed, resolution)

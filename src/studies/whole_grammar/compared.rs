@@ -10,7 +10,7 @@ use crate::outcome::{Outcome, Row};
 use std::collections::BTreeMap;
 
 /// Two times of a history are one if they agree to this part of the longer.
-const SAME_TIME: f64 = 1e-9;
+const SAME_TIME: f64 = 1e-13;
 
 /// What the last digits of inputs, written in other units, leave of a number, over itself.
 const INPUTS: f64 = 4.0 * f64::EPSILON;

@@ -250,7 +250,7 @@ fn history(text: &mut Text, size: &Size, (span, first): (f64, &'static str), fra
     };
     let hold = |text: &mut Text, during: f64| format!("{{ hold = {} }}", time(text, during));
     let back = text.draw.between(0.2, 0.9);
-    let swings = word != "contact_radius" && word != "frame";
+    let swings = word != "contact_radius";
     match text.draw.below(9) {
         0 => vec![ramp(text, 1.0, 1.0)],
         1 => vec![ramp(text, 1.0, 0.5), hold(text, 1.0)],
