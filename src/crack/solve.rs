@@ -27,6 +27,8 @@ pub struct SteadyState {
     pub speed: Estimate,
     /// T (s), the time in which the tip crosses `crossing_length`; infinite at rest.
     pub crossing_time: f64,
+    /// Bound on the relative error of T.
+    pub crossing_time_error: f64,
     /// ℓ (m), as in [`CurvePoint::crossing_length`].
     pub crossing_length: Estimate,
     /// D (Pa opening, 1/Pa closing), as in [`CurvePoint::drive`].
@@ -35,6 +37,8 @@ pub struct SteadyState {
     pub energy_release_rate_ratio: Option<Estimate>,
     /// d ln D/d ln v at this state: the local power law of toughness in speed; zero at both limits.
     pub speed_exponent: f64,
+    /// Bound on the error of the exponent.
+    pub speed_exponent_error: f64,
     /// Relative residual of the equation that was solved: of the speed, or of the drive.
     pub residual: f64,
     /// Points of the curve that were evaluated.
@@ -262,6 +266,21 @@ fn grown_bracket(
     })
 }
 
+/// The bound on the error of s/(1 − l) from two slopes of the curve: their own rounding, and how they bend over what is not known of ln T.
+fn exponent_error(point: &CurvePoint, exponent: f64, time_error: f64) -> f64 {
+    let room = 1.0 - point.length_log_slope;
+    let rounding = 8.0 * f64::EPSILON + point.drive_relative_error + point.length_relative_error;
+    let of_drive = bend(point.drive_log_slope) * time_error + rounding * point.drive_log_slope.abs();
+    let of_length = bend(point.length_log_slope) * time_error + rounding;
+    (of_drive + exponent.abs() * of_length) / room
+}
+
+/// Bound on |ds/d ln T| of a slope s: of a sum of terms that end exponentially, x e^−x bends by its logarithm times itself.
+fn bend(slope: f64) -> f64 {
+    let size = slope.abs();
+    if size > 0.0 { size * (2.0 + (1.0 / size).ln().max(0.0)) } else { 0.0 }
+}
+
 fn finished(
     curve: &impl SteadyCurve,
     speed: Estimate,
@@ -277,13 +296,16 @@ fn finished(
         Ok(_) => Some(Estimate::relative(curve.energy_release_rate_ratio(point.drive)?, drive_error + f64::EPSILON)),
         Err(_) => None,
     };
+    let exponent = -point.drive_log_slope / (1.0 - point.length_log_slope);
     let state = SteadyState {
         speed,
         crossing_time,
+        crossing_time_error: time_error,
         crossing_length: Estimate::relative(point.crossing_length, length_error),
         drive: Estimate::relative(point.drive, drive_error),
         energy_release_rate_ratio: ratio,
-        speed_exponent: -point.drive_log_slope / (1.0 - point.length_log_slope),
+        speed_exponent: exponent,
+        speed_exponent_error: exponent_error(point, exponent, time_error),
         residual,
         curve_points: count.points,
         kernel_evaluations: count.kernels,

@@ -212,7 +212,10 @@ fn judged_cycles(
         });
         cycles.push(cycle.judged(heard, |place, value, heard| {
             let error = ladder.error(heard) + ROUNDING * value.abs();
-            excess.hear(error, problem.accuracy * scales.get(place).copied().unwrap_or(0.0));
+            // A drift is what is left between cycles: nothing is promised of it.
+            if let Some(scale) = scales.get(place) {
+                excess.hear(error, problem.accuracy * scale);
+            }
             Estimate::new(value, error)
         }));
     }

@@ -254,6 +254,7 @@ impl Meter {
             force: sums.extremes[1],
             contact_radius: sums.extremes[2],
             drift: f64::INFINITY,
+            drift_error: 0.0,
         };
         if let Some(before) = &self.last {
             cycle.drift = change(before, &cycle) * (self.longest / (cycle.end - cycle.start)).max(1.0);

@@ -30,6 +30,7 @@ pub mod seeded_sweep;
 mod stamp;
 pub mod stored;
 pub mod timing;
+pub mod whole_grammar;
 
 pub use report::{PAGE, files};
 pub use run::{Report, StudiesError, chosen, run};
@@ -71,6 +72,7 @@ pub const STUDIES: &[Study] = &[
     beside("process_zone", convergence::zone::study),
     beside("manufactured", manufactured::study),
     beside("honesty", honesty::study),
+    beside("grammar", whole_grammar::study),
     beside("hard_cases", hard_cases::study),
     beside("held_contacts", held_contacts::study),
     beside("seeded_sweep", seeded_sweep::study),

@@ -110,7 +110,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, Unknown { strain: self.line.unknown(), sums: self.fineness.series, slopes: self.slopes }))
+        Ok((trace, Unknown { strain: self.line.unknown(), sums: self.fineness.sums, slopes: self.slopes }))
     }
 
     /// The line at a time of the history.

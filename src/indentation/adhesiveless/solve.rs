@@ -23,6 +23,8 @@ const COARSER: f64 = 30.0;
 const OF_CHANGE: f64 = 50.0;
 /// What rounding leaves of the energy lost, over the work done; what series leave of both is mostly more.
 const OF_DIFFERENCE: f64 = 1e-13;
+/// Both amplitudes of a cycle are half a swing, of which the sums leave their part.
+const OF_AMPLITUDES: f64 = 4.0;
 /// Slope of S over f′ that is told from none.
 const SOFTEST: f64 = 1e4;
 /// Series over the accuracy.
@@ -179,18 +181,40 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         first.chain(problem.history.segments.iter().map(kept)).flat_map(|(controlled, times)| std::iter::repeat_n(controlled, times));
     let works = solution.instants.iter().filter_map(|instant| instant.energies).map(|[_, _, work, _]| work.value.abs());
     let most_work = works.fold(0.0, f64::max);
+    let largest = |place: usize| {
+        let energies = solution.instants.iter().filter_map(|instant| instant.energies);
+        energies.filter_map(|energies| energies.get(place).copied()).fold(0.0, |most: f64, energy| most.max(energy.value.abs()))
+    };
+    // Each segment may leave as much, over its way times its force.
+    let of_sums =
+        not_known.sums * problem.history.segments.len() as f64 * solution.march.summary.scales[0] * solution.march.summary.scales[1];
+    let (most_stored, most_power) = (largest(0), largest(1));
+    let of_strain = unknown / solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
     let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
     for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth(controlled));
         wider(&mut instant.force, of_force(a));
         wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
-        if let Some([.., lost]) = &mut instant.energies {
+        if let Some([stored, power, work, lost]) = &mut instant.energies {
+            // Both courses may take the same panels of time, and then agree about what these leave.
+            wider(work, of_sums);
             // What is lost is a difference of sums.
-            wider(lost, OF_DIFFERENCE.max(not_known.sums) * most_work);
+            wider(lost, (OF_DIFFERENCE * most_work).max(of_sums));
+            // Both are squares of strains.
+            wider(stored, 2.0 * of_strain * most_stored);
+            wider(power, 2.0 * of_strain * most_power);
         }
     }
     for cycle in &mut solution.cycles {
+        // Fundamental amplitudes are sums over the time as well, of depth and of force.
+        let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
+        let of_work = not_known.sums * swing(&cycle.penetration) * swing(&cycle.force);
+        let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
+        wider(&mut cycle.work, of_work);
+        wider(&mut cycle.storage_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);
+        wider(&mut cycle.loss_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);
+        wider(&mut cycle.phase, OF_AMPLITUDES * not_known.sums);
         let controlled = problem.history.segments.get(cycle.segment).map_or(Controlled::Force, |segment| segment.controlled);
         for k in 0..2 {
             let a = cycle.contact_radius[k].value;

@@ -13,6 +13,11 @@ pub(super) const MOST_ROWS: usize = 2000;
 /// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
 
+/// Last digits of the quantities of a cycle, which a difference of two keeps.
+const DIGITS: f64 = 1e-13;
+/// Rounding of the ends of a cycle, over the time.
+const END: f64 = 2.0 * f64::EPSILON;
+
 impl IndentationPlan {
     /// The cycles that become rows.
     pub(super) fn cycles_shown<'s>(&self, solution: &'s IndentationSolution) -> Vec<&'s Cycle<Estimate>> {
@@ -62,12 +67,16 @@ impl IndentationPlan {
         let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
         let exact = |value: f64| Some(Estimate::exact(value));
         let spread = solution.march.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
+        // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
+        let unknown = solution.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
+        let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
+        let carried = 2.0 * DIGITS * (longest / (cycle.end - cycle.start)).max(1.0);
         let cells = [
             (at::TIME, exact(cycle.end)),
             (at::SEGMENT, exact(segment as f64)),
             (at::CYCLE, exact(cycle.number as f64)),
             (at::CYCLE_START, exact(cycle.start)),
-            (at::FREQUENCY, exact((cycle.end - cycle.start).recip())),
+            (at::FREQUENCY, Some(Estimate::relative((cycle.end - cycle.start).recip(), END * cycle.end / (cycle.end - cycle.start)))),
             (at::WORK_PER_CYCLE, Some(cycle.work)),
             (at::STORAGE_STIFFNESS, Some(cycle.storage_stiffness)),
             (at::LOSS_STIFFNESS, Some(cycle.loss_stiffness)),
@@ -79,8 +88,8 @@ impl IndentationPlan {
             (at::SMALLEST_CONTACT_RADIUS, Some(cycle.contact_radius[0])),
             (at::LARGEST_CONTACT_RADIUS, Some(cycle.contact_radius[1])),
             // The first cycle has none before it.
-            (at::DRIFT, exact(cycle.drift)),
-            (at::SPREAD, spread.and_then(|spread| exact(spread.largest()))),
+            (at::DRIFT, Some(Estimate::new(cycle.drift, cycle.drift_error + carried))),
+            (at::SPREAD, spread.map(|spread| Estimate::new(spread.largest(), 2.0 * unknown))),
         ];
         for (place, estimate) in cells {
             if let Some(cell) = values.get_mut(place) {
@@ -124,4 +133,21 @@ impl IndentationPlan {
             (at::LARGEST_CONTACT_RADIUS, radius),
         ]
     }
+}
+
+/// The largest error of work and extremes of a cycle over what their changes are seen against.
+fn relative_error(cycle: &Cycle<Estimate>) -> f64 {
+    let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
+    let largest = |range: &[Estimate; 2]| range[0].value.abs().max(range[1].value.abs());
+    let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
+    let work = cycle.work.value.abs().max(0.25 * swing(&cycle.force) * swing(&cycle.penetration));
+    let pairs = [
+        (cycle.work.error, work),
+        (cycle.storage_stiffness.error, stiffness),
+        (cycle.loss_stiffness.error, stiffness),
+        (cycle.penetration[0].error.max(cycle.penetration[1].error), swing(&cycle.penetration)),
+        (cycle.force[0].error.max(cycle.force[1].error), largest(&cycle.force)),
+        (cycle.contact_radius[0].error.max(cycle.contact_radius[1].error), largest(&cycle.contact_radius)),
+    ];
+    pairs.into_iter().map(|(error, scale)| if error > 0.0 { error / scale } else { 0.0 }).fold(0.0, f64::max)
 }

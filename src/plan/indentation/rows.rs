@@ -282,10 +282,11 @@ impl IndentationPlan {
         let tension = solution.largest_tension?;
         let path = &solution.march.path;
         let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
-        // Between its neighbours, and wherever the tension is the same within its error.
-        let beside = [place.saturating_sub(1), place + 1].into_iter().filter_map(|place| path.get(place));
-        let same = path.iter().filter(|point| -point.force >= tension.value - tension.error);
-        let near: Vec<&PathPoint> = beside.chain(same).filter(|point| point.contact_radius > 0.0).collect();
+        // Two tensions are told apart by twice what is not known of each, and between two points of the path the largest may lie anywhere.
+        let untold = |point: &PathPoint| -point.force >= tension.value - 2.0 * tension.error;
+        let places = path.iter().enumerate().filter(|(index, point)| *index == place || untold(point)).map(|(index, _)| index);
+        let beside = places.flat_map(|index| [index.saturating_sub(1), index, index + 1]).filter_map(|index| path.get(index));
+        let near: Vec<&PathPoint> = beside.filter(|point| point.contact_radius > 0.0).collect();
         let spread = |value: fn(&PathPoint) -> f64| {
             let here = value(peak);
             Estimate::new(here, near.iter().fold(0.0, |most: f64, point| most.max((value(point) - here).abs())))
@@ -305,9 +306,10 @@ impl IndentationPlan {
     /// Puts coherent values into a row in the units of the scene, with its certificate; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], residual: f64, solution: &IndentationSolution) -> Result<(), Refusal> {
         // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
-        // G divides by the speed of the edge: beside a turn it is known as its bar says, and no better.
+        // G divides by the speed of the edge: beside a turn it is known as its bar says, and no better. Drift and spread are what is left between cycles.
         let judged = |place: usize| {
-            (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO)) && place != at::ENERGY_RELEASE_RATE
+            (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO))
+                && !matches!(place, at::ENERGY_RELEASE_RATE | at::DRIFT | at::SPREAD)
         };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;

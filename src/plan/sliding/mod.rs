@@ -10,6 +10,7 @@ mod describe;
 mod extra_columns;
 mod extra_figures;
 mod extras;
+mod fields;
 mod figures;
 mod liquid;
 mod scale;

@@ -3,12 +3,11 @@
 use super::SlidingPlan;
 use super::columns::{COLUMNS, Measure, at, columns, definitions};
 use crate::estimate::Estimate;
-use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
+use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::refusal::Refusal;
 use crate::scene::typed::{Sliding, SlidingContact, SlidingTask, SlidingZone, Units};
 use crate::sliding::branch::Stability;
 use crate::sliding::steady::{FullContact, PartialContact, PartialValues, SlidingOutcome, SlidingWork, steady_sliding_reached_by};
-use std::f64::consts::PI;
 
 /// Rounding of the way from a scene to reduced units and back, relative: a dozen products.
 const CONVERSION: f64 = 6.0 * f64::EPSILON;
@@ -246,66 +245,8 @@ impl SlidingPlan {
         };
         PassedLimit { name, value, unit }
     }
-
-    /// Pressure, gap and displacement along the surface: half of the places in the contact, half outside, dense at both edges.
-    fn fields(&self, partial: &PartialContact, points: u32) -> Result<Vec<FieldPoint>, Refusal> {
-        let (state, values) = (&partial.state, &partial.values);
-        let (half_width, eccentricity) = (values.half_width.value, values.eccentricity.value);
-        let inside = points / 2;
-        let outside = points - inside;
-        let penetration = if self.is_wave() { values.penetration.value } else { 0.0 };
-        // Of a wave the whole gap, from edge to edge; of a cylinder as much on each side as the contact is wide.
-        let gap_width = if self.is_wave() { 2.0 * (PI - half_width) } else { 4.0 * half_width };
-        let edge_error = values.half_width.error + values.eccentricity.error;
-        let accuracy = partial.certificate.accuracy;
-        // Both fields go as a root of the distance to the edge, at most.
-        let bounded =
-            |value: f64, distance: f64| Estimate::new(value, accuracy * value.abs().max(1.0) + 0.5 * value.abs() * edge_error / distance);
-        let zero = Estimate::exact(0.0);
-        let mut found = Vec::with_capacity(points as usize);
-        for (count, contact) in [(inside, true), (outside, false)] {
-            let width = if contact { 2.0 * half_width } else { gap_width };
-            for index in 0..count {
-                // Distances to the nearer edge, so that none is lost to rounding.
-                let part = |index: u32| width * (0.5 * PI * (f64::from(index) + 0.5) / f64::from(count)).sin().powi(2);
-                let near_start = 2 * index < count;
-                let distance = if near_start { part(index) } else { part(count - 1 - index) };
-                let (place, pressure, gap) = if contact {
-                    let (point, place) = if near_start {
-                        (state.inside_trailing(distance)?, eccentricity - half_width + distance)
-                    } else {
-                        (state.inside_leading(distance)?, eccentricity + half_width - distance)
-                    };
-                    (place, bounded(state.pressure(point), distance), zero)
-                } else {
-                    let (point, place) = if near_start {
-                        (state.ahead_of_leading(distance)?, eccentricity + half_width + distance)
-                    } else {
-                        (state.behind_trailing(distance)?, eccentricity - half_width - distance)
-                    };
-                    (place, zero, bounded(state.gap(point), distance))
-                };
-                let place = if self.is_wave() { wrapped(place) } else { place };
-                let profile = if self.is_wave() { -2.0 * (0.5 * place).sin().powi(2) } else { -0.5 * place * place };
-                let displacement = Estimate::new(profile + penetration + gap.value, gap.error + values.penetration.error + edge_error);
-                let values = vec![
-                    self.in_units(pressure, self.scale.pressure),
-                    self.in_units(gap, self.scale.displacement),
-                    self.in_units(displacement, self.scale.displacement),
-                ];
-                found.push(FieldPoint { place: self.direction() * place * self.scale.length, values });
-            }
-        }
-        found.sort_by(|left, right| left.place.total_cmp(&right.place));
-        Ok(found)
-    }
 }
 
 fn counted(work: &SlidingWork) -> Work {
     Work { closure_evaluations: work.closure_evaluations, linear_solves: work.contacts, ..Work::default() }
-}
-
-/// The same place of the wave between −π and π.
-fn wrapped(place: f64) -> f64 {
-    place - 2.0 * PI * (place / (2.0 * PI)).round()
 }

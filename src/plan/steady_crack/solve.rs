@@ -105,12 +105,8 @@ impl SteadyCrackPlan {
         };
         // The crossing length of Persson and Brener's theory is the cut-off over 2π.
         let zone = if theory == Theory::PerssonBrener { state.crossing_length.scaled(TAU) } else { state.crossing_length };
-        let time_error = state.crossing_length.relative_error() + state.speed.relative_error() + f64::EPSILON;
         // Reduced: K in √(2E0Δγ), K₁/E0 in √(2Δγ/E0), with E0 = Δγ = 1.
         let unit = if self.units == Units::Reduced { 0.5_f64.sqrt() } else { 1.0 };
-        // The exponent is s/(1 − l) of two slopes of the curve: on a cliff, where 1 − l is small, their errors are magnified by its square.
-        let slope_error = 8.0 * f64::EPSILON + state.drive.relative_error() + state.crossing_length.relative_error();
-        let exponent_error = slope_error * (1.0 + state.speed_exponent.abs()).powi(2);
         Ok(vec![
             Some(state.speed),
             state.energy_release_rate_ratio.map(|ratio| ratio.scaled(work)),
@@ -119,8 +115,8 @@ impl SteadyCrackPlan {
             tip_intensity.map(|value| value.scaled(unit)),
             displacement.map(|value| value.scaled(unit)),
             Some(zone),
-            state.crossing_time.is_finite().then(|| Estimate::relative(state.crossing_time, time_error)),
-            Some(Estimate::new(state.speed_exponent, exponent_error)),
+            state.crossing_time.is_finite().then(|| Estimate::relative(state.crossing_time, state.crossing_time_error + f64::EPSILON)),
+            Some(Estimate::new(state.speed_exponent, state.speed_exponent_error)),
             glassy_radius,
             relaxed_radius,
         ])
@@ -148,21 +144,29 @@ impl SteadyCrackPlan {
         let amplitude = self.crack.body.intensity_squared(self.crack.work_of_adhesion, state.drive.value).sqrt();
         let intensity_error = 0.5 * state.drive.relative_error() + f64::EPSILON;
         let steps = f64::from(fields.points.saturating_sub(1).max(1));
+        // What a field changes where the speed moves by its own bound is part of its bound.
+        let at = |speed: f64, distance: f64| -> Result<[Estimate; 2], Refusal> {
+            Ok(match self.crack.motion {
+                Motion::Opening => {
+                    let tip = OpeningTip::new(&self.plane_material, self.crack.body, amplitude, speed)?;
+                    [tip.displacement(distance)?, Estimate::relative(amplitude / (TAU * distance).sqrt(), 2.0 * f64::EPSILON)]
+                }
+                Motion::Closing => {
+                    let tip = ClosingTip::new(&self.plane_material, self.crack.body, amplitude, speed)?;
+                    [tip.displacement(distance)?, tip.stress(distance)?]
+                }
+            })
+        };
+        let speed = state.speed;
         (0..fields.points)
             .map(|index| {
                 let distance = fields.from * (fields.to / fields.from).powf(f64::from(index) / steps);
-                let (displacement, stress) = match self.crack.motion {
-                    Motion::Opening => {
-                        let tip = OpeningTip::new(&self.plane_material, self.crack.body, amplitude, state.speed.value)?;
-                        (tip.displacement(distance)?, Estimate::relative(amplitude / (TAU * distance).sqrt(), 2.0 * f64::EPSILON))
-                    }
-                    Motion::Closing => {
-                        let tip = ClosingTip::new(&self.plane_material, self.crack.body, amplitude, state.speed.value)?;
-                        (tip.displacement(distance)?, tip.stress(distance)?)
-                    }
-                };
-                let widened = |estimate: Estimate| Estimate::new(estimate.value, estimate.error + intensity_error * estimate.value.abs());
-                Ok(FieldPoint { place: distance, values: vec![widened(displacement), widened(stress)] })
+                let (here, faster) = (at(speed.value, distance)?, at(speed.value + speed.error, distance)?);
+                let widened = here.iter().zip(&faster).map(|(here, faster)| {
+                    let moved = (faster.value - here.value).abs();
+                    Estimate::new(here.value, here.error + moved + intensity_error * here.value.abs())
+                });
+                Ok(FieldPoint { place: distance, values: widened.collect() })
             })
             .collect()
     }

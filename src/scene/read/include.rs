@@ -9,12 +9,16 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     let Some(node) = document.root.at("material.file") else { return Ok(()) };
     let Value::Text(name) = node.value.clone() else { return Ok(()) };
     let place = node.place.clone();
-    let path = document.folder().join(&name);
-    let text = read_text(&path).map_err(|error| {
-        SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file")
-            .help("relative paths start at the scene")
-    })?;
-    let source = SourceText::new(&name, text);
+    let source = match document.attached(&name) {
+        Some(attached) => attached.clone(),
+        None => {
+            let text = read_text(&document.folder().join(&name)).map_err(|error| {
+                SceneError::at(&place, format!("`material.file` = {name:?} cannot be read: {error}"), "this file")
+                    .help("relative paths start at the scene")
+            })?;
+            SourceText::new(&name, text)
+        }
+    };
     let tree = parse_tree(&source)?;
     let Some(Node { value: Value::Table(included), .. }) = tree.get("material") else {
         return Err(SceneError::at(&place, format!("`material.file` = {name:?} has no [material] table"), "this file"));

@@ -1,9 +1,10 @@
 //! Pressure inside and gap outside of a solved contact, at any point given by its distances to the two edges.
 
 use super::arcs::Place;
+use super::edges::ContactEdges;
 use super::quadrature::{ArcRange, memory_integrals};
 use super::resolution::Resolution;
-use super::state::ContactState;
+use super::state::{ContactState, Prescribed};
 use crate::refusal::{Refusal, require_positive};
 use std::f64::consts::PI;
 
@@ -56,29 +57,70 @@ impl ContactState {
     /// p in E0*kΛ/2 at a point of the contact.
     #[must_use]
     pub fn pressure(&self, point: ArcPoint) -> f64 {
+        self.pressure_and_size(point).0
+    }
+
+    /// p in E0*kΛ/2 at a point of the contact, and the size of the terms that it is a sum of, which rounding is relative to.
+    #[must_use]
+    pub fn pressure_and_size(&self, point: ArcPoint) -> (f64, f64) {
         let memory = &self.memory;
         let shift = self.indenter.shift(self.edges.eccentricity);
         let Place { root, angle } = self.arcs.inside(point);
         let [flat, odd, wave] = self.indenter.pressures(angle, root, shift);
-        let field = |strengths: (f64, f64)| wave + strengths.0 * flat + strengths.1 * odd;
-        let mut pressure = memory.stiffening_ratio() * field(self.strengths(None));
+        let strengths = self.strengths(None);
+        let stiff = memory.stiffening_ratio();
+        let mut pressure = stiff * (wave + strengths.0 * flat + strengths.1 * odd);
+        let mut size = stiff * (wave.abs() + (strengths.0 * flat).abs() + (strengths.1 * odd).abs());
         for (term, relaxation) in memory.relaxation.iter().enumerate() {
-            pressure -= relaxation.modulus * self.remembered_inside(point, term);
+            let remembered = relaxation.modulus * self.remembered_inside(point, term);
+            pressure -= remembered;
+            size += remembered.abs();
         }
-        pressure
+        (pressure, size)
     }
 
     /// The gap in Λ at a point outside the contact.
     #[must_use]
     pub fn gap(&self, point: ArcPoint) -> f64 {
+        self.gap_and_size(point).0
+    }
+
+    /// The gap in Λ at a point outside the contact, and the size of its terms.
+    #[must_use]
+    pub fn gap_and_size(&self, point: ArcPoint) -> (f64, f64) {
         let shift = self.indenter.shift(self.edges.eccentricity);
         let Place { root, angle } = self.arcs.outside(point);
         let (wave, depth) = self.indenter.gaps(angle, root, self.arcs.half.0, shift);
         let mut gap = wave - self.flat_strength * depth;
+        let mut size = wave.abs() + (self.flat_strength * depth).abs();
         for (term, (load, creep)) in self.loads.iter().zip(self.memory.creep()).enumerate() {
-            gap -= load * 2.0 / PI * creep.ratio * self.remembered_outside(point, term);
+            let remembered = load * 2.0 / PI * creep.ratio * self.remembered_outside(point, term);
+            gap -= remembered;
+            size += remembered.abs();
         }
-        gap
+        (gap, size)
+    }
+
+    /// The contact with both edges, and the load, moved; solved and evaluated at the next finer resolution.
+    ///
+    /// # Errors
+    /// Edges that leave the room of a contact, or a singular system.
+    pub fn moved(&self, [trailing, leading]: [f64; 2], load: f64) -> Result<Self, Refusal> {
+        let edges = self.edges;
+        let half = 0.5 * (leading - trailing);
+        let moved = ContactEdges {
+            half_width: edges.half_width + half,
+            half_gap: edges.half_gap - half,
+            eccentricity: edges.eccentricity + 0.5 * (leading + trailing),
+        };
+        require_positive("half-width", moved.half_width)?;
+        // Of a parabola it is infinite.
+        if moved.half_gap.is_nan() || moved.half_gap <= 0.0 {
+            return Err(Refusal::out_of_range("half the gap", moved.half_gap, "greater than zero"));
+        }
+        let resolution = self.resolution.finer().unwrap_or(self.resolution);
+        let prescribed = Prescribed::MeanPressure(self.totals.mean_pressure + load);
+        Self::at_edges(&self.memory, self.indenter, moved, prescribed, resolution)
     }
 
     /// M_ε f_i(y) = ∫_y^a e^{−(ξ−y)/ε} f_i dξ/ε, from y towards the leading edge; M_ε f_i(−a) = 0.
