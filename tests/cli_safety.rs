@@ -22,7 +22,7 @@ use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, LoadHistory, Resolu
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
 use viscotack::outcome::Row;
-use viscotack::outcome::journal::{Found, Journal, JournalHeader, read};
+use viscotack::outcome::journal::{each, Found, Journal, JournalHeader, read};
 use viscotack::scene::template::template;
 use viscotack::terminal_text::is_harmful;
 
@@ -193,10 +193,22 @@ fn every_flipped_bit_of_a_journal_is_seen() {
     let path = folder.path().join("journal.jsonl");
     let header = JournalHeader { program: "viscotack test".into(), scene: "00".into(), states: 4 };
     let whole = rows(3);
-    let mut journal = Journal::open(&path, &header, &whole[..1]).unwrap();
+    let mut journal = Journal::open(&path, &header, 0).unwrap();
+    journal.append(&whole[..1]).unwrap();
+    drop(journal);
+    let mut journal = Journal::open(&path, &header, 1).unwrap();
     journal.append(&whole[1..]).unwrap();
     let kept = |found: Found| match found {
-        Found::Rows(rows) => rows,
+        Found::States(states) => {
+            let mut rows = Vec::new();
+            let visited = each(&path, &mut |state| {
+                rows.push(state);
+                Ok(())
+            });
+            // Where a line is altered both stop before it.
+            assert!(rows.len() == states && (visited.is_ok() == (states == 3) || states == 0), "{states}: {visited:?}");
+            rows
+        }
         Found::Nothing => Vec::new(),
         Found::Other(other) => panic!("another run's: {other:?}"),
     };

@@ -44,7 +44,7 @@ pub(super) fn depth_of(problem: &Problem, modulus: f64, edge: f64) -> Option<f64
     let profile = &problem.profile;
     let chain = Chain::new(modulus, modulus, &[], &[]);
     let line = Line::new(edge, &breaks(profile, edge));
-    let mut window = Window::new(problem.zone, 0.0);
+    let mut window = Window::new(problem.zone);
     let height = profile.line(edge);
     let mut excess = |pull: f64| {
         let now = Instant { depth: height - pull, base: modulus * (height - pull), ..Instant::default() };
