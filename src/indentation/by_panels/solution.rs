@@ -13,18 +13,18 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first path over the accuracy, and the loosest.
-const FIRST: f64 = 0.3;
-const LOOSEST: f64 = 1e-3;
+pub(super) const FIRST: f64 = 0.3;
+pub(super) const LOOSEST: f64 = 1e-3;
 /// Each tolerance over the one before, and the last.
-const TIGHTER: f64 = 0.1;
-const TIGHTEST: f64 = 1e-8;
+pub(super) const TIGHTER: f64 = 0.1;
+pub(super) const TIGHTEST: f64 = 1e-8;
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
 /// Tolerance of the better path over that of the other one.
 const BETTER: f64 = 0.1;
 /// Ratio of tolerances with which the comparison of two traces gives a bound of ten times their distance.
 const OF_DISTANCE: f64 = 30.0;
-const SAFETY: f64 = 10.0;
+pub(super) const SAFETY: f64 = 10.0;
 
 /// Solves a history to its accuracy; cycles of an oscillation are not added up.
 ///
@@ -63,7 +63,7 @@ fn not_converged(detail: String) -> Refusal {
     Refusal::NotConverged { what: "the path of the edge by panels", detail }
 }
 
-fn options(tolerance: f64) -> [PanelOptions; 2] {
+pub(super) fn options(tolerance: f64) -> [PanelOptions; 2] {
     let degree = if tolerance < HIGH_DEGREE { 7 } else { 5 };
     [(degree, tolerance), (degree + 2, BETTER * tolerance)].map(|(degree, tolerance)| PanelOptions { degree, tolerance })
 }
