@@ -51,9 +51,33 @@ fn shown(what: &str, state: &PeriodicState) {
 fn the_periodic_state_meets_another_program() {
     let state = solve_periodic(&one_term(), &problem(0.02, 2e-3, 1.0, (1e-4 * PI, 8e-3)), 40).unwrap();
     shown("one term, ω = 1", &state);
-    let near = |what: &str, got: f64, value: f64, err: f64| assert!((got - value).abs() <= err, "{what}: {got:e} is not {value:e} ± {err:e}");
+    let near =
+        |what: &str, got: f64, value: f64, err: f64| assert!((got - value).abs() <= err, "{what}: {got:e} is not {value:e} ± {err:e}");
     near("work", state.cycle.work.value, 2.169_489e-5, 3e-11 + state.cycle.work.error);
     near("narrowest", state.cycle.contact_radius[0].value, 0.195_201_5, 3e-7 + state.cycle.contact_radius[0].error);
     near("widest", state.cycle.contact_radius[1].value, 0.200_366_1, 4e-7 + state.cycle.contact_radius[1].error);
     assert!(state.reached);
+}
+
+/// n terms of equal compliance, over decades.
+fn broad(count: i32, decades: f64) -> Material {
+    let term = |k: i32| CreepTerm {
+        compliance: 7.0 / f64::from(count),
+        retardation_time: 10f64.powf(decades * (f64::from(k) / f64::from((count - 1).max(1)) - 0.5)),
+    };
+    Material::from_creep(3.0, &(0..count).map(term).collect::<Vec<_>>(), None).unwrap()
+}
+
+#[test]
+fn scratch() {
+    for (mean, amplitude) in [(0.02, 2e-3), (0.02, 1e-5), (0.02, 5e-3)] {
+        for omega in [1.0, 20.0, 1e3, 1e8, 1e-2, 1e-4, 1e-7] {
+            let at = std::time::Instant::now();
+            match solve_periodic(&broad(12, 12.0), &problem(mean, amplitude, omega, (3e-4, 4e-3)), 40) {
+                Ok(state) => shown(&format!("12 terms A = {amplitude} ω = {omega}"), &state),
+                Err(refusal) => println!("12 terms A = {amplitude} ω = {omega}: {refusal}"),
+            }
+            println!("{:?}", at.elapsed());
+        }
+    }
 }

@@ -4,7 +4,7 @@ use super::counter_body;
 use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
-use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, periodic, without_cohesive_stress};
 use crate::indentation::EdgeLaw;
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
@@ -55,6 +55,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or control `penetration`"));
     }
     let fields = fields(&table, &history)?;
+    periodic::possible(top, &table, &history, &shape, (start, rim_radius, &edge_law))?;
     Ok(Indentation {
         shape,
         counter_body,

@@ -25,6 +25,7 @@ mod material_strain;
 mod material_table;
 mod material_taking;
 mod measured_table;
+mod periodic;
 mod record;
 mod record_corners;
 mod section;

@@ -24,6 +24,8 @@ pub(super) struct ClosedChains<'a> {
     pub(super) profile: &'a Profile,
     pub(super) sinus: Sinus,
     pub(super) path: &'a ClosedPath,
+    /// δ.
+    pub(super) zone: f64,
     /// Nodes of the states of a segment, and what their series may miss of ΣX, free and bonded.
     pub(super) samples: usize,
     pub(super) errors: [f64; 2],
@@ -72,7 +74,11 @@ impl ClosedChains<'_> {
                     (false, true) => segment.high,
                     (false, false) => segment.low,
                 };
-                if inside { (segment.low, segment.high) = (border, next) } else { (segment.low, segment.high) = (next, border) }
+                if inside {
+                    (segment.low, segment.high) = (border, next)
+                } else {
+                    (segment.low, segment.high) = (next, border)
+                }
                 border = next;
             }
             list.retain(|segment| segment.blank || segment.low < segment.high);
@@ -112,9 +118,13 @@ impl ClosedChains<'_> {
         let (low, high, theta_low, theta_high) = if advances { (ends[0], ends[1], -1.0, 1.0) } else { (ends[1], ends[0], 1.0, -1.0) };
         let times = vec![middle - self.path.period, half];
         let segment = Segment { theta_low, theta_high, blank: false, straight: false, places, times, states, ..Segment::blank(low, high) };
+        // A term that fades within a short way of the edge counts by that way over the zone, and so does a short segment: the closure integrates over the zone.
+        let length = high - low;
+        let terms = if advances { &self.chain.relaxation } else { &self.chain.creep };
+        let seen = |rate: f64| (length / (to - from) / (rate * self.zone)).min(1.0) * (length / self.zone).min(1.0);
         let misses = |x: f64| -> Option<bool> {
             let (_, state) = self.state(advances, middle + half * x)?;
-            let miss: f64 = (0..n).map(|j| (segment.state_at(n, j, x) - state[j]).abs()).sum();
+            let miss: f64 = (0..n).map(|j| seen(terms[j].1) * (segment.state_at(n, j, x) - state[j]).abs()).sum();
             Some(miss > self.errors[usize::from(advances)])
         };
         if cuts > 0 {
@@ -125,7 +135,11 @@ impl ClosedChains<'_> {
                 }
             }
         }
-        if advances { line.inside.push(segment) } else { line.outside.push(segment) }
+        if advances {
+            line.inside.push(segment)
+        } else {
+            line.outside.push(segment)
+        }
         Some(())
     }
 

@@ -2,10 +2,10 @@
 
 use super::super::events::Mark;
 use super::super::line::Line;
-use super::super::trail::Trail;
 use super::super::march::March;
 use super::super::problem::{End, Outcome, Problem};
 use super::super::start::breaks;
+use super::super::trail::Trail;
 use super::closed_chains::ClosedChains;
 use super::closed_path::ClosedPath;
 use super::sinus::Sinus;
@@ -45,14 +45,14 @@ impl CycleMap<'_> {
     /// The line of a closed path.
     fn of(&self, path: &ClosedPath) -> Option<(Line, Vec<Mark>)> {
         let problem = self.problem;
-        let displacement = problem.adhesion.map_or_else(
-            || problem.profile.line(self.edge),
-            |adhesion| (adhesion * self.edge / problem.chain.glassy).sqrt(),
-        );
+        let displacement = problem
+            .adhesion
+            .map_or_else(|| problem.profile.line(self.edge), |adhesion| (adhesion * self.edge / problem.chain.glassy).sqrt());
         let error = STATES * problem.tolerance * displacement;
         let (chain, profile, sinus) = (&problem.chain, &problem.profile, self.sinus);
         let samples = problem.degree + 5;
-        let closed = ClosedChains { chain, profile, sinus, path, samples, errors: [error, error * chain.glassy] };
+        let zone = problem.zone;
+        let closed = ClosedChains { chain, profile, sinus, path, zone, samples, errors: [error, error * chain.glassy] };
         let line = closed.line(|edge| breaks(profile, edge))?;
         let origin = path.way(0.0);
         let marks = [path.narrowest, path.widest].map(|turn| Mark { place: path.way(turn) - origin, jump: false });
@@ -72,6 +72,7 @@ impl CycleMap<'_> {
         let mut march = March::new(self.problem, line.edge, self.sinus.mean);
         march.line = line;
         march.marks = marks;
+        march.merge();
         march.branch.memory = self.sinus.memory(&self.problem.chain, 0.0);
         let row = march.row(None, 0.0);
         march.outcome.path.clear();
@@ -94,7 +95,10 @@ impl CycleMap<'_> {
             End::History => {}
             End::Lost | End::Floor => {
                 return Err(Refusal::NoSuchState {
-                    reason: format!("the contact lets go within a cycle, {:.0} % of it after the penetration passes its mean", 100.0 * cycle.fract()),
+                    reason: format!(
+                        "the contact lets go within a cycle, {:.0} % of it after the penetration passes its mean",
+                        100.0 * cycle.fract()
+                    ),
                     limit_name: "contact radius there",
                     limit: radius,
                 });
@@ -106,7 +110,10 @@ impl CycleMap<'_> {
         if let Some(jump) = march.outcome.jumps.first() {
             return Err(Refusal::Undefined {
                 quantity: "the periodic state of an edge that jumps",
-                reason: format!("within a cycle it jumps to a = {:e} m at Δ = {:e} m; integrate the cycles", jump.contact_radius, jump.penetration),
+                reason: format!(
+                    "within a cycle it jumps to a = {:e} m at Δ = {:e} m; integrate the cycles",
+                    jump.contact_radius, jump.penetration
+                ),
             });
         }
         let trail = march.line.trail.take().unwrap_or_default();

@@ -97,7 +97,11 @@ fn largest(rows: &[Row], value: impl Fn(&Row) -> f64) -> f64 {
     for _ in 0..SECTIONS {
         let [one, two] = [low + 0.382 * (high - low), low + 0.618 * (high - low)];
         let values = [at(one), at(two)];
-        if values[0] > values[1] { high = two } else { low = one }
+        if values[0] > values[1] {
+            high = two
+        } else {
+            low = one
+        }
         most = most.max(values[0]).max(values[1]);
     }
     most

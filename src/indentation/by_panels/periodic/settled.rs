@@ -125,7 +125,11 @@ pub(super) fn settled(map: &CycleMap<'_>, near: Option<&ClosedPath>, work: &mut 
 }
 
 fn only(mut tried: Tried, best: usize) -> Tried {
-    Tried { given: vec![tried.given.swap_remove(best)], led: vec![tried.led.swap_remove(best)], residuals: vec![tried.residuals.swap_remove(best)] }
+    Tried {
+        given: vec![tried.given.swap_remove(best)],
+        led: vec![tried.led.swap_remove(best)],
+        residuals: vec![tried.residuals.swap_remove(best)],
+    }
 }
 
 pub(super) fn add(work: &mut IndentationWork, outcome: &Outcome) {

@@ -2,15 +2,15 @@
 //! accuracy. A bound is ten times the distance of both, and what two cycles integrated from the state still change, carried on as slowly as the paths settled.
 
 use super::super::problem::Row;
-use super::super::solve::{Begun, PanelOptions, begun};
 use super::super::solution::{FIRST, LOOSEST, SAFETY, TIGHTER, TIGHTEST, options};
+use super::super::solve::{Begun, PanelOptions, begun};
 use super::closed_path::ClosedPath;
 use super::cycle_map::{CycleMap, not_converged};
 use super::integrals::{Measured, Pieces};
 use super::settled::{Settled, add, settled};
 use super::sinus::Sinus;
 use crate::estimate::Estimate;
-use crate::indentation::{Controlled, Cycle, IndentationProblem, IndentationWork, Instant, Start};
+use crate::indentation::{Controlled, Cycle, IndentationProblem, IndentationSolution, IndentationWork, Instant, Segment, Start, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
@@ -34,10 +34,34 @@ pub struct PeriodicState {
     pub instants: Vec<Instant>,
     /// Largest change of the contact radius from the start of a cycle to its end, and at any phase (m).
     pub change_of_radius: f64,
+    /// Smallest D outside the contact (m).
+    pub smallest_gap: f64,
     /// Whether every bound meets the accuracy.
     pub reached: bool,
     /// Counters of everything that was integrated.
     pub work: IndentationWork,
+}
+
+impl PeriodicState {
+    /// The same as a history of one cycle.
+    #[must_use]
+    pub fn solution(self) -> IndentationSolution {
+        let least = |of: fn(&Instant) -> f64| self.instants.iter().map(of).fold(f64::INFINITY, f64::min);
+        IndentationSolution {
+            smallest_stress_intensity_factor: least(|instant| instant.stress_intensity_factor.value),
+            residual: self.instants.iter().fold(0.0, |most: f64, instant| most.max(instant.residual)),
+            instants: self.instants,
+            events: Vec::new(),
+            cycles: vec![self.cycle],
+            largest_tension: None,
+            balance_defect: None,
+            smallest_gap_factor: self.smallest_gap,
+            reached: self.reached,
+            march: Trace { work: self.work, ..Trace::default() },
+            by_panels: true,
+            work: self.work,
+        }
+    }
 }
 
 /// The periodic state of a problem whose history is one steady oscillation of the penetration about its start; its duration and what a contact was before do
@@ -49,7 +73,7 @@ pub struct PeriodicState {
 pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instants: u32) -> Result<PeriodicState, Refusal> {
     problem.checked()?;
     let (sinus, period) = sinus(problem)?;
-    let history = problem.history.segments.iter().map(|segment| crate::indentation::Segment { duration: period, ..*segment }).collect();
+    let history = problem.history.segments.iter().map(|segment| Segment { duration: period, ..*segment }).collect();
     let mut asked = problem.clone();
     (asked.start, asked.history.segments) = (Start::Relaxed, history);
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
@@ -100,6 +124,7 @@ struct Found {
     rows: Vec<Row>,
     change: f64,
     residual: f64,
+    smallest_gap: f64,
 }
 
 fn found(
@@ -139,9 +164,10 @@ fn found(
     let cycles = [0, 1].map(|k| pieces.measured(&sinus, &of(k)));
     let way = |time: f64| integrated.trail.at(time);
     let times = (0..=64).map(|k| period * f64::from(k) / 64.0);
-    let change = times.map(|time| (way(time + period) - way(time)).abs().max((way(time) - path.way(time)).abs())).fold(settled.change, f64::max);
+    let change =
+        times.map(|time| (way(time + period) - way(time)).abs().max((way(time) - path.way(time)).abs())).fold(settled.change, f64::max);
     let residual = outcome.path.iter().fold(0.0, |most: f64, step| most.max(step.residual));
-    Ok(Found { cycles, rows: of(CYCLES), change, residual, settled })
+    Ok(Found { cycles, rows: of(CYCLES), change, residual, smallest_gap: outcome.smallest_gap, settled })
 }
 
 fn compared(
@@ -206,6 +232,7 @@ fn compared(
         mean_contact_radius: number(9),
         instants: shown.collect(),
         change_of_radius: fine.change,
+        smallest_gap: fine.smallest_gap,
         reached,
         work: *work,
     })
