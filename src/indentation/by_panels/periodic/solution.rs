@@ -1,6 +1,7 @@
 //! The periodic state with bounds: of two paths, the better one by two degrees and a tenth of the tolerance, at tolerances that fall until the bounds meet the
 //! accuracy. A bound is ten times the distance of both, and what two cycles integrated from the state still change, carried on as slowly as the paths settled.
 
+use super::super::energies::TurnedOver;
 use super::super::problem::Row;
 use super::super::solution::{FIRST, LOOSEST, SAFETY, TIGHTER, TIGHTEST, options};
 use super::super::solve::{Begun, PanelOptions, begun};
@@ -34,6 +35,8 @@ pub struct PeriodicState {
     pub instants: Vec<Instant>,
     /// Largest change of the contact radius from the start of a cycle to its end, and at any phase (m).
     pub change_of_radius: f64,
+    /// What is turned over in the cycle, if the problem asks for energies: ∮F dΔ + ∮G_tip dA = ∮P_d dt.
+    pub turned_over: Option<TurnedOver>,
     /// Smallest D outside the contact (m).
     pub smallest_gap: f64,
     /// Whether every bound meets the accuracy.
@@ -125,6 +128,7 @@ struct Found {
     change: f64,
     residual: f64,
     smallest_gap: f64,
+    turned_over: Option<TurnedOver>,
 }
 
 fn found(
@@ -136,7 +140,8 @@ fn found(
     work: &mut IndentationWork,
 ) -> Result<Found, Refusal> {
     let Begun { problem: mut own, edge, .. } = begun(material, problem, options, (&[], false))?;
-    own.energies = false;
+    // Energies of the last cycles alone.
+    let energies = std::mem::take(&mut own.energies);
     let settled = settled(&CycleMap { problem: &own, sinus, period, edge }, near, work)?;
     // Two cycles from it, with rows where integrals ask for them.
     let path = &settled.path;
@@ -149,6 +154,7 @@ fn found(
     let mut asked: Vec<(f64, usize)> = (0..CYCLES).flat_map(|k| each.iter().map(move |time| (k as f64 * period + time, k))).collect();
     asked.extend(shown.map(|time| (time, CYCLES)));
     asked.sort_by(|one, other| one.0.total_cmp(&other.0));
+    own.energies = energies;
     own.instants = asked.iter().map(|(time, _)| *time).collect();
     own.drive.stretches.iter_mut().for_each(|stretch| stretch.duration *= CYCLES as f64);
     let map = CycleMap { problem: &own, sinus, period, edge };
@@ -166,8 +172,21 @@ fn found(
     let times = (0..=64).map(|k| period * f64::from(k) / 64.0);
     let change =
         times.map(|time| (way(time + period) - way(time)).abs().max((way(time) - path.way(time)).abs())).fold(settled.change, f64::max);
+    let accounts: Vec<TurnedOver> = outcome
+        .path
+        .iter()
+        .filter(|step| step.wanted)
+        .zip(&asked)
+        .filter(|(_, (_, kind))| *kind == CYCLES)
+        .filter_map(|(step, _)| step.account.map(|account| account.1))
+        .collect();
+    let turned_over = accounts.first().zip(accounts.last()).map(|(from, to)| TurnedOver {
+        external: to.external - from.external,
+        tip: to.tip - from.tip,
+        dissipated: to.dissipated - from.dissipated,
+    });
     let residual = outcome.path.iter().fold(0.0, |most: f64, step| most.max(step.residual));
-    Ok(Found { cycles, rows: of(CYCLES), change, residual, smallest_gap: outcome.smallest_gap, settled })
+    Ok(Found { cycles, turned_over, rows: of(CYCLES), change, residual, smallest_gap: outcome.smallest_gap, settled })
 }
 
 fn compared(
@@ -233,6 +252,7 @@ fn compared(
         instants: shown.collect(),
         change_of_radius: fine.change,
         smallest_gap: fine.smallest_gap,
+        turned_over: fine.turned_over,
         reached,
         work: *work,
     })
