@@ -81,7 +81,7 @@ fn the_periodic_state_meets_another_program_and_many_cycles() {
         near(what, got.value, value, 5e-7 * value.abs() + got.error);
     }
     assert!(state.reached);
-    assert!(cycle.number <= 20, "{} cycles", cycle.number);
+    assert!(cycle.number <= 40, "{} cycles", cycle.number);
     // Work is the loss stiffness by another integral.
     near("πA²k''", PI * 4e-6 * cycle.loss_stiffness.value, cycle.work.value, 1e-9 * cycle.work.value);
 }
@@ -159,7 +159,7 @@ fn twelve_terms_over_twelve_decades() {
         let tight = solve_periodic(&material, &IndentationProblem { accuracy: 1e-4, ..asked }, 4).unwrap();
         shown(&format!("twelve terms, ω = {omega}, loose"), &loose);
         shown(&format!("twelve terms, ω = {omega}"), &tight);
-        assert!(loose.reached && tight.reached && tight.cycle.number <= 40, "{} cycles", tight.cycle.number);
+        assert!(loose.reached && tight.reached && tight.cycle.number <= 80, "{} cycles", tight.cycle.number);
         for (what, one, two) in [
             ("work", loose.cycle.work, tight.cycle.work),
             ("storage stiffness", loose.cycle.storage_stiffness, tight.cycle.storage_stiffness),

@@ -83,10 +83,15 @@ pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instant
     let mut work = IndentationWork::default();
     let mut best: Option<PeriodicState> = None;
     let mut near: Option<ClosedPath> = None;
+    let mut cycles = 0;
     loop {
         let failed = match compared(material, &asked, (sinus, period), (tolerance, instants), &mut near, &mut work) {
-            Ok(state) if state.reached => return Ok(state),
-            Ok(state) => {
+            Ok(mut state) => {
+                cycles += state.cycle.number;
+                state.cycle.number = cycles;
+                if state.reached {
+                    return Ok(state);
+                }
                 best = Some(state);
                 None
             }
