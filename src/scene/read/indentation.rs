@@ -45,6 +45,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         _ => IndentationStart::Untouched,
     };
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
+    periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
     rates_know_their_start(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
     if let (None, Some(index)) =
@@ -55,7 +56,6 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or control `penetration`"));
     }
     let fields = fields(&table, &history)?;
-    periodic::possible(top, &table, &history, &shape, (start, rim_radius, &edge_law))?;
     Ok(Indentation {
         shape,
         counter_body,

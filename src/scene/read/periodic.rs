@@ -15,7 +15,7 @@ pub(super) fn possible(
     table: &Section<'_>,
     history: &History,
     shape: &IndentationShape,
-    (start, rim, edge_law): (IndentationStart, Option<f64>, &EdgeLaw),
+    (start, given, rim, edge_law): (IndentationStart, HistoryQuantity, Option<f64>, &EdgeLaw),
 ) -> Result<(), SceneError> {
     let periodic = |segment: &HistorySegment| match segment {
         HistorySegment::Oscillation(oscillation) if oscillation.is_periodic() => Some(oscillation.quantity),
@@ -40,9 +40,12 @@ pub(super) fn possible(
     if top.table("adhesion").is_none() {
         return Err(refused("the contact has no adhesion", INSTEAD));
     }
-    if start != IndentationStart::Relaxed {
+    if start != IndentationStart::Relaxed || given != HistoryQuantity::Penetration {
         let message = format!("`{name}` = true needs indentation.start = \"relaxed\" and, as the mean, indentation.penetration");
-        return Err(SceneError::at(&table.key_place("start"), message, "in this table").help("write start = \"relaxed\""));
+        let key = if start == IndentationStart::Relaxed { given.word() } else { "start" };
+        return Err(
+            SceneError::at(&table.key_place(key), message, "in this table").help("write start = \"relaxed\" and penetration = \"2 µm\"")
+        );
     }
     if rim.is_some() || matches!(shape, IndentationShape::FlatPunch { .. }) {
         return Err(refused("the indenter has a rim", INSTEAD));
