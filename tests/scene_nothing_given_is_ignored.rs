@@ -257,6 +257,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("punch that swings", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, cycles = 2, to = 3e-6 }\n")),
         ("punch that swings faster", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, to_frequency = 2.0, frequency_sweep = \"linear\", duration = 2.0 }\n")),
         ("punch that settles", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, cycles = 30, until_stationary = true }\n")),
+        ("sphere that swings for ever", press(&format!("{SOFT}{STICKY}"), "sphere = { radius = 1e-3 }\nstart = \"relaxed\"\npenetration = 3e-6\n", "[[history]]\noscillation = { quantity = \"penetration\", amplitude = 3e-7, frequency = 1.0, periodic = true }\n")),
         ("cone", press(SOFT, "cone = { slope = 0.1 }\n", ramp)),
         ("cone with a rim", press(SOFT, "cone = { slope = 0.1 }\nrim_radius = 1e-5\n", ramp)),
         ("body of a power", press(SOFT, "power_law = { radius = 1e-3, exponent = 3.0 }\n", ramp)),

@@ -17,6 +17,7 @@
 
 use super::chain::Chain;
 use super::drive::Instant;
+use super::trail::Trail;
 
 /// Most coefficients of a series.
 pub(super) const SERIES: usize = 16;
@@ -185,6 +186,8 @@ pub(super) struct Line {
     pub(super) outside: Vec<Segment>,
     /// Places of no smooth continuation of the profile.
     pub(super) breaks: Vec<Break>,
+    /// The path of the edge, where it is kept.
+    pub(super) trail: Option<Trail>,
 }
 
 /// A place of no smooth continuation of the profile.
@@ -216,7 +219,7 @@ impl Line {
         let (inside, outside) = (vec![Segment::blank(-edge, 0.0)], vec![Segment::blank(0.0, f64::INFINITY)]);
         let mut breaks: Vec<Break> = breaks.iter().map(|at| Break { place: at.place - edge, ..*at }).collect();
         breaks.sort_by(|one, other| one.place.total_cmp(&other.place));
-        Self { edge, time: 0.0, rest: (0.0, 0.0), inside, outside, breaks }
+        Self { edge, time: 0.0, rest: (0.0, 0.0), inside, outside, breaks, trail: None }
     }
 
     /// Two places with the breaks of the profile between them, in their order.
@@ -248,6 +251,7 @@ impl Line {
 
     /// After a time in which the edge rested.
     pub(super) fn waited(&mut self, time: f64) {
+        self.trail.iter_mut().for_each(|trail| trail.waits(time));
         self.inside.iter_mut().chain(&mut self.outside).for_each(|segment| segment.time -= time);
         (self.time, self.rest.1) = added(self.time, self.rest.1, time);
     }
@@ -256,6 +260,7 @@ impl Line {
     pub(super) fn swept(&mut self, mut panel: Segment, theta: f64) {
         let (way, _) = panel.place_at(theta);
         let duration = panel.time_at(theta);
+        self.trail.iter_mut().for_each(|trail| trail.goes(&panel, theta));
         let advances = way > 0.0;
         let (growing, shrinking) = if advances { (&mut self.inside, &mut self.outside) } else { (&mut self.outside, &mut self.inside) };
         while shrinking.len() > 1 && shrinking.last().is_some_and(|last| if advances { last.high <= way } else { last.low >= way }) {

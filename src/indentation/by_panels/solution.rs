@@ -16,11 +16,11 @@ use crate::material::Material;
 use crate::refusal::Refusal;
 
 /// Tolerance of the first path that is given, over the accuracy, and the loosest.
-const FIRST: f64 = 0.3;
-const LOOSEST: f64 = 3e-4;
+pub(super) const FIRST: f64 = 0.3;
+pub(super) const LOOSEST: f64 = 3e-4;
 /// Each tolerance over the one before, and the last.
-const TIGHTER: f64 = 0.1;
-const TIGHTEST: f64 = 1e-8;
+pub(super) const TIGHTER: f64 = 0.1;
+pub(super) const TIGHTEST: f64 = 1e-8;
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
 
@@ -72,7 +72,7 @@ fn not_converged(detail: String) -> Refusal {
 }
 
 /// Of the finest path, the one that is given and the loosest.
-fn options(tolerance: f64) -> [PanelOptions; 3] {
+pub(super) fn options(tolerance: f64) -> [PanelOptions; 3] {
     let degree = if tolerance < HIGH_DEGREE { 7 } else { 5 };
     let option = |degree, tolerance| PanelOptions { degree, tolerance };
     [option(degree + 2, TIGHTER * tolerance), option(degree, tolerance), option(degree, tolerance / TIGHTER)]

@@ -36,13 +36,21 @@ pub fn march_by_panels(
     marched(material, problem, options, (instants, false))
 }
 
-/// The same; `surface`: with the surface at the last of the instants.
-pub(super) fn marched(
+/// A problem in the terms of the room, and its first contact.
+pub(super) struct Begun {
+    pub(super) problem: Problem,
+    /// a and Δ at time zero.
+    pub(super) edge: f64,
+    pub(super) depth: f64,
+}
+
+/// Sets a problem up; `surface`: with the surface at the last of the instants.
+pub(super) fn begun(
     material: &Material,
     problem: &IndentationProblem,
     options: PanelOptions,
     (instants, surface): (&[f64], bool),
-) -> Result<Outcome, Refusal> {
+) -> Result<Begun, Refusal> {
     problem.checked()?;
     require_positive("tolerance", options.tolerance)?;
     if !(2..=9).contains(&options.degree) {
@@ -83,7 +91,7 @@ pub(super) fn marched(
             (None, FIRST_LENGTH * radius_of(&problem.profile, deepest), radius_of(&problem.profile, history.start), history.start)
         }
     };
-    let own = Problem {
+    let problem = Problem {
         profile: problem.profile.clone(),
         chain,
         adhesion,
@@ -97,13 +105,24 @@ pub(super) fn marched(
         surface,
     };
     let depth = match history.controlled {
-        Controlled::ContactRadius => depth_of(&own, modulus, edge).ok_or_else(|| none("the contact radius there", edge))?,
+        Controlled::ContactRadius => depth_of(&problem, modulus, edge).ok_or_else(|| none("the contact radius there", edge))?,
         _ => depth,
     };
+    Ok(Begun { problem, edge, depth })
+}
+
+/// One march; `surface`: with the surface at the last of the instants.
+pub(super) fn marched(
+    material: &Material,
+    problem: &IndentationProblem,
+    options: PanelOptions,
+    instants: (&[f64], bool),
+) -> Result<Outcome, Refusal> {
+    let Begun { problem: own, edge, depth } = begun(material, problem, options, instants)?;
     let outcome = March::new(&own, edge, depth).run();
     // The widest contacts are at ends of panels: an edge that turns back ends one.
     for row in outcome.ends.iter().chain(&outcome.jumps).chain([&outcome.start]) {
-        problem.profile.holds(row.contact_radius, zone)?;
+        problem.profile.holds(row.contact_radius, own.zone)?;
     }
     if outcome.end == End::Failed {
         let last = outcome.ends.last().copied().unwrap_or(outcome.start);

@@ -35,6 +35,11 @@ const HELD_HISTORY_UPDATES: f64 = 110.0;
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
+/// Balances of a periodic state at an accuracy of 1e-4, power of the accuracy they grow with, and points of the line for each.
+const PERIODIC: f64 = 20_000.0;
+const PERIODIC_ORDER: f64 = 0.25;
+const PERIODIC_UPDATES: f64 = 200.0;
+
 /// Without steps in time: moves of both courses for each segment, and where something else than the penetration is given; moves of a cycle of the penetration, or of
 /// something else; cycles of the longest memory until each is the last one; points of the line updated for a move.
 const MOVES: f64 = 2.0;
@@ -156,8 +161,17 @@ impl IndentationPlan {
         }
     }
 
+    /// Expected balances and updates of a periodic state, by panels.
+    fn work_of_a_periodic_state(&self) -> (f64, f64) {
+        let balances = PERIODIC * (1e-4 / self.accuracy).powf(PERIODIC_ORDER);
+        (balances, balances * PERIODIC_UPDATES)
+    }
+
     /// Expected balances and updates of all marches of a state.
     fn work_of_a_march(&self) -> (f64, f64) {
+        if self.timeline.periodic {
+            return self.work_of_a_periodic_state();
+        }
         let times = self.material.relaxation_terms().iter().map(|term| term.relaxation_time);
         let (shortest, longest) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
         let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };

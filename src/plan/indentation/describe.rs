@@ -145,15 +145,25 @@ impl IndentationPlan {
             }
         }
         if self.timeline.oscillates() {
-            let followed = if marched {
+            let followed = if self.timeline.periodic {
+                "one cycle repeats itself for ever: every chain is closed over it, and the path of the edge is the one that a cycle leads back to (Anderson)"
+            } else if marched {
                 "every cycle of an oscillation is marched"
             } else {
                 "cycles of an oscillation are followed until each repeats the last one"
             };
             sentences.push(format!("{followed}; its stiffness is that of the fundamental, its work ∮F dΔ"));
         }
-        sentences
-            .push(if marched { "errors by marching again with other steps" } else { "errors by a second, coarser solution" }.to_owned());
+        sentences.push(
+            if self.timeline.periodic {
+                "errors by a second path, of other steps, and by two cycles integrated from the one that was found"
+            } else if marched {
+                "errors by marching again with other steps"
+            } else {
+                "errors by a second, coarser solution"
+            }
+            .to_owned(),
+        );
         sentences
     }
 
@@ -199,7 +209,9 @@ impl IndentationPlan {
             if let Some(longest) = self.material.longest_relaxation_time() {
                 groups.push(group(&format!("ωρ of history.{}, longest ρ", leg.segment), std::f64::consts::TAU * from * longest, "1"));
             }
-            groups.push(group(&format!("cycles of history.{}", leg.segment), leg.cycles(), "1"));
+            if !self.timeline.periodic {
+                groups.push(group(&format!("cycles of history.{}", leg.segment), leg.cycles(), "1"));
+            }
         }
         groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
         let way = self.timeline.way(HistoryQuantity::Penetration);

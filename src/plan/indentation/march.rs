@@ -2,6 +2,7 @@
 
 use super::IndentationPlan;
 use super::timeline::Leg;
+use crate::indentation::by_panels::solve_periodic;
 use crate::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run_watched};
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
@@ -76,6 +77,10 @@ impl IndentationPlan {
     }
 
     pub(super) fn solution(&self, desk: &Desk<'_>) -> Result<IndentationSolution, Refusal> {
+        if self.timeline.periodic {
+            let problem = self.problem()?;
+            return Ok(solve_periodic(&self.material, &problem, self.indentation.instants)?.solution());
+        }
         run_watched(&self.material, &self.problem()?, desk.left_off(), Some(desk))
     }
 }

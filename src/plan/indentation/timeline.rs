@@ -53,6 +53,8 @@ pub(super) struct Timeline {
     pub(super) open_ramps: Vec<(f64, f64)>,
     /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
     pub(super) in_time: bool,
+    /// Whether it is one cycle that repeats itself for ever.
+    pub(super) periodic: bool,
 }
 
 struct Builder<'s> {
@@ -69,7 +71,7 @@ impl Timeline {
     pub(super) fn new(indentation: &Indentation, scale: &Scale) -> Result<Self, Refusal> {
         let (quantity, value) = indentation.at_start;
         let start = (quantity, scale.coherent(quantity, value));
-        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false };
+        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false, periodic: false };
         let mut builder = Builder {
             scale,
             factor: indentation.speed_factor,
@@ -184,6 +186,7 @@ impl Builder<'_> {
                 reason: "it is only known when the history is solved; give `to`".into(),
             });
         };
+        self.timeline.periodic = given.is_periodic();
         let (end_frequency, sweep) = given.sweep.unwrap_or((given.frequency, FrequencySweep::Linear));
         let oscillation = Oscillation {
             amplitude: self.scale.coherent(quantity, given.amplitude),
@@ -198,7 +201,7 @@ impl Builder<'_> {
         self.time += duration;
         // Whole cycles end at the mean itself.
         let reached = match given.extent {
-            OscillationExtent::Cycles(_) => end,
+            OscillationExtent::Cycles(_) | OscillationExtent::Periodic => end,
             OscillationExtent::Duration(_) => end + oscillation.deviation(duration, duration),
         };
         self.here = (quantity, reached);

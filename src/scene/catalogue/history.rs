@@ -127,7 +127,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history[].oscillation",
         kind: Kind::Table,
-        meaning: "Swing as a sinus about the present value of a quantity of a sphere, up first; every whole cycle gives its stiffness, loss and extremes. Holds exactly one of `cycles`, `duration`.",
+        meaning: "Swing as a sinus about the present value of a quantity of a sphere, up first; every whole cycle gives its stiffness, loss and extremes. Holds exactly one of `cycles`, `duration`, `periodic = true`.",
     },
     Key { path: "history[].oscillation.quantity", kind: Kind::Choice(HistoryQuantity::OSCILLATING), meaning: "What oscillates." },
     Key {
@@ -164,5 +164,10 @@ pub(super) const KEYS: &[Key] = &[
         path: "history[].oscillation.until_stationary",
         kind: Kind::Flag,
         meaning: "Whether it ends with the first cycle that, to the accuracy of the scene, will not drift any more in the longest relaxation time. Needs `cycles`, a steady frequency and a mean that stays.",
+    },
+    Key {
+        path: "history[].oscillation.periodic",
+        kind: Kind::Flag,
+        meaning: "Whether the oscillation has gone on for ever: the row is the cycle that repeats itself, found without the cycles that lead to it. For the penetration of an adhesive contact about the one at the start (start = \"relaxed\"), as the only segment, at one frequency; in place of `cycles` and `duration`.",
     },
 ];

@@ -158,6 +158,17 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
     let Some(quantity) = HistoryQuantity::of_word(table.required_text("quantity")?) else { return Err(table.missing("quantity")) };
     let amplitude = dependent(&table, "amplitude", quantity.dimension(), Range::Positive)?;
     let frequency = table.required_number("frequency")?;
+    let flag = |key: &str| matches!(table.value(key).map(|node| &node.value), Some(Value::Flag(true)));
+    if flag("periodic") {
+        let others = ["cycles", "duration", "to", "to_frequency", "frequency_sweep", "until_stationary"];
+        if let Some(key) = others.into_iter().find(|key| table.node().get(key).is_some()) {
+            let message =
+                format!("`{}` = true excludes `{}`: its one cycle repeats itself for ever", table.full("periodic"), table.full(key));
+            return Err(SceneError::at(&table.key_place(key), message, "leave one of the two out"));
+        }
+        let extent = OscillationExtent::Periodic;
+        return Ok(HistoryOscillation { quantity, amplitude, frequency, sweep: None, extent, to: None, until_stationary: false });
+    }
     let extent = match table.exactly_one(&["cycles", "duration"])? {
         "cycles" => OscillationExtent::Cycles(table.required_number("cycles")? as u32),
         _ => OscillationExtent::Duration(table.required_number("duration")?),
@@ -172,7 +183,7 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
         (None, None) => None,
     };
     let to = table.value("to").map(|_| dependent(&table, "to", quantity.dimension(), quantity.range())).transpose()?;
-    let until_stationary = matches!(table.value("until_stationary").map(|node| &node.value), Some(Value::Flag(true)));
+    let until_stationary = flag("until_stationary");
     if until_stationary {
         let moving = ["to", "to_frequency"].into_iter().find(|key| table.node().get(key).is_some());
         if let Some(key) = moving {

@@ -4,7 +4,7 @@ use super::counter_body;
 use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
-use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, without_cohesive_stress};
+use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, periodic, without_cohesive_stress};
 use crate::indentation::EdgeLaw;
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
@@ -45,6 +45,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         _ => IndentationStart::Untouched,
     };
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
+    periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
     rates_know_their_start(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
     if let (None, Some(index)) =

@@ -25,6 +25,7 @@ mod material_table;
 mod material_taking;
 mod measured_table;
 pub(super) mod memo;
+mod periodic;
 mod record;
 mod record_corners;
 mod section;

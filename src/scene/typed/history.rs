@@ -194,12 +194,19 @@ pub struct HistoryOscillation {
 }
 
 impl HistoryOscillation {
+    /// Whether only the cycle that repeats itself is asked for.
+    #[must_use]
+    pub const fn is_periodic(&self) -> bool {
+        matches!(self.extent, OscillationExtent::Periodic)
+    }
+
     /// How long it takes (s), at most.
     #[must_use]
     pub fn duration(&self) -> f64 {
         let cycles = match self.extent {
             OscillationExtent::Duration(duration) => return duration,
             OscillationExtent::Cycles(cycles) => f64::from(cycles),
+            OscillationExtent::Periodic => 1.0,
         };
         // Cycles in one second of a sweep are its mean frequency.
         let (low, high) = (self.frequency, self.sweep.map_or(self.frequency, |(end, _)| end));
@@ -218,6 +225,8 @@ pub enum OscillationExtent {
     Cycles(u32),
     /// So long (s).
     Duration(f64),
+    /// For ever: one cycle, which repeats itself.
+    Periodic,
 }
 
 /// How fast a ramp goes; both numbers are greater than zero.
