@@ -20,6 +20,9 @@ use crate::refusal::{Refusal, require_non_negative};
 use crate::special::dawson::{dawson, dawson_slope};
 use std::f64::consts::{PI, TAU};
 
+/// Two quotients and the root, and the distance and the speed to an ulp each.
+const DIGITS_OF_Z: f64 = 4.0 * f64::EPSILON;
+
 /// The fields at the tip of a steadily opening crack.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpeningTip<'a> {
@@ -115,11 +118,12 @@ impl<'a> ClosingTip<'a> {
             sum += term.modulus * slope;
             // The slope itself is 1 − 2yD below the seam of its asymptotic series: its error is that of a number of order one.
             magnitude += term.modulus * if y < 6.3 { 1.0 } else { slope.abs() };
+            // dD′/d ln z = −yD − y²D′ with z = y²: of a converted series, and of the last digits of z.
+            let time_slope = if y.is_finite() { (y * dawson(y) + y * y * slope).abs() } else { 0.0 };
+            conversion += term.modulus * time_slope * DIGITS_OF_Z;
             if self.material.given() == GivenSeries::Creep
                 && let Some(error) = self.material.conversion_errors().get(index)
             {
-                // dD′/d ln z = −yD − y²D′ with z = y².
-                let time_slope = if y.is_finite() { (y * dawson(y) + y * y * slope).abs() } else { 0.0 };
                 conversion += term.modulus * (slope.abs() * error.strength + time_slope * error.time);
             }
         }
