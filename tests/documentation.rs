@@ -151,7 +151,7 @@ fn the_scene_of_the_readme_prints_what_it_shows() {
     assert_eq!(answer.code, 0, "{}", answer.stderr);
     let (info, shown) = &blocks[place + 1];
     assert_eq!(info, "text");
-    for line in shown.lines() {
+    for line in shown.lines().filter(|line| *line != "…") {
         assert!(answer.stdout.lines().any(|printed| printed.trim_end() == line.trim_end()), "not printed: {line}\n{}", answer.stdout);
     }
 }

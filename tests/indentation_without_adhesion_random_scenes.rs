@@ -213,6 +213,38 @@ fn a_punch_on_a_liquid_stays_in_contact_however_long_it_is_held() {
     assert!(detached.len() == 1 && (detached[0] - 104_256_372.723_858_4).abs() < 5e-3, "{detached:?}");
 }
 
+/// A force that presses hardly deeper than what series leave of a deep indentation was let go at the start of its ramp to nothing, for the instants on the way.
+#[test]
+fn a_force_is_there_at_every_instant_until_it_is_gone() {
+    let maxwell = Material::from_relaxation(0.0, &[RelaxationTerm { modulus: 10.0, relaxation_time: 1.0 }]).unwrap();
+    let burgers = Material::from_creep(10.0, &[CreepTerm { compliance: 0.2, retardation_time: 3.0 }], Some(10.0)).unwrap();
+    let (force, pull, duration) = (1e-3, -1e-4, 0.65);
+    let mut pressed = 0;
+    for material in [&maxwell, &burgers] {
+        for profile in [Profile::Paraboloid { radius: 1.0 }, Profile::Cone { slope: 0.03 }, Profile::FlatPunch { radius: 0.03 }] {
+            for held in [1.0, 1e3, 1e5, 1e7] {
+                for accuracy in [1e-3, 1e-6] {
+                    let history = History::force(0.0).ramp(force, 0.5).hold(held).ramp(pull, duration);
+                    let problem = IndentationProblem::new(profile.clone(), None, history);
+                    let solution = run(material, &IndentationProblem { instants_per_segment: 7, accuracy, ..problem }).unwrap();
+                    for at in solution.instants.iter().filter(|at| at.time >= 0.5 + held) {
+                        let right = force + (pull - force) * (at.time - 0.5 - held) / duration;
+                        let rounding = 4.0 * f64::EPSILON * (force - pull) * (1.0 + held / duration);
+                        let away = (at.force.value - right.max(0.0)).abs();
+                        assert!(away <= at.force.error + rounding, "{profile:?} {held} {at:?}: {right}");
+                        assert!((at.contact_radius.value > 0.0) == (right > 0.0), "{profile:?} {held} {at:?}");
+                        pressed += u32::from(right > 0.0);
+                    }
+                    let lost: Vec<_> = solution.events.iter().filter(|event| event.kind == EventKind::Detachment).collect();
+                    let right = 0.5 + held + duration * force / (force - pull);
+                    assert!(lost.len() == 1 && (lost[0].time.value - right).abs() <= lost[0].time.error + 1e-15 * right, "{lost:?} {right}");
+                }
+            }
+        }
+    }
+    assert!(pressed >= 300, "{pressed}");
+}
+
 /// The same of other shapes and liquids, then of a penetration, a force and a frame that take over what has relaxed to nothing.
 #[test]
 fn what_has_relaxed_below_rounding_is_still_in_contact() {

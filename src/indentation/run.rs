@@ -53,6 +53,14 @@ pub fn run_watched(
         }
         return super::adhesiveless::solve(material, problem, watch);
     }
+    let oscillates = problem.history.segments.iter().any(|segment| segment.oscillation.is_some());
+    if material.relaxation_terms().is_empty() && from.is_none() && !oscillates {
+        match by_panels::solve_by_panels(material, problem) {
+            // Rims and edge laws, and surfaces that touch again.
+            Err(Refusal::Undefined { .. } | Refusal::NotConverged { .. }) => {}
+            solution => return solution,
+        }
+    }
     let mut finished = 0;
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST_FIRST, LOOSEST);
     // The last ones, the finest first.

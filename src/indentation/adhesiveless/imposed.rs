@@ -96,7 +96,10 @@ impl Course<'_> {
                 f64::INFINITY
             };
             let vanishes = gone < whole || given.end() <= 0.0;
-            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || self.presses_no_more(&given, at, gone);
+            // What presses hardly at all is let go at once; instants before its end still see it pressed.
+            let seen = wanted.first().map(|instant| instant.time - start).filter(|time| *time < gone);
+            let faint = pulls && vanishes && self.presses_no_more(&given, at, gone);
+            let soon = gone - at <= nothing.max(4.0 * f64::EPSILON * gone) || faint && seen.is_none();
             if pulls && vanishes && soon {
                 self.time = start + gone;
                 self.let_go()?;
@@ -105,7 +108,11 @@ impl Course<'_> {
                 at = gone;
                 continue;
             }
-            let most = if pulls && vanishes { TOWARDS * (gone - at) } else { whole - at };
+            let most = match seen {
+                Some(time) if faint => time - at,
+                _ if pulls && vanishes => TOWARDS * (gone - at),
+                _ => whole - at,
+            };
             at += self.panel(controlled, &given, at, most, &mut wanted)?;
         }
         self.time = start + whole;

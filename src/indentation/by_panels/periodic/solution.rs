@@ -223,7 +223,7 @@ fn compared(
         })
         .collect();
     let number = |k: usize| values.get(k).copied().unwrap_or(Estimate::new(f64::NAN, f64::INFINITY));
-    let reached = values.iter().zip(scales).all(|(value, scale)| value.error <= problem.accuracy * scale);
+    let of_cycle = values.iter().zip(scales).all(|(value, scale)| value.error <= problem.accuracy * scale);
     let first = fine.rows.first().map_or(0.0, |row| row.time);
     // What the cycle still changes acts on every instant.
     let left = |k: usize| number(k).error.max(number(k + 1).error);
@@ -238,6 +238,12 @@ fn compared(
         energy_release_rate: None,
         residual: fine.residual,
     });
+    let shown: Vec<Instant> = shown.collect();
+    let within = |of: fn(&Instant) -> Estimate| {
+        let largest = shown.iter().map(|at| of(at).value.abs()).fold(0.0, f64::max);
+        shown.iter().all(|at| of(at).error <= problem.accuracy * largest)
+    };
+    let reached = of_cycle && within(|at| at.force) && within(|at| at.contact_radius) && within(|at| at.stress_intensity_factor);
     let exact = |value: f64| Estimate::relative(value, f64::EPSILON);
     Ok(PeriodicState {
         cycle: Cycle {
@@ -258,7 +264,7 @@ fn compared(
         },
         mean_force: number(8),
         mean_contact_radius: number(9),
-        instants: shown.collect(),
+        instants: shown,
         change_of_radius: fine.change,
         smallest_gap: fine.smallest_gap,
         turned_over: fine.turned_over,
