@@ -237,7 +237,10 @@ fn a_force_is_there_at_every_instant_until_it_is_gone() {
                     }
                     let lost: Vec<_> = solution.events.iter().filter(|event| event.kind == EventKind::Detachment).collect();
                     let right = 0.5 + held + duration * force / (force - pull);
-                    assert!(lost.len() == 1 && (lost[0].time.value - right).abs() <= lost[0].time.error + 1e-15 * right, "{lost:?} {right}");
+                    assert!(
+                        lost.len() == 1 && (lost[0].time.value - right).abs() <= lost[0].time.error + 1e-15 * right,
+                        "{lost:?} {right}"
+                    );
                 }
             }
         }

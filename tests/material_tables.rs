@@ -152,9 +152,9 @@ fn only_files_of_text_are_read() {
         assert!(answer.stderr.contains(words), "{}", answer.stderr);
     };
     std::fs::create_dir(folder.path("folder.csv")).unwrap();
-    says("folder.csv", "no regular file");
+    says("folder.csv", "it is a folder, not a file");
     #[cfg(unix)]
-    says("/dev/zero", "no regular file");
+    says("/dev/zero", "only regular files are read");
     folder.write("zero.csv", b"frequency (Hz), E' (Pa)\n1,\0\n");
     says("zero.csv", "line 2 holds a zero byte");
     // A file with a hole takes no place on the disk.

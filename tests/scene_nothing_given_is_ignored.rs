@@ -195,7 +195,7 @@ fn scenes() -> Vec<(&'static str, String)> {
         ("crack under G", format!("{CREEP}{}", TORN.replace("speed = 1e-6", "energy_release_rate = 30.0"))),
         ("crack, reduced", format!("{REDUCED}[adhesion]\nprocess_zone = {{ length = 1 }}\n[crack]\nspeed = 1\nbody = \"against_rigid\"\n")),
         ("crack, swept", format!("{}[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\npoints = 3\nspacing = \"logarithmic\"\n", crack_of(CREEP))),
-        ("crack, states at random", format!("plots = [\"png\"]\n{}[latin_hypercube]\nstates = 3\nseed = 5\n[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\n", crack_of(CREEP))),
+        ("crack, swept at random", format!("plots = [\"png\"]\n{}[latin_hypercube]\nstates = 3\nseed = 5\n[sweep]\nkey = \"crack.speed\"\nfrom = 1e-6\nto = 1e-4\n", crack_of(CREEP))),
         ("crack, swept by values", format!("{}[sweep]\nkey = \"crack.speed\"\nvalues = [1e-6, 1e-5]\n", crack_of(CREEP))),
         ("crack, work by speed", crack_of(CREEP).replace("work_of_adhesion = 10.0\n", "work_of_adhesion = 10.0\nby_speed = { speed = 1e-5, exponent = 0.3 }\n")),
         ("strip", format!("{CREEP}{}[crack.strip]\nhalf_height = 0.01\nstrain = 0.06\nlateral = \"clamped\"\n", TORN.replace("speed = 1e-6\n", ""))),

@@ -33,8 +33,9 @@ pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8,
     let plan = plan::Plan::new(&source.scene)?;
     let states = plan.states();
     interrupt::explain(out.map(|target| name(&partial_of(target))), states);
-    let header = plan::journal_header(&source.document, &source.scene);
-    let mut folder = out.map(|target| RunFolder::open(target, &header, force)).transpose()?;
+    // The header tells the build, for which the program reads its own file: only where there is a journal.
+    let header = || plan::journal_header(&source.document, &source.scene);
+    let mut folder = out.map(|target| RunFolder::open(target, &header(), force)).transpose()?;
     if let Some(folder) = &mut folder {
         let (journal, checkpoints) = folder.journal();
         let (finished, begun) = (journal.states(), checkpoints.begun(states));

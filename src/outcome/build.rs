@@ -1,10 +1,7 @@
 //! Which build of the program this is. Two builds may round differently, so that neither goes on where the other was interrupted.
 
-use super::owned::digest;
+use super::owned::digest_of;
 use std::sync::OnceLock;
-
-/// No program file is larger (bytes).
-const LARGEST: u64 = 1 << 30;
 
 /// Version, commit, and the first digits of the SHA-256 of the program file: a commit alone does not say which sources, compiler and options made it.
 ///
@@ -13,8 +10,8 @@ const LARGEST: u64 = 1 << 30;
 pub fn identity() -> &'static str {
     static IDENTITY: OnceLock<String> = OnceLock::new();
     IDENTITY.get_or_init(|| {
-        let file = std::env::current_exe().and_then(|path| crate::regular_file::read(&path, LARGEST));
-        let build = file.map_or_else(|_| unlike_any_other(), |bytes| digest(&bytes).chars().take(32).collect());
+        let digest = std::env::current_exe().and_then(|path| digest_of(&path.canonicalize()?));
+        let build = digest.map_or_else(|_| unlike_any_other(), |digest| digest.chars().take(32).collect());
         format!("viscotack {} {} build {build}", env!("CARGO_PKG_VERSION"), env!("VISCOTACK_COMMIT"))
     })
 }

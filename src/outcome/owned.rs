@@ -280,7 +280,7 @@ fn matches(listed: &str, name: &str) -> bool {
 }
 
 /// SHA-256 of a file, read piece by piece.
-fn digest_of(path: &Path) -> std::io::Result<String> {
+pub(super) fn digest_of(path: &Path) -> std::io::Result<String> {
     if !fs::symlink_metadata(path)?.is_file() {
         return Err(std::io::Error::other("it is no regular file any more"));
     }

@@ -40,7 +40,7 @@ use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
 
 /// The program with its libraries and a few rows.
-const BYTES_OF_THE_PROGRAM: u64 = 10 << 20;
+const BYTES_OF_THE_PROGRAM: u64 = 12 << 20;
 /// A row with its words, certificate and work; a value with its error, as a number and in the tables that are written.
 const BYTES_OF_A_ROW: u64 = 800;
 const BYTES_OF_A_CELL: u64 = 48;

@@ -51,7 +51,10 @@ pub struct TabulatedShape {
 impl PartialEq for TabulatedShape {
     /// The integrals follow from the rest.
     fn eq(&self, other: &Self) -> bool {
-        self.end.to_bits() == other.end.to_bits() && self.height.to_bits() == other.height.to_bits() && self.knots == other.knots && self.series == other.series
+        self.end.to_bits() == other.end.to_bits()
+            && self.height.to_bits() == other.height.to_bits()
+            && self.knots == other.knots
+            && self.series == other.series
     }
 }
 

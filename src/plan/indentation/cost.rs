@@ -36,9 +36,9 @@ const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 2.0;
 
 /// Balances of a periodic state at an accuracy of 1e-4, power of the accuracy they grow with, and points of the line for each.
-const PERIODIC: f64 = 20_000.0;
+const PERIODIC: f64 = 60_000.0;
 const PERIODIC_ORDER: f64 = 0.25;
-const PERIODIC_UPDATES: f64 = 200.0;
+const PERIODIC_UPDATES: f64 = 120.0;
 
 /// Without steps in time: moves of both courses for each segment, and where something else than the penetration is given; moves of a cycle of the penetration, or of
 /// something else; cycles of the longest memory until each is the last one; points of the line updated for a move.

@@ -6,7 +6,7 @@
 use super::super::honesty::tally::Compared;
 use super::drawn::{Drawn, Problem, drawn};
 use crate::estimate::Estimate;
-use crate::outcome::{Outcome, Row};
+use crate::outcome::{Outcome, Row, SUMMARY};
 use std::collections::BTreeMap;
 
 /// Two times of a history are one if they agree to this part of the longer.
@@ -76,9 +76,11 @@ fn is_spread(problem: Problem, row: &Row) -> bool {
 
 fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
     let time = found.columns.iter().position(|column| column.name == "time");
+    // How many cycles it takes until they are stationary depends on the accuracy, and with it which one is the last.
+    let settles = judged.drawn.text.contains("until_stationary");
     let rows = |outcome: &Outcome| {
         let mut groups: BTreeMap<(usize, Vec<String>), Vec<Row>> = BTreeMap::new();
-        for row in outcome.rows.iter().filter(|row| !is_spread(judged.drawn.problem, row)) {
+        for row in outcome.rows.iter().filter(|row| !is_spread(judged.drawn.problem, row) && !(settles && row.label(0) == SUMMARY)) {
             groups.entry((row.state, row.labels.clone())).or_default().push(row.clone());
         }
         groups

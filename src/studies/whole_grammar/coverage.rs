@@ -40,6 +40,8 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("history[].contact_radius", &[Problem::DelayedFracture]),
     ("history[].frame", &[Problem::DelayedFracture]),
     ("history[].oscillation", &[Problem::DelayedFracture]),
+    // Takes minutes with many relaxation times: compared in tests/indentation_periodic.rs (named gaps).
+    ("history[].oscillation.periodic", &[Problem::Indentation]),
     ("history[].columns.penetration", &[Problem::DelayedFracture]),
     ("history[].columns.force", &[Problem::DelayedFracture]),
     ("history[].columns.contact_radius", &[Problem::DelayedFracture]),

@@ -93,6 +93,10 @@ pub fn drawn(seed: u64, problem: Problem, scene: u64, units: u64) -> Drawn {
     }
     let (accuracies, floor) = problem.accuracies();
     let accuracy = accuracies.get(text.draw.below(accuracies.len())).copied().unwrap_or(1e-3);
+    if text.chance(0.1) {
+        let plots = text.word(&["svg", "png"]);
+        text.put("plots", format!("[\"{plots}\"]"));
+    }
     let (text, files) = text.written();
     Drawn { problem, text, files, accuracy, tight: (1e-3 * accuracy).max(floor) }
 }

@@ -13,7 +13,12 @@ pub(super) fn write(text: &mut Text, key: &str, (value, units): (f64, Units), po
     }
     text.put_number("sweep.from", from, 1.0, units);
     text.put_number("sweep.to", to, 1.0, units);
-    text.put("sweep.points", "2");
+    if text.chance(0.2) {
+        text.put("latin_hypercube.states", "2");
+        text.put("latin_hypercube.seed", "7");
+    } else {
+        text.put("sweep.points", "2");
+    }
     let spacing = if positive { text.word(&["logarithmic", "linear"]) } else { "linear" };
     text.put("sweep.spacing", quoted(spacing));
 }

@@ -20,6 +20,8 @@ use std::f64::consts::TAU;
 const SAFETY: f64 = 10.0;
 /// Cycles integrated from the state that was found.
 const CYCLES: usize = 2;
+/// Part of an unknown that a tighter path must leave to be worth it.
+const NO_BETTER: f64 = 0.5;
 /// Part of a cycle that ends of panels and instants of turns differ by.
 const ROUNDING: f64 = 1e-12;
 
@@ -41,8 +43,10 @@ pub struct PeriodicState {
     pub turned_over: Option<TurnedOver>,
     /// Smallest D outside the contact (m).
     pub smallest_gap: f64,
-    /// Whether every bound meets the accuracy.
+    /// Whether every bound of the cycle, and of forces and radii at its instants, meets the accuracy.
     pub reached: bool,
+    /// Largest bound of the stress intensity over what the accuracy allows. Beside a turn it has two values: there tighter paths need not help.
+    pub unknown_intensity: f64,
     /// Counters of everything that was integrated.
     pub work: IndentationWork,
 }
@@ -91,7 +95,8 @@ pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instant
             Ok(mut state) => {
                 cycles += state.cycle.number;
                 state.cycle.number = cycles;
-                if state.reached {
+                let before = best.as_ref().filter(|best| best.reached).map_or(f64::INFINITY, |best| best.unknown_intensity);
+                if state.reached && (state.unknown_intensity <= 1.0 || state.unknown_intensity > NO_BETTER * before) {
                     return Ok(state);
                 }
                 best = Some(state);
@@ -241,9 +246,10 @@ fn compared(
     let shown: Vec<Instant> = shown.collect();
     let within = |of: fn(&Instant) -> Estimate| {
         let largest = shown.iter().map(|at| of(at).value.abs()).fold(0.0, f64::max);
-        shown.iter().all(|at| of(at).error <= problem.accuracy * largest)
+        shown.iter().map(|at| of(at).error).fold(0.0, f64::max) / (problem.accuracy * largest).max(f64::MIN_POSITIVE)
     };
-    let reached = of_cycle && within(|at| at.force) && within(|at| at.contact_radius) && within(|at| at.stress_intensity_factor);
+    let reached = of_cycle && within(|at| at.force) <= 1.0 && within(|at| at.contact_radius) <= 1.0;
+    let unknown_intensity = within(|at| at.stress_intensity_factor);
     let exact = |value: f64| Estimate::relative(value, f64::EPSILON);
     Ok(PeriodicState {
         cycle: Cycle {
@@ -269,6 +275,7 @@ fn compared(
         smallest_gap: fine.smallest_gap,
         turned_over: fine.turned_over,
         reached,
+        unknown_intensity,
         work: *work,
     })
 }
