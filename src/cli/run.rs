@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8,
     bar.finish_and_clear();
     // Results that cannot be written are printed, and such that cannot be printed are written. The rows of a long sweep are printed from the journal, before
     // the folder takes its place.
-    let mut printed = if json { print_json(|out| summary::write_whole(&outcome, out).map_err(Into::into)) } else { Ok(()) };
+    let mut printed = if json { print_json(|out| summary::write_whole(&outcome, out)) } else { Ok(()) };
     let files = folder.map(|folder| folder.finish(&outcome, &source.text)).transpose();
     if !json {
         printed = print(&screen::render(&outcome)).and_then(|()| match (out, &files) {

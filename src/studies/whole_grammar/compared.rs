@@ -80,7 +80,7 @@ fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
     let settles = judged.drawn.text.contains("until_stationary");
     let rows = |outcome: &Outcome| {
         let mut groups: BTreeMap<(usize, Vec<String>), Vec<Row>> = BTreeMap::new();
-        for row in outcome.rows.iter().filter(|row| !is_spread(judged.drawn.problem, row) && !(settles && row.label(0) == SUMMARY)) {
+        for row in outcome.rows.iter().filter(|row| !(is_spread(judged.drawn.problem, row) || settles && row.label(0) == SUMMARY)) {
             groups.entry((row.state, row.labels.clone())).or_default().push(row.clone());
         }
         groups

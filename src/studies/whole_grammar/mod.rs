@@ -8,7 +8,7 @@
 //! | `text` | keys and numbers as they are written, in units that are drawn |
 //! | [`compared`] | every number beside its truth |
 //! | [`tally`] | counts by problem and column |
-//! | [`coverage`] | what the scenes hold of the catalogue |
+//! | [`mod@coverage`] | what the scenes hold of the catalogue |
 //!
 //! The truth is the same scene at a thousandth of the accuracy (or at the floor of its problem), written in other units, so that the inputs differ in their last digits.
 
