@@ -7,6 +7,9 @@ use std::thread::{Builder, available_parallelism, scope};
 /// Threads besides those of the work: of the progress bar, of signals, of a second opinion.
 const OTHERS: usize = 4;
 
+/// Processes allowed to the user for each thread that is wanted, with which none is refused as a rule.
+const PLENTY: usize = 100;
+
 static ALLOWED: OnceLock<bool> = OnceLock::new();
 
 /// Tries once whether as many threads start as work and its surroundings want; where one is refused, parallel work is done on this thread. To be called before
@@ -14,7 +17,8 @@ static ALLOWED: OnceLock<bool> = OnceLock::new();
 pub fn prepare() {
     ALLOWED.get_or_init(|| {
         let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
-        let allowed = all_start(cores().max(asked) + OTHERS);
+        let wanted = cores().max(asked) + OTHERS;
+        let allowed = !may_be_refused(wanted) || all_start(wanted);
         if !allowed {
             // It starts no thread. That a pool is there already is no error.
             drop(rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global());
@@ -37,6 +41,18 @@ pub fn is_alone() -> bool {
 
 fn cores() -> usize {
     available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+/// Whether a limit of this process may keep threads from starting; trying takes longer than many scenes.
+fn may_be_refused(wanted: usize) -> bool {
+    let Ok(limits) = std::fs::read_to_string("/proc/self/limits") else { return true };
+    let limit = |name: &str| -> Option<&str> { limits.lines().find_map(|line| line.strip_prefix(name))?.split_whitespace().next() };
+    let plenty = |name: &str, least: usize| {
+        limit(name).is_some_and(|found| found == "unlimited" || found.parse().is_ok_and(|found: usize| found >= least))
+    };
+    // What else the user runs counts as well.
+    let processes = plenty("Max processes", PLENTY * wanted);
+    std::env::var_os("RUST_MIN_STACK").is_some() || !processes || !plenty("Max address space", usize::MAX)
 }
 
 /// Whether so many threads are alive together.
