@@ -21,7 +21,7 @@ const SAFETY: f64 = 10.0;
 /// Cycles integrated from the state that was found.
 const CYCLES: usize = 2;
 /// Part of an unknown that a tighter path must leave to be worth it.
-const NO_BETTER: f64 = 0.5;
+const NO_BETTER: f64 = 0.9;
 /// Part of a cycle that ends of panels and instants of turns differ by.
 const ROUNDING: f64 = 1e-12;
 
