@@ -82,11 +82,8 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
             let scale = scales.get(quantity);
             let digits = LAST_DIGITS * scale.copied().unwrap_or(0.0);
             let unresolved = if quantity == INTENSITY { point.intensity_floor() } else { 0.0 };
-            let unresolved = match quantity {
-                0 => of_its_place,
-                DISSIPATED => unbalanced,
-                _ => unresolved,
-            };
+            let unresolved = if quantity == DISSIPATED { unbalanced } else { unresolved };
+            let unresolved = if quantity == 0 { of_its_place } else { unresolved };
             let error = ladder.error(heard.map(|point| point.map(of))) + unresolved + ROUNDING * value.abs() + digits;
             if let Some(scale) = scale {
                 excess.hear(error, problem.accuracy * scale);
