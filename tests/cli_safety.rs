@@ -2,7 +2,8 @@
 //!
 //! Contract: `src/outcome/owned.rs` (folders with a mark), `src/outcome/journal.rs` (digests), `src/regular_file.rs`, `src/terminal_text.rs`, `src/threads.rs`.
 //! Goal: files that the program has not written stay; flipped bits, foreign builds, full disks, refused threads, pipes and devices, Ctrl-C, escape sequences.
-//! Parameters: the faults themselves, made as they happen: bits flipped in files, a small tmpfs, a limit of the size of files, stacks too large to be given, FIFOs, signals.
+//! Parameters: the faults themselves, made as they happen: bits flipped in files, a small tmpfs, a limit of the size of files, stacks too large to be
+//! given, FIFOs, signals.
 //! Oracle: the bytes before, or those of an undisturbed run; exit codes; paths in messages. Tolerance: none.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]

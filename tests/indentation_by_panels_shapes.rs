@@ -129,7 +129,8 @@ fn tables_of_many_points() {
     });
 }
 
-/// An elastic solid has no memory: at every instant of any history, turns and forces among it, C = Δγ by plain quadrature and F is that of the springs, within the bounds.
+/// An elastic solid has no memory: at every instant of any history, turns and forces among it, C = Δγ by plain quadrature and F is that of the springs,
+/// within the bounds.
 /// The time integration beside the panels does not serve: it is off by 1e-6 to 1e-5 of a radius under forces and after turns, and its bounds say 1e-10.
 #[test]
 fn elastic_solids_are_in_equilibrium_at_every_instant() {

@@ -54,7 +54,7 @@ pub fn run_watched(
         }
         return super::adhesiveless::solve(material, problem, watch);
     }
-    // The line profile of these shapes is known to some 1e-5 between the points of the old panels, which an elastic solid shows.
+    // On these shapes time steps left an elastic contact up to 1e-5 from its equilibrium by quadrature, with a bound of 1e-10; why is not known.
     let curved = matches!(problem.profile, Profile::PowerLaw { .. } | Profile::Table(_));
     let oscillates = problem.history.segments.iter().any(|segment| segment.oscillation.is_some());
     if material.relaxation_terms().is_empty() && curved && from.is_none() && !oscillates {

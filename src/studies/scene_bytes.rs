@@ -56,7 +56,8 @@ fn corpus() -> Vec<Vec<u8>> {
     TEMPLATES.iter().map(|template| template.text.as_bytes().to_vec()).collect()
 }
 
-/// Bytes with one to four pieces spoilt, as a disk or an editor does it: bits, lost and doubled pieces, pieces of other scenes; or, of well-formed scenes, words and numbers.
+/// Bytes with one to four pieces spoilt, as a disk or an editor does it: bits, lost and doubled pieces, pieces of other scenes; or, of well-formed
+/// scenes, words and numbers.
 #[must_use]
 pub fn spoilt(draw: &mut Draw, scenes: &[Vec<u8>], mut bytes: Vec<u8>) -> Vec<u8> {
     for _ in 0..=draw.below(4) {

@@ -1,7 +1,7 @@
 //! The force, F = 2∫₀^a Q ds, exactly as the segments hold it, at any point of a panel.
 //!
-//! Q = base(t) − E0 f(s) + Σ e^{−(t−T)/ρ_i}X_i: the first two in closed form, so that breaks of the profile need no care; the strains by quadrature, smooth on each
-//! segment whatever the profile.
+//! Q = base(t) − E0 f(s) + Σ e^{−(t−T)/ρ_i}X_i: the first two in closed form, so that breaks of the profile need no care;
+//! the strains by quadrature, smooth on each segment whatever the profile.
 
 use super::chain::Chain;
 use super::closure::Way;

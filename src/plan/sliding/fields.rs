@@ -44,7 +44,8 @@ impl<'a> Fields<'a> {
         Self { state, finer, moved, edges, accuracy, rounding: ROUNDING * (1.0 + state.condition().ln()) }
     }
 
-    /// A field at a point, its distance from the nearer edge being given; `field` is its value and the size of its terms, `outwards` the sign in which the distance to each
+    /// A field at a point, its distance from the nearer edge being given; `field` is its value and the size of its terms, `outwards` the sign in which
+    /// the distance to each
     /// edge grows as the edge moves along x.
     fn bounded(&self, point: ArcPoint, field: impl Fn(&ContactState, ArcPoint) -> (f64, f64), outwards: [f64; 2]) -> Estimate {
         let (value, size) = field(self.state, point);

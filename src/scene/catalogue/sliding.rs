@@ -176,6 +176,6 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "sliding.strength",
         kind: Kind::Table,
-        meaning: "What an adhesive contact bears at a speed: pull-off, snap-in, separation, the contact without load, the work to separate. It has no members, and no load is given besides.",
+        meaning: "What an adhesive contact carries at a speed: pull-off, snap-in, separation, the contact without load, the work to separate. It has no members, and no load is given besides.",
     },
 ];

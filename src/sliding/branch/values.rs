@@ -3,7 +3,8 @@
 use crate::estimate::Estimate;
 use crate::sliding::steady::{AdhesiveValues, PartialValues};
 
-/// Each value of `here` with the bound wider by what it may change: `times`, an error of a parameter over its difference, times the change to `there`. That change is known as
+/// Each value of `here` with the bound wider by what it may change: `times`, an error of a parameter over its difference, times the change to `there`.
+/// That change is known as
 /// well as both values: where a contact beside is accepted before a small value of it has moved, its bound holds the change.
 pub(super) fn widened(here: &PartialValues, there: &PartialValues, times: f64) -> PartialValues {
     let wide = |first: Estimate, second: Estimate| {

@@ -99,7 +99,10 @@ pub fn solve_periodic(material: &Material, problem: &IndentationProblem, instant
                 if state.reached && (state.unknown_intensity <= 1.0 || state.unknown_intensity > NO_BETTER * before) {
                     return Ok(state);
                 }
-                best = Some(state);
+                // One that is known less well takes the place of none that is known well.
+                if state.reached || before.is_infinite() {
+                    best = Some(state);
+                }
                 None
             }
             Err(refusal @ Refusal::NotConverged { .. }) => Some(refusal),
