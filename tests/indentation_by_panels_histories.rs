@@ -93,7 +93,7 @@ fn steps_there_and_back_leave_the_contact_as_it_was() {
     let outcome = march_by_panels(&rubber(), &problem, FINE, &[0.0, 0.0, 0.0]).unwrap();
     let [before, there, back] = [0, 1, 2].map(|k| outcome.wanted[k]);
     println!("{before:?}\n{there:?}\n{back:?}");
-    assert!(there.contact_radius > 1.05 * before.contact_radius && there.penetration.to_bits() == 0.05_f64.to_bits());
+    assert!(there.contact_radius > 1.03 * before.contact_radius && there.penetration.to_bits() == 0.05_f64.to_bits());
     assert!((back.contact_radius / before.contact_radius - 1.0).abs() < 1e-10 && (back.force / before.force - 1.0).abs() < 1e-9);
 }
 

@@ -233,6 +233,9 @@ impl<'a> March<'a> {
             if outset.speed == 0.0 || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
                 return self.rests(left);
             }
+            if held && self.refusals >= PATIENCE && self.stays(left, tolerance) {
+                return self.rests(left);
+            }
             if !outset.stable {
                 return self.jumps(outset.advances, zone / 16.0);
             }
@@ -304,6 +307,7 @@ impl<'a> March<'a> {
         };
         let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, (target, tolerance)));
         self.window = window;
+        if std::env::var("DBG").is_ok() && self.line.time > std::env::var("DBG").unwrap().parse::<f64>().unwrap() { eprintln!("t {:e}/{:e} a {:e} chart {:?} span {:e} panel {} checked {:?} resid {:e} refusals {}", self.line.time, self.branch.end, self.line.edge, chart, span, panel.is_some(), checked, self.start_residual, self.refusals); }
         let (Some(panel), Some(checked)) = (panel, checked) else {
             let beside_turn = self.since_turn == 0.0 || self.slows && self.to_turn < 0.1 * tolerance;
             if chart == Chart::PlaceOfTime && beside_turn && self.refusals >= FADES && self.lingers(span, tolerance) {
@@ -360,6 +364,8 @@ impl<'a> March<'a> {
     /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.
     pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
         self.outcome.refused += 1;
+        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3) };
+        let least = SHORTEST * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { time };
         self.span.1 = factor * span;
         if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {
             self.span = (Chart::TimeOfPlace, factor * way);
@@ -369,7 +375,15 @@ impl<'a> March<'a> {
             self.past = None;
             return None;
         }
-        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3) };
-        (span.abs() < SHORTEST * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { time }).then_some(End::Failed)
+        if span.abs() >= least {
+            return None;
+        }
+        if self.refusals < PATIENCE && self.state.is_none() && self.branch.is_held() {
+            // It may be at rest, but for rounding.
+            self.refusals = PATIENCE;
+            self.past = None;
+            return None;
+        }
+        Some(End::Failed)
     }
 }

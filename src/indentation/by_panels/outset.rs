@@ -123,6 +123,18 @@ impl March<'_> {
         self.past = Some((advances, straight, 1.0));
     }
 
+    /// Whether an edge that rests for a time leaves no more of the closure than would move it, either way, by a part of the tolerance.
+    pub(super) fn stays(&mut self, time: f64, tolerance: f64) -> bool {
+        let here = self.sudden(0.0);
+        let softest = [tolerance, -tolerance].map(|way| (self.sudden(way) - here) / way).into_iter().fold(f64::INFINITY, f64::min);
+        let left = self.resting(time);
+        let stays = (left - here).abs() <= LINGER * tolerance * softest;
+        if stays {
+            self.start_residual = left;
+        }
+        stays
+    }
+
     /// An edge whose turn is not found rests: for the longest time up to `longest` in which what it leaves of the closure would move it, either way, by a part
     /// of the tolerance only. Then it sets out anew.
     pub(super) fn lingers(&mut self, longest: f64, tolerance: f64) -> bool {

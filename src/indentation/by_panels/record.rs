@@ -252,6 +252,21 @@ impl March<'_> {
         self.step(Step { row, residual, piece: self.piece, area_rate: 0.0, account, wanted });
     }
 
+    /// Adds the point at which an edge has been put to its equilibrium: what that takes is of its tip.
+    pub(super) fn step_settled(&mut self, row: Row) {
+        let last = self.outcome.path.last().copied();
+        let account = self.problem.energies.then(|| {
+            let now = self.account(None, 0.0);
+            let (before, mut total) = last.and_then(|last| last.account).unwrap_or((now, TurnedOver::default()));
+            let external = last.map_or(0.0, |last| 0.5 * (last.row.force + row.force) * (row.penetration - last.row.penetration));
+            total.external += external;
+            total.tip += now.stored - before.stored - external;
+            (now, total)
+        });
+        let residual = self.start_residual.abs() / self.scale();
+        self.step(Step { row, residual, piece: self.piece, area_rate: 0.0, account, wanted: false });
+    }
+
     /// Wanted instants of a time in which nothing moves.
     pub(super) fn record_rest(&mut self, time: f64) {
         let start = self.line.time;
