@@ -67,7 +67,7 @@ impl March<'_> {
 
     /// The edge goes to where the closure holds to rounding.
     fn settles(&mut self) {
-        if self.is_prescribed() || std::env::var("NOSET").is_ok() {
+        if self.is_prescribed() {
             return;
         }
         self.balance();

@@ -14,6 +14,9 @@ use super::followed::Control;
 use crate::indentation::Oscillation;
 use std::f64::consts::TAU;
 
+/// Rounding of a value that a straight way has led to, over it.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// One branch.
 #[derive(Debug, Clone)]
 pub(super) struct Branch {
@@ -109,6 +112,8 @@ pub(super) struct Stretch {
 /// The whole history.
 #[derive(Debug, Clone)]
 pub(super) struct Drive {
+    /// What is given at first, and its value.
+    pub(super) start: (Option<Control>, f64),
     pub(super) stretches: Vec<Stretch>,
 }
 
@@ -122,6 +127,8 @@ impl Stretch {
     pub(super) fn branch(&self, start: f64, value: f64, memory: Vec<f64>) -> Branch {
         let (amplitude, omega) = self.oscillation.map_or((0.0, 0.0), |o| (o.amplitude, TAU * o.frequency));
         let control = self.control;
+        // What is held is held, but for the rounding of how it came there.
+        let value = if (self.end - value).abs() <= ROUNDING * value.abs() { self.end } else { value };
         if self.duration <= 0.0 {
             return Branch { control, start, end: start, level: self.end, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory };
         }

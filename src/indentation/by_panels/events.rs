@@ -157,6 +157,10 @@ impl March<'_> {
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
         self.record_rest(time);
         self.line.waited(time);
+        if let Some(state) = &mut self.state {
+            let faded = |rate: f64| (-time * rate).exp();
+            state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
+        }
         self.next_stretch()
     }
 
@@ -184,6 +188,8 @@ impl March<'_> {
         let value = if before == stretch.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
+        } else if self.upcoming == 0 && self.problem.drive.start.0 == stretch.control {
+            self.problem.drive.start.1
         } else {
             let radius = self.line.edge;
             stretch.control.map_or(now.depth, |control| {

@@ -196,8 +196,7 @@ pub(super) fn solved_with_depth(
                 let theta = points.nodes[i + 1];
                 let diagonal = matrix[i * 2 * p + i];
                 let duration = series(&segment.times, theta).1;
-                let by_depth =
-                    if frozen { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
+                let by_depth = if frozen { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
                 let speed = series(&segment.places, theta).1 / duration;
                 (if chart == Chart::TimeOfPlace { (diagonal + by_depth) / speed } else { diagonal }).abs()
             };

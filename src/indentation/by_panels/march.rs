@@ -227,13 +227,15 @@ impl<'a> March<'a> {
                 }
             }
             let outset = self.sets_out();
-            let held = self.state.is_none() && self.branch.is_held();
+            // Under a force that is held a contact may rest as well, if Δ does.
+            let still = self.state.as_ref().is_none_or(|state| state.rate.abs() * left <= REST * self.displacement());
+            let held = still && self.branch.is_held();
             // Held, everything relaxes. However little an edge goes it has another K than one that rests: it is followed, down to rounding or where panels end.
-            let least = if self.refusals >= PATIENCE { tolerance } else { REST * zone };
+            let least = if self.refusals >= PATIENCE && self.state.is_none() { tolerance } else { REST * zone };
             if outset.speed == 0.0 || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
                 return self.rests(left);
             }
-            if held && self.refusals >= PATIENCE && self.stays(left, tolerance) {
+            if held && self.state.is_none() && self.refusals >= PATIENCE && self.stays(left, tolerance) {
                 return self.rests(left);
             }
             if !outset.stable {
@@ -307,7 +309,6 @@ impl<'a> March<'a> {
         };
         let checked = panel.as_ref().map(|panel| checked(&self.points, &mut window, &setting, panel, (target, tolerance)));
         self.window = window;
-        if std::env::var("DBG").is_ok() && self.line.time > std::env::var("DBG").unwrap().parse::<f64>().unwrap() { eprintln!("t {:e}/{:e} a {:e} chart {:?} span {:e} panel {} checked {:?} resid {:e} refusals {}", self.line.time, self.branch.end, self.line.edge, chart, span, panel.is_some(), checked, self.start_residual, self.refusals); }
         let (Some(panel), Some(checked)) = (panel, checked) else {
             let beside_turn = self.since_turn == 0.0 || self.slows && self.to_turn < 0.1 * tolerance;
             if chart == Chart::PlaceOfTime && beside_turn && self.refusals >= FADES && self.lingers(span, tolerance) {

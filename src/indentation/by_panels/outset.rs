@@ -123,12 +123,13 @@ impl March<'_> {
         self.past = Some((advances, straight, 1.0));
     }
 
-    /// Whether an edge that rests for a time leaves no more of the closure than would move it, either way, by a part of the tolerance.
+    /// Whether an edge that rests for a time leaves no more of the closure than would move it by a part of the tolerance.
     pub(super) fn stays(&mut self, time: f64, tolerance: f64) -> bool {
-        let here = self.sudden(0.0);
-        let softest = [tolerance, -tolerance].map(|way| (self.sudden(way) - here) / way).into_iter().fold(f64::INFINITY, f64::min);
-        let left = self.resting(time);
-        let stays = (left - here).abs() <= LINGER * tolerance * softest;
+        let (here, left) = (self.sudden(0.0), self.resting(time));
+        // Too little work: it would advance.
+        let way = if left < here { tolerance } else { -tolerance };
+        let softness = way / (self.sudden(way) - here);
+        let stays = softness > 0.0 && (left - here).abs() * softness <= LINGER * tolerance;
         if stays {
             self.start_residual = left;
         }

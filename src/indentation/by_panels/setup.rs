@@ -105,7 +105,7 @@ pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Dr
         from = start.filter(|_| straight);
         stretches.push(stretch(number, segment));
     }
-    Drive { stretches }
+    Drive { start: (control_of(history.controlled, frame_stiffness), history.start), stretches }
 }
 
 /// The radius at which f is a depth.
