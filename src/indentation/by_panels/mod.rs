@@ -18,6 +18,7 @@
 //! | `at_once` | sudden steps |
 //! | `flight` | after the contact, until the surfaces touch again |
 //! | `energies`, `surface` | what is stored and lost; pressure and displacement |
+//! | `cycles` | rows of the cycles of an oscillation |
 //! | `problem`, `setup`, `solve` | what is asked and given |
 //! | `solution` | a history with bounds, from two paths |
 //! | `trail`, `periodic` | the path kept; the periodic state of an oscillation |
@@ -45,6 +46,7 @@ mod at_once;
 mod chain;
 mod check;
 mod closure;
+mod cycles;
 mod drive;
 mod energies;
 mod events;

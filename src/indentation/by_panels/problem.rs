@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::drive::Drive;
 use super::energies::{Energies, TurnedOver};
-use crate::indentation::{Event, Profile, SurfaceFields};
+use crate::indentation::{Cycle, Event, Profile, Spread, SurfaceFields};
 
 /// What is asked.
 #[derive(Debug, Clone)]
@@ -22,6 +22,10 @@ pub(super) struct Problem {
     pub instants: Vec<f64>,
     /// Whether energies are accounted for.
     pub energies: bool,
+    /// Accuracy to which cycles of an oscillation are stationary; None where no cycles are asked for.
+    pub cycles: Option<f64>,
+    /// Stretches known to end early: which, and how long they take (s).
+    pub stops: Vec<(usize, f64)>,
     /// Whether the surface at the last instant wanted is.
     pub surface: bool,
 }
@@ -103,6 +107,10 @@ pub struct Outcome {
     pub closures: u64,
     /// Nodes of the window in all of them.
     pub kernel_nodes: u64,
+    /// Whole cycles of stretches that oscillate, by how much they differ, and stretches that ended early.
+    pub cycles: Vec<Cycle<f64>>,
+    pub(in crate::indentation) spreads: Vec<Spread>,
+    pub(in crate::indentation) shortened: Vec<(usize, f64)>,
 }
 
 impl Outcome {

@@ -27,7 +27,7 @@ const TOUCHES_AGAIN: &str =
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
 
-/// Solves a history to its accuracy; cycles of an oscillation are not added up.
+/// Solves a history to its accuracy.
 ///
 /// # Errors
 /// [`Refusal::Undefined`] for what is not solved here, surfaces that touch again among it; [`Refusal::NoSuchState`] without a first contact;
@@ -40,9 +40,10 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
     let instants = kept_instants(problem);
     let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
     let mut work = IndentationWork::default();
+    let mut stops: Vec<(usize, f64)> = Vec::new();
     let mut best: Option<IndentationSolution> = None;
     loop {
-        let failed = match compared_paths(material, problem, &instants, tolerance, &mut work) {
+        let failed = match compared_paths(material, problem, &instants, tolerance, (&mut stops, &mut work)) {
             Ok(solution) if solution.reached => return Ok(solution),
             Ok(solution) => {
                 best = Some(solution);
@@ -66,7 +67,7 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
 /// Those of [`solve_by_panels`].
 pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
     let instants = kept_instants(problem);
-    let outcome = marched(material, problem, options, (&instants, false))?;
+    let outcome = marched(material, problem, options, (&instants, false), &[])?;
     trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
 }
 
@@ -86,14 +87,18 @@ fn compared_paths(
     problem: &IndentationProblem,
     instants: &[f64],
     tolerance: f64,
-    work: &mut IndentationWork,
+    (stops, work): (&mut Vec<(usize, f64)>, &mut IndentationWork),
 ) -> Result<IndentationSolution, Refusal> {
     let mut traces = Vec::new();
     let mut ends = Vec::new();
     // The given one first: what it is refused for, all are.
     let [finest, given, loosest] = options(tolerance);
     for options in [given, finest, loosest] {
-        let outcome = marched(material, problem, options, (instants, false))?;
+        let outcome = marched(material, problem, options, (instants, false), stops)?;
+        if stops.is_empty() {
+            // Stretches that were stationary early are as long for every other path.
+            stops.clone_from(&outcome.shortened);
+        }
         if outcome.end == End::TouchesAgain {
             return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: TOUCHES_AGAIN.into() });
         }
@@ -144,9 +149,10 @@ pub(in crate::indentation) fn surface_at(
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     let [high, low, _] = options(solved.tolerance);
+    let asked = as_planned(problem, &solved.shortened, time);
     let mut found = Vec::new();
     for options in [high, low] {
-        let outcome = marched(material, problem, options, (&[time], true))?;
+        let outcome = marched(material, problem, options, (&[asked], true), &solved.shortened)?;
         let step = outcome.path.iter().find(|step| step.wanted).copied().ok_or_else(|| not_converged("no state there".into()))?;
         let surface = outcome.surface.ok_or_else(|| not_converged("no surface there".into()))?;
         found.push((step, surface));
@@ -158,12 +164,27 @@ pub(in crate::indentation) fn surface_at(
     }
 }
 
+/// A time as it would be if no stretch had ended early.
+fn as_planned(problem: &IndentationProblem, shortened: &[(usize, f64)], time: f64) -> f64 {
+    let (mut start, mut planned) = (0.0, time);
+    for (number, segment) in problem.history.segments.iter().enumerate() {
+        let took = shortened.iter().find(|stop| stop.0 == number).map_or(segment.duration, |stop| stop.1);
+        if time > start {
+            planned += segment.duration - took;
+        }
+        start += took;
+    }
+    planned
+}
+
 /// Instants to keep: the start, and equally spaced ones of every segment.
 fn kept_instants(problem: &IndentationProblem) -> Vec<f64> {
     let each = problem.instants_per_segment.max(1);
     let (mut instants, mut start) = (vec![0.0], 0.0);
     for segment in &problem.history.segments {
-        let each = if segment.duration > 0.0 { each } else { 1 };
+        // Of a stretch whose end is not known the end alone.
+        let open_ended = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+        let each = if segment.duration > 0.0 && !open_ended { each } else { 1 };
         instants.extend((1..=each).map(|k| start + segment.duration * if k == each { 1.0 } else { f64::from(k) / f64::from(each) }));
         start += segment.duration;
     }
@@ -182,6 +203,9 @@ fn work_of(outcome: &Outcome) -> IndentationWork {
 /// The path as a trace that can be compared, which keeps every instant wanted.
 fn trace(outcome: &Outcome, wanted: usize, (tolerance, glassy): (f64, f64)) -> Result<Trace, Refusal> {
     let mut trace = Trace { tolerance, events: outcome.events.clone(), work: work_of(outcome), ..Trace::default() };
+    trace.cycles.clone_from(&outcome.cycles);
+    trace.spreads.clone_from(&outcome.spreads);
+    trace.shortened.clone_from(&outcome.shortened);
     trace.unknown_of_events = vec![[0.0; 4]; trace.events.len()];
     let mut summary = Summary::default();
     for step in &outcome.path {
