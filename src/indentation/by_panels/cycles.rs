@@ -3,8 +3,8 @@
 //! ```text
 //! work = ∫F Δ′ dθ,    ∫x φ̇ sin φ dt, ∫x φ̇ cos φ dt  of x = Δ, F
 //! ```
-//! Eight Gauss points a part, and parts halved until halves agree with the whole to a part of the tolerance. An extreme between points is sought on the polynomial through
-//! them, and evaluated there. What is made of the sums, and when cycles are stationary, says the meter that time steps use as well.
+//! Eight Gauss points a part, and parts halved until halves agree with the whole to a part of the tolerance. An extreme between points is sought on the polynomial
+//! through them, and evaluated there. What is made of the sums, and when cycles are stationary, says the meter that time steps use as well.
 
 use super::closure::Way;
 use super::events::first_crossing;
