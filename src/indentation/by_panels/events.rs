@@ -18,6 +18,7 @@ use super::newton::Panel;
 use super::path::Chart;
 use super::prescribed::RADIUS;
 use super::problem::End;
+use serde::{Deserialize, Serialize};
 
 /// Distances to kinks below this part of the zone are rounding of places.
 const KINK_NOISE: f64 = 1e-9;
@@ -32,7 +33,7 @@ const WEAK_MARKS: usize = 8;
 const STRONG_MARKS: usize = 32;
 
 /// A place where the state of the line has a kink, or jumps.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Mark {
     pub(super) place: f64,
     pub(super) jump: bool,

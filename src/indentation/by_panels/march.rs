@@ -5,6 +5,7 @@
 
 use super::at_once::AtOnce;
 use super::check::checked;
+use super::checkpoint::PanelObserver;
 use super::closure::Window;
 use super::cycles::Cycles;
 use super::drive::{Branch, Stretch};
@@ -41,6 +42,7 @@ const REST: f64 = 1e-9;
 /// The state of the march.
 pub(super) struct March<'a> {
     pub(super) problem: &'a Problem,
+    pub(super) observer: Option<PanelObserver<'a>>,
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
@@ -114,6 +116,7 @@ impl<'a> March<'a> {
         };
         let mut march = Self {
             problem,
+            observer: None,
             points: Points::new(problem.degree),
             window: Window::new(problem.zone),
             line,
@@ -213,6 +216,7 @@ impl<'a> March<'a> {
             if self.outcome.surface.is_some() {
                 return End::History;
             }
+            self.observe();
             if let Some(end) = self.panel() {
                 return end;
             }

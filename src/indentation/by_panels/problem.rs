@@ -4,6 +4,7 @@ use super::chain::Chain;
 use super::drive::Drive;
 use super::energies::{Energies, TurnedOver};
 use crate::indentation::{Cycle, Event, Profile, Spread, SurfaceFields};
+use serde::{Deserialize, Serialize};
 
 /// What is asked.
 #[derive(Debug, Clone)]
@@ -31,7 +32,7 @@ pub(super) struct Problem {
 }
 
 /// A point of the path.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::indentation) struct Step {
     pub row: Row,
     /// C/Δγ − 1 there, at most.
@@ -46,7 +47,7 @@ pub(in crate::indentation) struct Step {
 }
 
 /// A point of the history.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// t (s).
     pub time: f64,
@@ -61,7 +62,7 @@ pub struct Row {
 }
 
 /// Why a march ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum End {
     /// The history is over.
     History,
@@ -76,7 +77,7 @@ pub enum End {
 }
 
 /// What a march gives.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// At time zero.
     pub start: Row,
@@ -92,6 +93,7 @@ pub struct Outcome {
     pub(in crate::indentation) path: Vec<Step>,
     pub(in crate::indentation) events: Vec<Event<f64>>,
     /// The surface at the last instant wanted, if the problem asks for it.
+    #[serde(skip)]
     pub(in crate::indentation) surface: Option<SurfaceFields>,
     /// Smallest D outside the contact (m).
     pub smallest_gap: f64,

@@ -1,5 +1,6 @@
 //! From a problem of this crate to its panels, and one path of its edge.
 
+use super::checkpoint::{MarchState, PanelObserver};
 use super::jump::FLOOR;
 use super::march::March;
 use super::prescribed::{RADIUS, depth_of};
@@ -122,8 +123,24 @@ pub(super) fn marched(
     instants: (&[f64], bool),
     stops: &[(usize, f64)],
 ) -> Result<Outcome, Refusal> {
+    marched_from(material, problem, options, (instants, stops), (None, None))
+}
+
+/// The same from a checkpoint, observed.
+pub(super) fn marched_from(
+    material: &Material,
+    problem: &IndentationProblem,
+    options: PanelOptions,
+    (instants, stops): ((&[f64], bool), &[(usize, f64)]),
+    (from, observer): (Option<MarchState>, Option<PanelObserver<'_>>),
+) -> Result<Outcome, Refusal> {
     let Begun { problem: own, edge, depth } = begun(material, problem, options, instants, stops)?;
-    let outcome = March::new(&own, edge, depth).run();
+    let mut march = March::new(&own, edge, depth);
+    if let Some(state) = from {
+        march.restore(state)?;
+    }
+    march.observer = observer;
+    let outcome = march.run();
     // The widest contacts are at ends of panels: an edge that turns back ends one.
     for row in outcome.ends.iter().chain(&outcome.jumps).chain([&outcome.start]) {
         problem.profile.holds(row.contact_radius, own.zone)?;
