@@ -20,6 +20,7 @@ mod propagate;
 mod run;
 mod sliding;
 mod steady_crack;
+mod surface;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
@@ -38,6 +39,7 @@ use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
+use surface::SurfacePlan;
 
 /// The program with its libraries and a few rows.
 const BYTES_OF_THE_PROGRAM: u64 = 12 << 20;
@@ -128,6 +130,7 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
         Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
         Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
         Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
+        Problem::Surface(sliding) => Arc::new(SurfacePlan::new(scene, sliding)?),
         Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
     })
 }

@@ -5,6 +5,7 @@ mod delayed;
 mod history;
 mod indentation;
 mod material;
+mod surface;
 
 use super::sweep::Sweep;
 use crate::closure::work_by_speed::WorkBySpeed;
@@ -29,6 +30,7 @@ pub use material::{
     Climate, DeckOrigin, ExpandedLaw, FittedData, IsotropicSeries, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap,
     PoissonRatio,
 };
+pub use surface::{SceneLayer, SceneSurface, SurfaceLoad, SurfacePath, SurfaceSliding, SurfaceTask};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,6 +91,8 @@ pub enum Problem {
     DelayedFracture(DelayedFracture),
     /// A contact that slides steadily.
     Sliding(Sliding),
+    /// A surface that slides steadily and acts at a distance.
+    Surface(SurfaceSliding),
     /// A rigid round body pressed on, or pulled off, in time.
     Indentation(Indentation),
 }

@@ -21,6 +21,8 @@ const SHORTEST_STEP: f64 = 4e-3;
 const JUMP: f64 = 0.15;
 /// Coarsest grid.
 const COARSEST: usize = 64;
+/// Nodes along x of a cold start without attraction.
+const WITHOUT_ATTRACTION: usize = 256;
 /// Products that one solve may take.
 const SOLVE_BUDGET: usize = 3000;
 /// Products times nodes that one whole search may take.
@@ -33,6 +35,8 @@ pub(super) struct Reached {
     pub(super) report: Report,
     /// Products in the whole search.
     pub(super) products: usize,
+    /// The same, each times the nodes of its grid.
+    pub(super) work: usize,
     pub(super) path: Path,
 }
 
@@ -52,6 +56,9 @@ pub enum Path {
 /// Nodes along x that resolve the zone of the law at an edge: its relaxed length is a₀ = 2W/(π peak²).
 pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
     let mut law = problem.attraction.clone();
+    if !law.attracts() {
+        return WITHOUT_ATTRACTION;
+    }
     law.range = range;
     let zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);
     let nodes = (std::f64::consts::TAU * cells / zone).min(1e9) as usize;
@@ -68,7 +75,7 @@ pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reac
                 break;
             }
             if let Some((equations, state, report)) = search.follow(path, lift) {
-                return Ok(Reached { equations, state, report, products: search.products, path });
+                return Ok(Reached { equations, state, report, products: search.products, work: search.work, path });
             }
         }
     }
@@ -95,7 +102,7 @@ impl Search<'_> {
     fn follow(&mut self, path: Path, lift: f64) -> Option<(Equations, State, Report)> {
         let problem = self.problem;
         let half_height = problem.profile.half_height();
-        let target = problem.attraction.range;
+        let target = if problem.attraction.attracts() { problem.attraction.range } else { LONG_RANGE * half_height };
         let long = if path == Path::Closed { target } else { target.max(LONG_RANGE * half_height) };
         let mut place = Place { range: long, stiffening: if matches!(path, Path::Range | Path::Closed) { 1.0 } else { 0.0 } };
         let mut equations = Equations::new(problem, COARSEST.min(self.largest), place.stiffening, long);
@@ -125,6 +132,7 @@ impl Search<'_> {
         let mut step = LONGEST_STEP;
         loop {
             let left = match leg {
+                Leg::Range if !problem.attraction.attracts() => 0.0,
                 Leg::Range => (place.range / problem.attraction.range).ln(),
                 Leg::Modulus => (1.0 - place.stiffening) * stiffening,
             };

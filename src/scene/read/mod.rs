@@ -35,6 +35,8 @@ mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
+mod surface;
+mod surface_points;
 mod table_columns;
 mod works;
 
@@ -54,6 +56,8 @@ const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
 /// Wanted accuracy of a crack under a history, and of an indentation, where a scene names none.
 const DELAYED_ACCURACY: f64 = 1e-4;
 const INDENTATION_ACCURACY: f64 = 1e-3;
+/// The same of a line and of a surface that act at a distance.
+const SURFACE_ACCURACY: [f64; 2] = [1e-4, 1e-2];
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
@@ -119,13 +123,19 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),
         _ => {
             top.without(&["history"], "a crack or a sphere")?;
-            Problem::Sliding(sliding::read(&top, &material)?)
+            if surface::is_meant(&top) {
+                Problem::Surface(surface::read(document, &top, &material)?)
+            } else {
+                Problem::Sliding(sliding::read(&top, &material)?)
+            }
         }
     };
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
+        Problem::Surface(sliding) if sliding.surface.profile.is_line() => SURFACE_ACCURACY[0],
+        Problem::Surface(_) => SURFACE_ACCURACY[1],
         Problem::DelayedFracture(_) => DELAYED_ACCURACY,
         Problem::Indentation(_) => INDENTATION_ACCURACY,
     };
@@ -133,6 +143,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         Problem::SteadyCrack(_) => "a steady crack",
         Problem::DelayedFracture(_) => "a crack under a history",
         Problem::Sliding(_) => "a sliding contact",
+        Problem::Surface(_) => "a sliding surface",
         Problem::Indentation(_) => "an indentation",
     };
     let scene = Scene {
