@@ -124,7 +124,7 @@ fn trace_with(problem: &Problem, nodes: usize, direction: Direction, points: usi
     require_positive("points", points as f64)?;
     let reached = reach::cold(problem, nodes, 0.5)?;
     let (mut equations, mut state) = (reached.equations, reached.state);
-    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     while equations.grid.nx() < nodes {
         (equations, state) = reach::refined(problem, &equations, &state, place);
         newton::solve(&mut equations, &mut state, newton::COARSE, 3000).map_err(|stalled| Refusal::NotConverged {
@@ -171,7 +171,7 @@ impl<'a> Tracer<'a> {
 
     /// The present state on two finer grids, on the same line across the branch.
     fn on_finer_grids(&mut self, numbers: &Numbers, patches: usize) -> Option<Refined> {
-        let place = Place { range: self.problem.attraction.range, stiffening: 1.0 };
+        let place = Place { range: self.problem.attraction.range, stiffening: 1.0, ramp: None };
         let mut node_products = std::mem::take(&mut self.equations.products) * self.equations.len();
         let mut history = vec![numbers.list()];
         let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
@@ -244,7 +244,7 @@ impl<'a> Tracer<'a> {
         if self.equations.grid.nx() >= 8 * start {
             return false;
         }
-        let place = Place { range: self.problem.attraction.range, stiffening: 1.0 };
+        let place = Place { range: self.problem.attraction.range, stiffening: 1.0, ramp: None };
         let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
         equations.row = [1.0 / self.units[0], 0.0, self.state.mean_gap() / self.units[0]];
         let solved = newton::solve(&mut equations, &mut state, newton::COARSE, 3000).is_ok();

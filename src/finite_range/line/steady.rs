@@ -8,6 +8,7 @@ use super::newton;
 use super::problem::{Control, Problem};
 use super::reach::{self, Place, Reached};
 use super::solution::{self, Certificate, Fields, Numbers};
+use crate::finite_range::law::Law;
 use crate::refusal::{Refusal, require_positive};
 
 /// Nodes in the relaxed zone of the law on the grid of the cold start; the finer ones are tried where the coarse one leads astray.
@@ -99,7 +100,7 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
         return Err(Refusal::out_of_range("most_nodes", request.most_nodes as f64, "a power of two between 64 and 4194304"));
     }
     let (mut lost, mut lost_on_a_grid) = (None, None);
-    for cells in CELLS {
+    for cells in cells(problem, request) {
         // Two doublings more are needed for the error.
         if 4 * reach::nodes_for(problem, problem.attraction.range, cells) > request.most_nodes {
             break;
@@ -131,6 +132,12 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
             ),
         }),
     }
+}
+
+/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do.
+fn cells(problem: &Problem, request: &Request) -> Vec<f64> {
+    let fits = |cells: f64| 4 * reach::nodes_for(problem, problem.attraction.range, cells) <= request.most_nodes;
+    if problem.attraction.law == Law::Exponential && !fits(CELLS[0]) { vec![0.25 * CELLS[0]] } else { CELLS.to_vec() }
 }
 
 /// The state next to a given one: another load, speed, range or material, the same profile. This is the way to go along a curve, to
@@ -171,7 +178,7 @@ pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Resul
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
     let Reached { mut equations, mut state, mut report, mut products, mut work, .. } = reached;
     let mut before: Option<Fields> = None;
-    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
     loop {
@@ -221,7 +228,6 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             }
             return Ok(finish(met, fields, products));
         }
-        before = Some(fields);
         let (mut finer, start) = reach::refined(problem, &equations, &state, place);
         let mut next = start.clone();
         match newton::solve(&mut finer, &mut next, newton::FINE, 6000) {
@@ -229,12 +235,17 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
                 report = found;
                 equations = finer;
                 state = next;
+                before = Some(fields);
             }
             Ok(_) => {
                 return Err(Refusal::NotConverged {
                     what: "the refinement of the grid",
                     detail: format!("the state on {nx} nodes is not the one on {}: the grid was too coarse for this range", 2 * nx),
                 });
+            }
+            // What three grids agree on is an answer with its error, if not the wanted one.
+            Err(_) if history.len() >= 3 && nx >= request.least_nodes => {
+                return Ok(finish(false, fields, products));
             }
             Err(stalled) => {
                 return Err(Refusal::NotConverged {

@@ -96,7 +96,7 @@ impl SurfacePlan {
             (ReachedBy::Continuation, SurfacePath::Loading) => "loading",
             (ReachedBy::Continuation, SurfacePath::Unloading) => "unloading",
             (ReachedBy::Continuation, SurfacePath::LongRange) => "neighbour",
-            (ReachedBy::ColdStart(Path::Range), _) => "long_range",
+            (ReachedBy::ColdStart(Path::Range | Path::RangeThenRamp), _) => "long_range",
             (ReachedBy::ColdStart(Path::ModulusThenRange | Path::RangeThenModulus), _) => "relaxed_solid",
             (ReachedBy::ColdStart(Path::Closed), _) => "closed_gap",
         }
@@ -129,8 +129,8 @@ impl SurfacePlan {
         }
         let certificate = &state.certificate;
         let stress = state.numbers.repulsive_pressure.max(-state.numbers.adhesive_pressure).max(1e-300);
-        let identity = (certificate.friction_by_profile - certificate.friction_by_loss).abs();
-        // Friction by the surface differs by the discretisation of the gap, friction by the loss by rounding alone.
+        let identity = (certificate.friction_by_surface - certificate.friction_by_loss).abs();
+        // By the displaced surface and by the loss the friction is the same sum; by the profile it differs by the discretisation of the gap.
         let admissible = certificate.least_contact_pressure > -ADMISSIBLE * (1.0 + stress)
             && certificate.least_gap > -ADMISSIBLE
             && identity <= ADMISSIBLE * (1.0 + stress)
@@ -159,8 +159,14 @@ impl SurfacePlan {
             Some(Estimate::exact(self.sliding.speed)),
             Some(friction),
             coefficient,
-            Some(Estimate::new(n.mean_pressure, if matches!(problem.control, Control::MeanPressure(_)) { 0.0 } else { e.mean_pressure })),
-            Some(Estimate::new(n.mean_gap, if matches!(problem.control, Control::MeanGap(_)) { 0.0 } else { e.mean_gap })),
+            Some(match problem.control {
+                Control::MeanPressure(pressure) => Estimate::exact(pressure),
+                _ => Estimate::new(n.mean_pressure, e.mean_pressure),
+            }),
+            Some(match problem.control {
+                Control::MeanGap(gap) => Estimate::exact(gap),
+                _ => Estimate::new(n.mean_gap, e.mean_gap),
+            }),
             Some(Estimate::new(n.contact_fraction, e.contact_fraction)),
             Some(Estimate::new(state.patches as f64, state.patches_error as f64)),
             Some(Estimate::new(n.adhesive_pressure, e.adhesive_pressure)),

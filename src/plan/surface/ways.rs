@@ -45,7 +45,8 @@ impl SurfacePlan {
             word.clone_into(&mut row.labels[3]);
             match self.next_of_loop(&problem, last.take(), load) {
                 Ok((found, jumped)) => {
-                    if let Err(refusal) = self.fill(&problem, &found, &mut row) {
+                    let here = Problem { control: Control::MeanPressure(load), ..problem.clone() };
+                    if let Err(refusal) = self.fill(&here, &found, &mut row) {
                         self.refuse(&mut row, &refusal);
                     }
                     word.clone_into(&mut row.labels[2]);
@@ -218,7 +219,7 @@ impl SurfacePlan {
         }
         row.assumptions = self.assumptions();
         row.certificate = point.certificate.map(|identities| Certificate {
-            residual: identities.residual.max((identities.friction_by_profile - identities.friction_by_loss).abs() / (1.0 + stress)),
+            residual: identities.residual.max((identities.friction_by_surface - identities.friction_by_loss).abs() / (1.0 + stress)),
             condition: 1.0,
             admissible: identities.least_contact_pressure > -1e-6 * (1.0 + stress) && identities.least_gap > -1e-6,
         });
