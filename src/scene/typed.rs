@@ -426,5 +426,7 @@ pub enum SlidingZone {
         cohesive_stress: f64,
         /// α.
         factor: f64,
+        /// Whether the zones grow with their edges, α a₀ G/Δγ where the contact opens and α a₀ Δγ/G where it closes.
+        grows: bool,
     },
 }

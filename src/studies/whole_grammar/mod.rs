@@ -21,6 +21,7 @@ pub mod drawn;
 mod indentation;
 mod material;
 mod sliding;
+mod surface;
 mod sweep;
 pub mod tally;
 mod text;
@@ -49,6 +50,7 @@ const fn scenes(problem: Problem) -> (u64, u64) {
         Problem::SteadyCrack => (1000, 8000),
         Problem::DelayedFracture => (40, 2000),
         Problem::Sliding => (120, 6000),
+        Problem::Surface => (20, 1000),
         Problem::Indentation => (100, 4000),
     }
 }
@@ -165,7 +167,7 @@ const fn known_outside(problem: Problem) -> Option<(f64, &'static str)> {
         Problem::SteadyCrack => Some((1e-3, "stress fields, by some 4e-15 of themselves: rounding of the place in other units")),
         Problem::Sliding => Some((2.5e-3, "gap fields, by 1e-13 to 1e-11 of themselves, and two by 2 % of the bound")),
         Problem::Indentation => Some((5e-4, "the contact radius of a row of fields")),
-        Problem::DelayedFracture => None,
+        Problem::DelayedFracture | Problem::Surface => None,
     }
 }
 
@@ -178,7 +180,7 @@ const fn wide(problem: Problem) -> Option<&'static str> {
         Problem::DelayedFracture => {
             Some("two runs may agree by chance: no difference counts as less than third order would make of the ones before")
         }
-        Problem::SteadyCrack | Problem::Sliding => None,
+        Problem::SteadyCrack | Problem::Sliding | Problem::Surface => None,
     }
 }
 
