@@ -24,7 +24,7 @@ const JUMP: f64 = 0.15;
 const WIDE_RAMP: f64 = 0.9;
 /// Coarsest grid.
 const COARSEST: usize = 64;
-/// Nodes along x of a cold start without attraction.
+/// Nodes of the cold start of a line without attraction.
 const WITHOUT_ATTRACTION: usize = 256;
 /// Products that one solve may take.
 const SOLVE_BUDGET: usize = 3000;
@@ -62,7 +62,7 @@ pub enum Path {
 pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
     let mut law = problem.attraction.clone();
     if !law.attracts() {
-        return WITHOUT_ATTRACTION;
+        return if problem.profile.is_line() { WITHOUT_ATTRACTION } else { COARSEST };
     }
     law.range = range;
     let zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);

@@ -87,6 +87,7 @@ impl SurfacePlan {
                         }
                     }
                     let line = if way == 0 { Line::Solid } else { Line::Dashed };
+                    let colour = if way > 0 && is_loop && sets.len() == 1 { Colour::Index(1) } else { colour };
                     let label = match (is_loop, way, name.is_empty()) {
                         (true, 0, true) => "loading".to_owned(),
                         (true, _, true) => "unloading".to_owned(),

@@ -131,8 +131,10 @@ impl SurfacePlan {
         let stress = state.numbers.repulsive_pressure.max(-state.numbers.adhesive_pressure).max(1e-300);
         let identity = (certificate.friction_by_surface - certificate.friction_by_loss).abs();
         // By the displaced surface and by the loss the friction is the same sum; by the profile it differs by the discretisation of the gap.
+        // Only a hard wall forbids gaps; where repulsion is part of the law they may be negative.
+        let has_wall = problem.attraction.wall().is_some();
         let admissible = certificate.least_contact_pressure > -ADMISSIBLE * (1.0 + stress)
-            && certificate.least_gap > -ADMISSIBLE
+            && (!has_wall || certificate.least_gap > -ADMISSIBLE)
             && identity <= ADMISSIBLE * (1.0 + stress)
             && (certificate.friction_by_profile - certificate.friction_by_surface).abs()
                 <= 10.0 * state.errors.friction_stress + ADMISSIBLE * (1.0 + stress);

@@ -12,6 +12,8 @@ use crate::refusal::Refusal;
 
 /// A step of the load may be halved so often before the contact is said to jump.
 const HALVINGS: u32 = 5;
+/// The contact fraction may change by so much in one step; where the shortest step changes it by more, the contact jumps.
+const MOST_CHANGE: f64 = 0.04;
 /// Nodes along x on which a branch is followed: each state is then solved on grids twice and four times as fine.
 const BRANCH_NODES: [usize; 2] = [512, 64];
 
@@ -78,12 +80,24 @@ impl SurfacePlan {
         }
         let mut step = load - here;
         let shortest = step.abs() / f64::from(1_u32 << HALVINGS);
+        let mut jumped = false;
         loop {
             let next = if (load - here).abs() <= step.abs() * (1.0 + 1e-9) { load } else { here + step };
+            let short = step.abs() <= shortest * (1.0 + 1e-9);
             match follow(&at(next), &state, &request) {
-                Ok(found) if (load - next).abs() <= 1e-14 * (1.0 + load.abs()) => return Ok((found, false)),
-                Ok(found) => (state, here) = (found, next),
-                Err(_) if step.abs() > shortest => step *= 0.5,
+                Ok(found) => {
+                    let change = (found.numbers.contact_fraction - state.numbers.contact_fraction).abs();
+                    if change > MOST_CHANGE && !short {
+                        step *= 0.5;
+                        continue;
+                    }
+                    jumped |= change > MOST_CHANGE;
+                    (state, here) = (found, next);
+                    if (load - next).abs() <= 1e-14 * (1.0 + load.abs()) {
+                        return Ok((state, jumped));
+                    }
+                }
+                Err(_) if !short => step *= 0.5,
                 Err(_) => return solve(&at(load), &request).map(|state| (state, true)),
             }
         }
@@ -221,7 +235,8 @@ impl SurfacePlan {
         row.certificate = point.certificate.map(|identities| Certificate {
             residual: identities.residual.max((identities.friction_by_surface - identities.friction_by_loss).abs() / (1.0 + stress)),
             condition: 1.0,
-            admissible: identities.least_contact_pressure > -1e-6 * (1.0 + stress) && identities.least_gap > -1e-6,
+            admissible: identities.least_contact_pressure > -1e-6 * (1.0 + stress)
+                && (problem.attraction.wall().is_none() || identities.least_gap > -1e-6),
         });
         if let Err(refusal) = row.representable(&columns(self.units)) {
             self.refuse(row, &refusal);

@@ -33,6 +33,8 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("sliding.branch.branches", &[Problem::Surface]),
     ("sliding.branch.frame_stiffness", &[Problem::Surface]),
     ("adhesion.process_zone", &[Problem::Surface]),
+    // A liquid has no relaxed modulus to measure a surface by.
+    ("material.viscosity", &[Problem::Surface]),
     ("adhesion.process_zone.peak_stress", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
     ("adhesion.law", OF_EDGES),
     ("adhesion.range", OF_EDGES),
