@@ -116,9 +116,6 @@ impl SlidingPlan {
                 balances += if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[0] } else { 0.0 };
             }
             let solves = if contact == SlidingContact::Adhesive { SOLVES } else { 1.0 };
-            if contact == SlidingContact::Adhesive && self.zones_grow() {
-                balances *= super::growing::EXPECTED;
-            }
             (balances * states as f64, solves * balances * states as f64)
         };
         let (mut balances, mut solves) = (0.0, 0.0);

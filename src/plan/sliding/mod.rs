@@ -116,11 +116,12 @@ impl SlidingPlan {
         let [trailing_work, leading_work] = adhesion.works.map(|work| work / self.scale.work_of_adhesion);
         let (trailing_zone, leading_zone) = match adhesion.process_zone {
             SlidingZone::Lengths { trailing, leading } => (trailing / self.scale.length, leading / self.scale.length),
-            SlidingZone::Cohesive { cohesive_stress, factor, .. } => {
+            SlidingZone::Cohesive { cohesive_stress, factor, grows } => {
                 // αa₀, a₀ = E0*Δγ/(πσ_c²).
                 let stress = cohesive_stress / self.scale.pressure;
-                let zone = |work: f64| 4.0 * factor * work / (stress * stress);
-                (zone(trailing_work), zone(leading_work))
+                let zones = [trailing_work, leading_work].map(|work| 4.0 * factor * work / (stress * stress));
+                let [trailing, leading] = if grows { growing::grown(&self.material, self.rate(self.sliding.speed), zones) } else { zones };
+                (trailing, leading)
             }
         };
         Some(WaveAdhesion { trailing_work, leading_work, trailing_zone, leading_zone })

@@ -39,8 +39,7 @@ impl From<PassedLimit> for Witness {
 impl SlidingPlan {
     pub(super) fn row(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Row {
         let mut row = Row::new(state, swept, vec![contact.word().to_owned(), String::new()], definitions(&self.sliding).len());
-        let grows = contact == SlidingContact::Adhesive && self.zones_grow();
-        if let Err(refusal) = if grows { self.fill_grown(contact, &mut row) } else { self.fill(contact, &mut row) } {
+        if let Err(refusal) = self.fill(contact, &mut row) {
             row.labels = vec![contact.word().to_owned(), String::new()];
             self.refuse(&mut row, refusal);
         }
@@ -66,7 +65,7 @@ impl SlidingPlan {
         }
     }
 
-    pub(super) fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
+    fn fill(&self, contact: SlidingContact, row: &mut Row) -> Result<(), Refusal> {
         let problem = self.problem(contact)?;
         let mut stability = vec![None; self.stabilities().count() + 1];
         let (mut reduced, extras) = match steady_sliding_reached_by(&self.material, &problem, self.sliding.reached_by)? {

@@ -11,14 +11,16 @@ impl SurfacePlan {
     /// The fields on at most `points` nodes along each direction; each place is a node, nothing is interpolated.
     pub(super) fn fields(&self, state: &SteadyState, points: usize) -> Vec<FieldPoint> {
         let fields = &state.fields;
-        let stride = |nodes: usize| nodes.div_ceil(points.max(2));
-        let (step_x, step_y) = (stride(fields.nx), stride(fields.ny));
+        let chosen = |nodes: usize| {
+            let count = points.clamp(1, nodes);
+            (0..count).map(move |k| k * nodes / count)
+        };
         let (dx, dy) = (TAU / fields.nx as f64, TAU * self.profile.aspect() / fields.ny as f64);
         let centred = self.sliding.surface.word == "wave";
         let [pressure_errors, gap_errors] = &state.field_errors;
         let mut found: Vec<FieldPoint> = Vec::new();
-        for j in (0..fields.ny).step_by(step_y) {
-            for i in (0..fields.nx).step_by(step_x) {
+        for j in chosen(fields.ny) {
+            for i in chosen(fields.nx) {
                 let node = j * fields.nx + i;
                 let at = |values: &[f64]| values.get(node).copied().unwrap_or(f64::NAN);
                 // A profile that slides towards −x was mirrored for the solver.

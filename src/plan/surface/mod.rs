@@ -47,6 +47,8 @@ pub(super) struct SurfacePlan {
     units: Units,
     accuracy: f64,
     swept: bool,
+    /// The shortest range of a sweep over the one of this state.
+    shortest_range: f64,
 }
 
 impl std::fmt::Debug for SurfacePlan {
@@ -89,6 +91,7 @@ impl SurfacePlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
+            shortest_range: shortest_range(scene, sliding),
         };
         plan.attraction(SlidingContact::Adhesive)?;
         let Scales { length, height, pressure, friction, work } = plan.scales;
@@ -151,11 +154,22 @@ impl SurfacePlan {
     fn request(&self) -> Request {
         let which = usize::from(!self.is_line());
         let own = self.profile.nodes()[0].next_power_of_two();
-        let least = LEAST_NODES[which].max(own);
+        // Every place of a field is a node.
+        let places = self.sliding.field_points.map_or(0, |points| (points as usize).next_power_of_two());
+        let least = LEAST_NODES[which].max(own).max(places);
         let most = self.sliding.most_nodes.map_or(MOST_NODES[which], |nodes| nodes as usize);
         // The largest power of two that is allowed.
         let most = if most.is_power_of_two() { most } else { most.next_power_of_two() / 2 };
-        Request { accuracy: self.accuracy, least_nodes: least, most_nodes: most.max(2 * own) }
+        Request { accuracy: self.accuracy, least_nodes: least, most_nodes: most.max(2 * own).max(places) }
+    }
+}
+
+fn shortest_range(scene: &Scene, sliding: &SurfaceSliding) -> f64 {
+    let swept = scene.sweeps.iter().find(|sweep| sweep.key == "adhesion.range");
+    let shortest = swept.and_then(|sweep| sweep.values.iter().copied().reduce(f64::min));
+    match (shortest, &sliding.attraction) {
+        (Some(shortest), Some(law)) => (shortest / law.attraction.range).min(1.0),
+        _ => 1.0,
     }
 }
 

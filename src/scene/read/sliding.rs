@@ -46,12 +46,6 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Slidin
         Some(works) => Some(SlidingAdhesion { works: works.at(speed)?, process_zone: process_zone(top)? }),
         None => None,
     };
-    if let (Some(SlidingAdhesion { process_zone: SlidingZone::Cohesive { grows: true, .. }, .. }), true) =
-        (adhesion, task != SlidingTask::State || sliding.node().get("columns").is_some())
-    {
-        let message = "process zones that grow with their edges are those of single contacts, but a branch, a strength or further columns are asked for";
-        return Err(sliding.wrong("branch", message, "needs a process zone by length or by cohesive_stress"));
-    }
     if let (Some(adhesion), Some(works)) = (adhesion, &works) {
         sliding_branch::fits(&sliding, &task, indenter, adhesion, works)?;
     }

@@ -16,6 +16,9 @@ use std::f64::consts::TAU;
 
 /// Γ of a reduced scene in pressure times height: Δγ = πE0*kΛ² Γ, and E0*kΛ/2 times Λ is the unit.
 const REDUCED_WORK: f64 = TAU;
+/// Places of a map along each direction.
+const DEFAULT_MAP_POINTS: f64 = 128.0;
+const MOST_MAP_POINTS: u32 = 1024;
 const DEFAULT_LOOP_POINTS: f64 = 40.0;
 const DEFAULT_BRANCH_POINTS: f64 = 100.0;
 /// Keys of the edge theory.
@@ -58,7 +61,13 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
             if task != SurfaceTask::State {
                 return Err(SceneError::at(&fields.header(), "a loop or branch has no fields", "leave the table out"));
             }
-            Some(fields.number("points")?.unwrap_or(DEFAULT_FIELD_POINTS) as u32)
+            let default = if surface.profile.is_line() { DEFAULT_FIELD_POINTS } else { DEFAULT_MAP_POINTS };
+            let points = fields.number("points")?.unwrap_or(default) as u32;
+            if !surface.profile.is_line() && points > MOST_MAP_POINTS {
+                let message = format!("`fields.points` ({points}) is the number of places along each direction of a surface");
+                return Err(fields.wrong("points", message, format!("at most {MOST_MAP_POINTS}")));
+            }
+            Some(points)
         }
     };
     Ok(SurfaceSliding {
