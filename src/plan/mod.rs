@@ -6,6 +6,7 @@
 //! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
 mod assumptions;
+mod axis_units;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
