@@ -123,7 +123,7 @@ impl QuasiSteady {
 }
 
 /// What is left out of the speed is taken as so many squares of the correction: a bound that holds against stepping every zone, on ramps up
-/// and down (tests/crack_sec_5_4_slow_loads.rs), not a proven one.
+/// and down (tests/crack/sec_5_4_slow_loads.rs), not a proven one.
 const LEFT_OUT: f64 = 8.0;
 
 impl QuasiSteadyMotion {
