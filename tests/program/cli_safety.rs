@@ -19,7 +19,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use viscotack::Material;
-use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, LoadHistory, Resolution, Trajectory, refined_from};
+use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, GrowthWatch, LoadHistory, Resolution, Trajectory, Unwatched, refined_from};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
 use viscotack::outcome::Row;
@@ -609,7 +609,7 @@ fn a_scene_is_read_from_standard_input() {
     assert!(output.status.code() == Some(2) && String::from_utf8(output.stderr).unwrap().contains("more than 16 MiB"));
 }
 
-// --- (f) A crack under a history goes on from its finished runs.
+// --- (f) A crack under a history goes on from where it was killed.
 
 #[test]
 fn a_killed_history_of_growth_goes_on_to_the_same_numbers() {
@@ -624,20 +624,40 @@ fn a_killed_history_of_growth_goes_on_to_the_same_numbers() {
     let resolution = Resolution { lines_per_zone: 16, ..Resolution::default() };
     // Two more runs than the first four.
     let wanted = |steps: u64| move |found: &Trajectory| if found.work.steps < steps { 2.0 } else { 0.5 };
-    let first = refined_from(&problem, &history, &outputs, resolution, &|_| 0.0, None, &|_| ()).unwrap();
+    let first = refined_from(&problem, &history, &outputs, resolution, &|_| 0.0, None, &Unwatched).unwrap();
     let excess = wanted(3 * first.work.steps);
-    let kept: RefCell<Vec<Vec<u8>>> = RefCell::new(Vec::new());
-    let keep = |finished: &FinishedRuns| kept.borrow_mut().push(postcard::to_allocvec(finished).unwrap());
-    let whole = refined_from(&problem, &history, &outputs, resolution, &excess, None, &keep).unwrap();
-    let kept = kept.into_inner();
-    assert!(kept.len() > 4, "{}", kept.len());
-    for (index, bytes) in kept.iter().enumerate() {
-        let from: FinishedRuns = postcard::from_bytes(bytes).unwrap();
-        assert_eq!(from.count(), index + 1);
-        let more = RefCell::new(0);
-        let resumed = refined_from(&problem, &history, &outputs, resolution, &excess, Some(from), &|_| *more.borrow_mut() += 1).unwrap();
-        assert_eq!(format!("{resumed:?}"), format!("{whole:?}"), "killed after run {}", index + 1);
-        assert_eq!(more.into_inner(), kept.len() - index - 1);
+    let solved = |from: Option<FinishedRuns>, watch: &dyn GrowthWatch| {
+        format!("{:?}", refined_from(&problem, &history, &outputs, resolution, &excess, from, watch).unwrap())
+    };
+    let whole = solved(None, &Unwatched);
+    let killed = Kept(RefCell::new(Vec::new()));
+    assert_eq!(solved(None, &killed), whole);
+    let kept: Vec<FinishedRuns> = killed.0.into_inner().iter().map(|bytes| postcard::from_bytes(bytes).unwrap()).collect();
+    // Six runs, and of the longer ones what was under way.
+    let under_way = kept.iter().filter(|kept| kept.steps_under_way() > 0).count();
+    assert!(kept.iter().filter(|kept| kept.count() >= 5).count() > 1 && under_way > 10, "{} kept, {under_way} under way", kept.len());
+    for from in kept {
+        let killed_at = (from.count(), from.steps_under_way());
+        let after = Kept(RefCell::new(Vec::new()));
+        assert_eq!(solved(Some(from), &after), whole, "killed after run {}, step {}", killed_at.0, killed_at.1);
+        // What was finished is not run again, and the run under way goes on from its step.
+        let next: Option<FinishedRuns> = after.0.into_inner().first().map(|bytes| postcard::from_bytes(bytes).unwrap());
+        if let Some(next) = next {
+            assert!((next.count(), next.steps_under_way()) > killed_at, "{killed_at:?}");
+        }
+    }
+}
+
+/// Keeps what it is handed, whenever it can.
+struct Kept(RefCell<Vec<Vec<u8>>>);
+
+impl GrowthWatch for Kept {
+    fn is_due(&self) -> bool {
+        true
+    }
+
+    fn keep(&self, finished: &FinishedRuns) {
+        self.0.borrow_mut().push(postcard::to_allocvec(finished).unwrap());
     }
 }
 

@@ -6,6 +6,7 @@ mod command_support;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod axis_units;
 mod bytes_mutated;
 mod decks;
 mod histories;

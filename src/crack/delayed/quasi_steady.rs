@@ -12,6 +12,7 @@ use super::memory::Term;
 use super::moments::fading_moments;
 use super::zone::RelativeZone;
 use crate::continuation::root::{LogSlope, increasing_root};
+use serde::{Deserialize, Serialize};
 
 /// When motion counts as quasi-steady.
 pub(super) struct Steadiness;
@@ -34,6 +35,7 @@ impl Steadiness {
 }
 
 /// The solver of quasi-steady motion.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct QuasiSteady {
     terms: Vec<Term>,
     zone: RelativeZone,
