@@ -8,7 +8,7 @@
 //! closes   Δγ/G = 1 + Σ rφ(δ/vρ)      r, ρ: relaxation terms over E0, relaxation times
 //! ```
 //! so that both lengths follow from the material and the speed alone. The error of the friction falls linearly in a₀ (measured against
-//! `finite_range`: `tests/scene_surfaces.rs`, `docs/src/guides/surfaces.md`).
+//! `finite_range`: `tests/scene/surfaces.rs`, `docs/src/guides/surfaces.md`).
 
 use crate::material::Material;
 
