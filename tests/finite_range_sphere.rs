@@ -39,7 +39,7 @@ fn one_term(stiffening: f64) -> Creep {
 
 fn pulled(tabor: f64, creep: Creep, depth: f64, to: f64, rate: f64) -> Problem {
     let (law, shape) = (Law::LennardJones, Shape::Paraboloid);
-    Problem { law, tabor, shape, creep, start: Start::Relaxed(depth), history: vec![ramp(to, (depth - to) / rate)], instants: Vec::new() }
+    Problem { law, tabor, shape, creep, start: Start::Relaxed(depth), history: vec![ramp(to, (depth - to) / rate)], instants: Vec::new(), surfaces: Vec::new() }
 }
 
 fn problem_of(input: &Value) -> Problem {
@@ -66,6 +66,7 @@ fn problem_of(input: &Value) -> Problem {
         start: if input["start"] == "relaxed" { Start::Relaxed(depth) } else { Start::Unstrained(depth) },
         history: input["history"].as_array().unwrap().iter().map(leg).collect(),
         instants: numbers(&input["instants"]),
+        surfaces: Vec::new(),
     }
 }
 

@@ -38,7 +38,7 @@ pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result
     let (solver, state, book) = Book::open(problem, accuracy, mesher)?;
     let mut march = March { solver, state, book };
     for leg in &problem.history {
-        if march.leg(leg)? {
+        if march.whole_leg(leg)? {
             let detachment = march.book.rows.last().copied();
             return Ok(march.book.close(&march.solver, detachment));
         }
@@ -60,14 +60,28 @@ struct Window {
 }
 
 impl March<'_> {
+    /// One leg, in time or at once; true if contact ended under force control.
+    fn whole_leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
+        if leg.motion.duration() > 0.0 {
+            return self.leg(leg);
+        }
+        let time = std::mem::replace(&mut self.state.time, 0.0);
+        self.solver.frozen = Some(time);
+        let ended = self.leg(leg);
+        self.solver.frozen = None;
+        self.state.time = time;
+        ended
+    }
+
     /// One leg; true if contact ended under force control.
     fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         let drive = Drive::new(*leg, &self.state);
-        let end = drive.begin + leg.motion.duration();
+        let end = drive.begin + drive.motion.duration();
+        let longest = drive.motion.longest_step();
         self.state.rate = None;
         let mut window = Window { before: None, best: self.state.clone(), zero: None };
         let first = self.book.record(&self.solver, &self.state);
-        let (mut h, mut careful) = (first_step(&drive, end), 0);
+        let (mut h, mut careful) = (first_step(&drive, end).min(longest), 0);
         let mut usual = h;
         let mut remeshed = 0;
         let mut detached = false;
@@ -115,7 +129,7 @@ impl March<'_> {
             let growth = if careful > 0 { CAREFUL_GROWTH } else { GROWTH };
             careful = careful.saturating_sub(1);
             // A step cut short by an instant says nothing about the next one.
-            h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 });
+            h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 }).min(longest);
             usual = step.max(0.9 * usual);
         }
         let summary = LegSummary {
@@ -131,7 +145,8 @@ impl March<'_> {
     /// The step cut or stretched to the next instant or the end of the leg, and the time to land on.
     fn bounded(&self, h: f64, end: f64) -> (f64, Option<f64>) {
         let now = self.state.time;
-        let stop = self.book.instants.iter().copied().find(|&t| t > now * (1.0 + 1e-14) && t < end).unwrap_or(end);
+        let instants: &[f64] = if self.solver.frozen.is_some() { &[] } else { &self.book.instants };
+        let stop = instants.get(instants.partition_point(|&t| t <= now * (1.0 + 1e-14))).copied().filter(|&t| t < end).unwrap_or(end);
         let left = stop - now;
         if h * 1.001 >= left {
             (left, Some(stop))
@@ -189,6 +204,7 @@ impl March<'_> {
         self.state = landing.state;
         let row = self.book.record(&self.solver, &self.state);
         self.book.rows.push(row);
+        self.book.keep_surface(&self.solver, &self.state);
         if landing.jumped {
             self.book.jumps.push(Jump {
                 time: row.time,

@@ -16,7 +16,7 @@
 //! | `chain`, `drive`, `step` | creep, control, one implicit step and its errors |
 //! | `newton` | one elastic adhesive contact |
 //! | `start`, `jump`, `search` | first state; passing a fold; largest tension and zero force |
-//! | `march`, `book`, `result`, `assess` | the run, its record, its error bounds |
+//! | `march`, `book`, `kept_surface`, `result`, `assess` | the run, its record, its error bounds |
 //! | `exponential` | a second integrator, as a check |
 //!
 //! Sources: Greenwood (1997) and Feng (2000) for the elastic sphere; Maghami, Wang, Tricarico, Ciavarella, Li & Papangelo (2024) for the
@@ -31,6 +31,7 @@ mod chain;
 mod drive;
 mod exponential;
 mod jump;
+mod kept_surface;
 mod kernel;
 mod march;
 mod mesh;
@@ -47,6 +48,7 @@ mod surface;
 
 pub use assess::{Assessed, Bounds, InstantBounds, assessed};
 pub use exponential::run_by_exponentials;
+pub use kept_surface::{Place, Surface};
 pub use march::run;
 pub use mesh::Mesher;
 pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Shape, Start};

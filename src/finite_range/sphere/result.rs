@@ -1,5 +1,6 @@
 //! What a run gives: rows, events, and the evidence for them. Units as in [`super::problem`].
 
+use super::kept_surface::Surface;
 use super::problem::Accuracy;
 use super::state::Energies;
 
@@ -112,6 +113,8 @@ pub struct Run {
     pub rows: Vec<Record>,
     /// One for each leg that ended.
     pub legs: Vec<LegSummary>,
+    /// At the times that were asked for and reached.
+    pub surfaces: Vec<Surface>,
     /// In the order of time.
     pub jumps: Vec<Jump>,
     /// Under force control: the last state before no equilibrium exists any more. The run ends there.

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::newton::Row;
-use super::problem::{Problem, Shape, Start};
+use super::problem::{Control, Problem, Shape, Start};
 use super::state::State;
 use super::step::Solver;
 use crate::refusal::Refusal;
@@ -21,8 +21,15 @@ impl Solver<'_> {
     /// # Errors
     /// [`Refusal::NotConverged`] if no equilibrium was found.
     pub(super) fn start(&mut self, problem: &Problem, deepest: f64) -> Result<State, Refusal> {
-        let (Start::Relaxed(depth) | Start::Unstrained(depth)) = problem.start;
-        let relaxed = matches!(problem.start, Start::Relaxed(_));
+        let (control, value, relaxed) = match problem.start {
+            Start::Relaxed(depth) => (Control::Penetration, depth, true),
+            Start::Unstrained(depth) => (Control::Penetration, depth, false),
+            Start::Held { control, value, relaxed } => (control, value, relaxed),
+        };
+        let modulus = if relaxed { 1.0 } else { self.chain.instant };
+        let (of_depth, of_force) = control.factors();
+        let row = Row { penetration: of_depth, force: of_force, value };
+        let depth = first_depth(problem.shape, row, self.coupling * modulus);
         let reach = radius_at_depth(problem.shape, deepest.max(depth).max(1.0));
         let mesh = self.mesher.coarsest(MARGIN * reach);
         let n = mesh.nodes();
@@ -40,8 +47,7 @@ impl Solver<'_> {
             viscous: 0.0,
             released: 0.0,
         };
-        let modulus = if relaxed { 1.0 } else { self.chain.instant };
-        let contact = first_contact(problem.shape, depth, self.coupling * modulus).filter(|_| relaxed || depth > 0.0);
+        let contact = first_contact(problem.shape, depth, self.coupling * modulus).filter(|_| relaxed || depth > 0.0 || of_force > 0.0);
         for _ in 0..ROUNDS {
             state.u = state.mesh.x.iter().map(|&x| self.first_guess(x, problem.shape, depth, contact, modulus)).collect();
             state.p = state.u.iter().map(|&u| self.surface.pressure(u)).collect();
@@ -52,11 +58,14 @@ impl Solver<'_> {
             }
         }
         let z = vec![if relaxed { RELAXED } else { 0.0 }; self.chain.terms.len()];
-        let row = Row { penetration: 1.0, force: 0.0, value: depth };
         let settled = self.settle(&state, &z, row);
         settled.ok_or_else(|| Refusal::NotConverged {
             what: "the first state",
-            detail: format!("no equilibrium was found at penetration {depth}"),
+            detail: format!("no equilibrium was found where {} = {value}", match control {
+                Control::Penetration => "the penetration",
+                Control::Force => "the force",
+                Control::Frame(_) => "the travel of the frame",
+            }),
         })
     }
 
@@ -74,6 +83,29 @@ impl Solver<'_> {
             if shape == Shape::Paraboloid { ((x * x - 2.0 * a * a) * angle + a * root) / PI } else { shape.height(x) - shape.height(a) };
         self.surface.undeformed(0.0) + separation + FRAC_2_PI * opening * angle
     }
+}
+
+/// The penetration at which a JKR contact (of other tips one without adhesion, roughly) has a value of what is imposed.
+fn first_depth(shape: Shape, row: Row, coupling: f64) -> f64 {
+    if row.force == 0.0 {
+        return row.value / row.penetration;
+    }
+    let state = |a: f64| match shape {
+        Shape::Paraboloid => (a * a - (2.0 * PI * coupling * a).sqrt(), 4.0 / 3.0 * a.powi(3) / coupling - (8.0 * PI * a.powi(3) / coupling).sqrt()),
+        Shape::Power { .. } => (1.2 * shape.height(a), 1.5 * a * shape.height(a) / coupling),
+    };
+    let imposed = |a: f64| row.penetration * state(a).0 + row.force * state(a).1 - row.value;
+    // The radius at which the force is least is that of 1.5π.
+    let least = if shape == Shape::Paraboloid { (9.0 * PI * coupling / 8.0).cbrt() } else { 1e-6 };
+    let (mut low, mut high) = (least, 2.0 * least.max(1.0));
+    while imposed(high) < 0.0 && high < 1e150 {
+        high *= 2.0;
+    }
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if imposed(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    state(low).0
 }
 
 /// The radius at which the undeformed tip is as high as a depth.

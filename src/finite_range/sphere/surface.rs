@@ -21,6 +21,7 @@ pub(super) struct Local {
 }
 
 /// The law with the shape of the tip.
+#[derive(Clone)]
 pub(super) struct Surface {
     law: Attraction,
     shape: Shape,
