@@ -1,5 +1,6 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
+mod attraction;
 mod delayed;
 mod history;
 mod indentation;
@@ -15,6 +16,7 @@ use crate::sliding::steady::ReachedBy;
 use std::sync::Arc;
 
 pub use super::check::Units;
+pub use attraction::SceneAttraction;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,

@@ -1,5 +1,6 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
+mod attraction;
 mod column_names;
 mod column_units;
 mod counter_body;
