@@ -39,7 +39,16 @@ fn one_term(stiffening: f64) -> Creep {
 
 fn pulled(tabor: f64, creep: Creep, depth: f64, to: f64, rate: f64) -> Problem {
     let (law, shape) = (Law::LennardJones, Shape::Paraboloid);
-    Problem { law, tabor, shape, creep, start: Start::Relaxed(depth), history: vec![ramp(to, (depth - to) / rate)], instants: Vec::new(), surfaces: Vec::new() }
+    Problem {
+        law,
+        tabor,
+        shape,
+        creep,
+        start: Start::Relaxed(depth),
+        history: vec![ramp(to, (depth - to) / rate)],
+        instants: Vec::new(),
+        surfaces: Vec::new(),
+    }
 }
 
 fn problem_of(input: &Value) -> Problem {
@@ -215,7 +224,7 @@ fn what_is_not_allowed_is_refused() {
         Problem { creep: one_term(0.5), ..good.clone() },
         Problem { law: Law::Exponential, ..good.clone() },
         Problem { history: vec![ramp(f64::INFINITY, 1.0)], ..good.clone() },
-        Problem { history: vec![ramp(1.0, 0.0)], ..good.clone() },
+        Problem { history: vec![ramp(1.0, -1.0)], ..good.clone() },
         // A tip that leaves a force of attraction to the limit zero: the surfaces part without end.
         Problem {
             history: vec![ramp(-6.0, 1.0), Leg { control: Control::Force, motion: Motion::Ramp { to: 10.0, duration: 1.0 } }],

@@ -1,11 +1,11 @@
 //! The record of a run while it is made.
 
+use super::kept_surface::Surface;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Control, Motion, Problem, Start};
 use super::result::{Certificate, Jump, LegSummary, Record, Run};
 use super::state::{Energies, State};
 use super::step::Solver;
-use super::kept_surface::Surface;
 use crate::refusal::Refusal;
 
 /// The contact must stay within this part of the mesh.
@@ -21,6 +21,7 @@ pub(super) struct Book {
     /// Times of surfaces still to come, the last first.
     wanted: Vec<f64>,
     pub(super) jumps: Vec<Jump>,
+    pub(super) losses: Vec<Record>,
     pub(super) steps: usize,
     pub(super) rejected: usize,
     pub(super) failed: usize,
@@ -49,6 +50,7 @@ impl Book {
             surfaces: Vec::new(),
             wanted,
             jumps: Vec::new(),
+            losses: Vec::new(),
             steps: 0,
             rejected: 0,
             failed: 0,
@@ -125,7 +127,7 @@ impl Book {
             newton_residual: solver.newton.last_correction,
             accuracy: solver.accuracy,
         };
-        Run { rows: self.rows, legs: self.legs, surfaces: self.surfaces, jumps: self.jumps, detachment, certificate }
+        Run { rows: self.rows, legs: self.legs, surfaces: self.surfaces, jumps: self.jumps, losses: self.losses, detachment, certificate }
     }
 }
 

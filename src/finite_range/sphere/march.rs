@@ -40,6 +40,7 @@ pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result
     for leg in &problem.history {
         if march.whole_leg(leg)? {
             let detachment = march.book.rows.last().copied();
+            march.book.losses.extend(detachment);
             return Ok(march.book.close(&march.solver, detachment));
         }
     }
@@ -57,6 +58,14 @@ struct Window {
     before: Option<State>,
     best: State,
     zero: Option<State>,
+}
+
+impl Solver<'_> {
+    /// Whether a contact ends between two states.
+    fn parts(&self, old: &State, new: &State) -> bool {
+        let open = |state: &State| state.open_at_axis(&self.mesher.quadrature.rule, &self.surface) > 0.0;
+        !open(old) && open(new)
+    }
 }
 
 impl March<'_> {
@@ -178,6 +187,11 @@ impl March<'_> {
                 window.best = found;
             }
         }
+        if self.solver.parts(&old, &self.state) {
+            let lost = self.solver.open_axis(&old, &self.state, drive);
+            let lost = self.book.record(&self.solver, &lost);
+            self.book.losses.push(lost);
+        }
         if old.force > 0.0 && self.state.force <= 0.0 {
             window.zero = Some(self.solver.zero_of_force(&old, &self.state, drive));
         }
@@ -206,8 +220,13 @@ impl March<'_> {
         self.book.rows.push(row);
         self.book.keep_surface(&self.solver, &self.state);
         if landing.jumped {
+            let from = self.book.record(&self.solver, &before);
+            if from.contact_radius > 0.0 && row.contact_radius == 0.0 {
+                self.book.losses.push(row);
+            }
             self.book.jumps.push(Jump {
                 time: row.time,
+                radius_before: from.contact_radius,
                 penetration: before.penetration,
                 force_before: before.force,
                 force_after: row.force,

@@ -61,11 +61,14 @@ impl Solver<'_> {
         let settled = self.settle(&state, &z, row);
         settled.ok_or_else(|| Refusal::NotConverged {
             what: "the first state",
-            detail: format!("no equilibrium was found where {} = {value}", match control {
-                Control::Penetration => "the penetration",
-                Control::Force => "the force",
-                Control::Frame(_) => "the travel of the frame",
-            }),
+            detail: format!(
+                "no equilibrium was found where {} = {value}",
+                match control {
+                    Control::Penetration => "the penetration",
+                    Control::Force => "the force",
+                    Control::Frame(_) => "the travel of the frame",
+                }
+            ),
         })
     }
 
@@ -91,7 +94,9 @@ fn first_depth(shape: Shape, row: Row, coupling: f64) -> f64 {
         return row.value / row.penetration;
     }
     let state = |a: f64| match shape {
-        Shape::Paraboloid => (a * a - (2.0 * PI * coupling * a).sqrt(), 4.0 / 3.0 * a.powi(3) / coupling - (8.0 * PI * a.powi(3) / coupling).sqrt()),
+        Shape::Paraboloid => {
+            (a * a - (2.0 * PI * coupling * a).sqrt(), 4.0 / 3.0 * a.powi(3) / coupling - (8.0 * PI * a.powi(3) / coupling).sqrt())
+        }
         Shape::Power { .. } => (1.2 * shape.height(a), 1.5 * a * shape.height(a) / coupling),
     };
     let imposed = |a: f64| row.penetration * state(a).0 + row.force * state(a).1 - row.value;

@@ -102,6 +102,12 @@ impl State {
         if curvature > 0.0 { (x[least] - slope / curvature).clamp(x[least - 1], x[least + 1]) } else { x[least] }
     }
 
+    /// By how much the gap at the axis is wider than that of the largest tension.
+    pub(super) fn open_at_axis(&self, rule: &Rule, surface: &Surface) -> f64 {
+        let lifted: Vec<f64> = self.u.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
+        surface.undeformed(0.0) + self.mesh.value_at(rule, &lifted, 0.0).unwrap_or(0.0) - surface.peak_gap()
+    }
+
     /// The innermost radius where the gap passes a value, by the polynomial of its element; zero if the gap is larger everywhere.
     pub(super) fn radius_at_gap(&self, gap: f64, rule: &Rule, surface: &Surface) -> f64 {
         let (u, x) = (&self.u, &self.mesh.x);

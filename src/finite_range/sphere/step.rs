@@ -45,7 +45,16 @@ impl<'m> Solver<'m> {
     pub(super) fn new(problem: &Problem, accuracy: Accuracy, mesher: &'m mut Mesher) -> Result<Self, Refusal> {
         let surface = Surface::new(problem.law.clone(), problem.shape)?;
         let coupling = problem.tabor.powf(1.5);
-        Ok(Self { mesher, surface, chain: Chain::new(&problem.creep), coupling, accuracy, newton: Newton::default(), sharpness: 1.0, frozen: None })
+        Ok(Self {
+            mesher,
+            surface,
+            chain: Chain::new(&problem.creep),
+            coupling,
+            accuracy,
+            newton: Newton::default(),
+            sharpness: 1.0,
+            frozen: None,
+        })
     }
 
     /// A contact whose creep strains are (a_j + z_j J_j p)/(1 + z_j).

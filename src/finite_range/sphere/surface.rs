@@ -101,11 +101,7 @@ impl Surface {
 
     /// The gap of the largest tension, by the law's own shape.
     pub(super) fn peak_gap(&self) -> f64 {
-        match self.law.law {
-            Law::LennardJones => 3_f64.powf(1.0 / 6.0),
-            Law::Cosine => 0.5,
-            _ => self.rest,
-        }
+        self.law.peak_gap()
     }
 
     /// Outside a radius, where the body is not deformed: force, its derivative with respect to the penetration, interface energy.

@@ -11,6 +11,7 @@ mod force_curve_header;
 pub mod history;
 mod include;
 mod indentation;
+mod indentation_at_a_distance;
 mod material;
 mod material_choice;
 mod material_columns;

@@ -1,5 +1,6 @@
 //! The history of a scene as legs of the solver, with the instants that become rows.
 
+use super::super::scale::Scale;
 use super::super::timeline::{Leg, Timeline};
 use super::scales::Reduced;
 use crate::finite_range::sphere::{self, Accuracy, Control, Motion, Problem, Start};
@@ -33,12 +34,12 @@ pub(super) struct Course {
 }
 
 impl Course {
-    pub(super) fn new(indentation: &Indentation, timeline: &Timeline, reduced: &Reduced) -> Self {
+    pub(super) fn new(indentation: &Indentation, timeline: &Timeline, reduced: &Reduced, scale: &Scale) -> Self {
         let control = |quantity: HistoryQuantity| match quantity {
             HistoryQuantity::Force => Control::Force,
             HistoryQuantity::Frame => {
                 // Scenes that control a frame have one.
-                let stiffness = indentation.frame_stiffness.unwrap_or(f64::INFINITY) * timeline.force_unit;
+                let stiffness = indentation.frame_stiffness.unwrap_or(f64::INFINITY) * scale.force;
                 Control::Frame(stiffness * reduced.scales.gap / reduced.scales.force)
             }
             _ => Control::Penetration,

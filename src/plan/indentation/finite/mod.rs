@@ -26,6 +26,7 @@ use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
 use crate::refusal::Refusal;
 use crate::scene::typed::{Indentation, PoissonRatio, Scene, SceneAttraction, Units};
+pub(super) use advice::beside_an_edge;
 use history::Course;
 use scales::Reduced;
 
@@ -62,7 +63,7 @@ impl FiniteRangePlan {
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
         let reduced = Reduced::new(indentation, attraction, &material, &scale)?;
-        let course = Course::new(indentation, &timeline, &reduced);
+        let course = Course::new(indentation, &timeline, &reduced, &scale);
         let plan = Self {
             indentation: indentation.clone(),
             attraction: attraction.clone(),
