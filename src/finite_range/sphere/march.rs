@@ -35,8 +35,17 @@ const COARSEN_EVERY: usize = 3;
 /// # Errors
 /// [`Refusal`] for a number that is not allowed, a start or a landing that was not found, or an exhausted budget of steps.
 pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Run, Refusal> {
+    run_watched(problem, accuracy, mesher, &mut |_| {})
+}
+
+/// The same; `watch` is called after every step with the part of the history (0 to 1) that is done.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_watched(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, watch: &mut dyn FnMut(f64)) -> Result<Run, Refusal> {
     let (solver, state, book) = Book::open(problem, accuracy, mesher)?;
-    let mut march = March { solver, state, book };
+    let whole = problem.history.iter().map(|leg| leg.motion.duration()).sum();
+    let mut march = March { solver, state, book, watch, whole };
     for leg in &problem.history {
         if march.whole_leg(leg)? {
             let detachment = march.book.rows.last().copied();
@@ -51,6 +60,9 @@ struct March<'m> {
     solver: Solver<'m>,
     state: State,
     book: Book,
+    watch: &'m mut dyn FnMut(f64),
+    /// How long the history is.
+    whole: f64,
 }
 
 /// The states of a leg that the search for its events needs.
@@ -170,6 +182,7 @@ impl March<'_> {
     fn accepted(&mut self, new: State, drive: &Drive, window: &mut Window) -> Result<(), Refusal> {
         let old = std::mem::replace(&mut self.state, new);
         self.book.row(&self.solver, &self.state)?;
+        (self.watch)(self.solver.frozen.unwrap_or(self.state.time) / self.whole.max(f64::MIN_POSITIVE));
         if drive.control == Control::Force && self.state.u.iter().all(|&u| self.solver.surface.gap(u) > LOST) {
             let reason = "the force goes to zero and the surfaces part without limit".to_owned();
             return Err(Refusal::NoSuchState { reason, limit_name: "time", limit: self.state.time });

@@ -1,5 +1,6 @@
 //! The first state of a run.
 
+use spec_math::Gamma;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::newton::Row;
@@ -30,7 +31,8 @@ impl Solver<'_> {
         let (of_depth, of_force) = control.factors();
         let row = Row { penetration: of_depth, force: of_force, value };
         let depth = first_depth(problem.shape, row, self.coupling * modulus);
-        let reach = radius_at_depth(problem.shape, deepest.max(depth).max(1.0));
+        let deepest = deepest.max(depth).max(1.0);
+        let reach = radius_at_depth(problem.shape, deepest).max(first_contact(problem.shape, deepest, self.coupling).unwrap_or(0.0));
         let mesh = self.mesher.coarsest(MARGIN * reach);
         let n = mesh.nodes();
         let mut state = State {
@@ -76,7 +78,7 @@ impl Solver<'_> {
     fn first_guess(&self, x: f64, shape: Shape, depth: f64, contact: Option<f64>, modulus: f64) -> f64 {
         let coupling = self.coupling * modulus;
         let Some(a) = contact else { return (self.surface.undeformed(x) - depth).max(0.9) };
-        let opening = if shape == Shape::Paraboloid { (2.0 * PI * coupling * a).sqrt() } else { 0.0 };
+        let opening = (2.0 * PI * coupling * a).sqrt();
         if x < a {
             let root = (a * a - x * x).sqrt().max(1e-3 * a);
             return self.surface.compressed((FRAC_2_PI * root - opening / (PI * root)) / coupling);
@@ -88,29 +90,61 @@ impl Solver<'_> {
     }
 }
 
-/// The penetration at which a JKR contact (of other tips one without adhesion, roughly) has a value of what is imposed.
+/// The contact of zero range on a tip of height c·x^n: Δ = κa^n − √(2πma), F = 2n/(n+1)·κa^{n+1}/m − √(8πa³/m), with κ by Sneddon (1965).
+struct ZeroRange {
+    factor: f64,
+    exponent: f64,
+    coupling: f64,
+}
+
+impl ZeroRange {
+    fn new(shape: Shape, coupling: f64) -> Self {
+        let (coefficient, exponent) = match shape {
+            Shape::Paraboloid => (0.5, 2.0),
+            Shape::Power { coefficient, exponent } => (coefficient, exponent),
+        };
+        let gammas = Gamma::gamma(&(0.5 * exponent + 1.0)) / Gamma::gamma(&(0.5 * exponent + 0.5));
+        Self { factor: coefficient * PI.sqrt() * gammas, exponent, coupling }
+    }
+
+    /// The radius at which the penetration is least, times this power of three.
+    fn least(&self, threefold: bool) -> f64 {
+        let slope = (2.0 * PI * self.coupling).sqrt() / (2.0 * self.exponent * self.factor);
+        (if threefold { 3.0 * slope } else { slope }).powf(1.0 / (self.exponent - 0.5))
+    }
+
+    fn penetration(&self, a: f64) -> f64 {
+        self.factor * a.powf(self.exponent) - (2.0 * PI * self.coupling * a).sqrt()
+    }
+
+    fn force(&self, a: f64) -> f64 {
+        let n = self.exponent;
+        2.0 * n / (n + 1.0) * self.factor * a.powf(n + 1.0) / self.coupling - (8.0 * PI * a.powi(3) / self.coupling).sqrt()
+    }
+
+    /// The radius, from `least` up, at which a rising quantity is zero; `least` if it is positive there.
+    fn radius(least: f64, rising: impl Fn(f64) -> f64) -> f64 {
+        let (mut low, mut high) = (least, 2.0 * least.max(1.0));
+        while rising(high) < 0.0 && high < 1e100 {
+            high *= 2.0;
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if rising(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        low
+    }
+}
+
+/// The penetration at which a contact of zero range has a value of what is imposed.
 fn first_depth(shape: Shape, row: Row, coupling: f64) -> f64 {
     if row.force == 0.0 {
         return row.value / row.penetration;
     }
-    let state = |a: f64| match shape {
-        Shape::Paraboloid => {
-            (a * a - (2.0 * PI * coupling * a).sqrt(), 4.0 / 3.0 * a.powi(3) / coupling - (8.0 * PI * a.powi(3) / coupling).sqrt())
-        }
-        Shape::Power { .. } => (1.2 * shape.height(a), 1.5 * a * shape.height(a) / coupling),
-    };
-    let imposed = |a: f64| row.penetration * state(a).0 + row.force * state(a).1 - row.value;
-    // The radius at which the force is least is that of 1.5π.
-    let least = if shape == Shape::Paraboloid { (9.0 * PI * coupling / 8.0).cbrt() } else { 1e-6 };
-    let (mut low, mut high) = (least, 2.0 * least.max(1.0));
-    while imposed(high) < 0.0 && high < 1e150 {
-        high *= 2.0;
-    }
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if imposed(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    state(low).0
+    let contact = ZeroRange::new(shape, coupling);
+    // The force is least at a larger radius than the penetration: there the slope of one is three times that of the other.
+    let imposed = |a: f64| row.penetration * contact.penetration(a) + row.force * contact.force(a) - row.value;
+    contact.penetration(ZeroRange::radius(contact.least(true), imposed))
 }
 
 /// The radius at which the undeformed tip is as high as a depth.
@@ -121,19 +155,9 @@ fn radius_at_depth(shape: Shape, depth: f64) -> f64 {
     }
 }
 
-/// The radius of the JKR contact at a penetration, the larger one; for other tips that of the overlap. None where there is no contact.
+/// The radius of the contact of zero range at a penetration, the larger one. None where there is no contact.
 fn first_contact(shape: Shape, depth: f64, coupling: f64) -> Option<f64> {
-    let Shape::Paraboloid = shape else { return (depth > 0.0).then(|| 0.8 * radius_at_depth(shape, depth)) };
-    // Δ = a² − √(2πma) has its least value where 2a = √(2πm/a)/2.
-    let least = (PI * coupling / 8.0).cbrt();
-    let excess = |a: f64| a * a - (2.0 * PI * coupling * a).sqrt() - depth;
-    if excess(least) > 0.0 {
-        return None;
-    }
-    let (mut low, mut high) = (least, 2.0 * (depth.abs().sqrt() + least) + (2.0 * PI * coupling).powf(0.4) * 2.0);
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    Some(high)
+    let contact = ZeroRange::new(shape, coupling);
+    let least = contact.least(false);
+    (contact.penetration(least) <= depth).then(|| ZeroRange::radius(least, |a| contact.penetration(a) - depth))
 }

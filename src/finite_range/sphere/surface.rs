@@ -36,12 +36,6 @@ impl Surface {
     pub(super) fn new(law: Law, shape: Shape) -> Result<Self, Refusal> {
         let law = Attraction::new(law, 1.0, 1.0)?;
         let wall = law.wall();
-        if wall.is_some() {
-            return Err(Refusal::Undefined {
-                quantity: "the sphere",
-                reason: "a law with a hard wall is not implemented for it".to_owned(),
-            });
-        }
         Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail: unit_rule(TAIL_POINTS) })
     }
 

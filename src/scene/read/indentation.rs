@@ -48,8 +48,8 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         Some("relaxed") => IndentationStart::Relaxed,
         _ => IndentationStart::Untouched,
     };
-    if let Some(attraction) = &attraction {
-        at_a_distance::possible(top, &table, &history, &shape, attraction)?;
+    if attraction.is_some() {
+        at_a_distance::possible(top, &table, &history, &shape)?;
     }
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;

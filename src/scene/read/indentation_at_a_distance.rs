@@ -2,27 +2,13 @@
 
 use super::section::Section;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::{History, HistoryQuantity, HistorySegment, IndentationShape, SceneAttraction};
+use crate::scene::typed::{History, HistoryQuantity, HistorySegment, IndentationShape};
 
 /// The theory that has what this one has not.
 const EDGE: &str = "leave it out, or give adhesion.process_zone in place of the law: the theory of an edge";
 
-/// Refuses shapes, histories and laws that the solver of the finite range does not take.
-pub(super) fn possible(
-    top: &Section<'_>,
-    table: &Section<'_>,
-    history: &History,
-    shape: &IndentationShape,
-    attraction: &SceneAttraction,
-) -> Result<(), SceneError> {
-    let adhesion = top.required_table("adhesion", "it holds the law")?;
-    if attraction.attraction.wall().is_some() {
-        let key = if attraction.word == "table" { "table" } else { "law" };
-        let message = format!("`{}`: a law with a hard wall is solved for sliding contacts, not for an indenter", adhesion.full(key));
-        let help =
-            "write law = \"lennard_jones\" or \"cosine\", or a table that begins with repulsion (a positive pressure at its first gap)";
-        return Err(adhesion.wrong(key, message, "has a hard wall").help(help));
-    }
+/// Refuses shapes and histories that the solver of the finite range does not take.
+pub(super) fn possible(top: &Section<'_>, table: &Section<'_>, history: &History, shape: &IndentationShape) -> Result<(), SceneError> {
     let shape_key = match shape {
         IndentationShape::FlatPunch { .. } => Some("flat_punch"),
         IndentationShape::Table { .. } => Some("profile"),

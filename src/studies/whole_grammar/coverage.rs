@@ -30,6 +30,13 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("adhesion.process_zone.trailing_length", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
     ("adhesion.process_zone.leading_length", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
     ("adhesion.by_speed", &[Problem::DelayedFracture]),
+    // Cracks and sliding contacts have edges.
+    ("adhesion.law", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.range", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.peak_stress", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.table", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.columns", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.ramp", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
     ("adhesion.interaction_range", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
     // An indenter has its own table of fields, a crack under a history none.
     ("fields", &[Problem::DelayedFracture, Problem::Indentation]),

@@ -2,11 +2,13 @@
 
 use super::FiniteRangePlan;
 use super::history::tolerances;
-use crate::finite_range::sphere::{Mesher, Problem, Record, Run, run};
+use crate::finite_range::sphere::{Mesher, Problem, Record, Run, run_watched};
+use crate::indentation::Watch;
+use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
 
 /// Runs, at most.
-const RUNS: usize = 4;
+const RUNS: u32 = 4;
 
 /// Two runs of which the second is tighter, and what all took.
 pub(super) struct Runs {
@@ -25,21 +27,22 @@ impl FiniteRangePlan {
     }
 
     /// The runs of the state.
-    pub(super) fn runs(&self) -> Result<Runs, Refusal> {
+    pub(super) fn runs(&self, desk: &Desk<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
-        let mut accuracy = tolerances(self.accuracy);
+        let mut accuracy = tolerances(self.accuracy, self.reduced.law.wall().is_some());
         let mut mesher = Mesher::new(accuracy.order);
-        let mut loose = run(&problem, accuracy, &mut mesher)?;
+        let watched = |number: u32| move |part: f64| desk.passed(number, part.min(1.0));
+        let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;
         let mut systems = loose.certificate.iterations as u64;
-        for turn in 1.. {
+        for turn in 1..RUNS {
             accuracy = accuracy.tightened();
-            let tight = run(&problem, accuracy, &mut mesher)?;
+            let tight = run_watched(&problem, accuracy, &mut mesher, &mut watched(turn + 1))?;
             systems += tight.certificate.iterations as u64;
             let consistent = loose.jumps.len() == tight.jumps.len()
                 && loose.losses.len() == tight.losses.len()
                 && loose.detachment.is_some() == tight.detachment.is_some();
             let runs = Runs { loose, tight, consistent, systems };
-            if turn + 1 >= RUNS || (runs.consistent && self.agree(&runs)) {
+            if turn + 1 == RUNS || (runs.consistent && self.agree(&runs)) {
                 return Ok(runs);
             }
             loose = runs.tight;

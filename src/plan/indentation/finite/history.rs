@@ -22,6 +22,15 @@ pub(super) struct Piece {
     quantity: HistoryQuantity,
     /// Where it starts, if that is known.
     from: Option<f64>,
+    /// Whether it ends where it starts.
+    held: bool,
+}
+
+impl Piece {
+    /// Whether what is imposed changes.
+    pub(super) fn moves(&self) -> bool {
+        !(self.held && matches!(self.leg.motion, Motion::Ramp { .. }))
+    }
 }
 
 /// All of them.
@@ -66,7 +75,15 @@ impl Course {
                 let motion = Motion::Swing { to, duration: leg.duration, oscillation: swing };
                 let instants = instants_of_a_swing(indentation.instants, &swing, begin, leg.duration);
                 let solver_leg = sphere::Leg { control: control(leg.quantity), motion };
-                pieces.push(Piece { leg: solver_leg, instants, end: time, segment: leg.segment, quantity: leg.quantity, from: None });
+                pieces.push(Piece {
+                    leg: solver_leg,
+                    instants,
+                    end: time,
+                    segment: leg.segment,
+                    quantity: leg.quantity,
+                    from: None,
+                    held: false,
+                });
                 here = Some((leg.quantity, leg.end + oscillation.deviation(leg.duration, leg.duration)));
                 continue;
             }
@@ -85,7 +102,15 @@ impl Course {
             let instants = (1..count).map(|k| begin + leg.duration * f64::from(k) / f64::from(count)).collect();
             let motion = Motion::Ramp { to, duration: leg.duration };
             let solver_leg = sphere::Leg { control: control(leg.quantity), motion };
-            pieces.push(Piece { leg: solver_leg, instants, end: time, segment: leg.segment, quantity: leg.quantity, from });
+            pieces.push(Piece {
+                leg: solver_leg,
+                instants,
+                end: time,
+                segment: leg.segment,
+                quantity: leg.quantity,
+                from,
+                held: from.is_some_and(|from| from.to_bits() == leg.end.to_bits()),
+            });
         }
         let surfaces = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
         Self { start, pieces, surfaces: surfaces.map(|wanted| wanted.min(time)).collect() }
@@ -106,9 +131,13 @@ impl Course {
     }
 }
 
+/// Nodes of an element where a hard wall leaves a kink in the pressure: more do not pay there.
+const WALL_ORDER: usize = 6;
+
 /// Tolerances of the first of two runs, for a wanted accuracy.
-pub(super) fn tolerances(accuracy: f64) -> Accuracy {
-    Accuracy::new(accuracy)
+pub(super) fn tolerances(accuracy: f64, hard_wall: bool) -> Accuracy {
+    let smooth = Accuracy::new(accuracy);
+    if hard_wall { Accuracy { order: WALL_ORDER, ..smooth } } else { smooth }
 }
 
 /// Whether a leg goes on at the pace of a piece.

@@ -62,6 +62,10 @@ impl FiniteRangePlan {
         material.solid_modulus("a contact with attraction of finite range")?;
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
+        let wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
+        if let Some(late) = wanted.filter(|time| *time > timeline.duration() * (1.0 + 1e-9)).last() {
+            return Err(Refusal::out_of_range("fields.times", late, "within the history"));
+        }
         let reduced = Reduced::new(indentation, attraction, &material, &scale)?;
         let course = Course::new(indentation, &timeline, &reduced, &scale);
         let plan = Self {

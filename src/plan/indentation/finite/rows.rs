@@ -27,8 +27,8 @@ const ROUNDING: f64 = 1e-11;
 pub(super) type Values = Vec<Option<Estimate>>;
 
 impl FiniteRangePlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64], _desk: &Desk<'_>) -> Vec<Row> {
-        self.runs().and_then(|runs| self.rows_of(&runs, state, swept)).unwrap_or_else(|refusal| {
+    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+        self.runs(desk).and_then(|runs| self.rows_of(&runs, state, swept)).unwrap_or_else(|refusal| {
             let mut row = self.row(state, swept, [SUMMARY, ""]);
             row.refuse(&refusal);
             vec![row]
