@@ -6,6 +6,7 @@
 //! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
 mod assumptions;
+mod axis_units;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
@@ -220,7 +221,7 @@ impl Plan {
     }
 
     /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
-    /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
+    /// Measured peaks are at most this and at least a quarter of it (`tests/program/explain_predicts_memory.rs`).
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
         let draws = self.draws.len() as u64;

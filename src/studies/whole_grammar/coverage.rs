@@ -47,7 +47,7 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("history[].contact_radius", &[Problem::DelayedFracture]),
     ("history[].frame", &[Problem::DelayedFracture]),
     ("history[].oscillation", &[Problem::DelayedFracture]),
-    // Takes minutes with many relaxation times: compared in tests/indentation_periodic.rs (named gaps).
+    // Takes minutes with many relaxation times: compared in tests/indentation/periodic.rs (named gaps).
     ("history[].oscillation.periodic", &[Problem::Indentation]),
     ("history[].columns.penetration", &[Problem::DelayedFracture]),
     ("history[].columns.force", &[Problem::DelayedFracture]),
