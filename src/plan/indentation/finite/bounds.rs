@@ -54,11 +54,17 @@ impl FiniteRangePlan {
     fn agree(&self, runs: &Runs) -> bool {
         let scale = |of: fn(&Record) -> f64| runs.tight.rows.iter().fold(0.0_f64, |most, row| most.max(of(row).abs()));
         let near = |a: &Record, b: &Record, of: fn(&Record) -> f64, scale: f64| (of(a) - of(b)).abs() <= 0.5 * self.accuracy * scale;
-        let of = [|row: &Record| row.force, |row: &Record| row.penetration, |row: &Record| row.contact_radius];
-        let scales = of.map(scale);
+        let mut of: Vec<fn(&Record) -> f64> = vec![|row| row.force, |row| row.penetration, |row| row.contact_radius];
+        if self.indentation.energies {
+            of.extend([(|row: &Record| row.work) as fn(&Record) -> f64, |row| row.dissipated, |row| row.released]);
+        }
+        let scales: Vec<f64> = of.iter().map(|of| scale(*of)).collect();
+        // Energies turn into each other: the largest is the scale of each.
+        let largest = scales.iter().skip(3).copied().fold(0.0, f64::max);
+        let scales: Vec<f64> = scales.iter().enumerate().map(|(place, own)| if place < 3 { *own } else { largest }).collect();
         let tension = |run: &Run| run.legs.iter().map(|leg| leg.largest_tension.force).fold(f64::INFINITY, f64::min);
         let (one, other) = (tension(&runs.loose), tension(&runs.tight));
-        self.instants(runs).iter().all(|(a, b)| of.iter().zip(scales).all(|(of, scale)| near(a, b, *of, scale)))
+        self.instants(runs).iter().all(|(a, b)| of.iter().zip(&scales).all(|(of, scale)| near(a, b, *of, *scale)))
             && (one - other).abs() <= 0.5 * self.accuracy * other.abs()
     }
 

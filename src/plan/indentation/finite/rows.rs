@@ -278,7 +278,10 @@ impl FiniteRangePlan {
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], runs: &Runs) {
         let event = row.label(0) == "event";
         // Of events only the largest tension is held to the accuracy: when and where it acts, and where a fold is, is soft.
-        let held = |place: usize| !event || (row.label(1) == LARGEST_TENSION && matches!(place, at::FORCE | at::PULL_OFF_RATIO));
+        let present = present(&self.indentation);
+        let held = |place: usize| {
+            present.contains(&place) && (!event || (row.label(1) == LARGEST_TENSION && matches!(place, at::FORCE | at::PULL_OFF_RATIO)))
+        };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;
             let size = estimate.value.abs().max(*scale);
