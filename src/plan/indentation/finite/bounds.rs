@@ -29,7 +29,7 @@ impl FiniteRangePlan {
     /// The runs of the state.
     pub(super) fn runs(&self, desk: &Desk<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
-        let mut accuracy = tolerances(self.accuracy, self.reduced.law.wall().is_some());
+        let mut accuracy = tolerances(self.accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
         let watched = |number: u32| move |part: f64| desk.passed(number, part.min(1.0));
         let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;

@@ -3,6 +3,7 @@
 use super::super::scale::Scale;
 use super::super::timeline::{Leg, Timeline};
 use super::scales::Reduced;
+use crate::finite_range::law::Attraction;
 use crate::finite_range::sphere::{self, Accuracy, Control, Motion, Problem, Start};
 use crate::indentation::Oscillation;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationStart};
@@ -131,13 +132,18 @@ impl Course {
     }
 }
 
-/// Nodes of an element where a hard wall leaves a kink in the pressure: more do not pay there.
-const WALL_ORDER: usize = 6;
+/// Nodes of an element where a hard wall or a kink of the law leaves one in the pressure: more do not pay there.
+const KINKED_ORDER: usize = 6;
+
+/// Whether the stress has a kink at some gap.
+pub(super) fn is_kinked(law: &Attraction) -> bool {
+    law.wall().is_some() || !law.kinks().is_empty()
+}
 
 /// Tolerances of the first of two runs, for a wanted accuracy.
-pub(super) fn tolerances(accuracy: f64, hard_wall: bool) -> Accuracy {
+pub(super) fn tolerances(accuracy: f64, law: &Attraction) -> Accuracy {
     let smooth = Accuracy::new(accuracy);
-    if hard_wall { Accuracy { order: WALL_ORDER, ..smooth } } else { smooth }
+    if is_kinked(law) { Accuracy { order: KINKED_ORDER, ..smooth } } else { smooth }
 }
 
 /// Whether a leg goes on at the pace of a piece.
