@@ -34,7 +34,7 @@ use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
-use indentation::IndentationPlan;
+use indentation::{FiniteRangePlan, IndentationPlan};
 use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
@@ -132,7 +132,10 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
         Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
         Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
         Problem::Surface(sliding) => Arc::new(SurfacePlan::new(scene, sliding)?),
-        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        Problem::Indentation(indentation) => match &indentation.attraction {
+            Some(attraction) => Arc::new(FiniteRangePlan::new(scene, indentation, attraction)?),
+            None => Arc::new(IndentationPlan::new(scene, indentation)?),
+        },
     })
 }
 

@@ -12,6 +12,7 @@ mod decks;
 mod histories;
 mod indentation;
 mod indentation_edges;
+mod indentation_finite_range;
 mod indentation_without_adhesion;
 mod inputs_of_users;
 mod liquids;

@@ -11,6 +11,7 @@ mod force_curve_header;
 pub mod history;
 mod include;
 mod indentation;
+mod indentation_at_a_distance;
 mod material;
 mod material_choice;
 mod material_columns;
@@ -117,7 +118,13 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let mut material = material::read(&top, document)?;
     material.notes.extend(document.notes().iter().cloned());
-    let problem = match the_problem(&top)? {
+    let named = the_problem(&top)?;
+    if named == "crack" {
+        attraction::without(&top, "a crack")?;
+    } else if !attraction::is_given(&top) {
+        attraction::without(&top, "a scene without `adhesion.law` or `adhesion.table`")?;
+    }
+    let problem = match named {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),

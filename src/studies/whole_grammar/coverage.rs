@@ -84,7 +84,7 @@ const FOREIGN: &[(&str, &[Problem])] = &[
 ];
 
 /// Problems whose adhesion is an edge with a process zone.
-const OF_EDGES: &[Problem] = &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding, Problem::Indentation];
+const OF_EDGES: &[Problem] = &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding];
 
 /// Whether a key may stand in scenes of a problem.
 #[must_use]
