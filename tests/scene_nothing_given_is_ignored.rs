@@ -364,7 +364,7 @@ fn trials(key: &Key, present: Option<&Node>) -> Vec<String> {
         Kind::Choice(list) => words(list).into_iter().filter(|word| *word != written).map(|word| format!("{word:?}")).collect(),
         Kind::Choices(list) => words(list).into_iter().map(|word| format!("[{word:?}]")).collect(),
         Kind::Flag => ["true", "false"].into_iter().filter(|flag| *flag != written).map(str::to_owned).collect(),
-        Kind::Text => vec!["\"another one\"".into()],
+        Kind::Text | Kind::Texts => vec!["\"another one\"".into()],
         // Tables are tested by their members; one without members by its being there.
         Kind::TableOrWord(list) if present.is_none_or(|node| matches!(node.value, Value::Text(_))) => {
             words(list).into_iter().filter(|word| *word != written).map(|word| format!("{word:?}")).collect()

@@ -1,6 +1,7 @@
 //! A scene after reading: typed, in coherent units, free of contradictions; plans are made from it.
 
 mod delayed;
+mod fit;
 mod history;
 mod indentation;
 mod material;
@@ -16,6 +17,7 @@ use std::sync::Arc;
 
 pub use super::check::Units;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
+pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,

@@ -1,6 +1,6 @@
 //! The best fit that positive strengths allow with any number of terms, as far as this search finds it, and one term fewer.
 
-use super::least_squares;
+use crate::fit::least_squares;
 use super::sample::Sample;
 use super::series::{Ends, Series};
 

@@ -1,7 +1,7 @@
 //! Materials that the data leave possible: what a result owes to the scatter of the data is seen by computing it for each of them.
 
 use super::choose::SeriesFit;
-use super::normal::Normal;
+use crate::special::normal::Normal;
 use crate::material::Material;
 use crate::refusal::Refusal;
 

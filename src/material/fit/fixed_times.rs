@@ -1,6 +1,6 @@
 //! Strengths at given times, all positive: what an expansion of a law needs, at the price of a few linear systems.
 
-use super::least_squares;
+use crate::fit::least_squares;
 use super::observation::Observation;
 use super::shape::SeriesShape;
 use faer::Mat;

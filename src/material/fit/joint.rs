@@ -1,6 +1,6 @@
 //! A series and the shifts of isotherms refined together.
 
-use super::descent::{Descent, descended};
+use crate::fit::{Descent, descended};
 use super::observation::Quantity;
 use super::sample::Sample;
 use super::series::Series;

@@ -1,7 +1,7 @@
 //! A series while it is being fitted.
 
-use super::descent::{Descent, descended};
-use super::least_squares;
+use crate::fit::{Descent, descended};
+use crate::fit::least_squares;
 use super::observation::Quantity;
 use super::sample::Sample;
 

@@ -3,6 +3,7 @@
 mod answer;
 mod columns;
 mod cost;
+mod curve;
 mod cycle_figures;
 mod cycles;
 mod describe;
@@ -23,6 +24,7 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
+use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
@@ -237,6 +239,10 @@ impl ProblemPlan for IndentationPlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        Some(self.way(tolerance))
     }
 
     fn answer(&self, _: &[Row]) -> Option<Answer> {

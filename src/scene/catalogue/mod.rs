@@ -6,6 +6,7 @@
 mod adhesion;
 mod crack;
 mod fields;
+mod fit;
 mod general;
 mod history;
 mod indentation;
@@ -54,6 +55,8 @@ pub enum Kind {
     Choices(&'static [Word]),
     /// A free text.
     Text,
+    /// A text or a list of texts.
+    Texts,
     /// true or false.
     Flag,
     /// A table.
@@ -115,7 +118,7 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, indentation::KEYS, history::KEYS, sliding::KEYS, fields::KEYS]
+    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, indentation::KEYS, history::KEYS, sliding::KEYS, fields::KEYS, fit::KEYS]
         .into_iter()
         .flatten()
 }
