@@ -66,6 +66,12 @@ enum Command {
         /// Replace the folder if it exists
         #[arg(long, requires = "out")]
         force: bool,
+        /// Fit the simpler models that the scene contains, too, and compare them
+        #[arg(long)]
+        models: bool,
+        /// Say which further test would shrink the intervals most
+        #[arg(long)]
+        plan: bool,
         /// Print summary.json instead of the table
         #[arg(long)]
         json: bool,
@@ -212,7 +218,9 @@ pub fn main() -> ExitCode {
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
         Command::Run { scene, out, force, json, no_plots } => run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots }),
-        Command::Fit { scene, out, force, json } => fit::fit(&scene, &fit::Asked { out: out.as_deref(), force, json }),
+        Command::Fit { scene, out, force, models, plan, json } => {
+            fit::fit(&scene, &fit::Asked { out: out.as_deref(), force, models, plan, json })
+        }
         Command::Explain { scene, json } => explain::explain(&scene, json),
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())

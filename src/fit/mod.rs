@@ -49,3 +49,10 @@ pub use student::two_sided;
 pub fn linear_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     least_squares::free(&least_squares::matrix(jacobian.iter().map(Vec::as_slice), right.len()), right)
 }
+
+/// Standard errors of the coordinates by the Jacobian of residuals of unit noise; infinite where the data do not fix one.
+#[must_use]
+pub fn standard_errors(jacobian: &[Vec<f64>]) -> Vec<f64> {
+    let covariance = covariance::Covariance::of(jacobian, 1.0);
+    (0..jacobian.len()).map(|place| covariance.standard_error(place)).collect()
+}

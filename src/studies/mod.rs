@@ -13,6 +13,7 @@ pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod event_lists;
+pub mod fit_coverage;
 pub mod fits;
 pub mod hard_cases;
 pub mod held_contacts;
@@ -79,5 +80,6 @@ pub const STUDIES: &[Study] = &[
     beside("event_lists", event_lists::study),
     beside("scene_bytes", scene_bytes::study),
     alone("fits", fits::study),
+    beside("fit_coverage", fit_coverage::study),
     alone("effects", effects::study),
 ];

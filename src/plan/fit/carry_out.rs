@@ -78,6 +78,27 @@ impl Fit {
         self.findings.iter().all(|finding| !finding.1)
     }
 
+    /// χ² at other parameters, with the noise that the fit found.
+    ///
+    /// # Errors
+    /// The reason why the model has no numbers there.
+    pub fn misfit_at(&self, values: &[f64]) -> Result<f64, String> {
+        let model = self.setup.model(values, self.tolerance)?;
+        let data: Vec<f64> = self.setup.tests.iter().filter_map(super::compare::Comparison::data).flatten().collect();
+        let loss = if self.setup.task.huber { Loss::Huber } else { Loss::Squares };
+        let of = |(group, sigma): (&GroupOf, &f64)| -> f64 {
+            let pairs = model.iter().zip(&data).skip(group.places.start).take(group.places.len());
+            pairs.map(|(model, datum)| loss.root((model - datum) / sigma).powi(2)).sum()
+        };
+        Ok(self.groups.iter().zip(&self.fitted.sigmas).map(of).sum())
+    }
+
+    /// How long the fit took (s).
+    #[must_use]
+    pub const fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
     /// What was found, as numbers.
     #[must_use]
     pub const fn fitted(&self) -> &Fitted {

@@ -14,6 +14,8 @@ use rayon::prelude::*;
 
 /// Instants of a ramp without adhesion, whose way is known where it is asked for only.
 const INSTANTS: u32 = 200;
+/// The key of Δγ.
+pub(super) const WORK: &str = "adhesion.work_of_adhesion";
 /// An unresolved place is known no better than this part of the range of the data.
 const PLACE: f64 = 1e-5;
 
@@ -62,6 +64,8 @@ pub(super) struct Comparison {
     pub(super) loss: Option<[usize; 2]>,
     /// Whether logarithms are compared.
     pub(super) relative: bool,
+    /// Δγ of attraction beside a contact that it does not deform (Derjaguin, Muller and Toporov), in place of adhesion at its edge.
+    pub(super) beside: Option<f64>,
 }
 
 impl Comparison {
@@ -110,12 +114,17 @@ impl Comparison {
     /// The model at the places of the data.
     pub(super) fn model(&self, values: &[(&Put, f64)], offsets: Offsets, tolerance: f64) -> Result<Vec<f64>, String> {
         let mut document = self.document.clone();
+        let mut beside = self.beside;
         for (put, value) in values {
+            if beside.is_some() && put.key == WORK {
+                beside = Some(*value);
+                continue;
+            }
             document.replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() }).map_err(|error| error.to_string())?;
         }
         match &self.across {
             Some(across) => self.across_states(&document, across, tolerance),
-            None => self.along(&curve_of(&document, tolerance)?, offsets),
+            None => self.along(&curve_of(&document, tolerance, beside)?, offsets),
         }
     }
 
@@ -172,13 +181,18 @@ impl Comparison {
                     branches.get(side).and_then(Option::as_ref).or_else(|| branches.iter().flatten().next()).and_then(|one| one.value(ordinate, place))
                 };
                 let free = self.gain.is_some_and(|gain| row <= gain[0]);
-                let gone = self.loss.is_some_and(|loss| row >= loss[1]);
+                let gone = match self.loss {
+                    Some(loss) => row >= loss[1],
+                    // Without a jump in the data it lies where the model has it.
+                    None if self.against == "time" => lost.is_some_and(|lost| place >= lost),
+                    None => side == 1 && lost.is_some_and(|lost| place <= lost),
+                };
                 let untouched = side == 0 && self.gain.is_none() && gained.is_some_and(|gained| place <= gained);
                 let value = if (free || gone || untouched) && vanishes {
                     0.0
                 } else if gone {
                     open.as_ref().and_then(|open| open.value(ordinate, place)).or_else(|| either(&whole)).ok_or("a row lies on no branch")?
-                } else if self.gain.is_some() || self.loss.is_some() {
+                } else if self.gain.is_some() || self.loss.is_some() || lost.is_some() {
                     either(&touching).or_else(|| either(&whole)).ok_or("a row lies on no branch")?
                 } else {
                     either(&whole).ok_or("a row lies on no branch")?
@@ -207,13 +221,18 @@ impl Comparison {
 }
 
 /// The way of a scene at a tolerance.
-pub(super) fn curve_of(document: &Document, tolerance: f64) -> Result<PathCurve, String> {
+pub(super) fn curve_of(document: &Document, tolerance: f64, beside: Option<f64>) -> Result<PathCurve, String> {
     let mut scene = read::read_state(document).map_err(|error| error.to_string())?;
     if let Problem::Indentation(indentation) = &mut scene.problem
         && indentation.adhesion.is_none()
     {
         indentation.instants = indentation.instants.max(INSTANTS);
     }
+    let attraction = beside.map(|work| super::beside::attracted(&mut scene, work)).transpose()?;
     let plan = Plan::new(&scene).map_err(|refusal| refusal.to_string())?;
-    plan.curve(tolerance).ok_or("the problem has no history of contact")?.map_err(|refusal| refusal.to_string())
+    let mut curve = plan.curve(tolerance).ok_or("the problem has no history of contact")?.map_err(|refusal| refusal.to_string())?;
+    if let Some(attraction) = attraction {
+        attraction.put_into(&mut curve);
+    }
+    Ok(curve)
 }

@@ -22,7 +22,7 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
     for (test, given) in setup.tests.iter().zip(&setup.task.tests) {
         let wrong = |message: String, label: String, help: String| Err(SceneError::at(&given.table.place, message, label).help(help));
         // A scene that does not go at its own values may go elsewhere between the bounds.
-        let Ok(curve) = curve_of(&test.document, 1e-2) else { continue };
+        let Ok(curve) = curve_of(&test.document, 1e-2, test.beside) else { continue };
         let Some(way) = curve.column(&test.against) else {
             return wrong(format!("{:?} is given against `{}`, which the scene does not have", test.file, test.against), "this file".into(), "give indentation.frame_stiffness".into());
         };

@@ -6,11 +6,14 @@
 //!                        └──► screen, summary, residual plots, a scene with the fitted values
 //! ```
 
+mod beside;
 mod carry_out;
 mod compare;
 mod figures;
 mod inspect;
+mod further;
 mod interpolate;
+mod models;
 mod noise;
 mod report;
 mod scene_file;
@@ -19,7 +22,21 @@ mod setup;
 mod words;
 
 pub use carry_out::{Fit, carry_out};
+pub use further::{Further, further};
+pub use models::{Alternative, models};
 pub use report::{summary, tables};
 pub use scene_file::fitted_scenes;
+
+/// A fit, and what else was asked of it.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The fit.
+    pub fit: Fit,
+    /// The model of the scene and simpler ones, if they were asked for.
+    pub models: Vec<Alternative>,
+    /// Further tests, if they were asked for.
+    pub further: Vec<Further>,
+}
+
 pub use screen::screen;
 pub use setup::Setup;

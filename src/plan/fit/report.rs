@@ -1,5 +1,6 @@
 //! A fit as files: summary and table of residuals.
 
+use super::Found;
 use super::carry_out::Fit;
 use super::words::unseparated;
 use crate::fit::{End, Interval};
@@ -8,7 +9,8 @@ use serde_json::{Value, json};
 
 /// `summary.json`.
 #[must_use]
-pub fn summary(fit: &Fit) -> Value {
+pub fn summary(found: &Found) -> Value {
+    let fit = &found.fit;
     let (setup, fitted) = (&fit.setup, &fit.fitted);
     let end = |end: End| json!({ "value": end.value(), "open": end.is_open() });
     let interval = |intervals: &[Interval], place: usize| intervals.get(place).map(|one| json!({ "lower": end(one.lower), "upper": end(one.upper) }));
@@ -73,8 +75,26 @@ pub fn summary(fit: &Fit) -> Value {
         "tolerance_of_the_model": fit.tolerance,
         "moved_by_a_tighter_model_over_standard_error": fit.moved,
         "cautions": unseparated(fit).into_iter().chain(fit.findings.iter().map(|finding| finding.0.clone())).collect::<Vec<_>>(),
+        "models": found.models.iter().map(|model| json!({
+            "name": model.name,
+            "refused": model.fit.as_ref().err(),
+            "akaike_above_best": model.rise(&found.models),
+            "excluded": model.is_excluded(&found.models),
+            "parameters": model.fit.as_ref().ok().map(|fit| named(fit)),
+            "fails": model.fails,
+        })).collect::<Vec<_>>(),
+        "further_tests": found.further.iter().map(|test| json!({
+            "name": test.name,
+            "refused": test.shrinkage.as_ref().err(),
+            "intervals_over_those_without_it": test.shrinkage.as_ref().ok(),
+        })).collect::<Vec<_>>(),
         "seconds": fit.seconds,
     })
+}
+
+/// Names and values.
+fn named(fit: &Fit) -> Value {
+    fit.setup.parameters.iter().zip(&fit.fitted.values).map(|(parameter, value)| (parameter.name.clone(), json!(value))).collect::<serde_json::Map<_, _>>().into()
 }
 
 /// `residuals.csv`: a row for each datum.

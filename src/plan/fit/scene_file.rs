@@ -2,7 +2,7 @@
 
 use super::carry_out::Fit;
 use super::setup::Role;
-use super::words::quantity;
+use super::words::{known, quantity};
 use crate::scene::document::{Document, Node, Value, toml_text};
 use std::fmt::Write;
 
@@ -24,8 +24,9 @@ pub fn fitted_scenes(fit: &Fit) -> Vec<(String, Vec<u8>)> {
             let node = Node { value: Value::Number(*value), place: put.place.clone() };
             if document.replace(&put.key, node).is_ok() {
                 let interval = fit.fitted.by_profile.get(place);
-                let ends = interval.map(|one| format!("; 95 %: {} to {}", quantity(one.lower.value(), unit), quantity(one.upper.value(), unit)));
-                comments.push((put.key.clone(), format!("{}{}", quantity(*value, unit), ends.unwrap_or_default())));
+                let half = interval.map_or(0.0, |one| 0.5 * (one.upper.value() - one.lower.value()));
+                let ends = interval.map(|one| format!("; 95 %: {} to {}", known(one.lower.value(), half, unit), known(one.upper.value(), half, unit)));
+                comments.push((put.key.clone(), format!("{}{}", known(*value, half, unit), ends.unwrap_or_default())));
             }
         }
         let names = attached(&document, &mut files);

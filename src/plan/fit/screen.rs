@@ -1,19 +1,25 @@
 //! A fit as a page for the screen.
 
-use super::carry_out::Fit;
-use super::words::{quantity, unseparated};
+use super::Found;
+use super::further::Further;
+use super::models::Alternative;
+use super::words::{known, quantity, unseparated};
 use crate::fit::{End, Interval};
 use std::fmt::Write;
 
 /// The page.
 #[must_use]
-pub fn screen(fit: &Fit) -> String {
+pub fn screen(found: &Found) -> String {
+    let fit = &found.fit;
     let (setup, fitted) = (&fit.setup, &fit.fitted);
     let mut page = String::new();
     let title = setup.title.replace(crate::terminal_text::is_harmful, " ");
     let _ = writeln!(page, "{title}\nfit of {} numbers to {} data of {} tests, {} evaluations, {:.2} s\n", setup.parameters.len(), setup.rows(), setup.tests.len(), fitted.evaluations, fit.seconds);
-    let cell = |end: End, unit: &str| if end.is_open() { format!("open ({})", quantity(end.value(), unit)) } else { quantity(end.value(), unit) };
-    let shown = |interval: &Interval, unit: &str| format!("{} … {}", cell(interval.lower, unit), cell(interval.upper, unit));
+    let shown = |interval: &Interval, unit: &str| {
+        let half = 0.5 * (interval.upper.value() - interval.lower.value());
+        let cell = |end: End| format!("{}{}", if end.is_open() { "open: " } else { "" }, known(end.value(), half, unit));
+        format!("{} … {}", cell(interval.lower), cell(interval.upper))
+    };
     let rows: Vec<[String; 4]> = setup
         .parameters
         .iter()
@@ -21,7 +27,8 @@ pub fn screen(fit: &Fit) -> String {
         .enumerate()
         .map(|(place, (parameter, (_, unit)))| {
             let of = |intervals: &[Interval]| intervals.get(place).map_or_else(String::new, |interval| shown(interval, unit));
-            let value = fitted.values.get(place).map_or_else(String::new, |value| quantity(*value, unit));
+            let half = fitted.by_profile.get(place).map_or(0.0, |interval| 0.5 * (interval.upper.value() - interval.lower.value()));
+            let value = fitted.values.get(place).map_or_else(String::new, |value| known(*value, half, unit));
             [parameter.name.clone(), value, of(&fitted.by_profile), of(&fitted.by_covariance)]
         })
         .collect();
@@ -72,7 +79,57 @@ pub fn screen(fit: &Fit) -> String {
     for (sentence, useless) in &fit.findings {
         let _ = writeln!(page, "{}    {sentence}", if *useless { "FAILED " } else { "caution" });
     }
+    if !found.models.is_empty() {
+        of_models(&mut page, &found.models);
+    }
+    if !found.further.is_empty() {
+        of_further(&mut page, fit.setup.parameters.iter().map(|parameter| parameter.name.as_str()).collect(), &found.further);
+    }
     page
+}
+
+fn of_models(page: &mut String, models: &[Alternative]) {
+    let _ = writeln!(page);
+    let rows: Vec<[String; 4]> = models
+        .iter()
+        .map(|model| match &model.fit {
+            Ok(fit) => {
+                let values: Vec<String> = fit
+                    .setup
+                    .parameters
+                    .iter()
+                    .zip(&fit.setup.roles)
+                    .zip(&fit.fitted.values)
+                    .map(|((parameter, (_, unit)), value)| format!("{} = {}", parameter.name, quantity(*value, unit)))
+                    .collect();
+                let rise = model.rise(models).map_or_else(String::new, |rise| format!("{rise:.1}"));
+                let word = if model.is_excluded(models) { "excluded by these data" } else { "possible" };
+                [model.name.to_owned(), rise, word.to_owned(), values.join(", ")]
+            }
+            Err(reason) => [model.name.to_owned(), "-".to_owned(), "no fit".to_owned(), reason.clone()],
+        })
+        .collect();
+    table(page, &["model", "AICc above best", "these data", "numbers"].map(str::to_owned), &rows);
+    for model in models {
+        for sentence in &model.fails {
+            let _ = writeln!(page, "where it fails: {}: {sentence}", model.name);
+        }
+    }
+}
+
+fn of_further(page: &mut String, names: Vec<&str>, tests: &[Further]) {
+    let _ = writeln!(page, "\nfurther tests, best first: 95 % intervals with it over those without it ({})", names.join(", "));
+    for test in tests {
+        match &test.shrinkage {
+            Ok(parts) => {
+                let parts: Vec<String> = parts.iter().map(|part| format!("{part:.2}")).collect();
+                let _ = writeln!(page, "  {:<40} {}", test.name, parts.join("  "));
+            }
+            Err(reason) => {
+                let _ = writeln!(page, "  {:<40} cannot be made: {reason}", test.name);
+            }
+        }
+    }
 }
 
 fn table(page: &mut String, head: &[String; 4], rows: &[[String; 4]]) {

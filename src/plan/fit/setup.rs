@@ -95,7 +95,7 @@ impl Setup {
         if self.units == Units::Reduced { "1".to_owned() } else { free.dimension.si_unit() }
     }
 
-    fn add(&mut self, free: &FitFree) -> Result<(), SceneError> {
+    pub(super) fn add(&mut self, free: &FitFree) -> Result<(), SceneError> {
         let unit = self.unit(free);
         let offset = match free.key.as_str() {
             "fit.depth_offset" => Offset::Depth,
@@ -154,6 +154,21 @@ impl Setup {
             self.roles.push((Role::Of(number, offset), unit.clone()));
         }
         Ok(())
+    }
+
+    /// The data that the model would give at parameters, test after test, column after column: what a fit is tested with, and plans of further tests.
+    ///
+    /// # Errors
+    /// The reason why the model has no numbers there.
+    pub fn simulated(&self, values: &[f64], tolerance: f64) -> Result<Vec<f64>, String> {
+        let relative = self.tests.iter().any(|test| test.relative);
+        Ok(self.model(values, tolerance)?.into_iter().map(|value| if relative { value.exp() } else { value }).collect())
+    }
+
+    /// The names of what is free, and between which values.
+    #[must_use]
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
     }
 
     /// The model of all tests at parameters.
@@ -271,6 +286,7 @@ fn comparison(document: &Document, task: &FitTask, test: &FitTest, across: bool,
         gain: None,
         loss: None,
         relative,
+        beside: None,
     };
     Ok(if across || relative { comparison } else { comparison.with_jumps() })
 }

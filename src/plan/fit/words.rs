@@ -13,6 +13,23 @@ pub(super) fn quantity(value: f64, unit: &str) -> String {
     if unit == "1" { short_number(value) } else { format!("{} {unit}", short_number(value)) }
 }
 
+/// A number to the digits that an uncertainty leaves: two of the uncertainty.
+pub(super) fn known(value: f64, uncertainty: f64, unit: &str) -> String {
+    let size = value.abs();
+    if !(uncertainty > 0.0 && uncertainty.is_finite() && size > 0.0) {
+        return quantity(value, unit);
+    }
+    let digits = ((size / uncertainty).log10().floor() + 2.0).clamp(2.0, 15.0) as usize;
+    let rounded = format!("{value:.*e}", digits - 1);
+    let exponent = rounded.rsplit_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
+    let text = if (-4..6).contains(&exponent) {
+        format!("{value:.*}", (digits as i32 - 1 - exponent).max(0) as usize)
+    } else {
+        rounded
+    };
+    if unit == "1" { text } else { format!("{text} {unit}") }
+}
+
 /// Sentences on what the data cannot separate.
 pub(super) fn unseparated(fit: &Fit) -> Vec<String> {
     let (parameters, fitted) = (&fit.setup.parameters, &fit.fitted);

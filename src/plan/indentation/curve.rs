@@ -42,7 +42,9 @@ impl IndentationPlan {
         let open = trace.path.last().is_some_and(|point| point.contact_radius == 0.0);
         let loss = trace.events.iter().rfind(|event| matches!(event.kind, EventKind::Detachment | EventKind::ZoneReached)).filter(|_| open);
         let of_event = |event: &Event<f64>| values([event.time, event.penetration, event.force, event.contact_radius]);
-        let lost = loss.map(of_event);
+        // Without adhesion the contact closes to nothing, and no event says so.
+        let closed = || contact.filter(|_| open).and_then(|[_, last]| trace.path.get(last + 1)).map(of_point);
+        let lost = loss.map(of_event).or_else(closed);
         let gained = trace.events.iter().find(|event| event.kind == EventKind::JumpIn).map(of_event);
         Ok(PathCurve { columns, pieces: trace.path.iter().map(|point| point.piece).collect(), contact, gained, lost })
     }
