@@ -435,7 +435,8 @@ fn every_key_changes_the_result_or_is_refused_or_is_listed() {
         .map(|(name, base)| format!("{name}: {base}"))
         .collect();
     assert!(wrong.is_empty(), "scenes of this test are wrong\n{}", wrong.join("\n"));
-    let jobs: Vec<(&Key, &(&str, &String, Document, Vec<u8>))> = of_runs().flat_map(|key| bases.iter().map(move |base| (key, base))).collect();
+    let jobs: Vec<(&Key, &(&str, &String, Document, Vec<u8>))> =
+        of_runs().flat_map(|key| bases.iter().map(move |base| (key, base))).collect();
     let found: Vec<(&Key, bool, Vec<String>)> = jobs
         .par_iter()
         .map(|(key, (name, text, document, base))| {

@@ -39,7 +39,9 @@ pub(super) fn fit(arguments: &SceneArguments, asked: &Asked<'_>) -> Result<u8, F
     } else {
         print(&screen(&found)).and_then(|()| match &written {
             Ok(Some((target, names))) => print(&format!("\nwrote      {}: {}\n", crate::terminal_text::name(target), names.join(", "))),
-            Ok(None) => print("\n(nothing written; add --out DIR for summary.json, residuals, plots and the scene with the fitted values)\n"),
+            Ok(None) => {
+                print("\n(nothing written; add --out DIR for summary.json, residuals, plots and the scene with the fitted values)\n")
+            }
             Err(_) => Ok(()),
         })
     };

@@ -51,7 +51,13 @@ impl Covariance {
         let count = self.matrix.nrows();
         let of = |i: usize, j: usize| {
             let scale = self.standard_error(i) * self.standard_error(j);
-            if i == j { 1.0 } else if scale.is_finite() && scale > 0.0 { (self.matrix[(i, j)] / scale).clamp(-1.0, 1.0) } else { 0.0 }
+            if i == j {
+                1.0
+            } else if scale.is_finite() && scale > 0.0 {
+                (self.matrix[(i, j)] / scale).clamp(-1.0, 1.0)
+            } else {
+                0.0
+            }
         };
         (0..count).map(|i| (0..count).map(|j| of(i, j)).collect()).collect()
     }

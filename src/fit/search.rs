@@ -82,7 +82,10 @@ pub fn fit(problem: &Problem<'_>) -> Result<Fitted, Refusal> {
             Err(better) => coordinates = better,
         }
     }
-    Err(Refusal::NotConverged { what: "a fit", detail: "each profile finds a better minimum: the model scatters more than the data allow".into() })
+    Err(Refusal::NotConverged {
+        what: "a fit",
+        detail: "each profile finds a better minimum: the model scatters more than the data allow".into(),
+    })
 }
 
 /// The places from which descents begin: the given one, the middle, and the best points of a Latin hypercube.
@@ -107,7 +110,9 @@ fn starts(weighted: &Weighted<'_>) -> Result<Vec<Vec<f64>>, String> {
     scored.retain(|start| start.0.is_finite());
     let Some((_, best)) = scored.first() else {
         return Err(match weighted.differences(&weighted.problem.parameters.iter().map(|one| one.part(0.5)).collect::<Vec<_>>()) {
-            Err(reason) => format!("the model has no solution at any of {} starts between the bounds; in their middle: {reason}", points + 2),
+            Err(reason) => {
+                format!("the model has no solution at any of {} starts between the bounds; in their middle: {reason}", points + 2)
+            }
             Ok(_) => "the misfit overflows at every start: the data and the model are in other units".to_owned(),
         });
     };
@@ -231,15 +236,10 @@ impl<'w> Ending<'w> {
 
     /// Intervals by profiles, or a better minimum.
     fn intervals(&self) -> Result<Vec<Interval>, Vec<f64>> {
-        let minimum = Minimum {
-            coordinates: &self.coordinates,
-            misfit: self.misfit,
-            jacobian: &self.jacobian,
-            covariance: &self.covariance,
-        };
+        let minimum =
+            Minimum { coordinates: &self.coordinates, misfit: self.misfit, jacobian: &self.jacobian, covariance: &self.covariance };
         let sides: Vec<(usize, f64)> = (0..self.coordinates.len()).flat_map(|place| [(place, -1.0), (place, 1.0)]).collect();
-        let walks: Vec<Walk> =
-            sides.par_iter().map(|&(place, side)| minimum.walked(&self.weighted, place, side, self.threshold)).collect();
+        let walks: Vec<Walk> = sides.par_iter().map(|&(place, side)| minimum.walked(&self.weighted, place, side, self.threshold)).collect();
         let better = walks.iter().filter_map(|walk| match walk {
             Walk::Better(there, misfit) => Some((misfit, there)),
             Walk::End(_) => None,

@@ -8,10 +8,10 @@
 
 use super::choose::{Candidate, material};
 use super::joint::{self, Free};
-use crate::fit::least_squares::matrix;
-use crate::special::normal::Normal;
 use super::observation::{Observation, Quantity};
 use super::sample::Sample;
+use crate::fit::least_squares::matrix;
+use crate::special::normal::Normal;
 
 use crate::material::Material;
 use faer::Mat;

@@ -49,7 +49,8 @@ pub struct Fit {
 pub fn carry_out(setup: Setup) -> Result<Fit, Refusal> {
     let clock = Instant::now();
     let (groups, of) = groups(&setup);
-    let data: Option<Vec<f64>> = setup.tests.iter().map(super::compare::Comparison::data).collect::<Option<Vec<_>>>().map(|parts| parts.concat());
+    let data: Option<Vec<f64>> =
+        setup.tests.iter().map(super::compare::Comparison::data).collect::<Option<Vec<_>>>().map(|parts| parts.concat());
     let data = data.ok_or_else(|| Refusal::Undefined { quantity: "a fit", reason: "a datum has no logarithm".into() })?;
     let tolerance = tolerance(&setup);
     let coarse = if setup.across { tolerance } else { LOOSEST };

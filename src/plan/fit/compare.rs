@@ -71,7 +71,11 @@ pub(super) struct Comparison {
 impl Comparison {
     /// Finds the jumps of a test along a history.
     pub(super) fn with_jumps(mut self) -> Self {
-        let shown = self.columns.iter().find(|column| column.word == "force").or_else(|| self.columns.iter().find(|column| column.word == "contact_radius"));
+        let shown = self
+            .columns
+            .iter()
+            .find(|column| column.word == "force")
+            .or_else(|| self.columns.iter().find(|column| column.word == "contact_radius"));
         let Some(column) = shown else { return self };
         let pulls = column.word == "force";
         let count = column.values.len();
@@ -106,7 +110,9 @@ impl Comparison {
 
     /// The data as they are compared: columns, then the places of jumps.
     pub(super) fn data(&self) -> Option<Vec<f64>> {
-        let of = |column: &Compared| self.rows.iter().filter_map(|&row| column.values.get(row)).map(|value| self.shown(*value)).collect::<Vec<_>>();
+        let of = |column: &Compared| {
+            self.rows.iter().filter_map(|&row| column.values.get(row)).map(|value| self.shown(*value)).collect::<Vec<_>>()
+        };
         let columns = self.columns.iter().flat_map(of);
         columns.chain(self.jumps().into_iter().map(|jump| Some(jump.0))).collect()
     }
@@ -120,7 +126,9 @@ impl Comparison {
                 beside = Some(*value);
                 continue;
             }
-            document.replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() }).map_err(|error| error.to_string())?;
+            document
+                .replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() })
+                .map_err(|error| error.to_string())?;
         }
         match &self.across {
             Some(across) => self.across_states(&document, across, tolerance),
@@ -132,7 +140,9 @@ impl Comparison {
         let state = |row: &usize| -> Result<Vec<f64>, String> {
             let mut document = document.clone();
             let value = self.abscissa.get(*row).copied().ok_or("a row is missing")?;
-            document.replace(&across.key, Node { value: Value::Number(value), place: across.place.clone() }).map_err(|error| error.to_string())?;
+            document
+                .replace(&across.key, Node { value: Value::Number(value), place: across.place.clone() })
+                .map_err(|error| error.to_string())?;
             let mut scene = read::read_state(&document).map_err(|error| error.to_string())?;
             scene.accuracy = tolerance;
             let plan = Plan::new(&scene).map_err(|refusal| refusal.to_string())?;
@@ -147,7 +157,9 @@ impl Comparison {
                 .map(|column| {
                     let place = columns.iter().position(|known| known.name == column.word);
                     let found = place.and_then(|place| answer.values.get(place).copied().flatten());
-                    found.and_then(|found| self.shown(found.value)).ok_or_else(|| format!("{} = {value:e} has no {}", across.key, column.word))
+                    found
+                        .and_then(|found| self.shown(found.value))
+                        .ok_or_else(|| format!("{} = {value:e} has no {}", across.key, column.word))
                 })
                 .collect()
         };
@@ -178,7 +190,11 @@ impl Comparison {
                 let shown = *self.abscissa.get(row).ok_or("a row is missing")?;
                 let (place, side) = (shown - shift, usize::from(row > turn_of_data));
                 let either = |branches: &[Option<Branch>; 2]| {
-                    branches.get(side).and_then(Option::as_ref).or_else(|| branches.iter().flatten().next()).and_then(|one| one.value(ordinate, place))
+                    branches
+                        .get(side)
+                        .and_then(Option::as_ref)
+                        .or_else(|| branches.iter().flatten().next())
+                        .and_then(|one| one.value(ordinate, place))
                 };
                 let free = self.gain.is_some_and(|gain| row <= gain[0]);
                 let gone = match self.loss {
@@ -191,7 +207,10 @@ impl Comparison {
                 let value = if (free || gone || untouched) && vanishes {
                     0.0
                 } else if gone {
-                    open.as_ref().and_then(|open| open.value(ordinate, place)).or_else(|| either(&whole)).ok_or("a row lies on no branch")?
+                    open.as_ref()
+                        .and_then(|open| open.value(ordinate, place))
+                        .or_else(|| either(&whole))
+                        .ok_or("a row lies on no branch")?
                 } else if self.gain.is_some() || self.loss.is_some() || lost.is_some() {
                     either(&touching).or_else(|| either(&whole)).ok_or("a row lies on no branch")?
                 } else {

@@ -15,8 +15,14 @@ impl Fit {
             let place = |row: &usize| test.abscissa.get(*row).copied().unwrap_or(f64::NAN);
             let value = |row: &usize| column.values.get(*row).copied().unwrap_or(f64::NAN);
             let axis = |label: String| if test.relative { Axis::logarithmic(label) } else { Axis::linear(label) };
-            let wide = { let (low, high) = test.range(); low > 0.0 && high > 30.0 * low };
-            let across = || { let label = test.against.replace('_', " "); if wide { Axis::logarithmic(label) } else { Axis::linear(label) } };
+            let wide = {
+                let (low, high) = test.range();
+                low > 0.0 && high > 30.0 * low
+            };
+            let across = || {
+                let label = test.against.replace('_', " ");
+                if wide { Axis::logarithmic(label) } else { Axis::linear(label) }
+            };
             let in_values = |model: f64| if test.relative { model.exp() } else { model };
             let data: Vec<(f64, f64)> = test.rows.iter().map(|row| (place(row), value(row))).collect();
             let line: Vec<(f64, f64)> = test.rows.iter().zip(model).map(|(row, model)| (place(row), in_values(*model))).collect();
@@ -28,10 +34,21 @@ impl Fit {
                 .collect();
             let stem = format!("{}_{}", column.word, group.test + 1);
             let data = Curve::new("data", data).with_line(Line::None).with_marker(Marker::Circle);
-            found.push((format!("fit_{stem}"), Figure::new(across(), axis(column.word.replace('_', " "))).with_curve(data).with_curve(Curve::new("fit", line).with_line(Line::Solid))));
-            let zero = { let (low, high) = test.range(); Curve::new("", vec![(low, 0.0), (high, 0.0)]).with_line(Line::Solid) };
+            found.push((
+                format!("fit_{stem}"),
+                Figure::new(across(), axis(column.word.replace('_', " ")))
+                    .with_curve(data)
+                    .with_curve(Curve::new("fit", line).with_line(Line::Solid)),
+            ));
+            let zero = {
+                let (low, high) = test.range();
+                Curve::new("", vec![(low, 0.0), (high, 0.0)]).with_line(Line::Solid)
+            };
             let residuals = Curve::new("residuals over noise", left).with_line(Line::None).with_marker(Marker::Circle);
-            found.push((format!("residuals_{stem}"), Figure::new(across(), Axis::linear("(model − data)/noise")).with_curve(zero).with_curve(residuals)));
+            found.push((
+                format!("residuals_{stem}"),
+                Figure::new(across(), Axis::linear("(model − data)/noise")).with_curve(zero).with_curve(residuals),
+            ));
         }
         found
     }

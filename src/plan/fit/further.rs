@@ -71,7 +71,9 @@ fn candidates(setup: &Setup, first: &Comparison) -> Vec<Candidate> {
         Some((name, read.map(|()| test)))
     };
     for (word, factor) in [("ten times slower", 0.1), ("ten times faster", 10.0)] {
-        let Some((name, test)) = changed(word.to_owned(), "indentation.speed_factor", Dimension::NUMBER, factor, Some(1.0)) else { continue };
+        let Some((name, test)) = changed(word.to_owned(), "indentation.speed_factor", Dimension::NUMBER, factor, Some(1.0)) else {
+            continue;
+        };
         // All times of the test go with its speed.
         let stretched = test.map(|mut test| {
             if test.against == "time" {
@@ -93,7 +95,13 @@ fn candidates(setup: &Setup, first: &Comparison) -> Vec<Candidate> {
     }))
         .filter(|index| first.document.root.at(&format!("history.{index}.hold")).is_some());
     for index in holds {
-        found.extend(changed(format!("segment {index} held ten times as long"), &format!("history.{index}.hold"), Dimension::TIME, 10.0, None));
+        found.extend(changed(
+            format!("segment {index} held ten times as long"),
+            &format!("history.{index}.hold"),
+            Dimension::TIME,
+            10.0,
+            None,
+        ));
     }
     if !first.columns.iter().any(|column| column.word == "contact_radius")
         && let Some(column) = first.columns.first()
@@ -102,7 +110,9 @@ fn candidates(setup: &Setup, first: &Comparison) -> Vec<Candidate> {
         test.columns.push(super::compare::Compared { word: "contact_radius".to_owned(), ..column.clone() });
         found.push(("the contact radius beside it".to_owned(), Ok(test)));
     }
-    if setup.units == Units::Reduced { found.retain(|(name, _)| !name.is_empty()) }
+    if setup.units == Units::Reduced {
+        found.retain(|(name, _)| !name.is_empty())
+    }
     found
 }
 
@@ -164,5 +174,17 @@ fn shrinkage(fit: &Fit, mut test: Comparison) -> Result<Vec<f64>, String> {
     let new: Vec<Vec<f64>> = (0..parameters.len()).into_par_iter().map(column).collect::<Result<_, _>>()?;
     let both: Vec<Vec<f64>> = fitted.jacobian.iter().zip(&new).map(|(old, new)| old.iter().chain(new).copied().collect()).collect();
     let (before, after) = (standard_errors(&fitted.jacobian), standard_errors(&both));
-    Ok(before.iter().zip(&after).map(|(before, after)| if before.is_finite() { after / before } else if after.is_finite() { 1e-3 } else { 1.0 }).collect())
+    Ok(before
+        .iter()
+        .zip(&after)
+        .map(|(before, after)| {
+            if before.is_finite() {
+                after / before
+            } else if after.is_finite() {
+                1e-3
+            } else {
+                1.0
+            }
+        })
+        .collect())
 }

@@ -24,7 +24,11 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
         // A scene that does not go at its own values may go elsewhere between the bounds.
         let Ok(curve) = curve_of(&test.document, 1e-2, test.beside) else { continue };
         let Some(way) = curve.column(&test.against) else {
-            return wrong(format!("{:?} is given against `{}`, which the scene does not have", test.file, test.against), "this file".into(), "give indentation.frame_stiffness".into());
+            return wrong(
+                format!("{:?} is given against `{}`, which the scene does not have", test.file, test.against),
+                "this file".into(),
+                "give indentation.frame_stiffness".into(),
+            );
         };
         let (low, high) = test.range();
         let (from, to) = way.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
@@ -38,20 +42,34 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
         if (fixed && (low < from - slack || high > to + slack)) || !(1.0 / OTHER_UNITS..=OTHER_UNITS).contains(&ratio) {
             let remedy = if test.against == "time" { "fit.time_offset" } else { "fit.depth_offset" };
             return wrong(
-                format!("the {} of {:?} goes from {low:.4e} to {high:.4e}, that of the scene from {from:.4e} to {to:.4e}", test.against, test.file),
+                format!(
+                    "the {} of {:?} goes from {low:.4e} to {high:.4e}, that of the scene from {from:.4e} to {to:.4e}",
+                    test.against, test.file
+                ),
                 "must lie within the history".into(),
-                format!("check the unit in the header; if the data count from another zero, free {{ key = \"{remedy}\" }}; if they are of a part of the history, leave the rest out of the scene"),
+                format!(
+                    "check the unit in the header; if the data count from another zero, free {{ key = \"{remedy}\" }}; if they are of a part of the history, leave the rest out of the scene"
+                ),
             );
         }
-        let start: Vec<f64> = setup.parameters.iter().map(|parameter| parameter.first.unwrap_or_else(|| parameter.value(0.5 * (parameter.ends()[0] + parameter.ends()[1])))).collect();
+        let start: Vec<f64> = setup
+            .parameters
+            .iter()
+            .map(|parameter| parameter.first.unwrap_or_else(|| parameter.value(0.5 * (parameter.ends()[0] + parameter.ends()[1]))))
+            .collect();
         let Ok(model) = test.model(&scene_values(setup, &start), super::compare::Offsets::default(), 1e-2) else { continue };
         for (number, column) in test.columns.iter().enumerate() {
             let rows = test.rows.len();
             let data: Vec<f64> = test.rows.iter().filter_map(|row| column.values.get(*row)).copied().collect();
             let own = model.get(number * rows..(number + 1) * rows).unwrap_or(&[]);
             if !test.relative && correlation(&data, own) < OPPOSITE {
-                let message = format!("`{}` of {:?} goes the other way than that of the scene: its sign seems reversed", column.word, test.file);
-                return wrong(message, "this file".into(), "forces press positive and pull negative here; depths count into the body".into());
+                let message =
+                    format!("`{}` of {:?} goes the other way than that of the scene: its sign seems reversed", column.word, test.file);
+                return wrong(
+                    message,
+                    "this file".into(),
+                    "forces press positive and pull negative here; depths count into the body".into(),
+                );
             }
         }
     }
@@ -91,7 +109,12 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
             let sentence = if units {
                 format!("{} of {:?} is {ratio:.1e} times that of the best model: check its unit, and the bounds", compared.word, test.file)
             } else {
-                format!("the best model does not describe {} of {:?} (coefficient of determination {:.3})", compared.word, test.file, quality.determination.unwrap_or(0.0))
+                format!(
+                    "the best model does not describe {} of {:?} (coefficient of determination {:.3})",
+                    compared.word,
+                    test.file,
+                    quality.determination.unwrap_or(0.0)
+                )
             };
             found.push((sentence, true));
         }
@@ -111,15 +134,28 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
 /// A force that is not zero where nothing touches.
 fn offset(fit: &Fit, test: &Comparison, column: usize, group: &super::carry_out::GroupOf) -> Option<String> {
     let compared = test.columns.get(column).filter(|compared| compared.word == "force")?;
-    if fit.setup.roles.iter().any(|(role, _)| matches!(role, Role::Of(of, super::setup::Offset::Force) if *of == group.test)) || test.relative {
+    if fit.setup.roles.iter().any(|(role, _)| matches!(role, Role::Of(of, super::setup::Offset::Force) if *of == group.test))
+        || test.relative
+    {
         return None;
     }
     let model = fit.fitted.model.get(group.places.clone())?;
-    let open: Vec<f64> = test.rows.iter().zip(model).filter(|(_, model)| model.abs() <= 0.0).filter_map(|(row, _)| compared.values.get(*row)).copied().collect();
+    let open: Vec<f64> = test
+        .rows
+        .iter()
+        .zip(model)
+        .filter(|(_, model)| model.abs() <= 0.0)
+        .filter_map(|(row, _)| compared.values.get(*row))
+        .copied()
+        .collect();
     let count = open.len() as f64;
     let mean = open.iter().sum::<f64>() / count;
     let own = super::noise::noise(&open) / count.sqrt();
     (open.len() >= 5 && mean.abs() > 5.0 * own).then(|| {
-        format!("the force of {:?} is {mean:.2e} where nothing touches, {:.0} of its standard errors: free {{ key = \"fit.force_offset\" }}", test.file, mean.abs() / own)
+        format!(
+            "the force of {:?} is {mean:.2e} where nothing touches, {:.0} of its standard errors: free {{ key = \"fit.force_offset\" }}",
+            test.file,
+            mean.abs() / own
+        )
     })
 }

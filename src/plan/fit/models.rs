@@ -5,8 +5,8 @@ use super::compare::WORK;
 use super::setup::Setup;
 use crate::outcome::Verdict;
 use crate::plan::Plan;
-use crate::scene::check::{Units, number};
 use crate::scene::catalogue::Range;
+use crate::scene::check::{Units, number};
 use crate::scene::document::{Document, Node, Value};
 use crate::scene::read;
 use crate::scene::typed::{FitFree, Problem};
@@ -106,12 +106,19 @@ fn variant(setup: &Setup, smooth: bool, elastic: bool, beside: bool) -> Result<S
         }
         test.document = change(&test.document)?;
     }
-    let gone = |key: &str| (smooth && key.starts_with("adhesion.") && !(beside && key == WORK)) || (elastic && key.starts_with("material."));
+    let gone =
+        |key: &str| (smooth && key.starts_with("adhesion.") && !(beside && key == WORK)) || (elastic && key.starts_with("material."));
     let mut free: Vec<FitFree> = setup.task.free.iter().filter(|free| !gone(&free.key)).cloned().collect();
     if elastic {
         let bounds = Some([series.series.relaxed_modulus() / BEYOND, series.series.glassy_modulus() * BEYOND]);
         let key = "material.relaxed_modulus".to_owned();
-        free.push(FitFree { key, place: setup.task.compare_place.clone(), bounds, dimension: Dimension::PRESSURE, range: Range::NonNegative });
+        free.push(FitFree {
+            key,
+            place: setup.task.compare_place.clone(),
+            bounds,
+            dimension: Dimension::PRESSURE,
+            range: Range::NonNegative,
+        });
     }
     changed.parameters.clear();
     changed.roles.clear();

@@ -37,7 +37,8 @@ pub(super) fn loss(values: &[f64], pull_is_negative: bool) -> Option<[usize; 2]>
     let rest = median(after.to_vec()).filter(|_| after.len() >= 3)?;
     let fall = (values.get(from)? - rest).abs();
     let quiet = after.iter().all(|value| (value - rest).abs() <= 6.0 * sigma + 0.1 * fall);
-    (quiet && jump > 8.0 * sigma && fall > 0.05 * values.iter().fold(0.0, |most: f64, value| most.max((value - rest).abs()))).then_some([from, to])
+    (quiet && jump > 8.0 * sigma && fall > 0.05 * values.iter().fold(0.0, |most: f64, value| most.max((value - rest).abs())))
+        .then_some([from, to])
 }
 
 #[cfg(test)]

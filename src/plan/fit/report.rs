@@ -13,7 +13,8 @@ pub fn summary(found: &Found) -> Value {
     let fit = &found.fit;
     let (setup, fitted) = (&fit.setup, &fit.fitted);
     let end = |end: End| json!({ "value": end.value(), "open": end.is_open() });
-    let interval = |intervals: &[Interval], place: usize| intervals.get(place).map(|one| json!({ "lower": end(one.lower), "upper": end(one.upper) }));
+    let interval =
+        |intervals: &[Interval], place: usize| intervals.get(place).map(|one| json!({ "lower": end(one.lower), "upper": end(one.upper) }));
     let finite = |value: Option<&f64>| value.filter(|value| value.is_finite()).copied();
     let parameters: Vec<Value> = setup
         .parameters
@@ -94,7 +95,13 @@ pub fn summary(found: &Found) -> Value {
 
 /// Names and values.
 fn named(fit: &Fit) -> Value {
-    fit.setup.parameters.iter().zip(&fit.fitted.values).map(|(parameter, value)| (parameter.name.clone(), json!(value))).collect::<serde_json::Map<_, _>>().into()
+    fit.setup
+        .parameters
+        .iter()
+        .zip(&fit.fitted.values)
+        .map(|(parameter, value)| (parameter.name.clone(), json!(value)))
+        .collect::<serde_json::Map<_, _>>()
+        .into()
 }
 
 /// `residuals.csv`: a row for each datum.

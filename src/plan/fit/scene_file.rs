@@ -25,7 +25,8 @@ pub fn fitted_scenes(fit: &Fit) -> Vec<(String, Vec<u8>)> {
             if document.replace(&put.key, node).is_ok() {
                 let interval = fit.fitted.by_profile.get(place);
                 let half = interval.map_or(0.0, |one| 0.5 * (one.upper.value() - one.lower.value()));
-                let ends = interval.map(|one| format!("; 95 %: {} to {}", known(one.lower.value(), half, unit), known(one.upper.value(), half, unit)));
+                let ends = interval
+                    .map(|one| format!("; 95 %: {} to {}", known(one.lower.value(), half, unit), known(one.upper.value(), half, unit)));
                 comments.push((put.key.clone(), format!("{}{}", known(*value, half, unit), ends.unwrap_or_default())));
             }
         }
@@ -111,7 +112,8 @@ impl Writer<'_> {
             Value::Date => node.written().to_owned(),
             Value::List(items) => format!("[{}]", items.iter().map(|item| self.inline(item)).collect::<Vec<_>>().join(", ")),
             Value::Table(entries) => {
-                let parts: Vec<String> = entries.iter().map(|entry| format!("{} = {}", bare(&entry.key), self.inline(&entry.node))).collect();
+                let parts: Vec<String> =
+                    entries.iter().map(|entry| format!("{} = {}", bare(&entry.key), self.inline(&entry.node))).collect();
                 format!("{{ {} }}", parts.join(", "))
             }
         }

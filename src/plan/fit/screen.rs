@@ -14,7 +14,15 @@ pub fn screen(found: &Found) -> String {
     let (setup, fitted) = (&fit.setup, &fit.fitted);
     let mut page = String::new();
     let title = setup.title.replace(crate::terminal_text::is_harmful, " ");
-    let _ = writeln!(page, "{title}\nfit of {} numbers to {} data of {} tests, {} evaluations, {:.2} s\n", setup.parameters.len(), setup.rows(), setup.tests.len(), fitted.evaluations, fit.seconds);
+    let _ = writeln!(
+        page,
+        "{title}\nfit of {} numbers to {} data of {} tests, {} evaluations, {:.2} s\n",
+        setup.parameters.len(),
+        setup.rows(),
+        setup.tests.len(),
+        fitted.evaluations,
+        fit.seconds
+    );
     let shown = |interval: &Interval, unit: &str| {
         let half = 0.5 * (interval.upper.value() - interval.lower.value());
         let cell = |end: End| format!("{}{}", if end.is_open() { "open: " } else { "" }, known(end.value(), half, unit));
@@ -50,10 +58,17 @@ pub fn screen(found: &Found) -> String {
         .zip(&fitted.quality)
         .filter_map(|(group, quality)| {
             let test = setup.tests.get(group.test)?;
-            let word = group.column.map_or_else(|| format!("place of a jump ({})", test.against), |column| test.columns.get(column).map_or_else(String::new, |column| column.word.clone()));
+            let word = group.column.map_or_else(
+                || format!("place of a jump ({})", test.against),
+                |column| test.columns.get(column).map_or_else(String::new, |column| column.word.clone()),
+            );
             let determination = quality.determination.map_or_else(|| "-".to_owned(), |part| format!("{part:.5}"));
             let runs = quality.runs.map_or_else(|| "-".to_owned(), |runs| format!("{runs:.2}"));
-            let scatter = if test.relative { format!("{:.2} %", 100.0 * quality.root_mean_square) } else { format!("{:.3e}", quality.root_mean_square) };
+            let scatter = if test.relative {
+                format!("{:.2} %", 100.0 * quality.root_mean_square)
+            } else {
+                format!("{:.3e}", quality.root_mean_square)
+            };
             Some([format!("{} of {}", word, test.file), scatter, determination, runs])
         })
         .collect();
@@ -70,7 +85,9 @@ pub fn screen(found: &Found) -> String {
             .collect();
         let _ = writeln!(page, "           another ended at {} (χ² higher by {:.1e})", values.join(", "), other.rise);
     }
-    let moved = fit.moved.map_or_else(String::new, |moved| format!("; ten times tighter moves no number by more than {moved:.2} of its standard error"));
+    let moved = fit
+        .moved
+        .map_or_else(String::new, |moved| format!("; ten times tighter moves no number by more than {moved:.2} of its standard error"));
     let _ = writeln!(page, "accuracy   the model was computed at {:.1e}, as the noise needs{moved}", fit.tolerance);
     let _ = writeln!(page, "criterion  AICc {:.2} (compare with other models of the same data: smaller is better)", fit.akaike);
     for sentence in unseparated(fit) {
@@ -138,7 +155,8 @@ fn table(page: &mut String, head: &[String; 4], rows: &[[String; 4]]) {
     };
     let widths: Vec<usize> = (0..4).map(width).collect();
     for row in std::iter::once(head).chain(rows) {
-        let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count()))).collect();
+        let cells: Vec<String> =
+            row.iter().zip(&widths).map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count()))).collect();
         let _ = writeln!(page, "{}", cells.join("  ").trim_end());
     }
 }

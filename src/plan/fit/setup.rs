@@ -66,7 +66,8 @@ impl Setup {
         if !across {
             along_words(&task, &scene.problem)?;
         }
-        let tests = task.tests.iter().map(|test| comparison(&document, &task, test, across, &plan, units)).collect::<Result<Vec<_>, _>>()?;
+        let tests =
+            task.tests.iter().map(|test| comparison(&document, &task, test, across, &plan, units)).collect::<Result<Vec<_>, _>>()?;
         let mut setup = Self {
             title: scene.title.clone(),
             problem: plan.problem(),
@@ -126,9 +127,11 @@ impl Setup {
             let forces = test.columns.iter().find(|column| column.word == "force").map(|column| range(&column.values));
             let width = match offset {
                 Offset::Depth if matches!(test.against.as_str(), "penetration" | "frame") => Some(range(&test.abscissa)),
-                Offset::Depth if has("penetration") || has("frame") => {
-                    test.columns.iter().find(|column| matches!(column.word.as_str(), "penetration" | "frame")).map(|column| range(&column.values))
-                }
+                Offset::Depth if has("penetration") || has("frame") => test
+                    .columns
+                    .iter()
+                    .find(|column| matches!(column.word.as_str(), "penetration" | "frame"))
+                    .map(|column| range(&column.values)),
                 Offset::Time if test.against == "time" => Some(range(&test.abscissa)),
                 Offset::Force => forces,
                 Offset::Drift => forces.zip(test.time.as_ref().map(|time| range(time))).map(|(force, time)| {
@@ -139,7 +142,9 @@ impl Setup {
             };
             let Some((low, high)) = width.filter(|(low, high)| high > low && !self.across) else {
                 let why = match offset {
-                    Offset::Depth => "the data are neither given against a depth nor compared with one: write fit.against = \"penetration\" or \"frame\", or free fit.time_offset",
+                    Offset::Depth => {
+                        "the data are neither given against a depth nor compared with one: write fit.against = \"penetration\" or \"frame\", or free fit.time_offset"
+                    }
                     Offset::Time => "the data are not given against the time",
                     Offset::Force => "no force is compared along a history",
                     Offset::Drift => "no force is compared, or the data have no time",
@@ -226,7 +231,14 @@ fn along_words(task: &FitTask, problem: &Problem) -> Result<(), SceneError> {
     Ok(())
 }
 
-fn comparison(document: &Document, task: &FitTask, test: &FitTest, across: bool, plan: &Plan, units: Units) -> Result<Comparison, SceneError> {
+fn comparison(
+    document: &Document,
+    task: &FitTask,
+    test: &FitTest,
+    across: bool,
+    plan: &Plan,
+    units: Units,
+) -> Result<Comparison, SceneError> {
     let mut own = document.clone();
     for set in &test.set {
         own.set(set)?;
@@ -248,7 +260,9 @@ fn comparison(document: &Document, task: &FitTask, test: &FitTest, across: bool,
             let Some(result) = known.iter().find(|known| known.name == word) else {
                 let names: Vec<&str> = known.iter().map(|known| known.name).collect();
                 let message = format!("`fit.compare` = {word:?} is no column of the result");
-                return Err(SceneError::at(&task.compare_place, message, "not known").help(format!("its columns are: {}", names.join(", "))));
+                return Err(
+                    SceneError::at(&task.compare_place, message, "not known").help(format!("its columns are: {}", names.join(", ")))
+                );
             };
             let measured = Scale::of(&result.unit).ok();
             if let Some(scale) = measured.filter(|scale| units == Units::Si && !column.dimension.measures(scale.dimension)) {

@@ -1,7 +1,6 @@
 //! What a fit says in sentences: what the data cannot separate, and what to measure.
 
 use super::carry_out::Fit;
-use crate::plan::short_number;
 
 /// Correlation of two parameters beyond which they are known together only.
 const TOGETHER: f64 = 0.97;
@@ -10,23 +9,21 @@ const WIDE: f64 = 0.5;
 
 /// A number and its unit.
 pub(super) fn quantity(value: f64, unit: &str) -> String {
-    if unit == "1" { short_number(value) } else { format!("{} {unit}", short_number(value)) }
+    if value.abs() <= 0.0 {
+        return if unit == "1" { "0".to_owned() } else { format!("0 {unit}") };
+    }
+    known(value, 0.02 * value.abs(), unit)
 }
 
 /// A number to the digits that an uncertainty leaves: two of the uncertainty.
 pub(super) fn known(value: f64, uncertainty: f64, unit: &str) -> String {
     let size = value.abs();
-    if !(uncertainty > 0.0 && uncertainty.is_finite() && size > 0.0) {
-        return quantity(value, unit);
-    }
-    let digits = ((size / uncertainty).log10().floor() + 2.0).clamp(2.0, 15.0) as usize;
+    // Of an uncertainty that is none, three digits; of a value below its uncertainty, two.
+    let ratio = if uncertainty > 0.0 && uncertainty.is_finite() && size > 0.0 { size / uncertainty } else { 50.0 };
+    let digits = (ratio.log10().floor() + 2.0).clamp(2.0, 15.0) as usize;
     let rounded = format!("{value:.*e}", digits - 1);
     let exponent = rounded.rsplit_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
-    let text = if (-4..6).contains(&exponent) {
-        format!("{value:.*}", (digits as i32 - 1 - exponent).max(0) as usize)
-    } else {
-        rounded
-    };
+    let text = if (-4..6).contains(&exponent) { format!("{value:.*}", (digits as i32 - 1 - exponent).max(0) as usize) } else { rounded };
     if unit == "1" { text } else { format!("{text} {unit}") }
 }
 
@@ -55,7 +52,8 @@ pub(super) fn unseparated(fit: &Fit) -> Vec<String> {
                 continue;
             }
             let name = |place: usize| parameters.get(place).map_or("", |parameter| parameter.name.as_str());
-            let errors = (fitted.standard_errors.get(one).copied().unwrap_or(0.0), fitted.standard_errors.get(other).copied().unwrap_or(0.0));
+            let errors =
+                (fitted.standard_errors.get(one).copied().unwrap_or(0.0), fitted.standard_errors.get(other).copied().unwrap_or(0.0));
             let what = if logarithmic(one) && logarithmic(other) {
                 // Along the long axis of the ellipse both logarithms change in this ratio.
                 let power = -correlation.signum() * errors.0 / errors.1;
@@ -64,7 +62,8 @@ pub(super) fn unseparated(fit: &Fit) -> Vec<String> {
             } else {
                 "only one combination of both is known well".to_owned()
             };
-            let first = format!("{} and {} are nearly one parameter in these data (correlation {correlation:.3}): {what}", name(one), name(other));
+            let first =
+                format!("{} and {} are nearly one parameter in these data (correlation {correlation:.3}): {what}", name(one), name(other));
             sentences.push(format!("{first}; {}", remedy(name(one), name(other), fit)));
         }
     }

@@ -20,14 +20,23 @@ impl IndentationPlan {
     /// The way at a tolerance; nearly all values err by less than a hundredth of it.
     pub(super) fn way(&self, tolerance: f64) -> Result<PathCurve, Refusal> {
         if self.timeline.periodic {
-            return Err(Refusal::Undefined { quantity: "a curve of a periodic state", reason: "it has no beginning to count time from".into() });
+            return Err(Refusal::Undefined {
+                quantity: "a curve of a periodic state",
+                reason: "it has no beginning to count time from".into(),
+            });
+        }
+        if let Some(resolved) = self.with_rates()? {
+            return resolved.way(tolerance);
         }
         let trace = march(&self.material, &self.problem()?, tolerance)?;
         let values = |point: [f64; 4]| -> Vec<f64> {
             let [time, penetration, force, radius] = point;
             let frame = self.frame_displacement(penetration, force);
             let all = [Some(time), Some(penetration), Some(force), Some(radius), frame];
-            all.into_iter().zip(WORDS).filter_map(|(value, (_, measure))| Some(self.in_units(Estimate::exact(value?), measure).value)).collect()
+            all.into_iter()
+                .zip(WORDS)
+                .filter_map(|(value, (_, measure))| Some(self.in_units(Estimate::exact(value?), measure).value))
+                .collect()
         };
         let of_point = |point: &PathPoint| values([point.time, point.penetration, point.force, point.contact_radius]);
         let rows: Vec<Vec<f64>> = trace.path.iter().map(of_point).collect();

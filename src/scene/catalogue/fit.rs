@@ -18,11 +18,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Text,
         meaning: "What the data are given against: `time`, `penetration` or `frame` along a history; or the dotted path of a number of the scene, such as `sliding.speed`: then each row of the data is a state of its own. Default: the time.",
     },
-    Key {
-        path: "fit.free",
-        kind: Kind::Tables,
-        meaning: "The numbers to find, one table each.",
-    },
+    Key { path: "fit.free", kind: Kind::Tables, meaning: "The numbers to find, one table each." },
     Key {
         path: "fit.free[].key",
         kind: Kind::Text,
@@ -75,5 +71,9 @@ pub(super) const KEYS: &[Key] = &[
         ]),
         meaning: "How residuals count.",
     },
-    Key { path: "fit.starts", kind: Kind::Count { least: 1, most: 100 }, meaning: "How many descents begin at places far from each other; default 3." },
+    Key {
+        path: "fit.starts",
+        kind: Kind::Count { least: 1, most: 100 },
+        meaning: "How many descents begin at places far from each other; default 3.",
+    },
 ];

@@ -127,7 +127,11 @@ fn free_number(item: &Section<'_>, document: &Document, units: Units) -> Result<
         (from, _) => {
             let missing = if from.is_none() { "from" } else { "to" };
             let message = format!("`{}` is missing: between which values may `{key}` lie?", item.full(missing));
-            return Err(SceneError::at(&place, message, "of this number").help(format!("allowed: {}, or a plain number in {}", dimension.example(), dimension.si_unit())));
+            return Err(SceneError::at(&place, message, "of this number").help(format!(
+                "allowed: {}, or a plain number in {}",
+                dimension.example(),
+                dimension.si_unit()
+            )));
         }
     };
     Ok(FitFree { key, place, bounds, dimension, range })

@@ -28,7 +28,14 @@ impl Wish {
 const HELP: &str = "the header is such as: time (s), force (mN)";
 
 /// Reads the columns of a file; every row must hold a number in each.
-pub(super) fn table(file: &str, place: Place, source: &SourceText, wishes: &[Wish], stated: Option<&Section<'_>>, units: Units) -> Result<FitTable, SceneError> {
+pub(super) fn table(
+    file: &str,
+    place: Place,
+    source: &SourceText,
+    wishes: &[Wish],
+    stated: Option<&Section<'_>>,
+    units: Units,
+) -> Result<FitTable, SceneError> {
     let source = laid_open(source).map_or_else(|| source.clone(), |text| SourceText::decoded(source.name(), text, source.encoding()));
     let read = DelimitedTable::read(&source, &Options { help: HELP })?;
     let Some(first) = read.blocks().first() else { return Err(SceneError::at(&place, format!("{file:?} is empty"), "this file")) };
@@ -46,7 +53,9 @@ pub(super) fn table(file: &str, place: Place, source: &SourceText, wishes: &[Wis
                 let near = nearest(&wish.word, headers.iter().map(String::as_str));
                 let label = near.map_or_else(|| "no such column".to_owned(), |near| format!("did you mean `{near}` to be it?"));
                 let message = format!("{file:?} has no column `{}`", wish.word);
-                return Err(SceneError::at(&columns.header_place(), message, label).help(format!("its columns are: {}", headers.join(", "))));
+                return Err(
+                    SceneError::at(&columns.header_place(), message, label).help(format!("its columns are: {}", headers.join(", ")))
+                );
             }
             None => {}
         }
@@ -63,7 +72,12 @@ pub(super) fn table(file: &str, place: Place, source: &SourceText, wishes: &[Wis
     let columns = found
         .into_iter()
         .zip(values)
-        .map(|((column, wish), values)| FitColumn { word: wish.word.clone(), dimension: column.scale.dimension, place: column.place, values })
+        .map(|((column, wish), values)| FitColumn {
+            word: wish.word.clone(),
+            dimension: column.scale.dimension,
+            place: column.place,
+            values,
+        })
         .collect();
     Ok(FitTable { file: file.to_owned(), place, columns })
 }
