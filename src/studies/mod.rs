@@ -14,6 +14,7 @@ pub mod draw;
 pub mod effects;
 pub mod event_lists;
 pub mod finite_spheres;
+pub mod fit_coverage;
 pub mod fits;
 pub mod hard_cases;
 pub mod held_contacts;
@@ -84,5 +85,6 @@ pub const STUDIES: &[Study] = &[
     beside("event_lists", event_lists::study),
     beside("scene_bytes", scene_bytes::study),
     alone("fits", fits::study),
+    beside("fit_coverage", fit_coverage::study),
     alone("effects", effects::study),
 ];

@@ -7,6 +7,8 @@ mod counter_body;
 mod crack;
 mod crack_history;
 pub mod decks;
+mod fit;
+mod fit_data;
 mod force_curve_header;
 pub mod history;
 mod include;
@@ -90,6 +92,10 @@ const MOST_TRIES: usize = 1000;
 /// The first thing that is wrong, at the first values.
 pub fn read(document: &Document) -> Result<Scene, SceneError> {
     check(&document.root)?;
+    if let Some(fit) = document.root.get("fit") {
+        let message = "the scene has a table [fit], which only `viscotack fit` carries out";
+        return Err(SceneError::at(&fit.place, message, "this table").help("type: viscotack fit SCENE --out DIR"));
+    }
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
     let state = |number: usize| {
@@ -182,6 +188,8 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
     Ok(material)
 }
+
+pub use fit::read_fit;
 
 /// Whether a file is delimited text whose header names a modulus or a compliance with a known name.
 #[must_use]
