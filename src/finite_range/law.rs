@@ -150,7 +150,7 @@ impl Attraction {
             * match &self.law {
                 Law::LennardJones => 3.0_f64.powf(1.0 / 6.0),
                 Law::Cosine => 0.5,
-                Law::Exponential | Law::Dugdale { .. } => 0.0,
+                Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
                 Law::Table(table) => table.peak_gap(),
             }
     }
@@ -173,7 +173,7 @@ impl Attraction {
         self.range
             * match &self.law {
                 Law::LennardJones => 1.0,
-                Law::Cosine | Law::Exponential | Law::Dugdale { .. } => 0.0,
+                Law::Cosine | Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
                 Law::Table(table) => table.wall().unwrap_or_else(|| table.zero()),
             }
     }

@@ -9,6 +9,7 @@ mod support;
 mod axis_units;
 mod bytes_mutated;
 mod decks;
+mod fit_of_scenes;
 mod histories;
 mod indentation;
 mod indentation_edges;

@@ -9,7 +9,7 @@
 //! Tolerance: the sum of both bounds; ten times the error that the duration has from the depth's bound.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs)]
 
-mod command_support;
+use crate::command_support;
 
 use command_support::Folder;
 use serde_json::Value;

@@ -8,7 +8,7 @@
 //! Tolerance: the truth lies within twice the 95 % interval.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 
-mod command_support;
+use crate::command_support;
 
 use command_support::Folder;
 use std::path::{Path, PathBuf};
