@@ -6,23 +6,28 @@
 //! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
 mod assumptions;
+mod axis_units;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
 mod desk;
+pub mod fit;
 mod indentation;
 mod kept;
 mod maps;
 pub mod material;
 mod measured;
+mod path_curve;
 mod plane_material;
 mod propagate;
 mod run;
 mod sliding;
 mod steady_crack;
+mod surface;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
+pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns, unsolved};
 
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
@@ -32,12 +37,13 @@ use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
-use indentation::IndentationPlan;
+use indentation::{FiniteRangePlan, IndentationPlan};
 use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
+use surface::SurfacePlan;
 
 /// The program with its libraries and a few rows.
 const BYTES_OF_THE_PROGRAM: u64 = 12 << 20;
@@ -112,6 +118,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)>;
+    /// The way of a history without bounds, at a tolerance; none of a problem without a history that is followed.
+    fn curve(&self, _tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        None
+    }
     /// The number that a state of the sweep is solved for, where a picture shows just one.
     fn answer(&self, rows: &[Row]) -> Option<Answer>;
     /// The axis of a swept number.
@@ -128,7 +138,11 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
         Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
         Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
         Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
-        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        Problem::Surface(sliding) => Arc::new(SurfacePlan::new(scene, sliding)?),
+        Problem::Indentation(indentation) => match &indentation.attraction {
+            Some(attraction) => Arc::new(FiniteRangePlan::new(scene, indentation, attraction)?),
+            None => Arc::new(IndentationPlan::new(scene, indentation)?),
+        },
     })
 }
 
@@ -217,7 +231,7 @@ impl Plan {
     }
 
     /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
-    /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
+    /// Measured peaks are at most this and at least a quarter of it (`tests/program/explain_predicts_memory.rs`).
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
         let draws = self.draws.len() as u64;
@@ -307,6 +321,12 @@ impl Plan {
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
         self.solve_at(&Desk::new(state, None, &|_| ()), state, swept)
+    }
+
+    /// The way of a history without bounds, at a tolerance; none of a problem without one.
+    #[must_use]
+    pub fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        self.problem.curve(tolerance)
     }
 
     /// The same, telling a desk how far it is, and from the checkpoint that is there.
