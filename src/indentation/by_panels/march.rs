@@ -14,28 +14,22 @@ use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
 use super::line::{Line, Segment, series};
 use super::newton::{Target, solved};
-use super::path::{Chart, Motion, Points, Setting, continued};
+use super::path::{Chart, Points, continued};
 use super::problem::{End, Outcome, Problem, Row};
 use super::start::{breaks, glassy};
+use crate::indentation::EventKind;
 use crate::indentation::record::Record;
-use crate::indentation::{EventKind, Trace};
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
 /// Rounding of a time, over it: of a sum of durations.
 const ROUNDING_OF_TIME: f64 = 1e-14;
-/// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
-const IDLE: f64 = 1e-12;
 /// Refusals after which nothing fades.
 const FADES: u32 = 2;
 /// Excess over Δγ that a sudden change of a control makes at least.
 const SUDDEN: f64 = 1e-3;
 /// Refusals in a row after which the edge sets out anew from its present state, in time.
 pub(super) const PATIENCE: u32 = 5;
-/// Shortest panel over the process zone, or over the time.
-const SHORTEST: f64 = 1e-12;
-/// Panels of a stretch or a cycle, accepted or not.
-const MOST_PANELS: u64 = 20_000;
 /// Way of a held edge, in process zones, that is rounding.
 const REST: f64 = 1e-9;
 
@@ -153,77 +147,6 @@ impl<'a> March<'a> {
         march.record_rest(0.0);
         march.begins();
         march
-    }
-
-    pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
-        let problem = self.problem;
-        let motion = self.state.as_ref().map_or(Motion::Given(&self.branch), |state| Motion::Followed(state, &self.branch));
-        Setting {
-            chain: &problem.chain,
-            profile: &problem.profile,
-            line: &self.line,
-            motion,
-            adhesion: problem.adhesion,
-            scale: self.scale(),
-            advances,
-        }
-    }
-
-    /// What residuals are compared with.
-    pub(super) fn scale(&self) -> f64 {
-        let profile = &self.problem.profile;
-        self.problem.adhesion.unwrap_or_else(|| profile.line(self.line.edge.max(self.problem.zone)))
-    }
-
-    /// The displacement that the passage of the edge changes at once.
-    pub(super) fn displacement(&self) -> f64 {
-        match self.problem.adhesion {
-            Some(adhesion) => (adhesion * self.line.edge / self.problem.chain.glassy).sqrt(),
-            None => self.scale(),
-        }
-    }
-
-    /// The length of which the tolerance is a part.
-    pub(super) fn length(&self) -> f64 {
-        let zone = self.problem.zone;
-        if self.problem.adhesion.is_some() { (zone * self.line.edge).sqrt() } else { self.line.edge.max(zone) }
-    }
-
-    pub(super) fn run(mut self) -> Outcome {
-        loop {
-            self.outcome.end = self.in_contact();
-            let last = self.outcome.path.last().map(|step| step.row);
-            match (self.outcome.end, last) {
-                (End::Lost, Some(row)) => self.event(EventKind::Detachment, &row),
-                (End::Floor, Some(row)) => self.event(EventKind::ZoneReached, &row),
-                _ => break,
-            }
-            if !(self.flies() && self.touches_again()) {
-                break;
-            }
-        }
-        self.ends_cycles();
-        let Trace { cycles, spreads, shortened, .. } = self.rows.finished();
-        (self.outcome.cycles, self.outcome.spreads, self.outcome.shortened) = (cycles, spreads, shortened);
-        self.outcome.closures = self.window.closures;
-        self.outcome.kernel_nodes = self.window.kernel_nodes;
-        self.outcome
-    }
-
-    /// Panel by panel until the contact or the history ends.
-    fn in_contact(&mut self) -> End {
-        loop {
-            if self.outcome.surface.is_some() {
-                return End::History;
-            }
-            self.observe();
-            if let Some(end) = self.panel() {
-                return end;
-            }
-            if self.outcome.panels + self.outcome.refused - self.budget_from > MOST_PANELS {
-                return End::Failed;
-            }
-        }
     }
 
     /// One panel, accepted or refused; or a jump; or a rest.
@@ -379,36 +302,5 @@ impl<'a> March<'a> {
         self.stiffness = panel.stiffness;
         (self.start_residual, self.start_rate) = (panel.end_residual, 0.0);
         self.accept(advances, panel, factor, floor)
-    }
-
-    /// Whether a way is rounding of what holds an elastic solid still.
-    fn is_idle(&self, way: f64) -> bool {
-        self.problem.chain.terms() == 0 && self.branch.amplitude == 0.0 && way.abs() <= IDLE * self.line.edge
-    }
-
-    /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.
-    pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
-        self.outcome.refused += 1;
-        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3) };
-        let least = SHORTEST * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { time };
-        self.span.1 = factor * span;
-        if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {
-            self.span = (Chart::TimeOfPlace, factor * way);
-        }
-        self.refusals += 1;
-        if self.refusals == PATIENCE && self.span.0 == Chart::TimeOfPlace || self.refusals == 3 * PATIENCE {
-            self.past = None;
-            return None;
-        }
-        if span.abs() >= least {
-            return None;
-        }
-        if self.refusals < PATIENCE && self.state.is_none() && self.branch.is_held() {
-            // It may be at rest, but for rounding.
-            self.refusals = PATIENCE;
-            self.past = None;
-            return None;
-        }
-        Some(End::Failed)
     }
 }

@@ -12,13 +12,13 @@
 //! | `kernel`, `window`, `closure` | C and its derivatives by the instants of passage |
 //! | `path`, `newton`, `check` | a panel, its solution, its defect and the test for the first root |
 //! | `outset`, `jump`, `events` | directions and speeds from rest, instabilities, cuts of a panel |
-//! | `march`, `record`, `force`, `start` | the history |
+//! | `march`, `course`, `record`, `force`, `start` | the history |
 //! | `followed` | force and frame: the penetration as a second unknown |
 //! | `prescribed` | a given radius: the penetration as the only unknown |
 //! | `at_once` | sudden steps |
 //! | `flight` | after the contact, until the surfaces touch again |
-//! | `energies`, `surface` | what is stored and lost; pressure and displacement |
-//! | `cycles` | rows of the cycles of an oscillation |
+//! | `energies`, `turned_over`, `surface` | what is stored and lost; pressure and displacement |
+//! | `cycles`, `cycle_sums` | rows of the cycles of an oscillation |
 //! | `problem`, `setup`, `solve` | what is asked and given |
 //! | `solution` | a history with bounds, from two paths |
 //! | `checkpoint` | what a killed run goes on from |
@@ -50,6 +50,8 @@ mod chain;
 mod check;
 mod checkpoint;
 mod closure;
+mod course;
+mod cycle_sums;
 mod cycles;
 mod drive;
 mod energies;
@@ -76,6 +78,7 @@ mod solve;
 mod start;
 mod surface;
 mod trail;
+mod turned_over;
 mod window;
 
 pub(in crate::indentation) use checkpoint::PanelsState;

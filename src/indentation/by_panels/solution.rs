@@ -128,7 +128,7 @@ fn round(
     let [finest, given, loosest] = options(run.tolerance);
     for options in [given, finest, loosest].into_iter().skip(run.traces.len()) {
         let observer = watch.map(|watch| PanelObserver { watch, run });
-        let outcome = marched_from(material, problem, options, ((instants, false), &run.stops), (march.take(), observer))?;
+        let outcome = marched_from(material, problem, options, (instants, false), &run.stops, (march.take(), observer))?;
         if run.stops.is_empty() {
             // Stretches that were stationary early are as long for every other path.
             run.stops.clone_from(&outcome.shortened);

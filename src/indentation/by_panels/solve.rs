@@ -123,7 +123,7 @@ pub(super) fn marched(
     instants: (&[f64], bool),
     stops: &[(usize, f64)],
 ) -> Result<Outcome, Refusal> {
-    marched_from(material, problem, options, (instants, stops), (None, None))
+    marched_from(material, problem, options, instants, stops, (None, None))
 }
 
 /// The same from a checkpoint, observed.
@@ -131,7 +131,8 @@ pub(super) fn marched_from(
     material: &Material,
     problem: &IndentationProblem,
     options: PanelOptions,
-    (instants, stops): ((&[f64], bool), &[(usize, f64)]),
+    instants: (&[f64], bool),
+    stops: &[(usize, f64)],
     (from, observer): (Option<MarchState>, Option<PanelObserver<'_>>),
 ) -> Result<Outcome, Refusal> {
     let Begun { problem: own, edge, depth } = begun(material, problem, options, instants, stops)?;
