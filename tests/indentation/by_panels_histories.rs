@@ -1,6 +1,6 @@
 //! Source: Eq 4.9 and Secs 4.2–4.4, 4.10 of the thesis, solved by panels of the edge's path; JKR (1971) for elastic contacts.
 //!
-//! Goal: what a history may hold besides ramps: sudden steps, surfaces that touch again, cycles, and checkpoints.
+//! Goal: what a history may hold besides ramps: sudden steps, surfaces that touch again, and cycles.
 //!
 //! ```text
 //!   Δ │  step ┌──      a step is the limit of an ever faster ramp:  F dΔ + G_tip dA = dU, nothing is dissipated
@@ -12,11 +12,13 @@
 //! a solid is elastic, or has relaxed; ramps of 1e-8 relaxation times to their own creep, 1e-6; the balance of energies over a step to 1e-7 of what is turned over.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
 
+use std::f64::consts::TAU;
+use viscotack::Estimate;
 use viscotack::Material;
 use viscotack::indentation::by_panels::{End, PanelOptions, march_by_panels, solve_by_panels};
 use viscotack::indentation::{
-    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, elastic_contact_of_radius,
-    run,
+    Adhesion, Controlled, Cycle, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment,
+    elastic_contact, elastic_contact_of_radius, run,
 };
 use viscotack::material::RelaxationTerm;
 
@@ -38,8 +40,8 @@ fn two_terms() -> Material {
     Material::from_relaxation(2.0, &[term(3.0, 0.5), term(10.0, 0.02)]).unwrap()
 }
 
-/// Every number of panels and time steps within the bounds of both, and the same events; `of_events`: numbers of events too.
-fn agree(name: &str, material: &Material, problem: &IndentationProblem, of_events: bool) -> IndentationSolution {
+/// Every number of panels and time steps within the bounds of both, and the same events.
+fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [IndentationSolution; 2] {
     let (panels, steps) = (solve_by_panels(material, problem).unwrap(), run(material, problem).unwrap());
     assert!(panels.by_panels && panels.reached && !steps.by_panels, "{name}");
     assert_eq!(panels.instants.len(), steps.instants.len(), "{name}");
@@ -58,13 +60,13 @@ fn agree(name: &str, material: &Material, problem: &IndentationProblem, of_event
     }
     let kinds = |found: &IndentationSolution| found.events.iter().map(|event| event.kind).collect::<Vec<_>>();
     assert_eq!(kinds(&panels), kinds(&steps), "{name}");
-    for (ours, theirs) in panels.events.iter().zip(&steps.events).filter(|_| of_events) {
+    for (ours, theirs) in panels.events.iter().zip(&steps.events) {
         let pairs = [(ours.time, theirs.time), (ours.penetration, theirs.penetration), (ours.force, theirs.force)];
         for (one, other) in pairs {
             assert!((one.value - other.value).abs() <= one.error + other.error + 1e-9, "{name}: {ours:?} {theirs:?}");
         }
     }
-    panels
+    [panels, steps]
 }
 
 #[test]
@@ -159,7 +161,7 @@ fn steps_of_every_control_agree_with_time_steps() {
                 energies: name == "depth",
                 ..sphere(1e-2, history.clone()).relaxed()
             };
-            agree(name, &material, &problem, true);
+            agree(name, &material, &problem);
         }
     }
     let held =
@@ -199,7 +201,7 @@ fn surfaces_that_touch_again_agree_with_time_steps() {
         [("depth", depth, None), ("twice", twice, None), ("force", pressed, None), ("frame", frame, Some(0.7))]
     {
         let problem = IndentationProblem { frame_stiffness: stiffness, instants_per_segment: 4, energies: true, ..sphere(1.3e-2, history) };
-        let solved = agree(name, &two_terms(), &problem, true);
+        let [solved, _] = agree(name, &two_terms(), &problem);
         let kinds: Vec<_> = solved.events.iter().map(|event| event.kind).collect();
         println!("{name}: {kinds:?}");
         assert!(kinds.windows(2).any(|pair| pair == [EventKind::Detachment, EventKind::JumpIn]), "{kinds:?}");
@@ -217,4 +219,103 @@ fn a_surface_that_was_touched_again_relaxes_to_the_soft_contact() {
     println!("{end:?} {soft:?}");
     assert!((end.contact_radius.value - soft.contact_radius).abs() < end.contact_radius.error + 1e-6 * soft.contact_radius);
     assert!((end.force.value - soft.force).abs() < end.force.error + 1e-6 * soft.force);
+}
+
+fn numbers(cycle: &Cycle<Estimate>) -> [Estimate; 10] {
+    let Cycle { work, storage_stiffness, loss_stiffness, phase, penetration, force, contact_radius, .. } = *cycle;
+    let ([low, high], [least, most], [narrow, wide]) = (penetration, force, contact_radius);
+    [work, storage_stiffness, loss_stiffness, phase, low, high, least, most, narrow, wide]
+}
+
+fn cycles_agree(name: &str, panels: &IndentationSolution, steps: &IndentationSolution) {
+    assert_eq!(panels.cycles.len(), steps.cycles.len(), "{name}");
+    assert_eq!(panels.march.spreads.len(), steps.march.spreads.len(), "{name}");
+    for (ours, theirs) in panels.cycles.iter().zip(&steps.cycles) {
+        assert_eq!((ours.segment, ours.number), (theirs.segment, theirs.number), "{name}");
+        assert!((ours.start - theirs.start).abs() < 1e-12 * ours.end && (ours.end - theirs.end).abs() < 1e-12 * ours.end, "{name}");
+        let stiffness = ours.storage_stiffness.value.hypot(ours.loss_stiffness.value);
+        let swing = ours.penetration[1].value - ours.penetration[0].value;
+        let size = [stiffness * swing * swing, stiffness, stiffness, 1.0, swing, swing, stiffness * swing, stiffness * swing, 0.1, 0.1];
+        for (which, (one, other)) in numbers(ours).into_iter().zip(numbers(theirs)).enumerate() {
+            assert!(
+                (one.value - other.value).abs() <= one.error + other.error + 1e-9 * size[which],
+                "{name}, {which}: {one:?} {other:?} {ours:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn rows_of_cycles_agree_with_time_steps() {
+    let swings = |amplitude, frequency| Oscillation::steady(amplitude, frequency);
+    let depth = History::penetration(0.02).hold(0.2).oscillate(swings(0.002, 2.0), 2.25).ramp(0.025, 1.0);
+    let ramped = History::penetration(0.0).ramp(0.02, 0.5).ramp_oscillating(0.03, swings(0.004, 2.0), 2.0);
+    let force = History::force(0.01).oscillate(swings(0.002, 1.0), 3.0);
+    let frame = History::frame(0.04).oscillate(swings(0.004, 1.0), 3.0);
+    for (name, history, stiffness) in
+        [("depth", depth, None), ("ramped", ramped, None), ("force", force, None), ("frame", frame, Some(0.7))]
+    {
+        for material in [rubber(), two_terms()] {
+            let asked = sphere(1e-2, history.clone());
+            let problem = IndentationProblem { frame_stiffness: stiffness, ..if name == "ramped" { asked } else { asked.relaxed() } };
+            let [panels, steps] = agree(name, &material, &problem);
+            println!("{name}: {:?}", panels.cycles.last().map(|cycle| cycle.work));
+            assert!(panels.cycles.len() > 1);
+            cycles_agree(name, &panels, &steps);
+        }
+    }
+}
+
+/// An elastic contact has one force for each depth: no work, and the fundamental of F(Δ₀ + A sin φ), by the trapezoidal rule over 64 elastic contacts.
+#[test]
+fn the_cycle_of_an_elastic_contact_is_that_of_its_equilibria() {
+    let (depth, amplitude, zone) = (0.02, 0.005, 1e-2);
+    let elastic = Material::elastic(1.0).unwrap();
+    let history = History::penetration(depth).oscillate(Oscillation::steady(amplitude, 1.0), 2.0);
+    let solved = solve_by_panels(&elastic, &IndentationProblem { accuracy: 1e-6, ..sphere(zone, history).relaxed() }).unwrap();
+    let force = |k: u32| {
+        let phase = f64::from(k) / 64.0 * TAU;
+        (elastic_contact(&SPHERE, 1.0, WORK, zone, depth + amplitude * phase.sin()).unwrap().force, phase.sin())
+    };
+    let stiffness = (0..64).map(force).map(|(force, sin)| force * sin).sum::<f64>() / (32.0 * amplitude);
+    let [low, high] = [-amplitude, amplitude].map(|way| elastic_contact(&SPHERE, 1.0, WORK, zone, depth + way).unwrap());
+    for cycle in &solved.cycles {
+        println!("{cycle:?}, {stiffness}");
+        assert!((cycle.storage_stiffness.value / stiffness - 1.0).abs() < 1e-7);
+        assert!(cycle.work.value.abs() < 1e-7 * stiffness * amplitude * amplitude && cycle.loss_stiffness.value.abs() < 1e-7 * stiffness);
+        assert!((cycle.force[0].value - low.force).abs() < 1e-7 * high.force && (cycle.force[1].value / high.force - 1.0).abs() < 1e-7);
+        assert!((cycle.contact_radius[0].value / low.contact_radius - 1.0).abs() < 1e-6);
+        assert!((cycle.contact_radius[1].value / high.contact_radius - 1.0).abs() < 1e-6);
+        assert!((cycle.penetration[1].value - depth - amplitude).abs() < 1e-12);
+    }
+    assert_eq!(solved.cycles.len(), 2);
+}
+
+/// Surfaces that part and touch in every cycle.
+#[test]
+fn cycles_in_which_the_contact_lets_go() {
+    let history = History::penetration(0.0).oscillate(Oscillation::steady(0.1, 1.0), 3.0);
+    let problem = sphere(1.3e-2, history);
+    let [panels, steps] = agree("tapping", &two_terms(), &problem);
+    assert_eq!(panels.events.iter().filter(|event| event.kind == EventKind::Detachment).count(), 3);
+    cycles_agree("tapping", &panels, &steps);
+    assert!(panels.cycles.iter().all(|cycle| cycle.work.value > 0.0 && cycle.contact_radius[0].value == 0.0));
+}
+
+#[test]
+fn a_stretch_ends_when_its_cycles_are_stationary() {
+    let swings = Oscillation { until_stationary: true, ..Oscillation::steady(0.002, 1.0) };
+    let segment = |controlled, end| Segment { duration: 40.0, end, controlled, oscillation: Some(swings) };
+    for (controlled, start) in [(Controlled::Penetration, 0.02), (Controlled::Force, 0.02)] {
+        let mut history = History::from(controlled, start);
+        history.segments.push(segment(controlled, start));
+        let history = history.then(controlled, 0.9 * start, 1.0);
+        let problem = IndentationProblem { accuracy: 5e-2, ..sphere(1.3e-2, history).relaxed() };
+        let [panels, steps] = agree("stationary", &two_terms(), &problem);
+        println!("{:?} {:?}", panels.march.shortened, steps.march.shortened);
+        assert_eq!(panels.march.shortened.len(), 1);
+        assert!((panels.march.shortened[0].1 - steps.march.shortened[0].1).abs() < 1e-9);
+        assert!((panels.instants.last().unwrap().time - panels.march.shortened[0].1 - 1.0).abs() < 1e-9);
+        cycles_agree("stationary", &panels, &steps);
+    }
 }

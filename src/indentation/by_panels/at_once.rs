@@ -8,6 +8,7 @@ use super::drive::{Branch, Instant, Stretch};
 use super::followed::State;
 use super::march::March;
 use super::path::{Chart, passed};
+use serde::{Deserialize, Serialize};
 
 /// Duration of the ramp over the shortest time of the solid: what relaxes on the way is rounding.
 const SHORT: f64 = 1e-15;
@@ -19,7 +20,7 @@ const MOST_ITERATIONS: u32 = 60;
 const ROUNDING: f64 = 2e-15;
 
 /// What the clock of the line showed before a sudden step, with what rounding left of it; the value that the step leads to.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct AtOnce {
     pub(super) time: f64,
     pub(super) rest: f64,

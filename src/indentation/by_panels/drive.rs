@@ -12,13 +12,14 @@
 use super::chain::Chain;
 use super::followed::Control;
 use crate::indentation::Oscillation;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Rounding of a value that a straight way has led to, over it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// One branch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Branch {
     /// What it is the value of, if not Δ.
     pub(super) control: Option<Control>,

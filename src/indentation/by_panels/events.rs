@@ -18,6 +18,7 @@ use super::newton::Panel;
 use super::path::Chart;
 use super::prescribed::RADIUS;
 use super::problem::End;
+use serde::{Deserialize, Serialize};
 
 /// Distances to kinks below this part of the zone are rounding of places.
 const KINK_NOISE: f64 = 1e-9;
@@ -32,7 +33,7 @@ const WEAK_MARKS: usize = 8;
 const STRONG_MARKS: usize = 32;
 
 /// A place where the state of the line has a kink, or jumps.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Mark {
     pub(super) place: f64,
     pub(super) jump: bool,
@@ -76,11 +77,12 @@ impl March<'_> {
         let sign = if advances { 1.0 } else { -1.0 };
         let left = self.branch.end - self.line.time;
         let corner = first_crossing(|x| segment.time_at(x) - left).filter(|&x| x < 1.0 || segment.time_at(1.0) >= left * (1.0 - 1e-14));
+        let stop = self.may_end().and_then(|end| first_crossing(|x| segment.time_at(x) - (end - self.line.time)));
         let (kink, strong, steep) = self.next_kink(advances);
         let timed = chart == Chart::PlaceOfTime;
         let fold = (!timed).then(|| first_crossing(|x| -series(&segment.times, x).1)).flatten();
         let turn = timed.then(|| turning(|x| -sign * segment.place_at(x).1)).flatten();
-        let cut = [corner, fold, turn].into_iter().flatten().fold(1.0, f64::min);
+        let cut = [corner, fold, turn, stop].into_iter().flatten().fold(1.0, f64::min);
         let whole = cut >= 1.0;
         let met = !timed && whole && (strong || steep) && (segment.place_at(1.0).0 - kink).abs() <= KINK_NOISE * self.problem.zone;
         self.record(advances, &segment, cut);
@@ -147,6 +149,10 @@ impl March<'_> {
             self.mark(false);
             return self.next_stretch();
         }
+        if self.ends_stationary() {
+            self.mark(false);
+            return self.next_stretch();
+        }
         if met && (strong || !self.goes_on(v)) {
             self.past = None;
         }
@@ -155,18 +161,21 @@ impl March<'_> {
 
     /// Nothing moves for a time.
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
+        let until = self.may_end().map_or(f64::INFINITY, |end| end - self.line.time);
+        let (time, whole) = (time.min(until), time <= until);
         self.record_rest(time);
         self.line.waited(time);
         if let Some(state) = &mut self.state {
             let faded = |rate: f64| (-time * rate).exp();
             state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
         }
-        self.next_stretch()
+        if self.ends_stationary() || whole { self.next_stretch() } else { None }
     }
 
     /// The next stretch of the history.
     pub(super) fn next_stretch(&mut self) -> Option<End> {
         self.ends_at_once(true);
+        self.ends_cycles();
         if self.upcoming == self.problem.drive.stretches.len() {
             return Some(End::History);
         }
@@ -204,8 +213,10 @@ impl March<'_> {
         if stretch.is_sudden() {
             return self.begins_at_once(stretch, value, now);
         }
+        let (segment, duration, oscillation) = (stretch.segment, stretch.duration, stretch.oscillation);
         self.branch = stretch.branch(time, value, now.memory.clone());
         self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
+        self.begins_cycles(segment, duration, oscillation);
     }
 
     /// Joins old segments where nothing is lost by it.

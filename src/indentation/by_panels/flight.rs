@@ -69,9 +69,18 @@ impl March<'_> {
         let mut flight = Flight { branch: self.branch.clone(), depth, upcoming: self.upcoming };
         let mut here = start;
         self.step_in_flight(start, flight.depth(start), false);
+        let row = Row { time: start, penetration: flight.depth(start), ..Row::default() };
+        self.meters_at_once(&row);
         loop {
             let last = flight.upcoming == self.problem.drive.stretches.len();
-            let touch = self.touch(&flight, here);
+            let mut touch = self.touch(&flight, here);
+            let until = touch.map_or(flight.branch.end, |touch| touch.0);
+            let rate = |time: f64| if flight.stays() { 0.0 } else { flight.branch.value(time - flight.branch.start).1 };
+            if let Some(stop) = self.meters_flight((here, until), |time| (flight.depth(time), rate(time))) {
+                self.branch = flight.branch.clone();
+                self.ends_early(stop);
+                (flight.branch.end, touch) = (stop, None);
+            }
             // At the very end rounding leaves none out.
             let end = touch.map_or(if last { f64::INFINITY } else { flight.branch.end }, |touch| touch.0);
             while let Some(wanted) = self.due(self.met, end, flight.upcoming) {
@@ -115,6 +124,10 @@ impl March<'_> {
                 depth * stretch.control.map_or(1.0, |control| control.depth)
             };
             flight.branch = stretch.branch(here, value, flight.branch.memory.clone());
+            self.ends_cycles();
+            self.branch = flight.branch.clone();
+            self.begins_cycles(stretch.segment, stretch.duration, stretch.oscillation);
+            flight.branch = self.branch.clone();
         }
     }
 

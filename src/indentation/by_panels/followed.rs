@@ -15,9 +15,10 @@ use super::gauss::{Gauss, solve};
 use super::line::{FADED, series};
 use super::newton::{Panel, Target, tail};
 use super::path::{Chart, Points, Setting, passed};
+use serde::{Deserialize, Serialize};
 
 /// Δ, its rate and P_i at the origin of the line.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct State {
     pub(super) depth: f64,
     pub(super) rate: f64,
@@ -25,7 +26,7 @@ pub(super) struct State {
 }
 
 /// c_F and c_D.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Control {
     pub(super) force: f64,
     pub(super) depth: f64,

@@ -74,6 +74,7 @@ impl March<'_> {
                 }
                 self.piece += 1;
                 self.step_at_rest((to, 0.0), &from, false);
+                self.meters_at_once(&to);
                 self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;

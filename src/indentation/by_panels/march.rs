@@ -5,7 +5,9 @@
 
 use super::at_once::AtOnce;
 use super::check::checked;
+use super::checkpoint::PanelObserver;
 use super::closure::Window;
+use super::cycles::Cycles;
 use super::drive::{Branch, Stretch};
 use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
@@ -15,7 +17,8 @@ use super::newton::{Target, solved};
 use super::path::{Chart, Motion, Points, Setting, continued};
 use super::problem::{End, Outcome, Problem, Row};
 use super::start::{breaks, glassy};
-use crate::indentation::EventKind;
+use crate::indentation::record::Record;
+use crate::indentation::{EventKind, Trace};
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
@@ -31,12 +34,15 @@ const SUDDEN: f64 = 1e-3;
 pub(super) const PATIENCE: u32 = 5;
 /// Shortest panel over the process zone, or over the time.
 const SHORTEST: f64 = 1e-12;
+/// Panels of a stretch or a cycle, accepted or not.
+const MOST_PANELS: u64 = 20_000;
 /// Way of a held edge, in process zones, that is rounding.
 const REST: f64 = 1e-9;
 
 /// The state of the march.
 pub(super) struct March<'a> {
     pub(super) problem: &'a Problem,
+    pub(super) observer: Option<PanelObserver<'a>>,
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
@@ -68,8 +74,14 @@ pub(super) struct March<'a> {
     pub(super) piece: u32,
     /// C/Δγ − 1 on the last panel, at most.
     pub(super) panel_residual: f64,
-    /// Instants wanted that have been met.
+    /// Instants wanted, those that come after a stretch that ended early moved with it, and how many of them have been met.
+    pub(super) instants: Vec<f64>,
     pub(super) met: usize,
+    /// The oscillation under way, and the rows of its cycles.
+    pub(super) cycles: Option<Cycles>,
+    pub(super) rows: Record<'static>,
+    /// Panels, accepted or not, before the stretch or cycle under way.
+    pub(super) budget_from: u64,
     pub(super) outcome: Outcome,
 }
 
@@ -98,9 +110,13 @@ impl<'a> March<'a> {
             refused: 0,
             closures: 0,
             kernel_nodes: 0,
+            cycles: vec![],
+            spreads: vec![],
+            shortened: vec![],
         };
         let mut march = Self {
             problem,
+            observer: None,
             points: Points::new(problem.degree),
             window: Window::new(problem.zone),
             line,
@@ -121,7 +137,11 @@ impl<'a> March<'a> {
             state: None,
             piece: 0,
             panel_residual: 0.0,
+            instants: problem.instants.clone(),
             met: 0,
+            cycles: None,
+            rows: Record::without_contact(),
+            budget_from: 0,
             outcome,
         };
         march.window.blur = MERGE * problem.tolerance * march.displacement();
@@ -182,6 +202,9 @@ impl<'a> March<'a> {
                 break;
             }
         }
+        self.ends_cycles();
+        let Trace { cycles, spreads, shortened, .. } = self.rows.finished();
+        (self.outcome.cycles, self.outcome.spreads, self.outcome.shortened) = (cycles, spreads, shortened);
         self.outcome.closures = self.window.closures;
         self.outcome.kernel_nodes = self.window.kernel_nodes;
         self.outcome
@@ -193,10 +216,11 @@ impl<'a> March<'a> {
             if self.outcome.surface.is_some() {
                 return End::History;
             }
+            self.observe();
             if let Some(end) = self.panel() {
                 return end;
             }
-            if self.outcome.panels + self.outcome.refused > 20_000 {
+            if self.outcome.panels + self.outcome.refused - self.budget_from > MOST_PANELS {
                 return End::Failed;
             }
         }

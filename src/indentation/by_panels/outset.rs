@@ -139,7 +139,7 @@ impl March<'_> {
     /// An edge whose turn is not found rests: for the longest time up to `longest` in which what it leaves of the closure would move it, either way, by a part
     /// of the tolerance only. Then it sets out anew.
     pub(super) fn lingers(&mut self, longest: f64, tolerance: f64) -> bool {
-        let until_corner = self.branch.end - self.line.time;
+        let until_corner = self.may_end().unwrap_or(f64::INFINITY).min(self.branch.end) - self.line.time;
         if self.state.is_some() || longest > 0.5 * until_corner {
             return false;
         }

@@ -15,7 +15,7 @@ use crate::indentation::{Event, EventKind};
 use std::f64::consts::PI;
 
 /// An instant so little beyond a panel, relative, is its end: times are sums.
-const LATE: f64 = 1e-13;
+pub(super) const LATE: f64 = 1e-13;
 /// A force so little above the least one so far, relative, may be less between points.
 const NEARLY_LEAST: f64 = 1e-3;
 /// Golden sections of a least force: beyond them rounding decides.
@@ -65,7 +65,7 @@ impl March<'_> {
     }
 
     /// The drive on the way, or a time after the origin with the edge at rest.
-    fn instant(&self, way: Option<Way<'_>>, time: f64) -> Instant {
+    pub(super) fn instant(&self, way: Option<Way<'_>>, time: f64) -> Instant {
         let mut now = Instant::default();
         let setting = self.setting(false);
         match way {
@@ -83,7 +83,7 @@ impl March<'_> {
         if self.at_once.is_some() {
             return None;
         }
-        let instants = &self.problem.instants;
+        let instants = &self.instants;
         let wanted = *instants.get(next)?;
         let again = instants.iter().take(next).rev().take_while(|last| last.to_bits() == wanted.to_bits()).count();
         let (gone, ahead) = self.problem.drive.stretches.split_at_checked(upcoming)?;
@@ -131,8 +131,9 @@ impl March<'_> {
             self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
         }
         self.outcome.ends.push(end_row);
+        self.meters_panel(advances, segment, cut);
         if next > asked && self.is_asked_for_surface(next) {
-            let theta = self.problem.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
+            let theta = self.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
             let way = way(theta.map_or(cut, |theta| theta.min(cut)));
             self.outcome.surface =
                 Some(surface((&self.problem.chain, &self.problem.profile), &self.line, Some(way), &self.instant(Some(way), 0.0)));
@@ -280,6 +281,9 @@ impl March<'_> {
                 let solid = (&self.problem.chain, &self.problem.profile);
                 self.outcome.surface = Some(surface(solid, &self.line, None, &self.instant(None, wanted - start)));
             }
+        }
+        if time > 0.0 {
+            self.meters_rest(time);
         }
         let row = self.row(None, time);
         self.step_at_rest((row, time), &last, false);

@@ -27,13 +27,13 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let by_depth = history.controls(Controlled::Penetration)
         && history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration && segment.duration > 0.0);
     let given = |controlled: Controlled| controlled == Controlled::ContactRadius;
-    let steady = |o: &Oscillation| o.frequency.to_bits() == o.end_frequency.to_bits() && !o.until_stationary;
+    let steady = |o: &Oscillation| o.frequency.to_bits() == o.end_frequency.to_bits();
     let refusals = [
         (problem.profile.rim().is_finite(), "shapes with a rim"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
         (problem.adhesion.is_none() && given(history.controlled), "a given contact radius without adhesion"),
         (problem.adhesion.is_none() && !by_depth, "a force or a sudden step without adhesion"),
-        (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept or open-ended oscillations"),
+        (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept oscillations"),
     ];
     match refusals.iter().find(|(is, _)| *is) {
         Some((_, what)) => Err(Refusal::Undefined { quantity: "the march by panels", reason: format!("it does not solve {what} yet") }),
