@@ -3,7 +3,7 @@
 //! `cargo bench --bench steady_sliding`; `FINEST=200 cargo bench …` leaves the finer meshes out (all of them take some fifteen minutes).
 //! Every method finds both edges of the same states from the same start with the same Newton's method, and gives the same eight numbers:
 //! a, e, Δ, p̄, friction stress, U, G₁, G₂. Error of a state: the largest |difference| from the reference over max(|value|, 1). The reference is
-//! this program's `steady_sliding` at 1e-10, which the extrapolated collocation confirms in `tests/sliding_sec_3_rivals.rs`.
+//! this program's `steady_sliding` at 1e-10, which the extrapolated collocation confirms in `tests/sliding/sec_3_rivals.rs`.
 //! Times are printed, never tested.
 #![allow(clippy::unwrap_used)]
 

@@ -5,7 +5,7 @@
 //! mkdir -p fuzz/corpus/scene && cp scenes/*/*.toml fuzz/corpus/scene/
 //! cargo +nightly fuzz run scene -- -max_total_time=600
 //! ```
-//! The same way as `tests/scene_bytes_mutated.rs`, which runs on stable Rust.
+//! The same way as `tests/scene/bytes_mutated.rs`, which runs on stable Rust.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -95,6 +95,41 @@ pub const TING: Citation = Citation {
     bibtex: "@article{Ting1966,\n  author  = {Ting, T. C. T.},\n  title   = {The contact stresses between a rigid indenter and a viscoelastic half-space},\n  journal = {Journal of Applied Mechanics},\n  volume  = {33},\n  pages   = {845--854},\n  year    = {1966},\n  doi     = {10.1115/1.3625192}\n}",
 };
 
+/// The active set of a contact as a semi-smooth Newton method.
+pub const PRIMAL_DUAL: Citation = Citation {
+    key: "HintermuellerItoKunisch2002",
+    role: "the contact set of a surface that acts at a distance",
+    bibtex: "@article{HintermuellerItoKunisch2002,\n  author  = {Hinterm{\\\"u}ller, M. and Ito, K. and Kunisch, K.},\n  title   = {The primal-dual active set strategy as a semismooth {N}ewton method},\n  journal = {SIAM Journal on Optimization},\n  volume  = {13},\n  pages   = {865--888},\n  year    = {2002},\n  doi     = {10.1137/S1052623401383558}\n}",
+};
+
+/// The law of the contMech runs.
+pub const CONTMECH: Citation = Citation {
+    key: "WangMueser2017",
+    role: "the law of attraction cosine",
+    bibtex: "@article{WangMueser2017,\n  author  = {Wang, A. and M{\\\"u}ser, M. H.},\n  title   = {Gauging {P}ersson theory on adhesion},\n  journal = {Tribology Letters},\n  volume  = {65},\n  pages   = {103},\n  year    = {2017},\n  doi     = {10.1007/s11249-017-0886-9}\n}",
+};
+
+/// The 3-9 law between half-spaces, and the elastic sphere with it.
+pub const GREENWOOD_1997: Citation = Citation {
+    key: "Greenwood1997",
+    role: "attraction of finite range: the law lennard_jones, the elastic sphere and the Tabor number",
+    bibtex: "@article{Greenwood1997,\n  author  = {Greenwood, J. A.},\n  title   = {Adhesion of elastic spheres},\n  journal = {Proceedings of the Royal Society of London A},\n  volume  = {453},\n  pages   = {1277--1297},\n  year    = {1997},\n  doi     = {10.1098/rspa.1997.0070}\n}",
+};
+
+/// The viscoelastic sphere with a law of attraction.
+pub const MAGHAMI: Citation = Citation {
+    key: "Maghami2024",
+    role: "the viscoelastic sphere with a Lennard-Jones law, whose published runs the solver is compared with",
+    bibtex: "@article{Maghami2024,\n  author  = {Maghami, A. and Wang, Q. and Tricarico, M. and Ciavarella, M. and Li, Q. and Papangelo, A.},\n  title   = {Bulk and fracture process zone contribution to the rate-dependent adhesion amplification in viscoelastic broad-band materials},\n  journal = {Journal of the Mechanics and Physics of Solids},\n  volume  = {193},\n  pages   = {105844},\n  year    = {2024},\n  doi     = {10.1016/j.jmps.2024.105844}\n}",
+};
+
+/// The implicit step of the sphere with attraction of finite range.
+pub const KENNEDY_CARPENTER: Citation = Citation {
+    key: "KennedyCarpenter2003",
+    role: "the implicit Runge-Kutta step of contacts with attraction of finite range",
+    bibtex: "@article{KennedyCarpenter2003,\n  author  = {Kennedy, C. A. and Carpenter, M. H.},\n  title   = {Additive {R}unge-{K}utta schemes for convection-diffusion-reaction equations},\n  journal = {Applied Numerical Mathematics},\n  volume  = {44},\n  pages   = {139--181},\n  year    = {2003},\n  doi     = {10.1016/S0168-9274(02)00138-1}\n}",
+};
+
 /// Every paper.
 pub const ALL: &[&Citation] = &[
     &THESIS,
@@ -109,4 +144,9 @@ pub const ALL: &[&Citation] = &[
     &JKR,
     &LEE_RADOK,
     &TING,
+    &PRIMAL_DUAL,
+    &CONTMECH,
+    &GREENWOOD_1997,
+    &MAGHAMI,
+    &KENNEDY_CARPENTER,
 ];

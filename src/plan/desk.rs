@@ -1,5 +1,6 @@
 //! Where one state is solved: what it tells of its way, and where it leaves checkpoints.
 
+use crate::crack::delayed::{FinishedRuns, GrowthWatch};
 use crate::indentation::{Checkpoint, Watch};
 use crate::outcome::checkpoints::Checkpoints;
 use serde::Serialize;
@@ -97,6 +98,16 @@ impl<'a> Desk<'a> {
     /// Why a checkpoint could not be written.
     pub(super) fn failure(self) -> Option<std::io::Error> {
         self.clock.into_inner().ok()?.failed
+    }
+}
+
+impl GrowthWatch for Desk<'_> {
+    fn is_due(&self) -> bool {
+        self.is_due()
+    }
+
+    fn keep(&self, finished: &FinishedRuns) {
+        self.leave(finished);
     }
 }
 

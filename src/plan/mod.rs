@@ -6,6 +6,7 @@
 //! A plan is all that `explain` prints; making one solves nothing. Each problem is a folder here that implements `ProblemPlan`.
 
 mod assumptions;
+mod axis_units;
 pub mod citations;
 mod curves;
 mod delayed_fracture;
@@ -22,6 +23,7 @@ mod propagate;
 mod run;
 mod sliding;
 mod steady_crack;
+mod surface;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
@@ -35,12 +37,13 @@ use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
-use indentation::IndentationPlan;
+use indentation::{FiniteRangePlan, IndentationPlan};
 use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
+use surface::SurfacePlan;
 
 /// The program with its libraries and a few rows.
 const BYTES_OF_THE_PROGRAM: u64 = 12 << 20;
@@ -135,7 +138,11 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
         Problem::SteadyCrack(crack) => Arc::new(SteadyCrackPlan::new(scene, crack)?),
         Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
         Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
-        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        Problem::Surface(sliding) => Arc::new(SurfacePlan::new(scene, sliding)?),
+        Problem::Indentation(indentation) => match &indentation.attraction {
+            Some(attraction) => Arc::new(FiniteRangePlan::new(scene, indentation, attraction)?),
+            None => Arc::new(IndentationPlan::new(scene, indentation)?),
+        },
     })
 }
 
@@ -224,7 +231,7 @@ impl Plan {
     }
 
     /// Predicted largest memory of a run (bytes): of the program, of all rows with their tables, and of the states that are solved side by side.
-    /// Measured peaks are at most this and at least a quarter of it (`tests/explain_predicts_memory.rs`).
+    /// Measured peaks are at most this and at least a quarter of it (`tests/program/explain_predicts_memory.rs`).
     #[must_use]
     pub fn predicted_memory(&self) -> u64 {
         let draws = self.draws.len() as u64;

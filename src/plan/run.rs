@@ -1,6 +1,7 @@
 //! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
 
 use super::Plan;
+use super::axis_units::WrittenUnits;
 use super::desk::{Desk, Progress, Stage};
 use super::kept::Kept;
 use crate::outcome::build;
@@ -150,6 +151,8 @@ fn run_all(
             .0;
         figures.iter_mut().for_each(|(_, figure)| figure.add_note(format!("{states} of {total} states are drawn")));
     }
+    let units = WrittenUnits::of(document);
+    figures.iter_mut().for_each(|(_, figure)| units.put_on(figure));
     Ok(Outcome {
         figures,
         validity,

@@ -8,7 +8,7 @@ mod list;
 mod parse;
 
 pub use list::{ListedUnit, UnitGroup, groups};
-pub use parse::parse_quantity;
+pub use parse::{parse_quantity, unit_of};
 
 use std::fmt;
 

@@ -31,7 +31,7 @@
 //! half-plane unless ν = ½. For the confined layer it is the limit m → 0 of the harmonics; for the free one it is not (that limit is a plate that bends).
 //!
 //! Sources: thesis Sec 2.2.2 for the hyperbolic forms; thin limits: plate theory (stiffness E*d³/12), the lubrication film, the oedometer, each derived in
-//! `tests/sliding_layer_factors.rs`.
+//! `tests/sliding/layer_factors.rs`.
 
 use crate::estimate::Estimate;
 use crate::material::Material;

@@ -200,6 +200,7 @@ pub fn shortened(path: &Path) -> &'static [&'static str] {
         Some("million_steps") => &["history.0.oscillation.cycles=20"],
         Some("frequency_sweep") => &["history.0.oscillation.duration=120", "history.0.oscillation.to_frequency=0.1147"],
         Some("vibrated_retraction") => &["history.0.oscillation.duration=100", "history.0.oscillation.to=4.7e-5", "sweep.values=[0.0557]"],
+        Some("pull_off_at_five_ranges") => &["sweep.0.values=[1e-3, 5e-3]", "sweep.1.points=3"],
         Some("periodic_contact") => &["sweep.points=2"],
         Some("dynamic_stiffness") => &["sweep.points=3", "sweep.to=10"],
         _ => &[],

@@ -2,8 +2,10 @@
 #![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 pub mod indentation;
+pub mod physics;
 pub mod random;
 pub mod sliding;
+pub mod theory;
 
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;

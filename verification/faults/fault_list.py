@@ -24,7 +24,7 @@ class Fault:
     file: str
     find: str
     replace: str
-    test: str       # a file of tests/, or `lib` for the tests inside src/
+    test: str       # a file of tests/ without its ending, or `lib` for the tests inside src/
     filter: str     # a test of that file
     why: str
 

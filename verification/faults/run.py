@@ -57,8 +57,9 @@ def copied():
 
 def run_check(test, name):
     """(verdict, what was said, seconds) of one test in the copy."""
-    where = ["--lib"] if test == "lib" else ["--test", test]
-    command = ["cargo", "test", "--release", "--locked", "--no-default-features", *where, "--", name]
+    group, _, file = test.partition("/")
+    where = ["--lib"] if test == "lib" else ["--test", group]
+    command = ["cargo", "test", "--release", "--locked", "--no-default-features", *where, "--", name if test == "lib" else f"{file}::{name}"]
     # One fault touches one file: what does not depend on it is not compiled again. A random case that fails need not be made smaller.
     environment = dict(os.environ, CARGO_TARGET_DIR=BUILD, CARGO_INCREMENTAL="1", RUSTC_WORKSPACE_WRAPPER=WRAPPER, CARGO_TERM_COLOR="never", RUST_BACKTRACE="0",
                        PROPTEST_MAX_SHRINK_ITERS="0")
@@ -88,7 +89,7 @@ def state_of(test):
         folders.sort()
         for name in sorted(names):
             path = os.path.relpath(os.path.join(folder, name), TREE)
-            if not (re.match("verification/(?!figures|baselines)", path) or re.fullmatch(r"tests/\w+\.rs", path) and path != f"tests/{test}.rs"):
+            if not (re.match("verification/(?!figures|baselines)", path) or re.fullmatch(r"tests/(?!support|command_support)\w+/\w+\.rs", path) and path != f"tests/{test}.rs"):
                 with open(os.path.join(TREE, path), "rb") as file:
                     found.update(path.encode() + file.read() if not path.endswith(".svg") else b"")
     return found.hexdigest()

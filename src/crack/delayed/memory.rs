@@ -14,6 +14,7 @@
 
 use super::moments::fading_moments;
 use crate::material::Material;
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
 /// Positions closer than this (in process zones) are the same.
@@ -23,7 +24,7 @@ pub(crate) const SAME_PLACE: f64 = 1e-12;
 const HALVINGS: u32 = 40;
 
 /// One creep term, or the flow: gain (1/s) and rate (1/s).
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Term {
     pub(crate) gain: f64,
     pub(crate) rate: f64,
@@ -43,7 +44,7 @@ pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
 }
 
 /// A time that is summed up from many steps: what one addition rounds off is added by the next. Equal steps would otherwise all be rounded to the same side.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub(crate) struct Clock {
     time: f64,
     rounded_off: f64,
@@ -71,7 +72,7 @@ fn faded(value: f64, z: f64, decay: f64, zeroth: f64) -> f64 {
 }
 
 /// A piece of history: a parabola in time from x to x, straight from κ to κ, or a rest at one place under any load.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Piece {
     end: f64,
     duration: f64,
@@ -150,7 +151,7 @@ struct Held {
 }
 
 /// The memory and the pieces that are in the window, or may come back into it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Memory {
     pub(crate) terms: Vec<Term>,
     exposure: Vec<f64>,

@@ -74,7 +74,7 @@ pub mod trajectory;
 pub mod validity;
 pub mod zone;
 
-pub use finished_runs::FinishedRuns;
+pub use finished_runs::{FinishedRuns, GrowthWatch, Unwatched};
 pub use load::{LoadHistory, LoadSegment, Wave};
 pub use onset::{Onset, onset};
 pub use problem::GrowthProblem;

@@ -12,6 +12,7 @@ use super::memory::Term;
 use super::moments::fading_moments;
 use super::zone::RelativeZone;
 use crate::continuation::root::{LogSlope, increasing_root};
+use serde::{Deserialize, Serialize};
 
 /// When motion counts as quasi-steady.
 pub(super) struct Steadiness;
@@ -34,6 +35,7 @@ impl Steadiness {
 }
 
 /// The solver of quasi-steady motion.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct QuasiSteady {
     terms: Vec<Term>,
     zone: RelativeZone,
@@ -123,7 +125,7 @@ impl QuasiSteady {
 }
 
 /// What is left out of the speed is taken as so many squares of the correction: a bound that holds against stepping every zone, on ramps up
-/// and down (tests/crack_sec_5_4_slow_loads.rs), not a proven one.
+/// and down (tests/crack/sec_5_4_slow_loads.rs), not a proven one.
 const LEFT_OUT: f64 = 8.0;
 
 impl QuasiSteadyMotion {

@@ -12,11 +12,11 @@
 //! histories), and no rule on four runs told which: bars that held were fifty times the error, bars of ten times the error missed one value in two hundred.
 //! Rounding is added: each step satisfies the closure to an ulp, which is ε/κΣP_j of a place, and sums over a window grow with its lines.
 
-use super::finished_runs::{FinishedRuns, Keeper};
+use super::finished_runs::{FinishedRuns, GrowthWatch, Keeper, Unwatched};
 use super::load::LoadHistory;
 use super::onset::{Onset, onset};
 use super::problem::GrowthProblem;
-use super::stepper::{GrowthWork, RawEvent, RawKind, RawSample, Run, run};
+use super::stepper::{Asked, GrowthWork, RawEvent, RawKind, RawSample, Run, run};
 use crate::Estimate;
 use crate::crack::{Motion, SteadyState, at_drive, virtual_work::VirtualWork};
 use crate::refusal::{Refusal, require_non_negative};
@@ -161,11 +161,11 @@ pub fn refined_until(
     resolution: Resolution,
     excess: &dyn Fn(&Trajectory) -> f64,
 ) -> Result<Trajectory, Refusal> {
-    refined_from(problem, history, outputs, resolution, excess, None, &|_| ())
+    refined_from(problem, history, outputs, resolution, excess, None, &Unwatched)
 }
 
-/// The same from runs that were finished before, of the same problem, history and times: the numbers are the same, to the last bit. `keep` is handed all finished runs
-/// after each new one.
+/// The same from what was finished or under way before, of the same problem, history and times: the numbers are the same, to the last bit. `watch` is handed what there
+/// is whenever that is due.
 ///
 /// # Errors
 /// Those of [`trajectory`].
@@ -176,7 +176,7 @@ pub fn refined_from(
     resolution: Resolution,
     excess: &dyn Fn(&Trajectory) -> f64,
     from: Option<FinishedRuns>,
-    keep: &dyn Fn(&FinishedRuns),
+    watch: &dyn GrowthWatch,
 ) -> Result<Trajectory, Refusal> {
     let lines = resolution.lines_per_zone;
     if !(4..=65_536).contains(&lines) {
@@ -189,8 +189,11 @@ pub fn refined_from(
         }
         until = output;
     }
-    let keeper = Keeper::new(from, keep);
-    let of_lines = |lines: u32| keeper.run(lines, || run(problem, history, outputs, until, lines, resolution.most_steps));
+    let keeper = Keeper::new(from, watch);
+    let of_lines = |lines: u32| {
+        let asked = Asked { outputs, until, lines_per_zone: lines, most_steps: resolution.most_steps };
+        keeper.run(lines, |left_off, keeper| run(problem, history, asked, left_off, &|stepper| keeper.look(stepper)))
+    };
     let mut lines = lines;
     let mut runs = [of_lines(lines.div_ceil(2))?, of_lines(lines)?, of_lines(2 * lines)?, of_lines(4 * lines)?];
     let mut dropped = GrowthWork::default();

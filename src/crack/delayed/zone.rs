@@ -1,12 +1,13 @@
 //! The process zone over the greatest one of the history.
 
 use super::problem::GrowthProblem;
+use serde::{Deserialize, Serialize};
 
 /// A zone shorter than this part of the greatest one counts as this: below it lie places that cannot be told apart.
 const SHORTEST: f64 = 1e-9;
 
 /// z(κ): 1, or (κ/κ_greatest)² where the zone follows the load.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct RelativeZone {
     greatest: Option<f64>,
 }

@@ -15,7 +15,8 @@
 //! | `march`, `record`, `force`, `start` | the history |
 //! | `followed` | force and frame: the penetration as a second unknown |
 //! | `prescribed` | a given radius: the penetration as the only unknown |
-//! | `flight` | after the contact |
+//! | `at_once` | sudden steps |
+//! | `flight` | after the contact, until the surfaces touch again |
 //! | `energies`, `surface` | what is stored and lost; pressure and displacement |
 //! | `problem`, `setup`, `solve` | what is asked and given |
 //! | `solution` | a history with bounds, from two paths |
@@ -29,7 +30,7 @@
 //! | y | place in the window: inside a − y, outside a + δ − y |
 //! | λ | part of a panel's times, in the test for the first root |
 //!
-//! Measured on states of an independent program (`tests/indentation_by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
+//! Measured on states of an independent program (`tests/indentation/by_panels.rs`): 1e-8 at degree 5, tolerance 1e-6; 1e-10 at degree 7, 1e-8.
 //! Of 4,732 marches of random scenes at 1e-4 (ramps, approaches, cycles; one to four terms), and of 634 at 1e-5, none ends in a refusal, and the two
 //! degrees of each scene agree. The power balance closes to 1e-9 of what is turned over.
 //! Tables and power laws agree as well as spheres do (a table of eight points: degrees 5 and 7 differ by 2e-7 at 1e-6).
@@ -40,6 +41,7 @@
 //! Not yet: bounds that cover in hundreds of scenes; turns of a force or frame at tolerances below 1e-6, of which some are refused; surfaces that touch again, rims, edge
 //! laws, checkpoints; many hundreds of cycles.
 
+mod at_once;
 mod chain;
 mod check;
 mod closure;

@@ -3,9 +3,7 @@
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
 use crate::crack::delayed::trajectory::tends_to;
-use crate::crack::delayed::{
-    Event, EventKind, FinishedRuns, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_from, regime,
-};
+use crate::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_from, regime};
 use crate::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::desk::Desk;
@@ -40,15 +38,10 @@ impl DelayedFracturePlan {
             let rows = self.rows_of(&problem, found, outputs.len(), empty);
             rows.iter().filter_map(|row| self.longest_bound(row, &scales)).map(|(_, bound)| bound).fold(0.0, f64::max) / self.accuracy
         };
-        let keep = |finished: &FinishedRuns| {
-            if desk.is_due() {
-                desk.leave(finished);
-            }
-        };
         let found = if only_summary {
             None
         } else {
-            Some(refined_from(&problem, &self.history, &asked, self.resolution(), &excess, desk.left_off(), &keep)?)
+            Some(refined_from(&problem, &self.history, &asked, self.resolution(), &excess, desk.left_off(), desk)?)
         };
         let scales = self.scales(&problem, found.as_ref());
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];

@@ -6,7 +6,7 @@ use super::figures::State;
 use super::rows::{CYCLE, INSTANT};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker, Scale};
-use crate::plan::curves::value;
+use crate::plan::curves::{noted, value};
 use crate::scene::typed::{Scene, Units};
 
 /// Frequencies that differ more than this make an axis; more than the second a logarithmic one.
@@ -56,12 +56,12 @@ impl IndentationPlan {
             .collect()
     }
 
-    /// Stiffness and work of cycles, and the last cycle of each state.
-    pub(super) fn cycle_figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>]) -> Vec<(String, Figure)> {
+    /// Stiffness and work of cycles, and the last cycle of each state. `note`: that `states` are not all; the last cycles against the frequency are of all.
+    pub(super) fn cycle_figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>], note: Option<&String>) -> Vec<(String, Figure)> {
         if states.iter().all(|state| state.cycles.is_empty()) {
             return Vec::new();
         }
-        let mut figures = Vec::new();
+        let (mut figures, mut whole) = (Vec::new(), Vec::new());
         let within = |state: &State<'_>| spread(state.cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
         // A frequency that goes is the axis of each state; frequencies of several states are the axis of their last cycles.
         let last_cycles = Self::last_cycles(rows);
@@ -73,7 +73,7 @@ impl IndentationPlan {
         } else {
             if across > DIFFERENT && scene.sweeps.len() == 1 {
                 let sets = [Set { label: String::new(), colour: Colour::Index(0), rows: last_cycles }];
-                figures.extend(self.against(&self.frequency_axis(across), "frequency", at::FREQUENCY, &sets));
+                whole = self.against(&self.frequency_axis(across), "frequency", at::FREQUENCY, &sets);
             }
             let sets: Vec<Set<'_>> = states
                 .iter()
@@ -85,7 +85,8 @@ impl IndentationPlan {
             }
         }
         figures.extend(self.last_cycle_figure(states));
-        figures
+        whole.extend(noted(figures, note.cloned()));
+        whole
     }
 
     /// The last cycle of every state.
@@ -101,7 +102,7 @@ impl IndentationPlan {
 
     /// Stiffness and work against a column.
     fn against(&self, axis: &Axis, name: &str, horizontal: usize, sets: &[Set<'_>]) -> Vec<(String, Figure)> {
-        let stiffness = self.label("stiffness", "", "(N/m)", r"$k/\pi E_0^* R$");
+        let stiffness = self.label("stiffness", "$k$", " (N/m)", r"$k/\pi E_0^* R$");
         let columns = [at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS];
         let values = || sets.iter().flat_map(|set| &set.rows).flat_map(|row| columns.map(|column| self.of(row, column)));
         let decades = axis.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;

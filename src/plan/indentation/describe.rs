@@ -164,6 +164,7 @@ impl IndentationPlan {
             }
             .to_owned(),
         );
+        sentences.extend(self.called_for.clone());
         sentences
     }
 

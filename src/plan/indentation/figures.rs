@@ -49,10 +49,11 @@ impl IndentationPlan {
                 figures.push((name.to_owned(), self.time_figure(&states, column)));
             }
         }
-        figures.extend(self.cycle_figures(scene, rows, &states));
         let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
         numbers.dedup();
-        figures = noted(figures, thinning(numbers.len(), MOST_STATES, "states"));
+        let note = thinning(numbers.len(), MOST_STATES, "states");
+        figures = noted(figures, note.clone());
+        figures.extend(self.cycle_figures(scene, rows, &states, note.as_ref()));
         figures.extend(self.pull_off_figure(scene, rows));
         let first = (numbers.len() > 1).then(|| format!("of the first of {} states", numbers.len()));
         figures.extend(noted(self.field_figures(&states), first));

@@ -9,6 +9,7 @@ mod cycles;
 mod describe;
 mod fields;
 mod figures;
+mod finite;
 mod march;
 mod rates;
 mod rows;
@@ -29,6 +30,7 @@ use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
+pub(super) use finite::FiniteRangePlan;
 use scale::Scale;
 use timeline::{RateStart, Timeline};
 
@@ -56,6 +58,8 @@ pub(super) struct IndentationPlan {
     profile: Profile,
     /// Whether it is solved without steps in time.
     without_steps: bool,
+    /// Which theory the range of the interface calls for, if the scene names it.
+    called_for: Option<String>,
 }
 
 impl IndentationPlan {
@@ -84,6 +88,7 @@ impl IndentationPlan {
             examples: examples(scene, indentation, &scale),
             profile: march::profile(indentation)?,
             without_steps: false,
+            called_for: finite::beside_an_edge(scene, indentation),
         };
         plan.without_steps = plan.problem()?.is_without_steps();
         if !plan.without_steps && plan.flow.is_some() {

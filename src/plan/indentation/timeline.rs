@@ -116,6 +116,26 @@ impl Timeline {
         Ok(builder.timeline)
     }
 
+    /// The force that was measured at a time, coherent: between two rows of a table that both hold one.
+    pub(super) fn measured_force(&self, time: f64, scale: &Scale) -> Option<f64> {
+        self.overlays.iter().rev().find_map(|overlay| {
+            let column = overlay.table.others.iter().find(|column| column.name == "force")?;
+            let sought = (time - overlay.start) * overlay.speed_factor;
+            let next = overlay.table.rows.partition_point(|row| *row < sought);
+            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.rows.len() - 1));
+            let row = |index: usize| Some((*overlay.table.rows.get(index)?, (*column.values.get(index)?)?));
+            let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
+            // A rounding beyond its ends is still within the table.
+            let width = second_time - first_time;
+            let reach = 1e-9 * overlay.table.rows.last().copied().unwrap_or(0.0);
+            if sought < first_time - reach || sought > second_time + reach {
+                return None;
+            }
+            let part = if width > 0.0 { ((sought - first_time) / width).clamp(0.0, 1.0) } else { 0.0 };
+            Some((first + (second - first) * part) * scale.force)
+        })
+    }
+
     /// Whether anything oscillates.
     pub(super) fn oscillates(&self) -> bool {
         self.legs.iter().any(|leg| leg.oscillation.is_some())

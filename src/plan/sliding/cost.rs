@@ -85,7 +85,7 @@ impl SlidingPlan {
         own + companion + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
     }
 
-    /// Balances of one contact. Measured over the shipped scenes, see `tests/explain_predicts_work.rs`.
+    /// Balances of one contact. Measured over the shipped scenes, see `tests/program/explain_predicts_work.rs`.
     const fn balances(&self, contact: SlidingContact) -> f64 {
         match (self.sliding.control, contact) {
             (SlidingLoad::HalfWidth(_), _) => OF_WIDTH,

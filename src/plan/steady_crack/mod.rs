@@ -174,7 +174,7 @@ impl SteadyCrackPlan {
 
     /// What one state is expected to take.
     fn work_of_a_state(&self) -> Work {
-        // Balances of one state, measured over the 400 kinds of scenes in tests/explain_predicts_work.rs, at accuracies from 1e-3 to 1e-13:
+        // Balances of one state, measured over the 400 kinds of scenes in tests/program/explain_predicts_work.rs, at accuracies from 1e-3 to 1e-13:
         // at a given speed 4 to 10, on average 6 (two limits, the Newton steps, the certificate); under a given load 7 to 11, on average 9
         // (some to bracket the root instead of the limits).
         let points = match (self.crack.control, self.plane_material.is_elastic()) {

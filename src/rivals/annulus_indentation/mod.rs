@@ -23,7 +23,7 @@
 //! # How good
 //! Against the line reduction at 4, 8 and 16 annuli per process zone, over four speeds: F off by 8e-3, 4e-3, 1.4e-3 of the largest, a by 7e-3, 1.4e-3,
 //! 9e-4, with a scatter of a fraction of λ, as the edge of the memory sits on nodes (an approach and return: F 1.7e-2, 9e-3, 5e-3). Measured in
-//! `tests/indentation_sec_4_3_rival.rs`, timed in `benches/indentation.rs`. Shares nothing with [`crate::indentation`].
+//! `tests/indentation/sec_4_3_rival.rs`, timed in `benches/indentation.rs`. Shares nothing with [`crate::indentation`].
 
 mod elliptic;
 mod influence;

@@ -26,7 +26,7 @@
 //! Units and symbols: those of [`crate::sliding`] and [`crate::sliding::contact`]; lengths in 1/k, displacements in Λ, pressures in E0*kΛ/2.
 //! It serves any kernel with an antiderivative, where the exact reduction does not, at a cost of N² kernels and N³/3 multiplications per contact.
 //!
-//! A collocated contact is compared with the solver's own in `tests/sliding_sec_3_rivals.rs`, and timed in `benches/steady_sliding.rs`.
+//! A collocated contact is compared with the solver's own in `tests/sliding/sec_3_rivals.rs`, and timed in `benches/steady_sliding.rs`.
 
 pub mod closures;
 pub mod contact;

@@ -79,6 +79,51 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "Indentation: the equilibrium distance of the interface potential, by which Tabor's number judges the theory; it changes no result.",
     },
     Key {
+        path: "adhesion.law",
+        kind: Kind::Choice(&[
+            Word { word: "exponential", meaning: "tension (Δγ/r) e^(−g/r) at the gap g, with a hard wall at g = 0" },
+            Word { word: "dugdale", meaning: "constant tension Δγ/r up to the range r, ended by a smooth ramp, with a hard wall" },
+            Word { word: "lennard_jones", meaning: "the 3-9 law between half-spaces; r is the gap of zero stress" },
+            Word { word: "cosine", meaning: "tension (πΔγ/2r) sin(πg/r) up to r, with a linear repulsion of the same slope below 0" },
+        ]),
+        meaning: "The stress between the surfaces as a function of their gap, everywhere, in place of a process zone at an edge.",
+    },
+    Key {
+        path: "adhesion.range",
+        kind: Kind::Number { dimension: Dimension::LENGTH, range: Range::Positive, reduced: "Λ of a sliding body, R of an indenter" },
+        meaning: "r, the length over which the law of attraction acts; together with `law`.",
+    },
+    Key {
+        path: "adhesion.peak_stress",
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "E0*kΛ/2 of a sliding body, πE0* of an indenter",
+        },
+        meaning: "The largest tension of the law, instead of `range`.",
+    },
+    Key {
+        path: "adhesion.ramp",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 0.9), reduced: "1" },
+        meaning: "Half the width, over the range, of the ramp at which the tension of the law \"dugdale\" ends; default 0.1.",
+    },
+    Key {
+        path: "adhesion.table",
+        kind: Kind::Text,
+        meaning: "A table of the law beside the scene, with columns `gap` and `stress`, instead of `law`, `work_of_adhesion` and `range`. It may begin with repulsion; else its first gap is a hard wall. Beyond its last gap nothing acts.",
+    },
+    Key {
+        path: "adhesion.columns",
+        kind: Kind::Table,
+        meaning: "Which columns of the table are meant, where their names do not tell: the name, or the name and \"in\" and a unit.",
+    },
+    Key { path: "adhesion.columns.gap", kind: Kind::Text, meaning: "The column of the gap." },
+    Key {
+        path: "adhesion.columns.stress",
+        kind: Kind::Text,
+        meaning: "The column of the stress; the sign of a tension is read off its last rows.",
+    },
+    Key {
         path: "adhesion.process_zone",
         kind: Kind::Table,
         meaning: "The length over which the edge moves when the balance is struck: a length, or from a cohesive stress.",
@@ -119,8 +164,22 @@ pub(super) const KEYS: &[Key] = &[
                 word: "constant",
                 meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have by default",
             },
+            Word {
+                word: "dugdale",
+                meaning: "sliding contacts, with peak_stress: a constant tension; δ = αa₀G/Δγ where the contact opens, αa₀Δγ/G where it closes, α = π²/6",
+            },
+            Word { word: "exponential", meaning: "the same of a tension that falls exponentially with the gap, α = 6.497" },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),
         meaning: "How the length follows from the cohesive stress.",
+    },
+    Key {
+        path: "adhesion.process_zone.peak_stress",
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder",
+        },
+        meaning: "Sliding: the largest tension of the law \"dugdale\" or \"exponential\", whose zone grows with its edge.",
     },
 ];

@@ -12,6 +12,7 @@ mod history;
 mod indentation;
 mod material;
 mod sliding;
+mod surface;
 
 use super::units::Dimension;
 
@@ -118,9 +119,20 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, indentation::KEYS, history::KEYS, sliding::KEYS, fields::KEYS, fit::KEYS]
-        .into_iter()
-        .flatten()
+    [
+        general::KEYS,
+        material::KEYS,
+        adhesion::KEYS,
+        crack::KEYS,
+        indentation::KEYS,
+        history::KEYS,
+        sliding::KEYS,
+        surface::KEYS,
+        fields::KEYS,
+        fit::KEYS,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The key at a path, `[]` for list items.

@@ -1,6 +1,8 @@
 //! The `[indentation]`, `[adhesion]` and `[[history]]` tables of an indenter.
 
+use super::attraction;
 use super::counter_body;
+use super::indentation_at_a_distance as at_a_distance;
 use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
@@ -34,7 +36,9 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let shape = shape(&table, document)?;
     let rim_radius = rim_radius(&table, &shape)?;
     let (shape, counter_body) = counter_body::of_indentation(&table, shape)?;
-    let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
+    let attraction = attraction::read(top, document, 1.0)?;
+    // A law acts everywhere: there is no edge.
+    let (adhesion, edge_law) = if attraction.is_some() { (None, None) } else { adhesion(top, &shape)?.unzip() };
     let edge_law = edge_law.unwrap_or_default();
     let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
@@ -44,6 +48,9 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         Some("relaxed") => IndentationStart::Relaxed,
         _ => IndentationStart::Untouched,
     };
+    if attraction.is_some() {
+        at_a_distance::possible(top, &table, &history, &shape)?;
+    }
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
     means_are_known(top, &history, at_start.0)?;
@@ -63,6 +70,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         start,
         at_start,
         adhesion,
+        attraction,
         edge_law,
         frame_stiffness,
         history,

@@ -1,5 +1,6 @@
 //! From a checked document to a typed scene: what is required, what excludes what, and which numbers belong together.
 
+mod attraction;
 mod column_names;
 mod column_units;
 mod counter_body;
@@ -12,6 +13,7 @@ mod force_curve_header;
 pub mod history;
 mod include;
 mod indentation;
+mod indentation_at_a_distance;
 mod material;
 mod material_choice;
 mod material_columns;
@@ -36,6 +38,8 @@ mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
+mod surface;
+mod surface_points;
 mod table_columns;
 mod works;
 
@@ -55,6 +59,8 @@ const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
 /// Wanted accuracy of a crack under a history, and of an indentation, where a scene names none.
 const DELAYED_ACCURACY: f64 = 1e-4;
 const INDENTATION_ACCURACY: f64 = 1e-3;
+/// The same of a line and of a surface that act at a distance.
+const SURFACE_ACCURACY: [f64; 2] = [1e-4, 1e-2];
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
@@ -118,19 +124,31 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let mut material = material::read(&top, document)?;
     material.notes.extend(document.notes().iter().cloned());
-    let problem = match the_problem(&top)? {
+    let named = the_problem(&top)?;
+    if named == "crack" {
+        attraction::without(&top, "a crack")?;
+    } else if !attraction::is_given(&top) {
+        attraction::without(&top, "a scene without `adhesion.law` or `adhesion.table`")?;
+    }
+    let problem = match named {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),
         _ => {
             top.without(&["history"], "a crack or a sphere")?;
-            Problem::Sliding(sliding::read(&top, &material)?)
+            if surface::is_meant(&top) {
+                Problem::Surface(surface::read(document, &top, &material)?)
+            } else {
+                Problem::Sliding(sliding::read(&top, &material)?)
+            }
         }
     };
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
+        Problem::Surface(sliding) if sliding.surface.profile.is_line() => SURFACE_ACCURACY[0],
+        Problem::Surface(_) => SURFACE_ACCURACY[1],
         Problem::DelayedFracture(_) => DELAYED_ACCURACY,
         Problem::Indentation(_) => INDENTATION_ACCURACY,
     };
@@ -138,6 +156,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         Problem::SteadyCrack(_) => "a steady crack",
         Problem::DelayedFracture(_) => "a crack under a history",
         Problem::Sliding(_) => "a sliding contact",
+        Problem::Surface(_) => "a sliding surface",
         Problem::Indentation(_) => "an indentation",
     };
     let scene = Scene {

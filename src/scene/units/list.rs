@@ -33,7 +33,7 @@ const INCH: f64 = 0.0254;
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const POUND_PER_SQUARE_INCH: f64 = POUND_FORCE / (INCH * INCH);
 
-/// Every symbol. A new one needs a row in `tests/scene_units.rs`, too.
+/// Every symbol. A new one needs a row in `tests/scene/units.rs`, too.
 pub(super) const SYMBOLS: [Symbol; 35] = [
     prefixed("m", 1.0, LENGTH),
     of("Å", 1e-10, LENGTH),

@@ -28,6 +28,13 @@ pub fn parse_quantity(text: &str) -> Result<Quantity, UnitError> {
     Ok(Quantity { value: folded * unit.factor * root, dimension: unit.dimension })
 }
 
+/// The unit of a text that is a number with one, as it is written; empty without.
+#[must_use]
+pub fn unit_of(text: &str) -> &str {
+    let text = text.trim();
+    text.split_at(number_length(text)).1.trim()
+}
+
 /// `number`·10^`exponent` rounded once.
 fn fold_exponent(number: &str, exponent: i32) -> Option<f64> {
     let (mantissa, own) = match number.find(['e', 'E']) {

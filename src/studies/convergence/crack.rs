@@ -1,7 +1,7 @@
 //! Growth of a crack under a constant load: grid lines of a process zone, against the closed form of one term.
 
 use super::{KnownGrowth, Panel};
-use crate::crack::delayed::stepper::run;
+use crate::crack::delayed::stepper::{Asked, run};
 use crate::crack::delayed::{GrowthProblem, LoadHistory, Resolution, trajectory};
 use crate::crack::{CrackBody, Interface, ProcessZone};
 use crate::material::{CreepTerm, Material};
@@ -102,7 +102,8 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
     let until = case.times.last().copied().unwrap_or(0.0);
     let (mut single, mut of_four, mut outside) = (Vec::new(), Vec::new(), 0);
     for lines in effort.choose(vec![4, 8, 16, 32, 64, 128], vec![4, 8, 16, 32, 64, 128, 256, 512, 1024]) {
-        let found = run(&problem, &history, &case.times, until, lines, u64::MAX)?;
+        let found =
+            run(&problem, &history, Asked { outputs: &case.times, until, lines_per_zone: lines, most_steps: u64::MAX }, None, &|_| ())?;
         let places: Vec<f64> = found.samples.iter().map(|sample| sample.place * case.zone).collect();
         single.push((f64::from(lines), case.error(&places)));
         let found = trajectory(&problem, &history, &case.times, Resolution { lines_per_zone: lines, ..Resolution::default() })?;

@@ -10,10 +10,40 @@ use std::path::Path;
 
 /// Keys, with all that lies below them, that do not belong to a problem.
 const FOREIGN: &[(&str, &[Problem])] = &[
-    ("crack", &[Problem::Sliding, Problem::Indentation]),
+    ("crack", &[Problem::Sliding, Problem::Surface, Problem::Indentation]),
     ("sliding", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
-    ("indentation", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
-    ("history", &[Problem::SteadyCrack, Problem::Sliding]),
+    ("indentation", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding, Problem::Surface]),
+    ("history", &[Problem::SteadyCrack, Problem::Sliding, Problem::Surface]),
+    // A contact has edges, or acts at a distance.
+    ("sliding.profile", &[Problem::Sliding]),
+    ("sliding.surface", &[Problem::Sliding]),
+    ("sliding.layer", &[Problem::Sliding]),
+    ("sliding.loop", &[Problem::Sliding]),
+    ("sliding.mean_gap", &[Problem::Sliding]),
+    ("sliding.most_nodes", &[Problem::Sliding]),
+    ("sliding.wave", &[Problem::Surface]),
+    ("sliding.cylinder", &[Problem::Surface]),
+    ("sliding.load_per_width", &[Problem::Surface]),
+    ("sliding.penetration", &[Problem::Surface]),
+    ("sliding.half_width", &[Problem::Surface]),
+    ("sliding.columns", &[Problem::Surface]),
+    ("sliding.strength", &[Problem::Surface]),
+    ("sliding.branch.from", &[Problem::Surface]),
+    ("sliding.branch.to", &[Problem::Surface]),
+    ("sliding.branch.branches", &[Problem::Surface]),
+    ("sliding.branch.frame_stiffness", &[Problem::Surface]),
+    ("adhesion.process_zone", &[Problem::Surface]),
+    // A liquid has no relaxed modulus to measure a surface by.
+    ("material.viscosity", &[Problem::Surface]),
+    ("adhesion.process_zone.peak_stress", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
+    ("adhesion.law", OF_EDGES),
+    ("adhesion.range", OF_EDGES),
+    ("adhesion.peak_stress", OF_EDGES),
+    ("adhesion.ramp", OF_EDGES),
+    ("adhesion.table", OF_EDGES),
+    ("adhesion.columns", OF_EDGES),
+    ("sweep", &[Problem::Surface]),
+    ("latin_hypercube", &[Problem::Surface]),
     // A history takes the place of what holds a steady crack.
     ("crack.theories", &[Problem::DelayedFracture]),
     ("crack.speed", &[Problem::DelayedFracture]),
@@ -25,22 +55,22 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("crack.spacing", &[Problem::SteadyCrack]),
     ("crack.first_time", &[Problem::SteadyCrack]),
     // Of one edge there is one work, and one zone.
-    ("adhesion.trailing_work_of_adhesion", &[Problem::SteadyCrack, Problem::DelayedFracture]),
-    ("adhesion.leading_work_of_adhesion", &[Problem::SteadyCrack, Problem::DelayedFracture]),
+    ("adhesion.trailing_work_of_adhesion", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Surface]),
+    ("adhesion.leading_work_of_adhesion", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Surface]),
     ("adhesion.process_zone.trailing_length", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
     ("adhesion.process_zone.leading_length", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
-    ("adhesion.by_speed", &[Problem::DelayedFracture]),
-    ("adhesion.interaction_range", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding]),
+    ("adhesion.by_speed", &[Problem::DelayedFracture, Problem::Surface]),
+    ("adhesion.interaction_range", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding, Problem::Surface]),
     // An indenter has its own table of fields, a crack under a history none.
     ("fields", &[Problem::DelayedFracture, Problem::Indentation]),
-    ("fields.from", &[Problem::Sliding]),
-    ("fields.to", &[Problem::Sliding]),
+    ("fields.from", &[Problem::Sliding, Problem::Surface]),
+    ("fields.to", &[Problem::Sliding, Problem::Surface]),
     ("history[].penetration", &[Problem::DelayedFracture]),
     ("history[].force", &[Problem::DelayedFracture]),
     ("history[].contact_radius", &[Problem::DelayedFracture]),
     ("history[].frame", &[Problem::DelayedFracture]),
     ("history[].oscillation", &[Problem::DelayedFracture]),
-    // Takes minutes with many relaxation times: compared in tests/indentation_periodic.rs (named gaps).
+    // Takes minutes with many relaxation times: compared in tests/indentation/periodic.rs (named gaps).
     ("history[].oscillation.periodic", &[Problem::Indentation]),
     ("history[].columns.penetration", &[Problem::DelayedFracture]),
     ("history[].columns.force", &[Problem::DelayedFracture]),
@@ -52,6 +82,9 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("history[].columns.stress", &[Problem::Indentation]),
     ("history[].columns.growth", &[Problem::Indentation]),
 ];
+
+/// Problems whose adhesion is an edge with a process zone.
+const OF_EDGES: &[Problem] = &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding];
 
 /// Whether a key may stand in scenes of a problem.
 #[must_use]

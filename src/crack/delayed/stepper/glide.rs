@@ -6,7 +6,7 @@ use super::grid::Grid;
 use super::record::Between;
 use super::{Ahead, Stepper};
 
-impl Stepper<'_> {
+impl Stepper {
     /// Follows slow growth by its quasi-steady speed, as far as that is good; false if it is not good enough here.
     pub(super) fn glide(&mut self, ahead: &mut Ahead, breaks: bool) -> bool {
         let tolerance = Steadiness::tolerance(self.lines_per_zone);

@@ -9,6 +9,8 @@
 //! The map does not know m, so lines of a coarse grid are lines of a finer one and the error goes by powers of 1/m. The second zone
 //! starts at its kink, where the places of the graded lines leave the process zone, with a grading of its own.
 
+use serde::{Deserialize, Serialize};
+
 /// Layers wider than this are resolved by even lines.
 const WIDEST_LAYER: f64 = 0.1;
 
@@ -20,7 +22,7 @@ const FINEST_LAYER: f64 = 1e-6;
 const REACHED: f64 = 1e-3;
 
 /// The grading of a zone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Grading {
     layer: f64,
     sigma: f64,
@@ -54,7 +56,7 @@ impl Grading {
 }
 
 /// The lines, counted from a start.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Grid {
     /// In places of the memory.
     start: f64,

@@ -21,7 +21,7 @@ fn before_the_end(step: f64, left: f64) -> f64 {
     if left > step && left < 2.0 * step { 0.5 * left } else { left }
 }
 
-impl Stepper<'_> {
+impl Stepper {
     /// Whether a place of rest is within the zone of a load.
     pub(super) fn in_zone(&self, rest: f64, load: f64) -> bool {
         rest + self.zone.at(load) > self.memory.place + SAME_PLACE

@@ -37,6 +37,8 @@ use grid::Grid;
 use record::Between;
 pub use record::GrowthWork;
 pub(crate) use record::{RawEvent, RawKind, RawSample, Run};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A start of growth right after an arrest must exceed the work of adhesion by this part, or rounding would start it.
 const RESTART_THRESHOLD: f64 = 1e-13;
@@ -53,10 +55,17 @@ const SAME_LOAD: f64 = 4.0 * f64::EPSILON;
 /// So near the glassy limit a load has no digits left for the speed: a ramp that passes the limit ends here.
 const NEAREST: f64 = 1e-8;
 
-struct Stepper<'a> {
+/// Steps between two looks at whether a run is to be kept.
+const BETWEEN_LOOKS: u64 = 64;
+
+/// A run under way: all that its next step reads.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(crate) struct Stepper {
     memory: Memory,
     lines_per_zone: u32,
-    outputs: &'a [f64],
+    /// Times with an output; a kept run does not hold them.
+    #[serde(skip)]
+    outputs: Arc<[f64]>,
     most_steps: u64,
     until: f64,
     /// Time and place of the memory's own zero.
@@ -91,10 +100,15 @@ struct Stepper<'a> {
     /// Steps taken when the memory's zero was last moved.
     rebased_at: u64,
     run: Run,
+    /// Which stretch of the load is passed, and what of it lies ahead.
+    stretch: usize,
+    ahead: Option<Ahead>,
+    /// Steps taken at the last look.
+    looked_at: u64,
 }
 
 /// The load over the rest of a stretch.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Ahead {
     /// The load now, at the start of the stretch and at its end.
     load: f64,
@@ -151,45 +165,30 @@ fn unless_stopped(better: f64, held: f64) -> f64 {
     if speed.is_nan() { 0.0 } else { speed.min(FASTEST) }
 }
 
-/// Runs a history up to a time, with the tip's state at the `outputs` (times not decreasing, none after `until`).
+/// What a run is asked.
+#[derive(Clone, Copy)]
+pub(crate) struct Asked<'a> {
+    /// Times with an output, not decreasing, none after `until`.
+    pub(crate) outputs: &'a [f64],
+    pub(crate) until: f64,
+    pub(crate) lines_per_zone: u32,
+    pub(crate) most_steps: u64,
+}
+
+/// Runs a history up to a time, from where the same run was left off if it was; `look` sees it between steps.
 pub(crate) fn run(
     problem: &GrowthProblem<'_>,
     history: &LoadHistory,
-    outputs: &[f64],
-    until: f64,
-    lines_per_zone: u32,
-    most_steps: u64,
+    asked: Asked<'_>,
+    left_off: Option<Stepper>,
+    look: &dyn Fn(&Stepper),
 ) -> Result<Run, Refusal> {
     let limit = problem.glassy_limit();
     let zone = RelativeZone::new(problem, history.peak(), limit);
-    let mut stepper = Stepper {
-        memory: Memory::new(terms_of(problem.material), zone.at(0.0)),
-        lines_per_zone,
-        outputs,
-        most_steps,
-        until,
-        base: [0.0; 2],
-        grid: Grid::even(0.0, 1.0, lines_per_zone),
-        shortest_time: 1.0 / terms_of(problem.material).iter().map(|term| term.rate).fold(0.0, f64::max),
-        rests: Vec::new(),
-        slow_rests: Vec::new(),
-        zone,
-        quasi_steady: QuasiSteady::new(terms_of(problem.material), zone),
-        undisturbed: 0,
-        doubts: [0.0; 2],
-        moving: false,
-        first_step: false,
-        longest_advance: f64::INFINITY,
-        unseen: 0.0,
-        ever_moved: false,
-        speed: 0.0,
-        threshold: 0.0,
-        sure: 0.0,
-        uniform: (0.0, 0),
-        rebased_at: 0,
-        run: Run { samples: Vec::with_capacity(outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
-    };
-    for stretch in history.stretches() {
+    let until = asked.until;
+    let mut stepper = left_off.unwrap_or_else(|| Stepper::new(problem, zone, asked));
+    stepper.outputs = asked.outputs.into();
+    for (index, stretch) in history.stretches().iter().enumerate().skip(stepper.stretch) {
         // A load that jumps at the very end is not seen any more, in no run.
         if stretch.start > until || (stretch.start > 0.0 && until - stretch.start <= 4.0 * f64::EPSILON * until) {
             break;
@@ -206,21 +205,25 @@ pub(crate) fn run(
             last = 1.0;
         }
         let slope = if duration.is_finite() { (last - first) / duration } else { 0.0 };
-        let longest_step = 2.0 * duration / f64::from(lines_per_zone);
-        let mut ahead = Ahead {
-            load: first,
-            first,
-            last,
-            slope,
-            whole: duration,
-            passed: Clock::default(),
-            end: stretch.start + duration,
-            longest_step,
-            speed: 0.0,
-            zone,
-        };
-        stepper.enter(&ahead);
-        stepper.pass(&mut ahead, breaks)?;
+        let longest_step = 2.0 * duration / f64::from(asked.lines_per_zone);
+        stepper.stretch = index;
+        let mut ahead = stepper.ahead.take().unwrap_or_else(|| {
+            let ahead = Ahead {
+                load: first,
+                first,
+                last,
+                slope,
+                whole: duration,
+                passed: Clock::default(),
+                end: stretch.start + duration,
+                longest_step,
+                speed: 0.0,
+                zone,
+            };
+            stepper.enter(&ahead);
+            ahead
+        });
+        stepper.pass(&mut ahead, breaks, look)?;
         if stepper.is_over() {
             break;
         }
@@ -239,7 +242,52 @@ pub(crate) fn run(
     Ok(stepper.finished())
 }
 
-impl Stepper<'_> {
+impl Stepper {
+    /// A tip that rests under no load.
+    fn new(problem: &GrowthProblem<'_>, zone: RelativeZone, asked: Asked<'_>) -> Self {
+        let terms = terms_of(problem.material);
+        Self {
+            lines_per_zone: asked.lines_per_zone,
+            outputs: [].into(),
+            most_steps: asked.most_steps,
+            until: asked.until,
+            base: [0.0; 2],
+            grid: Grid::even(0.0, 1.0, asked.lines_per_zone),
+            shortest_time: 1.0 / terms.iter().map(|term| term.rate).fold(0.0, f64::max),
+            rests: Vec::new(),
+            slow_rests: Vec::new(),
+            zone,
+            quasi_steady: QuasiSteady::new(terms.clone(), zone),
+            memory: Memory::new(terms, zone.at(0.0)),
+            undisturbed: 0,
+            doubts: [0.0; 2],
+            moving: false,
+            first_step: false,
+            longest_advance: f64::INFINITY,
+            unseen: 0.0,
+            ever_moved: false,
+            speed: 0.0,
+            threshold: 0.0,
+            sure: 0.0,
+            uniform: (0.0, 0),
+            rebased_at: 0,
+            run: Run { samples: Vec::with_capacity(asked.outputs.len()), events: Vec::new(), residual: 0.0, work: GrowthWork::default() },
+            stretch: 0,
+            ahead: None,
+            looked_at: 0,
+        }
+    }
+
+    /// Lines per process zone of its grid.
+    pub(crate) const fn lines_per_zone(&self) -> u32 {
+        self.lines_per_zone
+    }
+
+    /// Steps taken.
+    pub(crate) const fn steps(&self) -> u64 {
+        self.run.work.steps
+    }
+
     fn time(&self) -> f64 {
         self.base[0] + self.memory.time()
     }
@@ -349,8 +397,14 @@ impl Stepper<'_> {
     }
 
     /// Passes a stretch of load.
-    fn pass(&mut self, ahead: &mut Ahead, breaks: bool) -> Result<(), Refusal> {
+    fn pass(&mut self, ahead: &mut Ahead, breaks: bool, look: &dyn Fn(&Self)) -> Result<(), Refusal> {
         while ahead.left() > 0.0 && !self.is_over() {
+            if self.run.work.steps >= self.looked_at + BETWEEN_LOOKS {
+                self.looked_at = self.run.work.steps;
+                self.ahead = Some(*ahead);
+                look(self);
+                self.ahead = None;
+            }
             if self.run.work.steps >= self.most_steps {
                 return Err(Refusal::NotConverged {
                     what: "the growth of the crack",

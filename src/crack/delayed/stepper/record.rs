@@ -94,7 +94,7 @@ const PARABOLA_PART: f64 = 2.0;
 /// Secants of an output within a step; the cubic of the step is eight digits there, each secant adds as many as the ones before.
 const MOST_SECANTS: u32 = 12;
 
-impl Stepper<'_> {
+impl Stepper {
     pub(super) fn event(&mut self, kind: RawKind, speeds: [f64; 2], jump: f64) {
         let event =
             RawEvent { kind, time: self.time(), place: self.place(), speeds, jump, doubt: self.doubts[0], speed_doubt: self.doubts[1] };

@@ -4,7 +4,7 @@ use super::super::first_crossing::Rest;
 use super::record::{Between, RawKind};
 use super::{Ahead, RESTART_THRESHOLD, Stepper};
 
-impl Stepper<'_> {
+impl Stepper {
     pub(super) fn rest(&mut self, ahead: &mut Ahead) {
         let longest = ahead.left().min(self.until - self.time());
         // Just after a slow arrest the work falls with the square of the time, and the bound in a zone that shrinks, of first order, would take it apart endlessly.

@@ -1,0 +1,192 @@
+//! Source: README.md, ARCHITECTURE.md, CONTRIBUTING.md and the pages of `docs/src`.
+//!
+//! Goal: a reader meets no dead link, no scene that does not run, no command that does not exist, no output that the program does not print; the README stays short.
+//!
+//! Oracle: the files of the repository and the program itself.
+//!
+//! Tolerance: none; the output of the README's scene is compared to the digits shown.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
+
+use crate::command_support;
+
+use command_support::Folder;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn markdown_below(folder: &Path, pages: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            markdown_below(&path, pages);
+        } else if path.extension().is_some_and(|extension| extension == "md") {
+            pages.push(path);
+        }
+    }
+}
+
+/// The pages for users and contributors, with their texts.
+fn pages() -> Vec<(PathBuf, String)> {
+    let mut pages: Vec<PathBuf> = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md"].map(|name| root().join(name)).into();
+    markdown_below(&root().join("docs"), &mut pages);
+    markdown_below(&root().join("verification/pages"), &mut pages);
+    pages.sort();
+    pages.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()
+}
+
+/// Code blocks of a page: what follows the fence, and the text.
+fn blocks(text: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut open: Option<(String, String)> = None;
+    for line in text.lines() {
+        match (line.strip_prefix("```"), open.take()) {
+            (Some(_), Some(block)) => found.push(block),
+            (Some(info), None) => open = Some((info.trim().to_string(), String::new())),
+            (None, Some((info, body))) => open = Some((info, body + line + "\n")),
+            (None, None) => {}
+        }
+    }
+    found
+}
+
+/// Targets of `[text](target)` outside of code blocks.
+fn links(text: &str) -> Vec<String> {
+    let mut in_code = false;
+    let prose = text.lines().filter(|line| {
+        in_code ^= line.starts_with("```");
+        !in_code
+    });
+    let of_line = |line: &str| -> Vec<String> {
+        let after = line.split("](").skip(1);
+        after.filter_map(|rest| rest.split_once(')').map(|(target, _)| target.to_string())).collect()
+    };
+    prose.flat_map(of_line).collect()
+}
+
+#[test]
+fn every_link_leads_to_a_file() {
+    let mut checked = 0;
+    for (page, text) in pages() {
+        for link in links(&text) {
+            if link.starts_with("http") || link.starts_with('#') {
+                continue;
+            }
+            let target = page.parent().unwrap().join(link.split('#').next().unwrap());
+            assert!(target.exists(), "{}: {link}", page.display());
+            checked += 1;
+        }
+    }
+    assert!(checked > 60, "{checked}");
+}
+
+#[test]
+fn every_page_of_the_book_is_in_its_table_of_contents() {
+    let source = root().join("docs/src");
+    let contents = links(&std::fs::read_to_string(source.join("SUMMARY.md")).unwrap());
+    let mut book = Vec::new();
+    markdown_below(&source, &mut book);
+    for page in book.iter().filter(|page| !page.ends_with("SUMMARY.md")) {
+        let name = page.strip_prefix(&source).unwrap().to_str().unwrap();
+        assert!(contents.iter().any(|link| link == name), "{name}");
+    }
+}
+
+#[test]
+fn the_readme_stays_short() {
+    let lines = std::fs::read_to_string(root().join("README.md")).unwrap().lines().count();
+    assert!(lines <= 150, "{lines}");
+}
+
+#[test]
+fn every_scene_is_accepted_and_every_part_of_one_is_toml() {
+    let (mut scenes, mut parts) = (0, 0);
+    for (page, text) in pages() {
+        for (info, body) in blocks(&text) {
+            if info == "toml scene" {
+                let folder = Folder::new();
+                folder.write("scene.toml", &body);
+                let answer = folder.call(&["explain", "scene.toml"]);
+                assert_eq!(answer.code, 0, "{}: {body}\n{}", page.display(), answer.stderr);
+                scenes += 1;
+            } else if info == "toml" {
+                let parsed = body.parse::<toml::Table>();
+                assert!(parsed.is_ok(), "{}: {body}\n{parsed:?}", page.display());
+                parts += 1;
+            }
+        }
+    }
+    assert!(scenes >= 5 && parts >= 5, "{scenes} {parts}");
+}
+
+#[test]
+fn every_command_exists() {
+    let mut commands: Vec<String> = Vec::new();
+    for (_, text) in pages() {
+        for (info, body) in blocks(&text) {
+            let word = |line: &str| line.strip_prefix("viscotack ")?.split_whitespace().next().map(str::to_string);
+            if info == "sh" || info == "sh run" {
+                commands.extend(body.lines().filter_map(word));
+            }
+        }
+    }
+    commands.sort();
+    commands.dedup();
+    assert!(commands.len() >= 5, "{commands:?}");
+    for command in commands {
+        let answer = Folder::new().call(&[&command, "--help"]);
+        assert_eq!(answer.code, 0, "{command}: {}", answer.stderr);
+    }
+}
+
+/// Commands in blocks `sh run` end well, one after the other, where the repository's scenes are.
+#[test]
+fn commands_that_are_short_run() {
+    let mut count = 0;
+    for (page, text) in pages() {
+        let folder = Folder::new();
+        let commands: Vec<String> = blocks(&text)
+            .into_iter()
+            .filter(|block| block.0 == "sh run")
+            .flat_map(|block| block.1.lines().map(str::to_owned).collect::<Vec<_>>())
+            .collect();
+        for command in commands {
+            let scenes = root().join("scenes").display().to_string();
+            let words: Vec<String> = command
+                .split_whitespace()
+                .skip(1)
+                .map(|word| word.replacen("scenes", &scenes, usize::from(word.starts_with("scenes/"))))
+                .collect();
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let answer = folder.call(&words);
+            assert_eq!(answer.code, 0, "{}: {command}\n{}", page.display(), answer.stderr);
+            count += 1;
+        }
+    }
+    assert!(count >= 3, "{count}");
+}
+
+#[test]
+fn the_scene_of_the_readme_prints_what_it_shows() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let blocks = blocks(&readme);
+    let place = blocks.iter().position(|(info, _)| info == "toml scene").unwrap();
+    let folder = Folder::new();
+    folder.write("scene.toml", &blocks[place].1);
+    let answer = folder.call(&["run", "scene.toml"]);
+    assert_eq!(answer.code, 0, "{}", answer.stderr);
+    let (info, shown) = &blocks[place + 1];
+    assert_eq!(info, "text");
+    for line in shown.lines().filter(|line| *line != "…") {
+        assert!(answer.stdout.lines().any(|printed| printed.trim_end() == line.trim_end()), "not printed: {line}\n{}", answer.stdout);
+    }
+}
+
+/// `viscotack schema --markdown > docs/src/reference/keys.md` makes it anew.
+#[test]
+fn the_page_of_keys_is_that_of_the_program() {
+    let page = std::fs::read_to_string(root().join("docs/src/reference/keys.md")).unwrap();
+    let answer = Folder::new().call(&["schema", "--markdown"]).ended(0);
+    assert!(answer.stdout == page, "docs/src/reference/keys.md is old: viscotack schema --markdown > docs/src/reference/keys.md");
+}
