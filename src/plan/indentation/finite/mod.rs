@@ -13,6 +13,7 @@ mod history;
 mod rows;
 mod scales;
 mod validity;
+mod widened;
 
 use super::scale::Scale;
 use super::timeline::Timeline;
