@@ -11,7 +11,7 @@ pub mod published;
 mod solved;
 
 use super::cells::{count, number, word};
-use super::{Check, Column, Effort, Plot, Progress, Section, Table};
+use super::{Cell, Check, Column, Effort, Plot, Progress, Section, Table};
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use published::Published;
 use rayon::prelude::*;
@@ -159,7 +159,7 @@ fn checks(section: &mut Section, all: &[(Published, Result<Solved, String>)], go
     ));
 }
 
-fn of_row(row: &Published) -> Vec<super::Cell> {
+fn of_row(row: &Published) -> Vec<Cell> {
     vec![number(row.tabor), number(row.modulus_ratio), number(row.exponent), number(row.rate), number(row.preload), number(row.ratio)]
 }
 
@@ -186,7 +186,7 @@ fn rows_table(all: &[(Published, Result<Solved, String>)]) -> Table {
                 number(solved.ratio),
                 number(solved.error),
                 number(solved.ratio / row.ratio),
-                number(solved.edge.map_or(f64::NAN, |edge| edge / solved.ratio)),
+                Cell::Number(solved.edge.map(|edge| edge / solved.ratio)),
                 count(solved.nodes),
                 count(solved.steps),
                 number(solved.defect),
@@ -219,7 +219,7 @@ fn quantiles_table(good: &[(Published, Solved)]) -> Table {
 /// How far the published values of one and the same state are from each other.
 fn repeats_table(table: &[Published]) -> Table {
     let mut sorted: Vec<&Published> = table.iter().collect();
-    sorted.sort_by(|a, b| a.state().partial_cmp(&b.state()).unwrap_or(std::cmp::Ordering::Equal));
+    sorted.sort_by_key(|row| row.state());
     let mut spreads: Vec<f64> = Vec::new();
     for group in sorted.chunk_by(|a, b| a.state() == b.state()).filter(|group| group.len() > 1) {
         let (low, high) = group.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), row| (low.min(row.ratio), high.max(row.ratio)));
@@ -254,7 +254,7 @@ fn edge_table(good: &[(Published, Solved)]) -> Table {
             let none = own.len() - ratios.len();
             let mut cells = vec![number(from), number(to), number(slow), number(fast), count(own.len())];
             cells.extend(shares.map(number));
-            cells.extend([number(quantile(&mut ratios, 0.5)), count(none)]);
+            cells.extend([Cell::Number((!ratios.is_empty()).then(|| quantile(&mut ratios, 0.5))), count(none)]);
             table.rows.push(cells);
         }
     }

@@ -63,8 +63,8 @@ impl FiniteRangePlan {
         material.solid_modulus("a contact with attraction of finite range")?;
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale)?;
-        let wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
-        if let Some(late) = wanted.filter(|time| *time > timeline.duration() * (1.0 + 1e-9)).last() {
+        let mut wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
+        if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + 1e-9)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));
         }
         let reduced = Reduced::new(indentation, attraction, &material, &scale)?;
