@@ -11,6 +11,7 @@ mod annuli_reference;
 mod approach;
 mod by_panels;
 mod by_panels_against_march;
+mod by_panels_checkpoints;
 mod by_panels_histories;
 mod by_panels_shapes;
 mod checkpoints;
