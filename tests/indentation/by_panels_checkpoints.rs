@@ -6,8 +6,7 @@
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, bounds and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
 
-#[path = "support/physics.rs"]
-mod physics;
+use crate::support::physics;
 
 use physics::Random;
 use std::sync::Mutex;
