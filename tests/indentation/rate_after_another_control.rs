@@ -36,7 +36,7 @@ fn a_rate_after_a_force_is_the_duration_that_it_makes() {
     let cases = [
         (format!("{HEAD}{STICKY}{framed}{press}"), "frame", -20e-6, 5e-6, "pull_off_force", "end_penetration"),
         (format!("{HEAD}{STICKY}{sphere}{press}"), "penetration", -10e-6, 2e-6, "pull_off_force", "end_penetration"),
-        (format!("{HEAD}{sphere}{press}"), "penetration", 2e-6, 2e-6, "end_force", "end_penetration"),
+        (format!("{HEAD}{sphere}{press}"), "penetration", 6e-6, 2e-6, "end_force", "end_penetration"),
         (format!("{HEAD}{STICKY}{relaxed}"), "penetration", -10e-6, 2e-6, "pull_off_force", "end_penetration"),
     ];
     for (head, quantity, to, rate, compared, depth) in cases {
