@@ -6,9 +6,7 @@
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, bounds and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]
 
-use crate::support::physics;
-
-use physics::Random;
+use crate::support::physics::Random;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use viscotack::indentation::by_panels::{solve_by_panels, solve_by_panels_watched};

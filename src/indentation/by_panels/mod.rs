@@ -40,8 +40,8 @@
 //! root at the turn that no series holds.
 //! Bounds at an accuracy of 1e-3: of 941 values of 33 random scenes (all histories of the calibration study, new seeds) one lies outside, by 6 %; bound over error is 6
 //! in the median and beyond 100 in the 95th percentile.
-//! Sudden steps, surfaces that touch again and rows of cycles agree with time steps within the bounds of both (`tests/indentation_by_panels_histories.rs`); a run
-//! goes on from a checkpoint to the same bits (`tests/indentation_by_panels_checkpoints.rs`).
+//! Sudden steps, surfaces that touch again and rows of cycles agree with time steps within the bounds of both (`tests/indentation/by_panels_histories.rs`); a run
+//! goes on from a checkpoint to the same bits (`tests/indentation/by_panels_checkpoints.rs`).
 //! Not yet: bounds that cover in hundreds of scenes; turns of a force or frame at tolerances below 1e-6, of which some are refused; rims, edge laws, swept frequencies;
 //! a path of many hundreds of cycles keeps all its points.
 
