@@ -11,6 +11,7 @@
 //! | Lennard-Jones 3-9 | (8/3)(u⁻⁹ − u⁻³) | 16/(9√3) = 1.0264 | 3^{1/6} | steep repulsion, no wall |
 //! | cosine | −(π/2) sin πu for 0 < u < 1, −(π²/2) u for u < 0 | π/2 | ½ | linear repulsion, no wall |
 //! | table | a monotone cubic through the given points | of the table | of the table | wall at the first gap, or linear repulsion |
+//! | hard wall | 0: no attraction, no work | 0 | | hard wall at 0 |
 //!
 //! Sources: Greenwood (1997) for 3-9; the cosine law with its harmonic wall is the one of Wang & Müser's contMech runs.
 //! Lengths and stresses are in any one consistent set of units (SI, or the reduced units of the problem that uses the law).
@@ -39,6 +40,8 @@ pub enum Law {
     Cosine,
     /// Measured or computed points; made by [`Attraction::from_table`].
     Table(Table),
+    /// No attraction: the control case of every other law; made by [`Attraction::hard_wall`].
+    HardWall,
 }
 
 /// A law of attraction with its two constants.
@@ -46,7 +49,7 @@ pub enum Law {
 pub struct Attraction {
     /// The shape.
     pub law: Law,
-    /// W > 0: the work per area from the place of zero stress (or the wall) to infinity.
+    /// W > 0: the work per area from the place of zero stress (or the wall) to infinity; zero of a hard wall alone.
     pub work_of_adhesion: f64,
     /// r > 0: the length that scales the gap (see [`Law`] for its meaning in each law).
     pub range: f64,
@@ -58,6 +61,9 @@ impl Attraction {
     /// # Errors
     /// [`Refusal::OutOfRange`] unless both constants are positive and finite and a Dugdale ramp lies between 0 and 1.
     pub fn new(law: Law, work_of_adhesion: f64, range: f64) -> Result<Self, Refusal> {
+        if law == Law::HardWall {
+            return Ok(Self::hard_wall());
+        }
         require_positive("work_of_adhesion", work_of_adhesion)?;
         require_positive("range", range)?;
         if let Law::Dugdale { ramp } = law
@@ -66,6 +72,29 @@ impl Attraction {
             return Err(Refusal::out_of_range("ramp", ramp, "between 0 and 1, both excluded"));
         }
         Ok(Self { law, work_of_adhesion, range })
+    }
+
+    /// No attraction, only a hard wall at the gap zero.
+    #[must_use]
+    pub const fn hard_wall() -> Self {
+        Self { law: Law::HardWall, work_of_adhesion: 0.0, range: 1.0 }
+    }
+
+    /// Whether there is any attraction.
+    #[must_use]
+    pub const fn attracts(&self) -> bool {
+        !matches!(self.law, Law::HardWall)
+    }
+
+    /// The same law with its gaps and stresses in other units: divided by these two.
+    ///
+    /// # Errors
+    /// As [`Attraction::new`], where the quotients are no positive numbers.
+    pub fn in_units(&self, gap: f64, stress: f64) -> Result<Self, Refusal> {
+        if !self.attracts() {
+            return Ok(self.clone());
+        }
+        Self::new(self.law.clone(), self.work_of_adhesion / (gap * stress), self.range / gap)
     }
 
     /// A law with its work of adhesion and its largest tension; the range follows.
@@ -121,7 +150,7 @@ impl Attraction {
             * match &self.law {
                 Law::LennardJones => 3.0_f64.powf(1.0 / 6.0),
                 Law::Cosine => 0.5,
-                Law::Exponential | Law::Dugdale { .. } => 0.0,
+                Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
                 Law::Table(table) => table.peak_gap(),
             }
     }
@@ -144,7 +173,7 @@ impl Attraction {
         self.range
             * match &self.law {
                 Law::LennardJones => 1.0,
-                Law::Cosine | Law::Exponential | Law::Dugdale { .. } => 0.0,
+                Law::Cosine | Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
                 Law::Table(table) => table.wall().unwrap_or_else(|| table.zero()),
             }
     }
@@ -172,6 +201,7 @@ impl Law {
             Self::Cosine if u < 1.0 => -0.5 * PI * (PI * u).sin(),
             Self::Cosine => 0.0,
             Self::Table(table) => table.stress(u),
+            Self::HardWall => 0.0,
         }
     }
 
@@ -190,6 +220,7 @@ impl Law {
             Self::Cosine if u < 1.0 => -0.5 * PI * PI * (PI * u).cos(),
             Self::Cosine => 0.0,
             Self::Table(table) => table.slope(u),
+            Self::HardWall => 0.0,
         }
     }
 
@@ -209,6 +240,7 @@ impl Law {
             Self::Cosine if u < 1.0 => 0.5 * (1.0 + (PI * u).cos()),
             Self::Cosine => 0.0,
             Self::Table(table) => table.work_left(u),
+            Self::HardWall => 0.0,
         }
     }
 
@@ -217,6 +249,7 @@ impl Law {
             Self::LennardJones => 16.0 / (9.0 * 3.0_f64.sqrt()),
             Self::Cosine => 0.5 * PI,
             Self::Exponential | Self::Dugdale { .. } | Self::Table(_) => 1.0,
+            Self::HardWall => 0.0,
         }
     }
 
@@ -227,12 +260,13 @@ impl Law {
             Self::Dugdale { ramp } => 0.75 / ramp,
             Self::Cosine => 0.5 * PI * PI,
             Self::Table(table) => table.steepest(),
+            Self::HardWall => 0.0,
         }
     }
 
     fn kinks(&self) -> Vec<f64> {
         match self {
-            Self::LennardJones | Self::Exponential => Vec::new(),
+            Self::LennardJones | Self::Exponential | Self::HardWall => Vec::new(),
             Self::Dugdale { ramp } => vec![1.0 - ramp, 1.0 + ramp],
             Self::Cosine => vec![1.0],
             Self::Table(table) => table.points().to_vec(),
@@ -242,7 +276,7 @@ impl Law {
     fn wall(&self) -> Option<f64> {
         match self {
             Self::LennardJones | Self::Cosine => None,
-            Self::Exponential | Self::Dugdale { .. } => Some(0.0),
+            Self::Exponential | Self::Dugdale { .. } | Self::HardWall => Some(0.0),
             Self::Table(table) => table.wall(),
         }
     }

@@ -95,10 +95,24 @@ pub const TING: Citation = Citation {
     bibtex: "@article{Ting1966,\n  author  = {Ting, T. C. T.},\n  title   = {The contact stresses between a rigid indenter and a viscoelastic half-space},\n  journal = {Journal of Applied Mechanics},\n  volume  = {33},\n  pages   = {845--854},\n  year    = {1966},\n  doi     = {10.1115/1.3625192}\n}",
 };
 
-/// The elastic sphere with a law of attraction.
+/// The active set of a contact as a semi-smooth Newton method.
+pub const PRIMAL_DUAL: Citation = Citation {
+    key: "HintermuellerItoKunisch2002",
+    role: "the contact set of a surface that acts at a distance",
+    bibtex: "@article{HintermuellerItoKunisch2002,\n  author  = {Hinterm{\\\"u}ller, M. and Ito, K. and Kunisch, K.},\n  title   = {The primal-dual active set strategy as a semismooth {N}ewton method},\n  journal = {SIAM Journal on Optimization},\n  volume  = {13},\n  pages   = {865--888},\n  year    = {2002},\n  doi     = {10.1137/S1052623401383558}\n}",
+};
+
+/// The law of the contMech runs.
+pub const CONTMECH: Citation = Citation {
+    key: "WangMueser2017",
+    role: "the law of attraction cosine",
+    bibtex: "@article{WangMueser2017,\n  author  = {Wang, A. and M{\\\"u}ser, M. H.},\n  title   = {Gauging {P}ersson theory on adhesion},\n  journal = {Tribology Letters},\n  volume  = {65},\n  pages   = {103},\n  year    = {2017},\n  doi     = {10.1007/s11249-017-0886-9}\n}",
+};
+
+/// The 3-9 law between half-spaces, and the elastic sphere with it.
 pub const GREENWOOD_1997: Citation = Citation {
     key: "Greenwood1997",
-    role: "the sphere with attraction of finite range, elastic: the equations and the Tabor number",
+    role: "attraction of finite range: the law lennard_jones, the elastic sphere and the Tabor number",
     bibtex: "@article{Greenwood1997,\n  author  = {Greenwood, J. A.},\n  title   = {Adhesion of elastic spheres},\n  journal = {Proceedings of the Royal Society of London A},\n  volume  = {453},\n  pages   = {1277--1297},\n  year    = {1997},\n  doi     = {10.1098/rspa.1997.0070}\n}",
 };
 
@@ -130,6 +144,8 @@ pub const ALL: &[&Citation] = &[
     &JKR,
     &LEE_RADOK,
     &TING,
+    &PRIMAL_DUAL,
+    &CONTMECH,
     &GREENWOOD_1997,
     &MAGHAMI,
     &KENNEDY_CARPENTER,

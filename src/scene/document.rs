@@ -3,7 +3,7 @@
 use super::diagnostic::{Place, SceneError, SourceText};
 use super::read::memo::{Memo, OfTable};
 use super::recognise;
-use super::typed::{MaterialOrigin, MeasuredShape, MeasuredTable};
+use super::typed::{MaterialOrigin, MeasuredShape, MeasuredTable, SceneSurface};
 use crate::{regular_file, terminal_text};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -111,6 +111,8 @@ pub struct Document {
     records: OfTable<MeasuredTable>,
     /// The same of shapes of indenters.
     shapes: OfTable<(Vec<(f64, f64)>, MeasuredShape)>,
+    /// The same of sliding surfaces.
+    surfaces: OfTable<SceneSurface>,
 }
 
 /// No scene that a person writes is larger (bytes).
@@ -157,6 +159,7 @@ impl Document {
             materials: Memo::default(),
             records: OfTable::default(),
             shapes: OfTable::default(),
+            surfaces: OfTable::default(),
         };
         document.add_to_hash(&source);
         Ok(document)
@@ -165,11 +168,22 @@ impl Document {
     /// The same without its sweep, which the states of the sweep need not carry.
     #[must_use]
     pub fn without_sweep(&self) -> Self {
+        self.without(&["sweep", "latin_hypercube"])
+    }
+
+    /// The same without some of its tables.
+    #[must_use]
+    pub fn without(&self, tables: &[&str]) -> Self {
         let mut document = self.clone();
         if let Value::Table(entries) = &mut document.root.value {
-            entries.retain(|entry| !["sweep", "latin_hypercube"].contains(&entry.key.as_str()));
+            entries.retain(|entry| !tables.contains(&entry.key.as_str()));
         }
         document
+    }
+
+    /// Further files that the scene names, by the names that it gives them.
+    pub fn attachments(&self) -> impl Iterator<Item = (&str, &SourceText)> {
+        self.attached.iter().map(|(name, source)| (name.as_str(), source))
     }
 
     /// The folder that relative paths start from.
@@ -198,7 +212,9 @@ impl Document {
         if self.attached(name).is_some() {
             return Ok(());
         }
-        let source = super::delimited::open(&self.folder.join(name), name).map_err(|error| {
+        let path = self.folder.join(name);
+        let opened = if super::npy::is_named(name) { super::npy::open(&path, name) } else { super::delimited::open(&path, name) };
+        let source = opened.map_err(|error| {
             SceneError::at(place, format!("`{key}` = {name:?} cannot be read: {error}"), "this file")
                 .help("relative paths start at the scene")
         })?;
@@ -230,6 +246,11 @@ impl Document {
     /// Shapes of indenters read before from the same file.
     pub(super) const fn shapes(&self) -> &OfTable<(Vec<(f64, f64)>, MeasuredShape)> {
         &self.shapes
+    }
+
+    /// Sliding surfaces made before of the same words and file.
+    pub(super) const fn surfaces(&self) -> &OfTable<SceneSurface> {
+        &self.surfaces
     }
 
     /// SHA-256 of everything that was read: the scene, included files, and `--set`s, in order.

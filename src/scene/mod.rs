@@ -15,6 +15,7 @@ pub mod diagnostic;
 pub mod document;
 mod frame;
 pub mod key_reference;
+mod npy;
 pub mod read;
 mod recognise;
 pub mod schema;

@@ -2,9 +2,11 @@
 
 mod attraction;
 mod delayed;
+mod fit;
 mod history;
 mod indentation;
 mod material;
+mod surface;
 
 use super::sweep::Sweep;
 use crate::closure::work_by_speed::WorkBySpeed;
@@ -18,6 +20,7 @@ use std::sync::Arc;
 pub use super::check::Units;
 pub use attraction::SceneAttraction;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
+pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,
@@ -29,6 +32,7 @@ pub use material::{
     Climate, DeckOrigin, ExpandedLaw, FittedData, IsotropicSeries, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap,
     PoissonRatio,
 };
+pub use surface::{SceneLayer, SceneSurface, SurfaceLoad, SurfacePath, SurfaceSliding, SurfaceTask};
 
 /// A whole scene at one point of its sweep.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,6 +93,8 @@ pub enum Problem {
     DelayedFracture(DelayedFracture),
     /// A contact that slides steadily.
     Sliding(Sliding),
+    /// A surface that slides steadily and acts at a distance.
+    Surface(SurfaceSliding),
     /// A rigid round body pressed on, or pulled off, in time.
     Indentation(Indentation),
 }
@@ -422,5 +428,7 @@ pub enum SlidingZone {
         cohesive_stress: f64,
         /// α.
         factor: f64,
+        /// Whether the zones grow with their edges, α a₀ G/Δγ where the contact opens and α a₀ Δγ/G where it closes.
+        grows: bool,
     },
 }

@@ -7,7 +7,7 @@ use super::grid::{Equations, State};
 use super::newton;
 use super::problem::Problem;
 use super::reach::{self, Place};
-use super::solution::{self, Numbers};
+use super::solution::{self, Certificate, Numbers};
 use crate::refusal::{Refusal, require_positive};
 
 /// Longest and shortest step (gap over half height and pressure over the stiffness of one wave, together).
@@ -76,10 +76,31 @@ pub struct Branch {
     pub nodes: usize,
     /// The states in order.
     pub points: Vec<Numbers>,
+    /// The same on grids twice and four times as fine, with their errors, if asked for; none where the finer grids lose a state.
+    pub refined: Vec<Option<Refined>>,
     /// Where gap or pressure turn.
     pub folds: Vec<RoughFold>,
     /// Why it ended.
     pub end: End,
+}
+
+/// A state of a branch on the finest of three grids.
+#[derive(Debug, Clone)]
+pub struct Refined {
+    /// The numbers.
+    pub numbers: Numbers,
+    /// The larger of the last two differences between grids.
+    pub errors: Numbers,
+    /// Patches of contact.
+    pub patches: usize,
+    /// By how many they changed from the grid before.
+    pub patches_error: usize,
+    /// The certificate on the finest grid.
+    pub certificate: Certificate,
+    /// Nodes along x of the finest grid.
+    pub nodes: usize,
+    /// Products, each times the nodes of its grid.
+    pub node_products: usize,
 }
 
 /// Follows the branch of the cold-started state of `problem` on `nodes` nodes along x.
@@ -87,11 +108,23 @@ pub struct Branch {
 /// # Errors
 /// [`Refusal`] for a problem without meaning, or where the start cannot be reached.
 pub fn trace(problem: &Problem, nodes: usize, direction: Direction, points: usize) -> Result<Branch, Refusal> {
+    trace_with(problem, nodes, direction, points, false)
+}
+
+/// The same, each state also on two finer grids.
+///
+/// # Errors
+/// As [`trace`].
+pub fn trace_refined(problem: &Problem, nodes: usize, direction: Direction, points: usize) -> Result<Branch, Refusal> {
+    trace_with(problem, nodes, direction, points, true)
+}
+
+fn trace_with(problem: &Problem, nodes: usize, direction: Direction, points: usize, refine: bool) -> Result<Branch, Refusal> {
     problem.check()?;
     require_positive("points", points as f64)?;
     let reached = reach::cold(problem, nodes, 0.5)?;
     let (mut equations, mut state) = (reached.equations, reached.state);
-    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     while equations.grid.nx() < nodes {
         (equations, state) = reach::refined(problem, &equations, &state, place);
         newton::solve(&mut equations, &mut state, newton::COARSE, 3000).map_err(|stalled| Refusal::NotConverged {
@@ -99,7 +132,7 @@ pub fn trace(problem: &Problem, nodes: usize, direction: Direction, points: usiz
             detail: format!("lost on {} nodes, residual {:.1e}", equations.grid.nx(), stalled.residual),
         })?;
     }
-    Ok(Tracer::new(problem, equations, state).run(direction, points))
+    Ok(Tracer::new(problem, equations, state, refine).run(direction, points))
 }
 
 struct Tracer<'a> {
@@ -110,24 +143,66 @@ struct Tracer<'a> {
     units: [f64; 2],
     points: Vec<Numbers>,
     states: Vec<State>,
+    refined: Option<Vec<Option<Refined>>>,
 }
 
 impl<'a> Tracer<'a> {
-    fn new(problem: &'a Problem, equations: Equations, state: State) -> Self {
+    fn new(problem: &'a Problem, equations: Equations, state: State, refine: bool) -> Self {
         let half_height = problem.profile.half_height();
         let one_wave = equations.grid.ny();
         let stiffness = equations.stiffness[one_wave].norm() * equations.len() as f64;
-        Self { problem, equations, state, units: [half_height, half_height * stiffness], points: Vec::new(), states: Vec::new() }
+        let units = [half_height, half_height * stiffness];
+        Self { problem, equations, state, units, points: Vec::new(), states: Vec::new(), refined: refine.then(Vec::new) }
     }
 
     fn keep(&mut self, report: newton::Report) {
-        let (numbers, ..) = solution::evaluate(&mut self.equations, &self.state, report);
+        let (numbers, _, fields) = solution::evaluate(&mut self.equations, &self.state, report);
         self.points.push(numbers);
+        if self.refined.is_some() {
+            let refined = self.on_finer_grids(&numbers, solution::patches(&fields));
+            self.refined.iter_mut().for_each(|list| list.push(refined.clone()));
+        }
         self.states.push(self.state.clone());
         // Only the last three states are needed, for the secant and the folds.
         if self.states.len() > 3 {
             self.states.remove(0);
         }
+    }
+
+    /// The present state on two finer grids, on the same line across the branch.
+    fn on_finer_grids(&mut self, numbers: &Numbers, patches: usize) -> Option<Refined> {
+        let place = Place { range: self.problem.attraction.range, stiffening: 1.0, ramp: None };
+        let mut node_products = std::mem::take(&mut self.equations.products) * self.equations.len();
+        let mut history = vec![numbers.list()];
+        let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
+        let mut patches = (patches, patches);
+        let mut last = None;
+        for grid in 0..2 {
+            if grid > 0 {
+                (equations, state) = reach::refined(self.problem, &equations, &state, place);
+            }
+            equations.row = self.equations.row;
+            let before = state.clone();
+            let report = newton::solve(&mut equations, &mut state, newton::FINE, 6000).ok()?;
+            if reach::is_jump(self.problem, &before, &state) {
+                return None;
+            }
+            node_products += equations.products * equations.len();
+            let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
+            history.push(numbers.list());
+            patches = (patches.1, solution::patches(&fields));
+            last = Some((numbers, certificate, report.mean_residual));
+        }
+        let (numbers, certificate, residual) = last?;
+        Some(Refined {
+            numbers,
+            errors: Numbers::from_list(super::steady::three_grids(&history, self.problem.attraction.wall().is_some(), residual)),
+            patches: patches.1,
+            patches_error: patches.0.abs_diff(patches.1),
+            certificate,
+            nodes: equations.grid.nx(),
+            node_products,
+        })
     }
 
     fn place(&self, point: &Numbers) -> [f64; 2] {
@@ -161,7 +236,7 @@ impl<'a> Tracer<'a> {
                 break;
             }
         }
-        Branch { nodes: self.equations.grid.nx(), points: self.points, folds, end }
+        Branch { nodes: self.equations.grid.nx(), points: self.points, refined: self.refined.unwrap_or_default(), folds, end }
     }
 
     /// Goes to the grid twice as fine at the present place, as long as it is at most eight times finer than at the start.
@@ -169,7 +244,7 @@ impl<'a> Tracer<'a> {
         if self.equations.grid.nx() >= 8 * start {
             return false;
         }
-        let place = Place { range: self.problem.attraction.range, stiffening: 1.0 };
+        let place = Place { range: self.problem.attraction.range, stiffening: 1.0, ramp: None };
         let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
         equations.row = [1.0 / self.units[0], 0.0, self.state.mean_gap() / self.units[0]];
         let solved = newton::solve(&mut equations, &mut state, newton::COARSE, 3000).is_ok();

@@ -36,7 +36,7 @@ pub struct Fold {
 /// # Errors
 /// [`Refusal::NotConverged`] where the states around it cannot be followed to the finer grids.
 pub fn locate(problem: &Problem, rough: &RoughFold) -> Result<Fold, Refusal> {
-    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let by_gap = matches!(rough.kind, FoldKind::LeastPressure | FoldKind::LargestPressure);
     let mut control = problem.clone();
     // Entry of the numbers that turns: the pressure (0) or the gap (1).

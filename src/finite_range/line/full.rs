@@ -47,12 +47,15 @@ pub fn full_contact(problem: &Problem, request: &Request) -> Result<SteadyState,
         numbers,
         errors,
         patches: 1,
+        patches_error: 0,
+        field_errors: [vec![rounding; n], vec![0.0; n]],
         certificate,
         fields,
         reached_by: ReachedBy::FullContact,
         accuracy_met: true,
         nodes_needed: nx,
         products: 2,
+        node_products: 2 * n,
     })
 }
 

@@ -11,7 +11,7 @@
 use super::fourier::Transform;
 use super::gmres::LinearSystem;
 use super::problem::Problem;
-use crate::finite_range::law::Attraction;
+use crate::finite_range::law::{Attraction, Law};
 use rustfft::num_complex::Complex64;
 
 /// The shift of the preconditioner 1/(A + shift): one wave of a half-space has A = 1.
@@ -100,6 +100,13 @@ impl Equations {
     pub(super) fn set_range(&mut self, range: f64) {
         self.law.range = range;
         self.wall = self.law.wall().unwrap_or(f64::NEG_INFINITY);
+    }
+
+    /// Another ramp of a Dugdale law; other laws have none.
+    pub(super) fn set_ramp(&mut self, wanted: Option<f64>) {
+        if let (Law::Dugdale { ramp }, Some(wanted)) = (&mut self.law.law, wanted) {
+            *ramp = wanted;
+        }
     }
 
     /// The gap of the hard wall, minus infinity for a law without one.

@@ -19,6 +19,7 @@
 //! | `reach` | from nothing to the state: range, modulus, grid |
 //! | `solution`, `steady`, `full` | numbers and identities; error from three grids; full contact |
 //! | `branch`, `fold` | pseudo-arclength; place of a fold |
+//! | `roughness`, `measured` | self-affine surfaces; levelling and periodic ends of measured ones |
 
 mod branch;
 mod fold;
@@ -26,16 +27,20 @@ mod fourier;
 mod full;
 mod gmres;
 mod grid;
+mod measured;
 mod newton;
 mod problem;
 mod reach;
+mod roughness;
 mod solution;
 mod steady;
 
-pub use branch::{Branch, Direction, End, FoldKind, RoughFold, trace};
+pub use branch::{Branch, Direction, End, FoldKind, Refined, RoughFold, trace, trace_refined};
 pub use fold::{Fold, locate};
 pub use full::full_contact;
+pub use measured::{Ends, Levelling, level, periodic};
 pub use problem::{Control, Harmonic, Modulus, Problem, Profile, Scales, modulus_of};
 pub use reach::Path;
+pub use roughness::{Roughness, rough};
 pub use solution::{Certificate, Fields, Numbers};
 pub use steady::{ReachedBy, Request, SteadyState, follow, solve};

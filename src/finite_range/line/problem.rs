@@ -145,6 +145,47 @@ impl Profile {
         Ok(profile)
     }
 
+    /// The same profile with its heights multiplied by a factor.
+    ///
+    /// # Errors
+    /// As [`Profile::surface`].
+    pub fn scaled(&self, factor: f64) -> Result<Self, Refusal> {
+        Self::surface(self.nx, self.ny, self.aspect, self.heights.iter().map(|h| h * factor).collect())
+    }
+
+    /// The mirror image x → −x: what slides towards −x over a body slides towards +x over its mirror image.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let row = |row: &[f64]| row.iter().take(1).chain(row.iter().skip(1).rev()).copied().collect::<Vec<_>>();
+        Self { heights: self.heights.chunks(self.nx).flat_map(row).collect(), ..self.clone() }
+    }
+
+    /// Its own nodes along x and y.
+    #[must_use]
+    pub const fn nodes(&self) -> [usize; 2] {
+        [self.nx, self.ny]
+    }
+
+    /// Its heights at its own nodes, row by row, of zero mean.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// The amplitude of each wave number 1, 2 … along x: half of the peak-to-valley height of that wave; of a surface the root of the sum
+    /// of squares over all waves across.
+    #[must_use]
+    pub fn amplitudes(&self) -> Vec<f64> {
+        let mut transform = Transform::new(self.nx, self.ny);
+        let spectrum = transform.forward(&self.heights);
+        let of = |number: usize| {
+            let squares: f64 = spectrum[number * self.ny..(number + 1) * self.ny].iter().map(|c| c.norm_sqr()).sum();
+            let both = if 2 * number == self.nx { 1.0 } else { 2.0 };
+            both * squares.sqrt() / self.heights.len() as f64
+        };
+        (1..=self.nx / 2).map(of).collect()
+    }
+
     /// Half of the peak-to-valley height (Λ).
     #[must_use]
     pub fn half_height(&self) -> f64 {
@@ -167,7 +208,9 @@ impl Profile {
         self.nx
     }
 
-    pub(super) const fn aspect(&self) -> f64 {
+    /// Period along y over the period along x.
+    #[must_use]
+    pub const fn aspect(&self) -> f64 {
         self.aspect
     }
 
@@ -250,6 +293,15 @@ impl Problem {
     pub fn check(&self) -> Result<(), Refusal> {
         require_non_negative("speed", self.speed)?;
         Attraction::new(self.attraction.law.clone(), self.attraction.work_of_adhesion, self.attraction.range)?;
+        if let (Control::MeanPressure(pressure), false) = (self.control, self.attraction.attracts())
+            && pressure <= 0.0
+        {
+            return Err(Refusal::NoSuchState {
+                reason: "without adhesion nothing holds a contact that is not pressed".to_owned(),
+                limit_name: "the mean pressure",
+                limit: 0.0,
+            });
+        }
         for value in self.control.row() {
             require_finite("control", value)?;
         }

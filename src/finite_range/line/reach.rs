@@ -6,6 +6,7 @@
 use super::grid::{Equations, State};
 use super::newton::{self, Report, Stalled};
 use super::problem::{Control, Problem};
+use crate::finite_range::law::Law;
 use crate::refusal::Refusal;
 
 /// First guesses: the profile lifted by these parts of its highest point, cut at the wall.
@@ -19,8 +20,12 @@ const LONGEST_STEP: f64 = 0.41;
 const SHORTEST_STEP: f64 = 4e-3;
 /// A change of the mean gap by more than this part of the half height in one step is a jump to another state.
 const JUMP: f64 = 0.15;
+/// The ramp of a Dugdale law on the way of a cold start.
+const WIDE_RAMP: f64 = 0.9;
 /// Coarsest grid.
 const COARSEST: usize = 64;
+/// Nodes of the cold start of a line without attraction.
+const WITHOUT_ATTRACTION: usize = 256;
 /// Products that one solve may take.
 const SOLVE_BUDGET: usize = 3000;
 /// Products times nodes that one whole search may take.
@@ -33,6 +38,8 @@ pub(super) struct Reached {
     pub(super) report: Report,
     /// Products in the whole search.
     pub(super) products: usize,
+    /// The same, each times the nodes of its grid.
+    pub(super) work: usize,
     pub(super) path: Path,
 }
 
@@ -41,6 +48,8 @@ pub(super) struct Reached {
 pub enum Path {
     /// From a long range, with the real modulus.
     Range,
+    /// From a long range with the real modulus, with the ramp of a Dugdale law wide on the way, then its own.
+    RangeThenRamp,
     /// From the relaxed elastic body at a long range, then the modulus, then the range.
     ModulusThenRange,
     /// From the relaxed elastic body at a long range, then the range, then the modulus.
@@ -52,6 +61,9 @@ pub enum Path {
 /// Nodes along x that resolve the zone of the law at an edge: its relaxed length is a₀ = 2W/(π peak²).
 pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
     let mut law = problem.attraction.clone();
+    if !law.attracts() {
+        return if problem.profile.is_line() { WITHOUT_ATTRACTION } else { COARSEST };
+    }
     law.range = range;
     let zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);
     let nodes = (std::f64::consts::TAU * cells / zone).min(1e9) as usize;
@@ -61,14 +73,15 @@ pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
 /// A state from nothing, on the grid that puts `cells` nodes into the zone of the law, but no finer than `largest` nodes along x.
 pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reached, Refusal> {
     let mut search = Search { problem, largest, cells, products: 0, work: 0, last: String::from("no start converged") };
-    for path in [Path::Range, Path::ModulusThenRange, Path::RangeThenModulus, Path::Closed] {
-        let closed_form = path == Path::Closed && problem.attraction.wall().is_some();
+    for path in [Path::RangeThenRamp, Path::Range, Path::ModulusThenRange, Path::RangeThenModulus, Path::Closed] {
+        let closed_form =
+            path == Path::Closed && problem.attraction.wall().is_some() || path == Path::RangeThenRamp && !has_steep_ramp(problem);
         for lift in if path == Path::Closed { vec![CLOSED] } else { search.lifts() } {
             if closed_form || (search.work > SEARCH_BUDGET && path != Path::Closed) {
                 break;
             }
             if let Some((equations, state, report)) = search.follow(path, lift) {
-                return Ok(Reached { equations, state, report, products: search.products, path });
+                return Ok(Reached { equations, state, report, products: search.products, work: search.work, path });
             }
         }
     }
@@ -95,10 +108,16 @@ impl Search<'_> {
     fn follow(&mut self, path: Path, lift: f64) -> Option<(Equations, State, Report)> {
         let problem = self.problem;
         let half_height = problem.profile.half_height();
-        let target = problem.attraction.range;
+        let target = if problem.attraction.attracts() { problem.attraction.range } else { LONG_RANGE * half_height };
         let long = if path == Path::Closed { target } else { target.max(LONG_RANGE * half_height) };
-        let mut place = Place { range: long, stiffening: if matches!(path, Path::Range | Path::Closed) { 1.0 } else { 0.0 } };
+        let real_modulus = matches!(path, Path::Range | Path::RangeThenRamp | Path::Closed);
+        let mut place = Place {
+            range: long,
+            stiffening: if real_modulus { 1.0 } else { 0.0 },
+            ramp: (path == Path::RangeThenRamp).then_some(WIDE_RAMP),
+        };
         let mut equations = Equations::new(problem, COARSEST.min(self.largest), place.stiffening, long);
+        equations.set_ramp(place.ramp);
         let floor = if equations.wall().is_finite() { equations.wall() } else { 0.8 * long.min(target * 10.0) };
         let top = lift * half_height;
         let gap: Vec<f64> = equations.heights.iter().map(|h| (top - h).max(0.0) + floor).collect();
@@ -108,6 +127,7 @@ impl Search<'_> {
         let mut report = self.note(newton::solve(&mut equations, &mut state, newton::COARSE, SOLVE_BUDGET), &mut equations, place)?;
         let legs: &[Leg] = match path {
             Path::Range | Path::Closed => &[Leg::Range],
+            Path::RangeThenRamp => &[Leg::Range, Leg::Ramp],
             Path::ModulusThenRange => &[Leg::Modulus, Leg::Range],
             Path::RangeThenModulus => &[Leg::Range, Leg::Modulus],
         };
@@ -125,8 +145,10 @@ impl Search<'_> {
         let mut step = LONGEST_STEP;
         loop {
             let left = match leg {
+                Leg::Range if !problem.attraction.attracts() => 0.0,
                 Leg::Range => (place.range / problem.attraction.range).ln(),
                 Leg::Modulus => (1.0 - place.stiffening) * stiffening,
+                Leg::Ramp => place.ramp.map_or(0.0, |ramp| (ramp / own_ramp(problem)).ln()),
             };
             if left <= 1e-12 {
                 return Some(());
@@ -136,15 +158,17 @@ impl Search<'_> {
             match leg {
                 Leg::Range => next.range = if last { problem.attraction.range } else { place.range * (-step).exp() },
                 Leg::Modulus => next.stiffening = if last { 1.0 } else { place.stiffening + step / stiffening },
+                Leg::Ramp => next.ramp = if last { None } else { place.ramp.map(|ramp| ramp * (-step).exp()) },
             }
             let before = state.clone();
             if leg == Leg::Range {
                 self.refine_to(nodes_for(problem, next.range, self.cells), equations, state, report, *place)?;
-            } else {
+            } else if leg == Leg::Modulus {
                 equations.set_stiffness(problem, next.stiffening);
             }
             let kept = state.clone();
             equations.set_range(next.range);
+            equations.set_ramp(next.ramp.or_else(|| has_steep_ramp(problem).then(|| own_ramp(problem))));
             let solved = self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, next);
             if let Some(found) = solved.filter(|_| !is_jump(problem, &before, state)) {
                 *report = found;
@@ -153,6 +177,7 @@ impl Search<'_> {
             } else {
                 *state = kept;
                 equations.set_range(place.range);
+                equations.set_ramp(place.ramp);
                 if leg == Leg::Modulus {
                     equations.set_stiffness(problem, place.stiffening);
                 }
@@ -200,12 +225,28 @@ impl Search<'_> {
 enum Leg {
     Range,
     Modulus,
+    Ramp,
+}
+
+/// Whether the law is a Dugdale law with a ramp so narrow that a wide one is an easier way.
+fn has_steep_ramp(problem: &Problem) -> bool {
+    own_ramp(problem) < 0.5 * WIDE_RAMP
+}
+
+/// The ramp of a Dugdale law; one of every other law.
+const fn own_ramp(problem: &Problem) -> f64 {
+    match problem.attraction.law {
+        Law::Dugdale { ramp } => ramp,
+        _ => 1.0,
+    }
 }
 
 #[derive(Clone, Copy)]
 pub(super) struct Place {
     pub(super) range: f64,
     pub(super) stiffening: f64,
+    /// The ramp of a Dugdale law on the way; none: its own.
+    pub(super) ramp: Option<f64>,
 }
 
 /// Whether two states differ by too much to be neighbours on one branch.
@@ -219,7 +260,8 @@ pub(super) fn is_jump(problem: &Problem, before: &State, after: &State) -> bool 
 
 /// The equations on the grid with half the spacing, and the state interpolated to it.
 pub(super) fn refined(problem: &Problem, equations: &Equations, state: &State, place: Place) -> (Equations, State) {
-    let finer = Equations::new(problem, 2 * equations.grid.nx(), place.stiffening, place.range);
+    let mut finer = Equations::new(problem, 2 * equations.grid.nx(), place.stiffening, place.range);
+    finer.set_ramp(place.ramp);
     let (nx, ny) = (equations.grid.nx(), equations.grid.ny());
     let (fine_nx, fine_ny) = (finer.grid.nx(), finer.grid.ny());
     let mut gap = Vec::with_capacity(fine_nx * fine_ny);

@@ -194,6 +194,32 @@ fn loss(equations: &mut Equations, pressure: &[f64]) -> f64 {
     sum
 }
 
+/// The errors of pressure and gap: at each node the largest difference from the coarser grid of the nodes around it that both have.
+pub(super) fn field_errors(coarse: Option<&Fields>, fine: &Fields) -> [Vec<f64>; 2] {
+    let n = fine.nx * fine.ny;
+    let Some(coarse) = coarse.filter(|coarse| coarse.nx * 2 == fine.nx && (coarse.ny == fine.ny || coarse.ny * 2 == fine.ny)) else {
+        return [vec![f64::INFINITY; n], vec![f64::INFINITY; n]];
+    };
+    let step_y = fine.ny / coarse.ny;
+    let around = |index: usize, count: usize, step: usize| {
+        let (low, high) = (index / step, index.div_ceil(step));
+        // One further on each side where the node is on both grids.
+        let widen = usize::from(low == high && step > 1);
+        [(low + count - widen) % count, low % count, high % count, (high + widen) % count]
+    };
+    let of = |a: &[f64], b: &[f64]| -> Vec<f64> {
+        let difference: Vec<f64> =
+            (0..a.len()).map(|c| (a[c] - b[(c / coarse.nx) * step_y * fine.nx + 2 * (c % coarse.nx)]).abs()).collect();
+        (0..n)
+            .map(|node| {
+                let (xs, ys) = (around(node % fine.nx, coarse.nx, 2), around(node / fine.nx, coarse.ny, step_y));
+                ys.iter().flat_map(|y| xs.iter().map(move |x| y * coarse.nx + x)).map(|c| difference[c]).fold(0.0, f64::max)
+            })
+            .collect()
+    };
+    [of(&coarse.pressure, &fine.pressure), of(&coarse.gap, &fine.gap)]
+}
+
 /// Patches of contact: connected sets of nodes on the periodic grid (neighbours along x and y).
 pub(super) fn patches(fields: &Fields) -> usize {
     let (nx, ny) = (fields.nx, fields.ny);

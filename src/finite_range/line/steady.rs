@@ -8,6 +8,7 @@ use super::newton;
 use super::problem::{Control, Problem};
 use super::reach::{self, Place, Reached};
 use super::solution::{self, Certificate, Fields, Numbers};
+use crate::finite_range::law::Law;
 use crate::refusal::{Refusal, require_positive};
 
 /// Nodes in the relaxed zone of the law on the grid of the cold start; the finer ones are tried where the coarse one leads astray.
@@ -54,10 +55,14 @@ pub struct SteadyState {
     pub errors: Numbers,
     /// Patches of contact.
     pub patches: usize,
+    /// By how many the patches changed from the grid before.
+    pub patches_error: usize,
     /// The identities and residual.
     pub certificate: Certificate,
     /// Pressure, gap, surface.
     pub fields: Fields,
+    /// The errors of the pressure and of the gap at each node: the largest difference from the grid before, of the nodes around it.
+    pub field_errors: [Vec<f64>; 2],
     /// From where it was reached.
     pub reached_by: ReachedBy,
     /// Whether the accuracy was met; otherwise `nodes_needed` says what grid it would take.
@@ -66,6 +71,8 @@ pub struct SteadyState {
     pub nodes_needed: usize,
     /// Products with the stiffness in the whole search.
     pub products: usize,
+    /// The same, each times the nodes of its grid.
+    pub node_products: usize,
 }
 
 impl SteadyState {
@@ -93,7 +100,7 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
         return Err(Refusal::out_of_range("most_nodes", request.most_nodes as f64, "a power of two between 64 and 4194304"));
     }
     let (mut lost, mut lost_on_a_grid) = (None, None);
-    for cells in CELLS {
+    for cells in cells(problem, request) {
         // Two doublings more are needed for the error.
         if 4 * reach::nodes_for(problem, problem.attraction.range, cells) > request.most_nodes {
             break;
@@ -127,6 +134,12 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
     }
 }
 
+/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do.
+fn cells(problem: &Problem, request: &Request) -> Vec<f64> {
+    let fits = |cells: f64| 4 * reach::nodes_for(problem, problem.attraction.range, cells) <= request.most_nodes;
+    if problem.attraction.law == Law::Exponential && !fits(CELLS[0]) { vec![0.25 * CELLS[0]] } else { CELLS.to_vec() }
+}
+
 /// The state next to a given one: another load, speed, range or material, the same profile. This is the way to go along a curve, to
 /// stay on one of several branches, and to load and unload.
 ///
@@ -156,19 +169,23 @@ pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Resul
         let (old_gap, new_gap) = (before.mean_gap(), state.mean_gap());
         return Err(lost(format!("it jumps from mean gap {old_gap:.5} to {new_gap:.5}: take a shorter step, or the branch ends here")));
     }
-    let reached = Reached { equations, state, report, products: report.products, path: reach::Path::Range };
+    let work = report.products * equations.len();
+    let reached = Reached { equations, state, report, products: report.products, work, path: reach::Path::Range };
     refine(problem, request, reached, ReachedBy::Continuation)
 }
 
 /// Doubles the grid until the last three grids agree.
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
-    let Reached { mut equations, mut state, mut report, mut products, .. } = reached;
-    let place = Place { range: problem.attraction.range, stiffening: 1.0 };
+    let Reached { mut equations, mut state, mut report, mut products, mut work, .. } = reached;
+    let mut before: Option<Fields> = None;
+    let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
     loop {
         let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
-        products += std::mem::take(&mut equations.products);
+        let here = std::mem::take(&mut equations.products);
+        products += here;
+        work += here * equations.len();
         history.push(numbers.list());
         let nx = equations.grid.nx();
         let mut errors = three_grids(&history, problem.attraction.wall().is_some(), report.mean_residual);
@@ -189,6 +206,9 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             numbers,
             errors: Numbers::from_list(errors),
             patches: solution::patches(&fields),
+            patches_error: before.as_ref().map_or(0, |before| solution::patches(before).abs_diff(solution::patches(&fields))),
+            field_errors: solution::field_errors(before.as_ref(), &fields),
+            node_products: work,
             certificate,
             fields,
             reached_by,
@@ -215,12 +235,17 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
                 report = found;
                 equations = finer;
                 state = next;
+                before = Some(fields);
             }
             Ok(_) => {
                 return Err(Refusal::NotConverged {
                     what: "the refinement of the grid",
                     detail: format!("the state on {nx} nodes is not the one on {}: the grid was too coarse for this range", 2 * nx),
                 });
+            }
+            // What three grids agree on is an answer with its error, if not the wanted one.
+            Err(_) if history.len() >= 3 && nx >= request.least_nodes => {
+                return Ok(finish(false, fields, products));
             }
             Err(stalled) => {
                 return Err(Refusal::NotConverged {
@@ -247,7 +272,7 @@ fn share(errors: &mut [f64; 7], control: Control, stress: f64, half_height: f64)
 
 /// The larger of the last two differences of each number, plus ten residuals. Where edges lie between nodes, two differences may be
 /// small by chance: then the earlier ones count too, with the decay N^−1.5 that such errors have.
-fn three_grids(history: &[[f64; 7]], has_edges: bool, residual: f64) -> [f64; 7] {
+pub(super) fn three_grids(history: &[[f64; 7]], has_edges: bool, residual: f64) -> [f64; 7] {
     if history.len() < 3 {
         return [f64::INFINITY; 7];
     }

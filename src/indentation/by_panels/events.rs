@@ -28,6 +28,8 @@ const CLEAR: f64 = 0.02;
 const MERGED_EVERY: u64 = 8;
 /// Marks of turns and corners that are kept: those of the last four turns suffice (same results as with all).
 const WEAK_MARKS: usize = 8;
+/// The same of jumps, of which a surface that is touched again and again has two each time.
+const STRONG_MARKS: usize = 32;
 
 /// A place where the state of the line has a kink, or jumps.
 #[derive(Debug, Clone, Copy)]
@@ -155,11 +157,16 @@ impl March<'_> {
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
         self.record_rest(time);
         self.line.waited(time);
+        if let Some(state) = &mut self.state {
+            let faded = |rate: f64| (-time * rate).exp();
+            state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
+        }
         self.next_stretch()
     }
 
     /// The next stretch of the history.
     pub(super) fn next_stretch(&mut self) -> Option<End> {
+        self.ends_at_once(true);
         if self.upcoming == self.problem.drive.stretches.len() {
             return Some(End::History);
         }
@@ -181,6 +188,8 @@ impl March<'_> {
         let value = if before == stretch.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
+        } else if self.upcoming == 0 && self.problem.drive.start.0 == stretch.control {
+            self.problem.drive.start.1
         } else {
             let radius = self.line.edge;
             stretch.control.map_or(now.depth, |control| {
@@ -192,12 +201,11 @@ impl March<'_> {
             })
         };
         self.upcoming += 1;
+        if stretch.is_sudden() {
+            return self.begins_at_once(stretch, value, now);
+        }
         self.branch = stretch.branch(time, value, now.memory.clone());
         self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
-        if stretch.control.is_none() && self.branch.is_sudden() {
-            let way = self.branch.level - now.depth;
-            self.branch.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * way);
-        }
     }
 
     /// Joins old segments where nothing is lost by it.
@@ -208,11 +216,12 @@ impl March<'_> {
         self.line.merge(&problem.chain, false, CLEAR * zone, error);
     }
 
-    /// Marks the place of the edge; of the weak ones the last few.
+    /// Marks the place of the edge; of each kind the last few.
     pub(super) fn mark(&mut self, jump: bool) {
         self.marks.push(Mark { place: 0.0, jump });
-        let weak = self.marks.iter().filter(|mark| !mark.jump).count();
-        if let Some(oldest) = self.marks.iter().position(|mark| !mark.jump).filter(|_| weak > WEAK_MARKS) {
+        let alike = self.marks.iter().filter(|mark| mark.jump == jump).count();
+        let most = if jump { STRONG_MARKS } else { WEAK_MARKS };
+        if let Some(oldest) = self.marks.iter().position(|mark| mark.jump == jump).filter(|_| alike > most) {
             self.marks.remove(oldest);
         }
     }

@@ -15,7 +15,8 @@
 //! | `march`, `record`, `force`, `start` | the history |
 //! | `followed` | force and frame: the penetration as a second unknown |
 //! | `prescribed` | a given radius: the penetration as the only unknown |
-//! | `flight` | after the contact |
+//! | `at_once` | sudden steps |
+//! | `flight` | after the contact, until the surfaces touch again |
 //! | `energies`, `surface` | what is stored and lost; pressure and displacement |
 //! | `problem`, `setup`, `solve` | what is asked and given |
 //! | `solution` | a history with bounds, from two paths |
@@ -40,6 +41,7 @@
 //! Not yet: bounds that cover in hundreds of scenes; turns of a force or frame at tolerances below 1e-6, of which some are refused; surfaces that touch again, rims, edge
 //! laws, checkpoints; many hundreds of cycles.
 
+mod at_once;
 mod chain;
 mod check;
 mod closure;

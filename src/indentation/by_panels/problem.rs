@@ -67,7 +67,7 @@ pub enum End {
     Floor,
     /// Panels do not converge.
     Failed,
-    /// The surfaces touch again after they have let go of each other.
+    /// The surfaces touch again, but away from the axis, under a given radius, or where no contact wider than a process zone is in equilibrium.
     TouchesAgain,
 }
 

@@ -21,6 +21,9 @@ pub(super) const LOOSEST: f64 = 3e-4;
 /// Each tolerance over the one before, and the last.
 pub(super) const TIGHTER: f64 = 0.1;
 pub(super) const TIGHTEST: f64 = 1e-8;
+/// Why a path that touches again may not go on.
+const TOUCHES_AGAIN: &str =
+    "the surfaces touch again away from the axis, under a given radius, or with no contact wider than a process zone";
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
 
@@ -92,7 +95,7 @@ fn compared_paths(
     for options in [given, finest, loosest] {
         let outcome = marched(material, problem, options, (instants, false))?;
         if outcome.end == End::TouchesAgain {
-            return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: "the surfaces touch again".into() });
+            return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: TOUCHES_AGAIN.into() });
         }
         work.add(&work_of(&outcome));
         ends.push((outcome.events.iter().map(|event| event.kind).collect::<Vec<_>>(), outcome.end));

@@ -3,6 +3,7 @@
 mod answer;
 mod columns;
 mod cost;
+mod curve;
 mod cycle_figures;
 mod cycles;
 mod describe;
@@ -10,6 +11,7 @@ mod fields;
 mod figures;
 mod finite;
 mod march;
+mod rates;
 mod rows;
 mod scale;
 mod scan;
@@ -24,12 +26,13 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
+use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
 pub(super) use finite::FiniteRangePlan;
 use scale::Scale;
-use timeline::Timeline;
+use timeline::{RateStart, Timeline};
 
 /// An indenter in time, ready to be solved.
 #[derive(Debug, Clone)]
@@ -48,6 +51,8 @@ pub(super) struct IndentationPlan {
     /// Whether a sweep follows.
     swept: bool,
     timeline: Timeline,
+    /// Where segments at a rate start, as far as they were found.
+    rate_starts: Vec<RateStart>,
     /// The history at values all over the sweep of a frequency; none if no frequency is swept.
     examples: Vec<Timeline>,
     profile: Profile,
@@ -67,7 +72,7 @@ impl IndentationPlan {
             liquid_is_possible(indentation, adhesion.process_zone)?;
         }
         let scale = Scale::new(scene.units);
-        let timeline = Timeline::new(indentation, &scale)?;
+        let timeline = Timeline::new(indentation, &scale, &[])?;
         let mut plan = Self {
             indentation: indentation.clone(),
             relaxed: material.relaxed_modulus(),
@@ -79,6 +84,7 @@ impl IndentationPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
             timeline,
+            rate_starts: Vec::new(),
             examples: examples(scene, indentation, &scale),
             profile: march::profile(indentation)?,
             without_steps: false,
@@ -134,7 +140,7 @@ fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Time
             let mut changed = indentation.clone();
             let HistorySegment::Oscillation(oscillation) = changed.history.segments.get_mut(index)? else { return None };
             oscillation.frequency = *values.get(example * last / count.saturating_sub(1).max(1))?;
-            Timeline::new(&changed, scale).ok()
+            Timeline::new(&changed, scale, &[]).ok()
         })
         .collect()
 }
@@ -226,7 +232,17 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let mut rows = self.rows(state, swept, desk);
+        let mut rows = match self.with_rates() {
+            Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
+            Ok(None) => self.rows(state, swept, desk),
+            Err(refusal) => vec![self.refused(state, swept, &refusal)],
+        };
+        let of_rates = self.rate_starts.iter().map(|start| start.error).sum::<f64>();
+        if of_rates > 0.0 {
+            // A rate that is off by a part moves what follows by at most that part.
+            let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten());
+            values.for_each(|estimate| estimate.error += of_rates * estimate.value.abs());
+        }
         if self.flow.is_some() && !self.without_steps {
             let values = rows
                 .iter_mut()
@@ -242,6 +258,10 @@ impl ProblemPlan for IndentationPlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        Some(self.way(tolerance))
     }
 
     fn answer(&self, _: &[Row]) -> Option<Answer> {

@@ -45,11 +45,14 @@ impl IndentationPlan {
             let rows = self.rows_of(&solution, state, swept)?;
             Ok(rows)
         });
-        solved.unwrap_or_else(|refusal| {
-            let mut row = self.row(state, swept, [SUMMARY, ""]);
-            row.refuse(&refusal);
-            vec![row]
-        })
+        solved.unwrap_or_else(|refusal| vec![self.refused(state, swept, &refusal)])
+    }
+
+    /// The row of a state that is refused.
+    pub(super) fn refused(&self, state: usize, swept: &[f64], refusal: &Refusal) -> Row {
+        let mut row = self.row(state, swept, [SUMMARY, ""]);
+        row.refuse(refusal);
+        row
     }
 
     fn row(&self, state: usize, swept: &[f64], labels: [&str; 2]) -> Row {

@@ -78,6 +78,12 @@ impl SlidingPlan {
                     .to_owned(),
             );
         }
+        if matches!(self.sliding.adhesion.map(|adhesion| adhesion.process_zone), Some(SlidingZone::Cohesive { grows: true, .. })) {
+            sentences.push(
+                "process zones grow with their edges: αa₀G/Δγ where the contact opens, αa₀Δγ/G where it closes, G of one edge at that speed; where one is longer than a tenth of the contact, a law of attraction (adhesion.law) has no such limit"
+                    .to_owned(),
+            );
+        }
         for (columns, sentence) in [
             (
                 SlidingColumns::FrictionParts,
@@ -179,6 +185,10 @@ impl SlidingPlan {
                 SlidingZone::Lengths { trailing, leading } if trailing.to_bits() != leading.to_bits() => {
                     groups.push(group("trailing process zone", trailing, length_unit));
                     groups.push(group("leading process zone", leading, length_unit));
+                }
+                SlidingZone::Cohesive { grows: true, .. } => {
+                    groups.push(group("trailing process zone, grown", adhesion.trailing_zone * self.scale.length, length_unit));
+                    groups.push(group("leading process zone, grown", adhesion.leading_zone * self.scale.length, length_unit));
                 }
                 _ => groups.push(group("process zone δ", adhesion.trailing_zone * self.scale.length, length_unit)),
             }

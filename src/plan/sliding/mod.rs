@@ -12,6 +12,7 @@ mod extra_figures;
 mod extras;
 mod fields;
 mod figures;
+mod growing;
 mod liquid;
 mod scale;
 mod solve;
@@ -115,11 +116,12 @@ impl SlidingPlan {
         let [trailing_work, leading_work] = adhesion.works.map(|work| work / self.scale.work_of_adhesion);
         let (trailing_zone, leading_zone) = match adhesion.process_zone {
             SlidingZone::Lengths { trailing, leading } => (trailing / self.scale.length, leading / self.scale.length),
-            SlidingZone::Cohesive { cohesive_stress, factor } => {
+            SlidingZone::Cohesive { cohesive_stress, factor, grows } => {
                 // αa₀, a₀ = E0*Δγ/(πσ_c²).
                 let stress = cohesive_stress / self.scale.pressure;
-                let zone = |work: f64| 4.0 * factor * work / (stress * stress);
-                (zone(trailing_work), zone(leading_work))
+                let zones = [trailing_work, leading_work].map(|work| 4.0 * factor * work / (stress * stress));
+                let [trailing, leading] = if grows { growing::grown(&self.material, self.rate(self.sliding.speed), zones) } else { zones };
+                (trailing, leading)
             }
         };
         Some(WaveAdhesion { trailing_work, leading_work, trailing_zone, leading_zone })
@@ -214,7 +216,7 @@ impl ProblemPlan for SlidingPlan {
         // Without adhesion nothing is sharper than the root of the distance to an edge.
         let zone = match self.sliding.adhesion.map(|adhesion| (adhesion.process_zone, adhesion.works)) {
             Some((SlidingZone::Lengths { trailing, leading }, _)) => trailing.min(leading),
-            Some((SlidingZone::Cohesive { cohesive_stress, factor }, works)) => {
+            Some((SlidingZone::Cohesive { cohesive_stress, factor, .. }, works)) => {
                 let work = works[0].min(works[1]);
                 factor * self.material.relaxed_modulus() * work / (std::f64::consts::PI * cohesive_stress * cohesive_stress)
             }

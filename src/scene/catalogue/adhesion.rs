@@ -164,8 +164,22 @@ pub(super) const KEYS: &[Key] = &[
                 word: "constant",
                 meaning: "δ = αa₀, its value at G = Δγ (5.42), a₀ = E0*Δγ/(πσ_c²); what sliding contacts and indenters have by default",
             },
+            Word {
+                word: "dugdale",
+                meaning: "sliding contacts, with peak_stress: a constant tension; δ = αa₀G/Δγ where the contact opens, αa₀Δγ/G where it closes, α = π²/6",
+            },
+            Word { word: "exponential", meaning: "the same of a tension that falls exponentially with the gap, α = 6.497" },
             Word { word: "schapery", meaning: "closing cracks only: the length of Schapery's cohesive zone (5.43)" },
         ]),
         meaning: "How the length follows from the cohesive stress.",
+    },
+    Key {
+        path: "adhesion.process_zone.peak_stress",
+        kind: Kind::Number {
+            dimension: Dimension::PRESSURE,
+            range: Range::Positive,
+            reduced: "E0*kΛ/2 of a sliding wave, E0*L/2R of a cylinder",
+        },
+        meaning: "Sliding: the largest tension of the law \"dugdale\" or \"exponential\", whose zone grows with its edge.",
     },
 ];

@@ -16,6 +16,6 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "fields.points",
         kind: Kind::Count { least: 2, most: 100_000 },
-        meaning: "How many: distances from the tip, in equal ratios; or places along the sliding surface, dense at the edges. Default 200.",
+        meaning: "How many: distances from the tip, in equal ratios; or places along the sliding surface, dense at the edges; of a surface along each direction. Default 200, of a surface 128.",
     },
 ];

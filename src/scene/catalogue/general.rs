@@ -16,7 +16,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "accuracy",
         kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::AboveUpTo(0.0, 0.1), reduced: "1" },
-        meaning: "Wanted bound on each value's error, relative to the larger of the value and its reference scale; default 1e-9 for a steady crack, 1e-3 for a crack under a history, 1e-6 for a sliding contact.",
+        meaning: "Wanted bound on each value's error, relative to the larger of the value and its reference scale; default 1e-9 for a steady crack, 1e-3 for a crack under a history, 1e-6 for a sliding contact with edges, 1e-4 for a profile and 1e-2 for a surface with a law of attraction.",
     },
     Key {
         path: "plots",

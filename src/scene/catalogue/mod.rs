@@ -6,11 +6,13 @@
 mod adhesion;
 mod crack;
 mod fields;
+mod fit;
 mod general;
 mod history;
 mod indentation;
 mod material;
 mod sliding;
+mod surface;
 
 use super::units::Dimension;
 
@@ -54,6 +56,8 @@ pub enum Kind {
     Choices(&'static [Word]),
     /// A free text.
     Text,
+    /// A text or a list of texts.
+    Texts,
     /// true or false.
     Flag,
     /// A table.
@@ -115,9 +119,20 @@ impl Range {
 
 /// Every key, in the order of the documentation.
 pub fn keys() -> impl Iterator<Item = &'static Key> {
-    [general::KEYS, material::KEYS, adhesion::KEYS, crack::KEYS, indentation::KEYS, history::KEYS, sliding::KEYS, fields::KEYS]
-        .into_iter()
-        .flatten()
+    [
+        general::KEYS,
+        material::KEYS,
+        adhesion::KEYS,
+        crack::KEYS,
+        indentation::KEYS,
+        history::KEYS,
+        sliding::KEYS,
+        surface::KEYS,
+        fields::KEYS,
+        fit::KEYS,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The key at a path, `[]` for list items.

@@ -103,6 +103,10 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Choice(&[
             Word { word: "loading", meaning: "raised from nothing at this speed: the narrowest stable contact; the default" },
             Word { word: "unloading", meaning: "lowered from the widest partial contact: the widest stable contact" },
+            Word {
+                word: "long_range",
+                meaning: "with a law of attraction: from a long range of the law at the same load; the default there",
+            },
         ]),
         meaning: "How the mean pressure, load or penetration was reached: which contact is meant where several are stable. The column `other_contacts` says how many others there are.",
     },

@@ -95,6 +95,10 @@ pub(super) fn adhesion(
     let law = match zone.text("law") {
         Some("constant") => CohesiveLaw::Constant,
         Some("schapery") => CohesiveLaw::Schapery,
+        Some(law @ ("dugdale" | "exponential")) => {
+            let message = format!("`{}` = {law:?} is a law of sliding contacts", zone.full("law"));
+            return Err(zone.wrong("law", message, "must be \"growing\", \"constant\" or \"schapery\""));
+        }
         _ => CohesiveLaw::Growing,
     };
     let given = if reduced {

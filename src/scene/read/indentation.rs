@@ -53,7 +53,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     }
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
-    rates_know_their_start(top, &history, at_start.0)?;
+    means_are_known(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
     if let (None, Some(index)) =
         (frame_stiffness, history.segments.iter().position(|segment| segment.quantity() == Some(HistoryQuantity::Frame)))
@@ -148,21 +148,10 @@ fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, histor
     Ok((quantity, table.required_number(key)?))
 }
 
-/// A rate makes a duration only where the value it starts from is known, and an oscillation without `to` needs its mean.
-fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
+/// An oscillation without `to` needs its mean.
+fn means_are_known(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
     let mut controlled = first;
     for (segment, item) in history.segments.iter().zip(top.items("history")) {
-        if let HistorySegment::Ramp { quantity, pace: Pace::Rate(_), .. } = segment
-            && *quantity != controlled
-        {
-            let message = format!(
-                "`{}`: before this segment `{}` is controlled, and where `{}` then stands is only known when the history is solved",
-                item.full("rate"),
-                controlled.word(),
-                quantity.word()
-            );
-            return Err(SceneError::at(&item.key_place("rate"), message, "give `duration` instead"));
-        }
         if let HistorySegment::Oscillation(HistoryOscillation { quantity, to: None, .. }) = segment
             && *quantity != controlled
         {

@@ -1,4 +1,4 @@
-//! Files that the history, the indenter and the law of attraction of a scene name, read with it.
+//! Files that the history, the indenter, the law of attraction and the sliding surface of a scene name, read with it.
 
 use crate::scene::diagnostic::{Place, SceneError};
 use crate::scene::document::{Document, Node, Value};
@@ -9,7 +9,7 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
         Some(Value::List(items)) => items.iter().filter_map(|item| file_of("history.table", item.get("table")?)).collect(),
         _ => Vec::new(),
     };
-    for key in ["indentation.profile", "adhesion.table"] {
+    for key in ["indentation.profile", "adhesion.table", "sliding.profile.file", "sliding.surface.file"] {
         named.extend(document.root.at(key).and_then(|node| file_of(key, node)));
     }
     named.into_iter().try_for_each(|(key, name, place)| document.attach_table(key, &name, &place))

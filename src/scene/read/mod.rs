@@ -7,6 +7,8 @@ mod counter_body;
 mod crack;
 mod crack_history;
 pub mod decks;
+mod fit;
+mod fit_data;
 mod force_curve_header;
 pub mod history;
 mod include;
@@ -36,6 +38,8 @@ mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
+mod surface;
+mod surface_points;
 mod table_columns;
 mod works;
 
@@ -55,6 +59,8 @@ const DEFAULT_FACTOR: f64 = std::f64::consts::FRAC_1_PI;
 /// Wanted accuracy of a crack under a history, and of an indentation, where a scene names none.
 const DELAYED_ACCURACY: f64 = 1e-4;
 const INDENTATION_ACCURACY: f64 = 1e-3;
+/// The same of a line and of a surface that act at a distance.
+const SURFACE_ACCURACY: [f64; 2] = [1e-4, 1e-2];
 /// Points of a field where a scene names no number.
 const DEFAULT_FIELD_POINTS: f64 = 200.0;
 
@@ -86,6 +92,10 @@ const MOST_TRIES: usize = 1000;
 /// The first thing that is wrong, at the first values.
 pub fn read(document: &Document) -> Result<Scene, SceneError> {
     check(&document.root)?;
+    if let Some(fit) = document.root.get("fit") {
+        let message = "the scene has a table [fit], which only `viscotack fit` carries out";
+        return Err(SceneError::at(&fit.place, message, "this table").help("type: viscotack fit SCENE --out DIR"));
+    }
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
     let state = |number: usize| {
@@ -126,13 +136,19 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),
         _ => {
             top.without(&["history"], "a crack or a sphere")?;
-            Problem::Sliding(sliding::read(&top, &material)?)
+            if surface::is_meant(&top) {
+                Problem::Surface(surface::read(document, &top, &material)?)
+            } else {
+                Problem::Sliding(sliding::read(&top, &material)?)
+            }
         }
     };
     // Wanted accuracy where a scene names none.
     let default_accuracy = match &problem {
         Problem::SteadyCrack(_) => 1e-9,
         Problem::Sliding(_) => 1e-6,
+        Problem::Surface(sliding) if sliding.surface.profile.is_line() => SURFACE_ACCURACY[0],
+        Problem::Surface(_) => SURFACE_ACCURACY[1],
         Problem::DelayedFracture(_) => DELAYED_ACCURACY,
         Problem::Indentation(_) => INDENTATION_ACCURACY,
     };
@@ -140,6 +156,7 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         Problem::SteadyCrack(_) => "a steady crack",
         Problem::DelayedFracture(_) => "a crack under a history",
         Problem::Sliding(_) => "a sliding contact",
+        Problem::Surface(_) => "a sliding surface",
         Problem::Indentation(_) => "an indentation",
     };
     let scene = Scene {
@@ -171,6 +188,8 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
     Ok(material)
 }
+
+pub use fit::read_fit;
 
 /// Whether a file is delimited text whose header names a modulus or a compliance with a known name.
 #[must_use]

@@ -9,7 +9,12 @@ use crate::scene::typed::{
     SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
 };
 use crate::sliding::steady::ReachedBy;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
+
+/// α = 2∫ tension · gap dx/(Δγ a₀) over the fast zone of a constant tension, and of an exponential one (four digits, measured by
+/// `finite_range`; `docs/src/guides/surfaces.md`).
+const ALPHA_OF_DUGDALE: f64 = PI * PI / 6.0;
+const ALPHA_OF_EXPONENTIAL: f64 = 6.497;
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Sliding, SceneError> {
     let sliding = top.required_table("sliding", "it is the problem")?;
@@ -169,12 +174,13 @@ fn process_zone(top: &Section<'_>) -> Result<SlidingZone, SceneError> {
     let per_edge = ["trailing_length", "leading_length"].into_iter().find(|key| zone.node().get(key).is_some());
     let way = match per_edge {
         Some(key) => {
-            zone.exactly_one(&["length", "cohesive_stress", key])?;
+            zone.exactly_one(&["length", "cohesive_stress", "peak_stress", key])?;
             key
         }
-        None => zone.exactly_one(&["length", "cohesive_stress"])?,
+        None => zone.exactly_one(&["length", "cohesive_stress", "peak_stress"])?,
     };
     let process_zone = match way {
+        "peak_stress" => grown_zone(&zone)?,
         "cohesive_stress" => {
             if let Some(law) = zone.text("law")
                 && law != "constant"
@@ -186,6 +192,7 @@ fn process_zone(top: &Section<'_>) -> Result<SlidingZone, SceneError> {
             SlidingZone::Cohesive {
                 cohesive_stress: zone.required_number("cohesive_stress")?,
                 factor: zone.number("factor")?.unwrap_or(DEFAULT_FACTOR),
+                grows: false,
             }
         }
         way => {
@@ -195,6 +202,23 @@ fn process_zone(top: &Section<'_>) -> Result<SlidingZone, SceneError> {
         }
     };
     Ok(process_zone)
+}
+
+/// A zone that grows with its edge: α follows from the law.
+fn grown_zone(zone: &Section<'_>) -> Result<SlidingZone, SceneError> {
+    if zone.node().get("factor").is_some() {
+        let message = format!("`{}` follows from the law where `{}` is given", zone.full("factor"), zone.full("peak_stress"));
+        return Err(zone.wrong("factor", message, "leave it out"));
+    }
+    let factor = match zone.required_text("law")? {
+        "dugdale" => ALPHA_OF_DUGDALE,
+        "exponential" => ALPHA_OF_EXPONENTIAL,
+        law => {
+            let message = format!("`{}` = {law:?} has no largest tension: the zone grows by the law of its tension", zone.full("law"));
+            return Err(zone.wrong("law", message, "must be \"dugdale\" or \"exponential\""));
+        }
+    };
+    Ok(SlidingZone::Cohesive { cohesive_stress: zone.required_number("peak_stress")?, factor, grows: true })
 }
 
 /// The columns asked for besides, in the order of the catalogue.

@@ -146,6 +146,12 @@ pub(super) fn fits(
     within(&table, branch.parameter, (indenter, adhesion, work), range)?;
     if branch.parameter == BranchParameter::Speed {
         range.into_iter().try_for_each(|speed| works.covers(speed))?;
+        if let SlidingZone::Cohesive { grows: true, .. } = adhesion.process_zone {
+            let message = "`sliding.branch.parameter` = \"speed\" holds the process zones, but adhesion.process_zone grows with the speed";
+            return Err(table
+                .wrong("parameter", message, "needs a process zone by length or by cohesive_stress")
+                .help("or sweep sliding.speed"));
+        }
         if works.law.is_some() && matches!(adhesion.process_zone, SlidingZone::Cohesive { .. }) {
             let message = "`sliding.branch.parameter` = \"speed\" holds the process zones, but adhesion.process_zone follows from a cohesive stress and, with it, from a work of adhesion that changes with speed";
             return Err(table.wrong("parameter", message, "needs a process zone by length").help("or sweep sliding.speed"));

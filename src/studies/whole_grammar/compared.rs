@@ -173,7 +173,9 @@ fn fields(judged: &mut Judged, name: &str, (found, truth): (&Row, &Row), outcome
             });
             // The truth at the place of the found one, between the slopes on both sides.
             let [one_side, other_side] = [slopes[0].or(slopes[1]).unwrap_or(0.0), slopes[1].or(slopes[0]).unwrap_or(0.0)];
-            let (slope, unknown) = (0.5 * (one_side + other_side), (one_side - other_side).abs());
+            // At the first and the last place one side alone says little: as much again, and a power of the place.
+            let at_an_end = if slopes.iter().all(Option::is_some) { 0.0 } else { one_side.abs() + (exact.value / other.place).abs() };
+            let (slope, unknown) = (0.5 * (one_side + other_side), (one_side - other_side).abs() + at_an_end);
             let (carried, unknown) = if moved == 0.0 { (0.0, 0.0) } else { (slope * moved, unknown * moved.abs()) };
             let truth = Estimate::new(exact.value + carried, exact.error + unknown);
             let row = format!("{name} at {:e}", one.place);

@@ -2,7 +2,7 @@
 
 use super::super::draw::Draw;
 use super::text::{Text, quoted};
-use super::{crack, delayed, indentation, sliding};
+use super::{crack, delayed, indentation, sliding, surface};
 use crate::outcome::Outcome;
 use crate::plan;
 use crate::scene::diagnostic::SourceText;
@@ -18,13 +18,15 @@ pub enum Problem {
     DelayedFracture,
     /// A sliding wave or cylinder.
     Sliding,
+    /// A sliding surface that acts at a distance.
+    Surface,
     /// An indenter.
     Indentation,
 }
 
 impl Problem {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::SteadyCrack, Self::DelayedFracture, Self::Sliding, Self::Indentation];
+    pub const ALL: [Self; 5] = [Self::SteadyCrack, Self::DelayedFracture, Self::Sliding, Self::Surface, Self::Indentation];
 
     /// Its name in tables.
     #[must_use]
@@ -33,6 +35,7 @@ impl Problem {
             Self::SteadyCrack => "steady crack",
             Self::DelayedFracture => "crack under a history",
             Self::Sliding => "sliding",
+            Self::Surface => "sliding surface",
             Self::Indentation => "indentation",
         }
     }
@@ -43,6 +46,7 @@ impl Problem {
             Self::DelayedFracture => 0x12,
             Self::Sliding => 0x13,
             Self::Indentation => 0x14,
+            Self::Surface => 0x15,
         }
     }
 
@@ -53,6 +57,7 @@ impl Problem {
             Self::DelayedFracture => ([1e-2, 1e-3, 1e-4, 3e-4], 1e-6),
             Self::Sliding => ([1e-3, 1e-6, 1e-8, 1e-10], 1e-13),
             Self::Indentation => ([1e-2, 1e-3, 1e-4, 1e-5], 1e-8),
+            Self::Surface => ([3e-2, 1e-2, 5e-3, 2e-3], 2e-4),
         }
     }
 }
@@ -84,6 +89,7 @@ pub fn drawn(seed: u64, problem: Problem, scene: u64, units: u64) -> Drawn {
         Problem::SteadyCrack => crack::write(&mut text),
         Problem::DelayedFracture => delayed::write(&mut text),
         Problem::Sliding => sliding::write(&mut text),
+        Problem::Surface => surface::write(&mut text),
         Problem::Indentation => indentation::write(&mut text),
     }
     if text.reduced {

@@ -77,10 +77,23 @@ fn adhesion(text: &mut Text, scale: &Scale, speed: f64) -> (f64, f64, bool, bool
             // δ = αE0*Δγ/(πσ_c²): in reduced units of both.
             let factor = text.draw.between(0.2, 1.0);
             let stress = (factor * 4.0 * work / zones[0]).sqrt();
-            text.put_number("adhesion.process_zone.cohesive_stress", stress, scale.pressure, PRESSURE);
-            text.put_number("adhesion.process_zone.factor", factor, 1.0, NUMBER);
-            if text.chance(0.3) {
-                text.put("adhesion.process_zone.law", quoted("constant"));
+            // The law by the length of the other zone, which has no use here.
+            let law = if zones[1] < 5e-4 {
+                "dugdale"
+            } else if zones[1] < 2e-3 {
+                "exponential"
+            } else {
+                "constant"
+            };
+            let named = text.chance(0.3);
+            if named && law != "constant" {
+                text.put_number("adhesion.process_zone.peak_stress", 3.0 * stress, scale.pressure, PRESSURE);
+            } else {
+                text.put_number("adhesion.process_zone.cohesive_stress", stress, scale.pressure, PRESSURE);
+                text.put_number("adhesion.process_zone.factor", factor, 1.0, NUMBER);
+            }
+            if named {
+                text.put("adhesion.process_zone.law", quoted(law));
             }
             true
         }

@@ -62,7 +62,13 @@ impl FiniteRangePlan {
         let material = plane_material(scene, indentation.counter_body.and_then(|body| body.elastic))?;
         material.solid_modulus("a contact with attraction of finite range")?;
         let scale = Scale::new(scene.units);
-        let timeline = Timeline::new(indentation, &scale)?;
+        let timeline = Timeline::new(indentation, &scale, &[])?;
+        if !timeline.open_rates.is_empty() {
+            return Err(Refusal::Undefined {
+                quantity: "a segment at a rate after another quantity was controlled",
+                reason: "with a law of attraction its start is not computed: give its `duration` in place of `rate`".into(),
+            });
+        }
         let mut wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
         if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + 1e-9)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));
