@@ -13,6 +13,7 @@ pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod event_lists;
+pub mod finite_spheres;
 pub mod fit_coverage;
 pub mod fits;
 pub mod hard_cases;
