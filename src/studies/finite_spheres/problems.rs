@@ -5,8 +5,8 @@ use crate::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion,
 use crate::refusal::Refusal;
 use crate::studies::draw::Draw;
 
-/// Tolerances: both runs that give bounds, and the one that they are compared with.
-const TOLERANCES: [f64; 3] = [1e-4, 1e-5, 1e-6];
+/// Tolerance of the first of both runs that give bounds; the second, and the one that they are compared with, are tightened from it as a scene does.
+const TOLERANCE: f64 = 1e-4;
 /// Attempted steps of the first run; the others may take more.
 pub const MOST_STEPS: usize = 1500;
 const MORE: [usize; 3] = [1, 4, 12];
@@ -78,10 +78,14 @@ pub fn problem(seed: u64, number: u64) -> Problem {
 #[must_use]
 pub fn compared(seed: u64, number: u64) -> Compared {
     let problem = problem(seed, number);
-    let mut mesher = Mesher::new(Accuracy::new(TOLERANCES[0]).order);
+    let mut mesher = Mesher::new(Accuracy::new(TOLERANCE).order);
     let mut runs: Vec<Run> = Vec::new();
-    for (tolerance, more) in TOLERANCES.into_iter().zip(MORE) {
-        let accuracy = Accuracy { budget: more * MOST_STEPS, ..Accuracy::new(tolerance) };
+    let mut accuracy = Accuracy::new(TOLERANCE);
+    for (index, more) in MORE.into_iter().enumerate() {
+        if index > 0 {
+            accuracy = accuracy.tightened();
+        }
+        accuracy.budget = more * MOST_STEPS;
         match run(&problem, accuracy, &mut mesher) {
             Ok(run) => runs.push(run),
             Err(Refusal::NotConverged { what: "the integration in time", .. }) => {
