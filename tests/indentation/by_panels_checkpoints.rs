@@ -65,7 +65,7 @@ fn problem(history: History) -> IndentationProblem {
 fn cases() -> Vec<(&'static str, IndentationProblem)> {
     let approach = problem(History::penetration(0.0).ramp(0.03, 1.0).hold(0.5).ramp(-0.2, 2.0));
     let steps = problem(History::force(0.0).ramp(0.02, 1.0).step(0.01).ramp(0.03, 1.0).step(0.02).step(0.025).hold(0.1));
-    let frame = IndentationProblem { frame_stiffness: Some(0.7), ..problem(History::frame(0.0).ramp(0.05, 1.0).ramp(-0.2, 3.0)) };
+    let frame = IndentationProblem { frame_stiffness: Some(0.7), ..problem(History::frame(0.0).ramp(0.05, 1.0).hold(0.2)) };
     let again = problem(History::penetration(0.0).ramp(0.01, 0.5).ramp(-0.15, 0.5).ramp(0.02, 1.0));
     let cycles = problem(History::penetration(0.0).ramp(0.03, 1.0).oscillate(Oscillation::steady(0.004, 2.0), 3.0));
     let tapping = problem(History::penetration(0.0).oscillate(Oscillation::steady(0.1, 1.0), 2.0));

@@ -126,12 +126,15 @@ pub(super) fn marched(
     marched_from(material, problem, options, (instants, stops), (None, None))
 }
 
+/// Times of instants, and whether the surface at them is kept.
+type Instants<'a> = (&'a [f64], bool);
+
 /// The same from a checkpoint, observed.
 pub(super) fn marched_from(
     material: &Material,
     problem: &IndentationProblem,
     options: PanelOptions,
-    (instants, stops): ((&[f64], bool), &[(usize, f64)]),
+    (instants, stops): (Instants<'_>, &[(usize, f64)]),
     (from, observer): (Option<MarchState>, Option<PanelObserver<'_>>),
 ) -> Result<Outcome, Refusal> {
     let Begun { problem: own, edge, depth } = begun(material, problem, options, instants, stops)?;
