@@ -111,6 +111,8 @@ impl<'w> At<'w> {
     }
 }
 
+/// Fall of χ² that is worth a step.
+const LEAST: f64 = 1e-3;
 /// No step moves a logarithm by more: the linear picture ends long before.
 const FARTHEST: f64 = 2.0;
 
@@ -121,6 +123,11 @@ impl Descent for At<'_> {
 
     fn rest(&self) -> f64 {
         0.0
+    }
+
+    fn least_gain(&self) -> Option<f64> {
+        // A thousandth of a χ² moves no parameter by more than a thirtieth of its standard error.
+        Some(LEAST.max(1e-6 * squares(&self.residuals)))
     }
 
     fn jacobian(&self) -> Vec<Vec<f64>> {

@@ -111,7 +111,7 @@ impl Minimum<'_> {
             let trial = within(trial);
             let found = weighted.residuals(&trial);
             let reached = squares(&found);
-            if !(reached < misfit) {
+            if reached.is_nan() || reached >= misfit {
                 break;
             }
             let gained = misfit - reached;

@@ -130,10 +130,11 @@ fn starts(weighted: &Weighted<'_>) -> Result<Vec<Vec<f64>>, String> {
             chosen.push(start.clone());
         }
     }
-    if let Some((misfit, given)) = given.filter(|given| given.0.is_finite()) {
-        if misfit.is_finite() && !chosen.contains(&given) {
-            chosen.push(given);
-        }
+    if let Some((misfit, given)) = given
+        && misfit.is_finite()
+        && !chosen.contains(&given)
+    {
+        chosen.push(given);
     }
     Ok(chosen)
 }

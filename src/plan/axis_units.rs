@@ -73,7 +73,9 @@ impl WrittenUnits {
     /// The unit for numbers up to `largest` of an axis, with its size.
     fn choice(&self, axis: &Axis, largest: f64) -> Option<(String, f64)> {
         let base = axis.label.strip_suffix(')')?.rsplit_once('(')?.1;
-        let plain = parse_quantity(&format!("1 {base}")).ok().filter(|plain| plain.value == 1.0 && largest > 0.0 && largest.is_finite())?;
+        let same = |size: f64, expected: f64| (size / expected - 1.0).abs() < 1e-12;
+        let plain =
+            parse_quantity(&format!("1 {base}")).ok().filter(|plain| same(plain.value, 1.0) && largest > 0.0 && largest.is_finite())?;
         let mut written: Vec<(String, f64)> = self
             .0
             .iter()
@@ -92,7 +94,7 @@ impl WrittenUnits {
         let prefixed = |(prefix, power): (&str, i32)| {
             let unit = format!("{prefix}{base}");
             let size = parse_quantity(&format!("1 {unit}")).ok()?.value;
-            let right = size == 10f64.powi(power) && (power < 0 || !small_only);
+            let right = same(size, 10f64.powi(power)) && (power < 0 || !small_only);
             (right && (1.0..1000.0).contains(&(largest / size))).then_some((unit, size))
         };
         PREFIXES.into_iter().find_map(prefixed)

@@ -36,7 +36,7 @@ fn a_rate_after_a_force_is_the_duration_that_it_makes() {
     let cases = [
         (format!("{HEAD}{STICKY}{framed}{press}"), "frame", -20e-6, 5e-6, "pull_off_force", "end_penetration"),
         (format!("{HEAD}{STICKY}{sphere}{press}"), "penetration", -10e-6, 2e-6, "pull_off_force", "end_penetration"),
-        (format!("{HEAD}{sphere}{press}"), "penetration", 2e-6, 2e-6, "end_force", "end_penetration"),
+        (format!("{HEAD}{sphere}{press}"), "penetration", 6e-6, 2e-6, "end_force", "end_penetration"),
         (format!("{HEAD}{STICKY}{relaxed}"), "penetration", -10e-6, 2e-6, "pull_off_force", "end_penetration"),
     ];
     for (head, quantity, to, rate, compared, depth) in cases {
@@ -54,6 +54,6 @@ fn a_rate_after_a_force_is_the_duration_that_it_makes() {
         assert!((one.0 - other.0).abs() <= one.1 + other.1 + of_the_start, "{quantity} {compared}: {one:?} {other:?}");
         // Another rate is another answer.
         let quick = of_state(&results(&format!("{head}[[history]]\n{quantity} = {to:e}\nrate = {:e}\n", 10.0 * rate)), compared);
-        assert!((quick.0 - one.0).abs() > 0.01 * one.0.abs(), "{quick:?} {one:?}");
+        assert!((quick.0 - one.0).abs() > 1e-3 * one.0.abs(), "{quick:?} {one:?}");
     }
 }

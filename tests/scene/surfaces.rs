@@ -192,11 +192,12 @@ fn a_loop_returns_and_a_branch_has_its_fold() {
     assert_eq!(looped.rows.len(), 10);
     agree(value(&looped, &looped.rows[0], "friction_stress"), value(&looped, &looped.rows[9], "friction_stress"), "the loop");
     assert_eq!((looped.rows[2].label(2), looped.rows[7].label(2)), ("loading", "unloading"));
-    // Recipe, section c: kv 1, r 0.05: least pressure −0.0745 at gap 1.10 (± 1e-4).
+    // Recipe, section c: kv 3, r 0.05: least pressure −0.0790 at gap 1.048 (± 1e-4).
+    let text = text.replace("speed = 1.0", "speed = 3.0");
     let branch = solved(&format!("{text}branch = {{ parameter = \"mean_pressure\", points = 40 }}\nwave = {{}}\n"));
     let fold = branch.rows.iter().find(|row| row.label(3) == "least_pressure").expect("a fold");
     let pressure = value(&branch, fold, "mean_pressure");
-    assert!((pressure.value + 0.0745).abs() < 1.5e-4 + pressure.error, "{pressure:?}");
+    assert!((pressure.value + 0.0790).abs() < 1.5e-4 + pressure.error, "{pressure:?}");
 }
 
 /// `process_zone = { law = "dugdale", … }` against the law: the error falls with the range as `../shared/law_to_zone.md` measured.

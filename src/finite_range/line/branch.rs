@@ -194,9 +194,11 @@ impl<'a> Tracer<'a> {
             last = Some((numbers, certificate, report.mean_residual));
         }
         let (numbers, certificate, residual) = last?;
+        let mut errors = super::steady::three_grids(&history, self.problem.attraction.wall().is_some(), residual);
+        errors[2] = errors[2].max((certificate.friction_by_profile - certificate.friction_by_surface).abs());
         Some(Refined {
             numbers,
-            errors: Numbers::from_list(super::steady::three_grids(&history, self.problem.attraction.wall().is_some(), residual)),
+            errors: Numbers::from_list(errors),
             patches: patches.1,
             patches_error: patches.0.abs_diff(patches.1),
             certificate,

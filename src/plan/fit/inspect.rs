@@ -3,10 +3,13 @@
 use super::carry_out::Fit;
 use super::compare::{Comparison, curve_of};
 use super::setup::{Role, Setup};
+use crate::fit::Parameter;
 use crate::scene::diagnostic::SceneError;
+use rayon::prelude::*;
 
-/// Correlation of data and model beyond which signs are opposite.
-const OPPOSITE: f64 = -0.6;
+/// Correlation of a model with the negative of the data beyond which it is like them, and by how much less any model must be like the data.
+const LIKE: f64 = 0.7;
+const LIKE_LESS: f64 = 0.2;
 /// How far data may reach beyond the history, as part of it.
 const BEYOND: f64 = 0.02;
 /// Ratio of data to model beyond which units differ.
@@ -52,17 +55,17 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
                 ),
             );
         }
-        let start: Vec<f64> = setup
-            .parameters
-            .iter()
-            .map(|parameter| parameter.first.unwrap_or_else(|| parameter.value(0.5 * (parameter.ends()[0] + parameter.ends()[1]))))
+        let models: Vec<Vec<f64>> = places(setup)
+            .into_par_iter()
+            .filter_map(|values| test.model(&scene_values(setup, &values), super::compare::Offsets::default(), 1e-2).ok())
             .collect();
-        let Ok(model) = test.model(&scene_values(setup, &start), super::compare::Offsets::default(), 1e-2) else { continue };
-        for (number, column) in test.columns.iter().enumerate() {
+        for (number, column) in test.columns.iter().enumerate().filter(|_| !test.relative) {
             let rows = test.rows.len();
             let data: Vec<f64> = test.rows.iter().filter_map(|row| column.values.get(*row)).copied().collect();
-            let own = model.get(number * rows..(number + 1) * rows).unwrap_or(&[]);
-            if !test.relative && correlation(&data, own) < OPPOSITE {
+            let with = |model: &Vec<f64>| correlation(&data, model.get(number * rows..(number + 1) * rows).unwrap_or(&[]));
+            let (least, most) = models.iter().map(with).fold((0.0_f64, 0.0_f64), |(least, most), one| (least.min(one), most.max(one)));
+            // Nowhere between the bounds is the model like the data, and somewhere like their negative.
+            if least < -LIKE && most < -least - LIKE_LESS {
                 let message =
                     format!("`{}` of {:?} goes the other way than that of the scene: its sign seems reversed", column.word, test.file);
                 return wrong(
@@ -74,6 +77,27 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
         }
     }
     Ok(())
+}
+
+/// Where data and model are compared: at the scene's own values or the middle, and at a quarter and three quarters of each range.
+fn places(setup: &Setup) -> Vec<Vec<f64>> {
+    let part = |parameter: &Parameter, part: f64| {
+        let [low, high] = parameter.ends();
+        parameter.value(low + part * (high - low))
+    };
+    let middle: Vec<f64> = setup.parameters.iter().map(|parameter| part(parameter, 0.5)).collect();
+    let own: Vec<f64> = setup.parameters.iter().zip(&middle).map(|(parameter, middle)| parameter.first.unwrap_or(*middle)).collect();
+    let mut places = vec![own.clone(), middle];
+    for (place, parameter) in setup.parameters.iter().enumerate() {
+        for share in [0.25, 0.75] {
+            let mut there = own.clone();
+            if let Some(value) = there.get_mut(place) {
+                *value = part(parameter, share);
+            }
+            places.push(there);
+        }
+    }
+    places
 }
 
 fn scene_values<'s>(setup: &'s Setup, values: &[f64]) -> Vec<(&'s super::compare::Put, f64)> {

@@ -73,7 +73,7 @@ pub fn models(setup: &Setup, own: &Fit) -> Vec<Alternative> {
 }
 
 fn alternative(name: &'static str, fit: Result<Fit, String>) -> Alternative {
-    let fails = fit.as_ref().map_or_else(|_| Vec::new(), |fit| fails(fit));
+    let fails = fit.as_ref().map_or_else(|_| Vec::new(), fails);
     Alternative { name, fit, fails }
 }
 

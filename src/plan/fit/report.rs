@@ -81,7 +81,7 @@ pub fn summary(found: &Found) -> Value {
             "refused": model.fit.as_ref().err(),
             "akaike_above_best": model.rise(&found.models),
             "excluded": model.is_excluded(&found.models),
-            "parameters": model.fit.as_ref().ok().map(|fit| named(fit)),
+            "parameters": model.fit.as_ref().ok().map(named),
             "fails": model.fails,
         })).collect::<Vec<_>>(),
         "further_tests": found.further.iter().map(|test| json!({

@@ -208,16 +208,8 @@ impl Setup {
     }
 }
 
-/// Words that a way has.
-const ALONG: [&str; 3] = ["force", "contact_radius", "penetration"];
-
 fn along_words(task: &FitTask, problem: &Problem) -> Result<(), SceneError> {
     for word in &task.compare {
-        if !ALONG.contains(&word.as_str()) {
-            let message = format!("`fit.compare` = {word:?}: a history has no such curve");
-            let help = format!("allowed along a history: {}; or give the data against a number of the scene", ALONG.join(", "));
-            return Err(SceneError::at(&task.compare_place, message, "not known").help(help));
-        }
         if task.against.as_deref() == Some(word.as_str()) {
             return Err(SceneError::at(&task.compare_place, format!("`{word}` is compared against itself"), "name another"));
         }

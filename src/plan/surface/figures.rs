@@ -242,10 +242,10 @@ pub(super) fn component(point: &FieldPoint, place: usize) -> f64 {
 /// The parts of some values in equal bins, as a stepped curve; empty bins are gaps.
 fn bins(values: &[f64]) -> Vec<(f64, f64)> {
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
-    if !(high > low) {
+    let width = (high - low) / BINS as f64;
+    if width.is_nan() || width <= 0.0 {
         return Vec::new();
     }
-    let width = (high - low) / BINS as f64;
     let mut counts = [0_u32; BINS];
     for v in values {
         let bin = (((v - low) / width) as usize).min(BINS - 1);

@@ -15,7 +15,7 @@ const HALVINGS: u32 = 5;
 /// The contact fraction may change by so much in one step; where the shortest step changes it by more, the contact jumps.
 const MOST_CHANGE: f64 = 0.04;
 /// Nodes along x on which a branch is followed: each state is then solved on grids twice and four times as fine.
-const BRANCH_NODES: [usize; 2] = [512, 64];
+const BRANCH_NODES: [usize; 2] = [1024, 64];
 
 /// What a branch gives at a point.
 struct Point<'a> {

@@ -14,6 +14,8 @@ use crate::scene::units::Dimension;
 const STARTS: f64 = 3.0;
 /// What data of a history may be given against.
 const ALONG: [&str; 3] = ["time", "penetration", "frame"];
+/// What is compared along a history.
+const COMPARED: [&str; 3] = ["force", "contact_radius", "penetration"];
 /// Offsets of the data: key, dimension, what it is.
 const OFFSETS: [(&str, Dimension); 4] = [
     ("fit.depth_offset", Dimension::LENGTH),
@@ -42,6 +44,14 @@ pub fn read_fit(document: &mut Document) -> Result<FitTask, SceneError> {
     let compare_place = fit.key_place("compare");
     let against = fit.text("against").map(str::to_owned);
     let along_a_history = against.as_ref().is_none_or(|against| ALONG.contains(&against.as_str()));
+    if let Some(word) = compare.iter().find(|word| along_a_history && !COMPARED.contains(&word.as_str())) {
+        let message = format!("`fit.compare` = {word:?}: a history has no such curve");
+        let help = format!(
+            "allowed along a history: {}; or give the data against a number of the scene: fit.against = \"crack.speed\"",
+            COMPARED.join(", ")
+        );
+        return Err(SceneError::at(&compare_place, message, "not known").help(help));
+    }
     let against_dimension = match against.as_ref().filter(|_| !along_a_history) {
         Some(path) => Some(varied_key(&root, path, &fit.key_place("against"), "fit.against")?.1),
         None => None,

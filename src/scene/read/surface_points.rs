@@ -41,6 +41,9 @@ fn source_of<'d>(table: &Section<'_>, document: &'d Document) -> Result<(String,
     Ok((file.to_owned(), source))
 }
 
+/// Columns, the place of their header, and what was chosen in reading them.
+type Found = (Vec<Vec<f64>>, Place, Vec<String>);
+
 /// Columns of a table by name, in coherent units.
 fn columns_of(
     table: &Section<'_>,
@@ -49,7 +52,7 @@ fn columns_of(
     wanted: &[(&'static str, &[&str])],
     path: (&str, &str),
     help: &'static str,
-) -> Result<(Vec<Vec<f64>>, Place, Vec<String>), SceneError> {
+) -> Result<Found, SceneError> {
     let read = DelimitedTable::read(source, &Options { help })?;
     let stated = table.table("columns");
     let Some(block) = read.blocks().first() else { return Err(table.wrong("file", format!("{file:?} is empty"), "this file")) };

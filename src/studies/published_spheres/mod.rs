@@ -11,7 +11,7 @@ pub mod published;
 mod solved;
 
 use super::cells::{count, number, word};
-use super::{Check, Column, Effort, Plot, Progress, Section, Table};
+use super::{Cell, Check, Column, Effort, Plot, Progress, Section, Table};
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use published::Published;
 use rayon::prelude::*;
@@ -19,6 +19,8 @@ use solved::{Solved, solved};
 
 /// One row of the table in so many.
 const EVERY: usize = 17;
+/// One row in so many is also solved by the theory of an edge, which takes seconds with forty terms.
+const EDGE_EVERY: usize = 5;
 /// What both runs of ours may differ by.
 const OURS: f64 = 1e-4;
 /// What the energy balance may leave, over the largest energy.
@@ -71,8 +73,9 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     progress.expect(rows.len() as u64);
     let all: Vec<(Published, Result<Solved, String>)> = rows
         .par_iter()
-        .map(|row| {
-            let answer = solved(row, with_edge);
+        .enumerate()
+        .map(|(index, row)| {
+            let answer = solved(row, with_edge && index.is_multiple_of(EDGE_EVERY));
             progress.advance(1);
             (*row, answer)
         })
@@ -118,7 +121,7 @@ fn checks(section: &mut Section, all: &[(Published, Result<Solved, String>)], go
     let worst = good.iter().map(|(_, solved)| solved.error / solved.ratio).fold(0.0, f64::max);
     section.checks.push(Check::new(
         "our two runs agree",
-        format!("within {OURS:e}: tolerances are 1e-4 and 1e-5"),
+        format!("within {OURS:e}: tolerances are 3e-5 and 3e-6"),
         format!("at most {worst:.1e} off"),
         worst < OURS,
     ));
@@ -156,7 +159,7 @@ fn checks(section: &mut Section, all: &[(Published, Result<Solved, String>)], go
     ));
 }
 
-fn of_row(row: &Published) -> Vec<super::Cell> {
+fn of_row(row: &Published) -> Vec<Cell> {
     vec![number(row.tabor), number(row.modulus_ratio), number(row.exponent), number(row.rate), number(row.preload), number(row.ratio)]
 }
 
@@ -183,7 +186,7 @@ fn rows_table(all: &[(Published, Result<Solved, String>)]) -> Table {
                 number(solved.ratio),
                 number(solved.error),
                 number(solved.ratio / row.ratio),
-                number(solved.edge.map_or(f64::NAN, |edge| edge / solved.ratio)),
+                Cell::Number(solved.edge.map(|edge| edge / solved.ratio)),
                 count(solved.nodes),
                 count(solved.steps),
                 number(solved.defect),
@@ -216,7 +219,7 @@ fn quantiles_table(good: &[(Published, Solved)]) -> Table {
 /// How far the published values of one and the same state are from each other.
 fn repeats_table(table: &[Published]) -> Table {
     let mut sorted: Vec<&Published> = table.iter().collect();
-    sorted.sort_by(|a, b| a.state().partial_cmp(&b.state()).unwrap_or(std::cmp::Ordering::Equal));
+    sorted.sort_by_key(|row| row.state());
     let mut spreads: Vec<f64> = Vec::new();
     for group in sorted.chunk_by(|a, b| a.state() == b.state()).filter(|group| group.len() > 1) {
         let (low, high) = group.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), row| (low.min(row.ratio), high.max(row.ratio)));
@@ -240,7 +243,8 @@ fn edge_table(good: &[(Published, Solved)]) -> Table {
     for [from, to] in [[0.0, 0.1], [0.1, 0.3], [0.3, 1.0], [1.0, 2.5], [2.5, 10.0]] {
         for [slow, fast] in [[0.0, 1.0], [1.0, 100.0], [100.0, 1e4], [1e4, 1e13]] {
             let inside = |row: &Published| row.tabor > from && row.tabor <= to && row.rate > slow && row.rate <= fast;
-            let own: Vec<&Solved> = good.iter().filter(|(row, _)| inside(row)).map(|(_, solved)| solved).collect();
+            let asked = good.iter().enumerate().filter(|(index, (row, _))| index.is_multiple_of(EDGE_EVERY) && inside(row));
+            let own: Vec<&Solved> = asked.map(|(_, (_, solved))| solved).collect();
             let mut ratios: Vec<f64> = own.iter().filter_map(|solved| Some(solved.edge? / solved.ratio)).collect();
             if own.is_empty() {
                 continue;
@@ -250,7 +254,7 @@ fn edge_table(good: &[(Published, Solved)]) -> Table {
             let none = own.len() - ratios.len();
             let mut cells = vec![number(from), number(to), number(slow), number(fast), count(own.len())];
             cells.extend(shares.map(number));
-            cells.extend([number(quantile(&mut ratios, 0.5)), count(none)]);
+            cells.extend([Cell::Number((!ratios.is_empty()).then(|| quantile(&mut ratios, 0.5))), count(none)]);
             table.rows.push(cells);
         }
     }

@@ -52,8 +52,8 @@ impl Published {
 
     /// What was asked, by which repeated rows are told.
     #[must_use]
-    pub fn state(&self) -> [f64; 5] {
-        [self.rate, self.preload, self.tabor, self.modulus_ratio, self.exponent].map(|value| (value.ln() * 1e6).round())
+    pub fn state(&self) -> [i64; 5] {
+        [self.rate, self.preload, self.tabor, self.modulus_ratio, self.exponent].map(|value| (value.ln() * 1e6).round() as i64)
     }
 
     /// The run, to a penetration at which the tension has fallen.

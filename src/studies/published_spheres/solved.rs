@@ -8,7 +8,7 @@ use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
 /// Tolerances of both runs.
-const TOLERANCES: [f64; 2] = [1e-4, 1e-5];
+const TOLERANCES: [f64; 2] = [3e-5, 3e-6];
 /// Where the pull ends, in ranges: −(first + second·μ); if the tension is still rising there, twice as far, up to so many times.
 const FIRST: f64 = 6.0;
 const BY_TABOR: f64 = 4.0;

@@ -57,7 +57,7 @@ impl Problem {
             Self::DelayedFracture => ([1e-2, 1e-3, 1e-4, 3e-4], 1e-6),
             Self::Sliding => ([1e-3, 1e-6, 1e-8, 1e-10], 1e-13),
             Self::Indentation => ([1e-2, 1e-3, 1e-4, 1e-5], 1e-8),
-            Self::Surface => ([3e-2, 1e-2, 5e-3, 2e-3], 2e-4),
+            Self::Surface => ([0.1, 5e-2, 4e-2, 3e-2], 1e-2),
         }
     }
 }

@@ -51,7 +51,7 @@ const fn scenes(problem: Problem) -> (u64, u64) {
         Problem::SteadyCrack => (1000, 8000),
         Problem::DelayedFracture => (40, 2000),
         Problem::Sliding => (120, 6000),
-        Problem::Surface => (20, 2000),
+        Problem::Surface => (12, 2000),
         Problem::Indentation => (100, 4000),
     }
 }

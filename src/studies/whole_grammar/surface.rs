@@ -1,6 +1,6 @@
 //! Draws of surfaces that slide and act at a distance.
 
-use super::material::{Scales, Taken, write as material};
+use super::material::{Taken, write as material};
 use super::text::{ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, SPEED, STIFFNESS_PER_AREA, Text, quoted};
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
@@ -27,7 +27,7 @@ pub(super) fn write(text: &mut Text) {
     let slope = if text.reduced { 1.0 } else { text.draw.log_between(1e-2, 0.3) };
     let (height, pressure) = if text.reduced { (1.0, 1.0) } else { (slope * length, 0.5 * scales.modulus * slope) };
     let scale = Scale { length, height, pressure, speed: if text.reduced { 1.0 } else { length / scales.time }, modulus: scales.modulus };
-    shape(text, &scale);
+    let is_line = shape(text, &scale);
     if text.chance(0.15) {
         let thickness = text.draw.log_between(0.3, 5.0);
         text.put_number("sliding.layer.thickness", thickness, scale.length, LENGTH);
@@ -43,20 +43,20 @@ pub(super) fn write(text: &mut Text) {
     }
     let adhesive = text.chance(0.75);
     if adhesive {
-        law(text, &scale, scales);
+        law(text, &scale);
     }
     let sign = if text.chance(0.15) { -1.0 } else { 1.0 };
     let speed = sign * 10f64.powf(text.draw.between(-2.0, 2.0));
     text.put_number("sliding.speed", speed, scale.speed, SPEED);
-    load(text, &scale, adhesive);
-    if text.chance(0.2) {
-        text.put("sliding.most_nodes", "16384");
-    }
+    load(text, &scale, adhesive, is_line);
+    // A state of this many nodes takes a tenth of a second; where they do not suffice the row is flagged, and its bounds are compared all the same.
+    text.put("sliding.most_nodes", if is_line { "4096" } else { "256" });
 }
 
-/// The sliding body; a wave only with a law, else it has edges.
-fn shape(text: &mut Text, scale: &Scale) {
-    match text.draw.below(8) {
+/// The sliding body, and whether it is a line.
+fn shape(text: &mut Text, scale: &Scale) -> bool {
+    let kind = text.draw.below(8);
+    match kind {
         0..=2 => {
             if !text.reduced {
                 text.put_number("sliding.profile.period", TAU, scale.length, LENGTH);
@@ -72,8 +72,7 @@ fn shape(text: &mut Text, scale: &Scale) {
         }
         3 => roughness(text, scale, "sliding.profile", 8.0),
         4 => {
-            let (name, units) = named(text);
-            let mut rows = format!("{}\n", name(&["a", "b"], &["x", "h"], units));
+            let mut rows = header(text, &["a", "b"]);
             for i in 0..POINTS {
                 let place = TAU * i as f64 / POINTS as f64;
                 let _ = writeln!(rows, "{:e}, {:e}", place * scale.length, (place.cos() + 0.3 * (2.0 * place + 1.0).cos()) * scale.height);
@@ -103,8 +102,7 @@ fn shape(text: &mut Text, scale: &Scale) {
             }
         }
         6 => {
-            let (name, units) = named(text);
-            let mut rows = format!("{}\n", name(&["a", "b", "c"], &["x", "y", "z"], units));
+            let mut rows = header(text, &["a", "b", "c"]);
             let pitch = TAU / POINTS as f64 * scale.length;
             for (j, i) in (0..POINTS).flat_map(|j| (0..POINTS).map(move |i| (j, i))) {
                 let _ = writeln!(rows, "{:e}, {:e}, {:e}", i as f64 * pitch, j as f64 * pitch, bump(i, j) * scale.height);
@@ -115,16 +113,13 @@ fn shape(text: &mut Text, scale: &Scale) {
         }
         _ => roughness(text, scale, "sliding.surface", 3.0),
     }
+    kind < 5
 }
 
-type Header = fn(&[&str], &[&str], Option<&str>) -> String;
-
-/// How the header of a file names its columns: by other names that the scene explains, always here, so that both are drawn.
-fn named(text: &Text) -> (Header, Option<&'static str>) {
-    let header: Header = |own, _, unit| {
-        own.iter().map(|name| unit.map_or_else(|| (*name).to_owned(), |unit| format!("{name} ({unit})"))).collect::<Vec<_>>().join(", ")
-    };
-    (header, if text.reduced { None } else { Some("m") })
+/// The first line of a file whose names say nothing: the scene explains them.
+fn header(text: &Text, names: &[&str]) -> String {
+    let unit = if text.reduced { "" } else { " (m)" };
+    names.iter().map(|name| format!("{name}{unit}")).collect::<Vec<_>>().join(", ") + "\n"
 }
 
 fn columns(text: &mut Text, key: &str, names: &[(&str, &str)]) {
@@ -165,7 +160,7 @@ fn made_periodic(text: &mut Text, body: &str) {
     }
 }
 
-fn law(text: &mut Text, scale: &Scale, _: Scales) {
+fn law(text: &mut Text, scale: &Scale) {
     let work = text.draw.log_between(2e-3, 2e-2);
     let range = text.draw.log_between(0.08, 0.3);
     if text.chance(0.15) {
@@ -195,7 +190,7 @@ fn law(text: &mut Text, scale: &Scale, _: Scales) {
     }
 }
 
-fn load(text: &mut Text, scale: &Scale, adhesive: bool) {
+fn load(text: &mut Text, scale: &Scale, adhesive: bool, is_line: bool) {
     let by_gap = text.chance(0.3);
     let pressure = text.draw.between(0.05, 0.5);
     let stiffness = if text.reduced { 1.0 } else { scale.pressure / scale.height };
@@ -209,6 +204,8 @@ fn load(text: &mut Text, scale: &Scale, adhesive: bool) {
     } else {
         text.put_number("sliding.mean_pressure", pressure, scale.pressure, PRESSURE);
         match text.draw.below(8) {
+            // Many states: of lines alone.
+            0..=3 if !is_line => {}
             0 => {
                 text.put_number("sliding.loop.to", 2.0 * pressure, scale.pressure, PRESSURE);
                 text.put("sliding.loop.points", "3");

@@ -6,17 +6,17 @@ use crate::finite_range::sphere::Motion;
 use crate::outcome::Work;
 
 /// Steps of a segment at an accuracy of 1e-3: at least so many; where the surface peels so many at a Tabor number of 3, with the power of that number.
-const LEAST: f64 = 60.0;
-const PEELING: f64 = 400.0;
-const SHORT_RANGE: f64 = 1.8;
+const LEAST: f64 = 40.0;
+const PEELING: f64 = 200.0;
+const SHORT_RANGE: f64 = 2.6;
 /// The Tabor number that counts has the modulus at this part of the segment's duration.
-const EARLY: f64 = 1e-2;
+const EARLY: f64 = 1e-3;
 /// Steps of a cycle.
 const CYCLE: f64 = 22.0;
 /// Power of the accuracy that they grow with.
 const ORDER: f64 = 0.18;
 /// Linear systems of a step of both runs.
-const SYSTEMS: f64 = 48.0;
+const SYSTEMS: f64 = 60.0;
 /// The same of a law with a hard wall: nodes change sides one by one.
 const WALL: f64 = 6.0;
 /// Rows of events besides instants.

@@ -13,6 +13,7 @@ mod history;
 mod rows;
 mod scales;
 mod validity;
+mod widened;
 
 use super::scale::Scale;
 use super::timeline::Timeline;
@@ -68,8 +69,8 @@ impl FiniteRangePlan {
                 reason: "with a law of attraction its start is not computed: give its `duration` in place of `rate`".into(),
             });
         }
-        let wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
-        if let Some(late) = wanted.filter(|time| *time > timeline.duration() * (1.0 + 1e-9)).last() {
+        let mut wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
+        if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + 1e-9)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));
         }
         let reduced = Reduced::new(indentation, attraction, &material, &scale)?;

@@ -4,6 +4,7 @@ use super::super::columns::Measure;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
+use super::widened::{Floors, widened};
 use crate::estimate::Estimate;
 use crate::finite_range::sphere::{Jump, LegSummary, Record};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
@@ -40,10 +41,9 @@ impl FiniteRangePlan {
     }
 
     fn rows_of(&self, runs: &Runs, state: usize, swept: &[f64]) -> Result<Vec<Row>, Refusal> {
-        let mut all: Vec<([&str; 2], Values)> = Vec::new();
-        for (loose, tight) in self.instants(runs) {
-            all.push(([INSTANT, ""], self.of_record(loose, tight, runs)));
-        }
+        let instants: Vec<Values> = self.instants(runs).iter().map(|(loose, tight)| self.of_record(loose, tight, runs)).collect();
+        let floors = Floors::of(&instants);
+        let mut all: Vec<([&str; 2], Values)> = widened(&instants).into_iter().map(|values| ([INSTANT, ""], values)).collect();
         let jumps =
             runs.tight.jumps.iter().enumerate().map(|(index, jump)| (runs.loose.jumps.get(index).filter(|_| runs.consistent), jump));
         for (loose, tight) in jumps.filter(|(_, jump)| jump.radius_after > 0.0) {
@@ -54,9 +54,11 @@ impl FiniteRangePlan {
             let loose = runs.loose.losses.get(index).filter(|_| runs.consistent);
             all.push((["event", DETACHMENT], self.of_event(loose, tight, runs)));
         }
-        if let Some(values) = self.of_largest_tension(runs) {
+        if let Some(values) = self.of_largest_tension(runs, &floors) {
             all.push((["event", LARGEST_TENSION], values));
         }
+        all.iter_mut().for_each(|(_, values)| floors.raise(values));
+        let end = all.iter().rfind(|(labels, _)| labels[0] == INSTANT).map(|(_, values)| values.clone());
         let mut scales = vec![0.0_f64; COLUMNS.len()];
         for (_, values) in &all {
             scales.iter_mut().zip(values).for_each(|(scale, value)| *scale = scale.max(value.map_or(0.0, |value| value.value.abs())));
@@ -87,7 +89,8 @@ impl FiniteRangePlan {
             self.fill(&mut row, values, &scales, runs);
             timed.push((time, row));
         }
-        for (values, points) in self.fields_of(runs) {
+        for (mut values, points) in self.fields_of(runs) {
+            floors.raise(&mut values);
             let mut row = self.row(state, swept, ["fields", ""]);
             let time = values.first().copied().flatten().map_or(0.0, |time| time.value);
             self.fill(&mut row, values, &scales, runs);
@@ -98,7 +101,7 @@ impl FiniteRangePlan {
         timed.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
         let mut answer = self.row(state, swept, [SUMMARY, ""]);
-        self.put(&mut answer, self.of_state(runs), runs);
+        self.put(&mut answer, self.of_state(runs, &floors, end.as_ref()), runs);
         self.conclude(&mut answer, &rows, runs);
         rows.insert(0, answer);
         let table = columns(&self.indentation, self.units);
@@ -213,9 +216,10 @@ impl FiniteRangePlan {
         least.filter(|(_, tight)| tight.largest_tension.force < 0.0).map(|(loose, tight)| (*loose, *tight))
     }
 
-    fn of_largest_tension(&self, runs: &Runs) -> Option<Values> {
+    fn of_largest_tension(&self, runs: &Runs, floors: &Floors) -> Option<Values> {
         let (loose, tight) = self.pulling(runs)?;
         let mut values = self.of_event(Some(&loose.largest_tension), &tight.largest_tension, runs);
+        floors.raise(&mut values);
         let force = values.get(at::FORCE).copied().flatten()?;
         let ratio = self.jkr_pull_off().map(|unit| Estimate::new(-force.value, force.error).scaled(1.0 / unit));
         set(&mut values, [(at::PULL_OFF_RATIO, ratio)]);
@@ -223,17 +227,20 @@ impl FiniteRangePlan {
     }
 
     /// The values of the state as a whole, coherent.
-    fn of_state(&self, runs: &Runs) -> Values {
+    fn of_state(&self, runs: &Runs, floors: &Floors, end: Option<&Values>) -> Values {
         let mut values: Values = vec![None; COLUMNS.len()];
-        let tension = self.of_largest_tension(runs);
+        let tension = self.of_largest_tension(runs, floors);
         let pull = |place: usize| tension.as_ref().and_then(|row| row.get(place).copied().flatten());
-        let lost = runs.tight.losses.last().map(|tight| self.of_event(runs.loose.losses.last(), tight, runs));
+        let mut lost = runs.tight.losses.last().map(|tight| self.of_event(runs.loose.losses.last(), tight, runs));
+        lost.iter_mut().for_each(|values| floors.raise(values));
         let loss = |place: usize| lost.as_ref().and_then(|row| row.get(place).copied().flatten());
-        let end = self.instants(runs).last().map(|(loose, tight)| self.of_record(loose, tight, runs));
-        let last = |place: usize| end.as_ref().and_then(|row| row.get(place).copied().flatten());
+        let last = |place: usize| end.and_then(|row| row.get(place).copied().flatten());
         let units = self.reduced.scales;
-        let work = |of: fn(&LegSummary) -> f64| self.pulling(runs).map(|(loose, tight)| self.between(of(&loose), of(&tight), units.work));
-        let largest = |of: fn(&Record) -> f64, unit: f64| {
+        let wider = |estimate: Estimate, place: usize| Estimate::new(estimate.value, estimate.error.max(floors.at(place)));
+        let work = |of: fn(&LegSummary) -> f64| {
+            self.pulling(runs).map(|(loose, tight)| wider(self.between(of(&loose), of(&tight), units.work), at::EXTERNAL_WORK))
+        };
+        let largest = |of: fn(&Record) -> f64, unit: f64, place: usize| {
             let [loose, tight] = [&runs.loose, &runs.tight].map(|run| run.rows.iter().map(of).fold(0.0, f64::max));
             // Between two steps it may be larger, by less than what it falls to both sides.
             let open = runs.tight.rows.windows(3).map(|rows| match rows {
@@ -241,7 +248,8 @@ impl FiniteRangePlan {
                 _ => 0.0,
             });
             let estimate = self.between(loose, tight, unit);
-            Some(Estimate::new(estimate.value, estimate.error + unit * open.fold(0.0, f64::max))).filter(|largest| largest.value > 0.0)
+            Some(wider(Estimate::new(estimate.value, estimate.error + unit * open.fold(0.0, f64::max)), place))
+                .filter(|largest| largest.value > 0.0)
         };
         let count = |number: usize| Some(Estimate::exact(number as f64));
         let certificate = &runs.tight.certificate;
@@ -257,8 +265,8 @@ impl FiniteRangePlan {
             (at::WORK_TO_PULL_OFF, work(LegSummary::work_to_pull_off)),
             (at::DETACHMENT_TIME, loss(at::TIME)),
             (at::DETACHMENT_PENETRATION, loss(at::PENETRATION)),
-            (at::LARGEST_RADIUS, largest(|row| row.contact_radius, units.radius)),
-            (at::LARGEST_COMPRESSION, largest(|row| row.force, units.force)),
+            (at::LARGEST_RADIUS, largest(|row| row.contact_radius, units.radius, at::CONTACT_RADIUS)),
+            (at::LARGEST_COMPRESSION, largest(|row| row.force, units.force, at::FORCE)),
             (at::END_PENETRATION, last(at::PENETRATION)),
             (at::END_FORCE, last(at::FORCE)),
             (at::END_RADIUS, last(at::CONTACT_RADIUS)),
