@@ -8,6 +8,7 @@ pub mod elastic;
 pub mod estimate;
 pub mod figures;
 pub mod finite_range;
+pub mod fit;
 pub mod indentation;
 pub mod material;
 pub mod outcome;

@@ -6,6 +6,7 @@
 mod cite;
 mod explain;
 mod figures;
+mod fit;
 mod interrupt;
 mod material;
 mod new;
@@ -54,6 +55,26 @@ enum Command {
         /// Draw no plots, whatever the key `plots` of the scene says
         #[arg(long)]
         no_plots: bool,
+    },
+    /// Find numbers of a scene from measured curves, as its table [fit] says: values with 95 % intervals, residuals, a scene with them
+    Fit {
+        #[command(flatten)]
+        scene: SceneArguments,
+        /// Write summary.json, residuals, plots and the scene with the fitted values to this folder
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Replace the folder if it exists
+        #[arg(long, requires = "out")]
+        force: bool,
+        /// Fit the simpler models that the scene contains, too, and compare them
+        #[arg(long)]
+        models: bool,
+        /// Say which further test would shrink the intervals most
+        #[arg(long)]
+        plan: bool,
+        /// Print summary.json instead of the table
+        #[arg(long)]
+        json: bool,
     },
     /// Say what a scene simulates and leaves out, why, by which method, at what cost; solves nothing
     Explain {
@@ -197,6 +218,9 @@ pub fn main() -> ExitCode {
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
         Command::Run { scene, out, force, json, no_plots } => run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots }),
+        Command::Fit { scene, out, force, models, plan, json } => {
+            fit::fit(&scene, &fit::Asked { out: out.as_deref(), force, models, plan, json })
+        }
         Command::Explain { scene, json } => explain::explain(&scene, json),
         Command::Figures { ids, out, reduced, manifest } => {
             figures::figures(&crate::figures::Options { ids, out, reduced }, manifest.as_deref())

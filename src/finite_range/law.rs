@@ -143,6 +143,18 @@ impl Attraction {
         self.work_of_adhesion / self.range * self.law.peak()
     }
 
+    /// The gap at which the tension is largest (the smallest one, where several are).
+    #[must_use]
+    pub fn peak_gap(&self) -> f64 {
+        self.range
+            * match &self.law {
+                Law::LennardJones => 3.0_f64.powf(1.0 / 6.0),
+                Law::Cosine => 0.5,
+                Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
+                Law::Table(table) => table.peak_gap(),
+            }
+    }
+
     /// The largest rise of the stress with the gap: the stiffness below which surfaces jump.
     #[must_use]
     pub fn steepest_slope(&self) -> f64 {
@@ -153,6 +165,17 @@ impl Attraction {
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         self.law.kinks().into_iter().map(|u| u * self.range).collect()
+    }
+
+    /// The gap at which the stress is zero and below which it repels; of a law with a hard wall, the wall.
+    #[must_use]
+    pub fn equilibrium_gap(&self) -> f64 {
+        self.range
+            * match &self.law {
+                Law::LennardJones => 1.0,
+                Law::Cosine | Law::Exponential | Law::Dugdale { .. } | Law::HardWall => 0.0,
+                Law::Table(table) => table.wall().unwrap_or_else(|| table.zero()),
+            }
     }
 
     /// The gap of the hard wall, if the law has one: no smaller gap is allowed.

@@ -4,6 +4,7 @@
 //! be quick (the panels of the last trial, the kernel of the last edge) is left out, and forgotten before each step, so that a march with
 //! checkpoints and one without take the same steps to the last bit.
 
+use super::by_panels::PanelsState;
 use super::history::Controlled;
 use super::line::{Cell, Contact};
 use super::marcher::Marcher;
@@ -27,9 +28,22 @@ pub trait Watch: Sync {
     fn checkpoint(&self, checkpoint: &Checkpoint);
 }
 
-/// A run between two steps, of the same material and problem only.
+/// A run between two steps, or two panels, of the same material and problem only.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint {
+    pub(super) run: RunState,
+}
+
+/// By which method it was under way.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) enum RunState {
+    Steps(Box<StepsState>),
+    Panels(Box<PanelsState>),
+}
+
+/// A run by time steps.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct StepsState {
     /// Marches that are finished, and the tolerance of the one under way.
     pub(super) finished: u32,
     pub(super) tolerance: f64,
@@ -199,13 +213,14 @@ impl Marcher<'_> {
         let under_way = segments.get(self.place.segment).map_or(0.0, |segment| weight(segment) * part(segment, self.time));
         observer.watch.passed(observer.finished + 1, (before + under_way) / all);
         if observer.watch.wants_checkpoint() {
-            observer.watch.checkpoint(&Checkpoint {
+            let state = StepsState {
                 finished: observer.finished,
                 tolerance: self.tolerance,
                 marches: observer.marches.to_vec(),
                 work: observer.work,
                 march: self.state(),
-            });
+            };
+            observer.watch.checkpoint(&Checkpoint { run: RunState::Steps(Box::new(state)) });
         }
     }
 }

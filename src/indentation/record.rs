@@ -99,6 +99,12 @@ impl<'a> Record<'a> {
         }
     }
 
+    /// The same of a state.
+    pub(super) fn restored_without_contact(state: RecordState) -> Self {
+        let RecordState { trace, piece, turned_over, area_rate, sudden, last: _, cycle_stride, newest_cycle } = state;
+        Self { trace, piece, energies: false, turned_over, area_rate, sudden, last: None, cycle_stride, newest_cycle }
+    }
+
     pub(super) const fn piece(&self) -> u32 {
         self.piece
     }

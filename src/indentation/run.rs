@@ -2,7 +2,7 @@
 //! errors meet the accuracy.
 
 use super::by_panels;
-use super::checkpoint::{Checkpoint, Observer, Watch};
+use super::checkpoint::{Checkpoint, Observer, RunState, StepsState, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
 use super::fields::SurfaceFields;
 use super::judgement::{Verdict, judged};
@@ -57,9 +57,15 @@ pub fn run_watched(
     // On these shapes time steps left an elastic contact up to 1e-5 from its equilibrium by quadrature, with a bound of 1e-10; why is not known.
     let curved = matches!(problem.profile, Profile::PowerLaw { .. } | Profile::Table(_));
     let oscillates = problem.history.segments.iter().any(|segment| segment.oscillation.is_some());
-    if material.relaxation_terms().is_empty() && curved && from.is_none() && !oscillates {
-        match by_panels::solve_by_panels(material, problem) {
-            // Edge laws, and surfaces that touch again.
+    let (steps, panels) = match from.map(|checkpoint| checkpoint.run) {
+        Some(RunState::Steps(state)) => (Some(*state), None),
+        Some(RunState::Panels(state)) => (None, Some(state)),
+        None => (None, None),
+    };
+    let is_for_panels = material.relaxation_terms().is_empty() && curved && !oscillates;
+    if steps.is_none() && (is_for_panels || panels.is_some()) {
+        match by_panels::solve_from(material, problem, panels, watch) {
+            // What panels do not solve: edge laws, surfaces that touch again in a ring.
             Err(Refusal::Undefined { .. } | Refusal::NotConverged { .. }) => {}
             solution => return solution,
         }
@@ -70,9 +76,9 @@ pub fn run_watched(
     let mut marches: Vec<Trace> = Vec::new();
     let mut work = IndentationWork::default();
     let mut under_way = None;
-    if let Some(checkpoint) = from {
+    if let Some(state) = steps {
         let march;
-        Checkpoint { finished, tolerance, marches, work, march } = checkpoint;
+        StepsState { finished, tolerance, marches, work, march } = state;
         under_way = Some(march);
     }
     loop {

@@ -102,18 +102,32 @@ pub const PRIMAL_DUAL: Citation = Citation {
     bibtex: "@article{HintermuellerItoKunisch2002,\n  author  = {Hinterm{\\\"u}ller, M. and Ito, K. and Kunisch, K.},\n  title   = {The primal-dual active set strategy as a semismooth {N}ewton method},\n  journal = {SIAM Journal on Optimization},\n  volume  = {13},\n  pages   = {865--888},\n  year    = {2002},\n  doi     = {10.1137/S1052623401383558}\n}",
 };
 
-/// The 3-9 law between half-spaces.
-pub const GREENWOOD_RANGE: Citation = Citation {
-    key: "Greenwood1997",
-    role: "the law of attraction lennard_jones",
-    bibtex: "@article{Greenwood1997,\n  author  = {Greenwood, J. A.},\n  title   = {Adhesion of elastic spheres},\n  journal = {Proceedings of the Royal Society of London A},\n  volume  = {453},\n  pages   = {1277--1297},\n  year    = {1997},\n  doi     = {10.1098/rspa.1997.0070}\n}",
-};
-
 /// The law of the contMech runs.
 pub const CONTMECH: Citation = Citation {
     key: "WangMueser2017",
     role: "the law of attraction cosine",
     bibtex: "@article{WangMueser2017,\n  author  = {Wang, A. and M{\\\"u}ser, M. H.},\n  title   = {Gauging {P}ersson theory on adhesion},\n  journal = {Tribology Letters},\n  volume  = {65},\n  pages   = {103},\n  year    = {2017},\n  doi     = {10.1007/s11249-017-0886-9}\n}",
+};
+
+/// The 3-9 law between half-spaces, and the elastic sphere with it.
+pub const GREENWOOD_1997: Citation = Citation {
+    key: "Greenwood1997",
+    role: "attraction of finite range: the law lennard_jones, the elastic sphere and the Tabor number",
+    bibtex: "@article{Greenwood1997,\n  author  = {Greenwood, J. A.},\n  title   = {Adhesion of elastic spheres},\n  journal = {Proceedings of the Royal Society of London A},\n  volume  = {453},\n  pages   = {1277--1297},\n  year    = {1997},\n  doi     = {10.1098/rspa.1997.0070}\n}",
+};
+
+/// The viscoelastic sphere with a law of attraction.
+pub const MAGHAMI: Citation = Citation {
+    key: "Maghami2024",
+    role: "the viscoelastic sphere with a Lennard-Jones law, whose published runs the solver is compared with",
+    bibtex: "@article{Maghami2024,\n  author  = {Maghami, A. and Wang, Q. and Tricarico, M. and Ciavarella, M. and Li, Q. and Papangelo, A.},\n  title   = {Bulk and fracture process zone contribution to the rate-dependent adhesion amplification in viscoelastic broad-band materials},\n  journal = {Journal of the Mechanics and Physics of Solids},\n  volume  = {193},\n  pages   = {105844},\n  year    = {2024},\n  doi     = {10.1016/j.jmps.2024.105844}\n}",
+};
+
+/// The implicit step of the sphere with attraction of finite range.
+pub const KENNEDY_CARPENTER: Citation = Citation {
+    key: "KennedyCarpenter2003",
+    role: "the implicit Runge-Kutta step of contacts with attraction of finite range",
+    bibtex: "@article{KennedyCarpenter2003,\n  author  = {Kennedy, C. A. and Carpenter, M. H.},\n  title   = {Additive {R}unge-{K}utta schemes for convection-diffusion-reaction equations},\n  journal = {Applied Numerical Mathematics},\n  volume  = {44},\n  pages   = {139--181},\n  year    = {2003},\n  doi     = {10.1016/S0168-9274(02)00138-1}\n}",
 };
 
 /// Every paper.
@@ -131,6 +145,8 @@ pub const ALL: &[&Citation] = &[
     &LEE_RADOK,
     &TING,
     &PRIMAL_DUAL,
-    &GREENWOOD_RANGE,
     &CONTMECH,
+    &GREENWOOD_1997,
+    &MAGHAMI,
+    &KENNEDY_CARPENTER,
 ];

@@ -11,11 +11,13 @@ pub mod citations;
 mod curves;
 mod delayed_fracture;
 mod desk;
+pub mod fit;
 mod indentation;
 mod kept;
 mod maps;
 pub mod material;
 mod measured;
+mod path_curve;
 mod plane_material;
 mod propagate;
 mod run;
@@ -25,6 +27,7 @@ mod surface;
 
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
+pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns, unsolved};
 
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
@@ -34,7 +37,7 @@ use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
 use desk::Desk;
-use indentation::IndentationPlan;
+use indentation::{FiniteRangePlan, IndentationPlan};
 use maps::Answer;
 use sliding::SlidingPlan;
 use std::fmt::Debug;
@@ -115,6 +118,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, plot::Figure)>;
+    /// The way of a history without bounds, at a tolerance; none of a problem without a history that is followed.
+    fn curve(&self, _tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        None
+    }
     /// The number that a state of the sweep is solved for, where a picture shows just one.
     fn answer(&self, rows: &[Row]) -> Option<Answer>;
     /// The axis of a swept number.
@@ -132,7 +139,10 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
         Problem::DelayedFracture(crack) => Arc::new(DelayedFracturePlan::new(scene, crack)?),
         Problem::Sliding(sliding) => Arc::new(SlidingPlan::new(scene, sliding)?),
         Problem::Surface(sliding) => Arc::new(SurfacePlan::new(scene, sliding)?),
-        Problem::Indentation(indentation) => Arc::new(IndentationPlan::new(scene, indentation)?),
+        Problem::Indentation(indentation) => match &indentation.attraction {
+            Some(attraction) => Arc::new(FiniteRangePlan::new(scene, indentation, attraction)?),
+            None => Arc::new(IndentationPlan::new(scene, indentation)?),
+        },
     })
 }
 
@@ -311,6 +321,12 @@ impl Plan {
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
         self.solve_at(&Desk::new(state, None, &|_| ()), state, swept)
+    }
+
+    /// The way of a history without bounds, at a tolerance; none of a problem without one.
+    #[must_use]
+    pub fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        self.problem.curve(tolerance)
     }
 
     /// The same, telling a desk how far it is, and from the checkpoint that is there.

@@ -114,6 +114,14 @@ fn check_value(node: &Node, key: &Key, path: &str, units: Units) -> Result<(), S
             Value::Text(_) => Ok(()),
             _ => Err(wrong_type(node, path, "a text in quotes")),
         },
+        Kind::Texts => match &node.value {
+            Value::Text(_) => Ok(()),
+            Value::List(items) if !items.is_empty() => items.iter().try_for_each(|item| match &item.value {
+                Value::Text(_) => Ok(()),
+                _ => Err(wrong_type(item, path, "a text in quotes")),
+            }),
+            _ => Err(wrong_type(node, path, "a text in quotes, or a list of such")),
+        },
         Kind::Flag => match &node.value {
             Value::Flag(_) => Ok(()),
             _ => Err(wrong_type(node, path, "true or false")),

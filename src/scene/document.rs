@@ -168,11 +168,22 @@ impl Document {
     /// The same without its sweep, which the states of the sweep need not carry.
     #[must_use]
     pub fn without_sweep(&self) -> Self {
+        self.without(&["sweep", "latin_hypercube"])
+    }
+
+    /// The same without some of its tables.
+    #[must_use]
+    pub fn without(&self, tables: &[&str]) -> Self {
         let mut document = self.clone();
         if let Value::Table(entries) = &mut document.root.value {
-            entries.retain(|entry| !["sweep", "latin_hypercube"].contains(&entry.key.as_str()));
+            entries.retain(|entry| !tables.contains(&entry.key.as_str()));
         }
         document
+    }
+
+    /// Further files that the scene names, by the names that it gives them.
+    pub fn attachments(&self) -> impl Iterator<Item = (&str, &SourceText)> {
+        self.attached.iter().map(|(name, source)| (name.as_str(), source))
     }
 
     /// The folder that relative paths start from.

@@ -53,6 +53,7 @@ fn takes(key: &Key) -> String {
         Kind::Choice(words) => format!("one of {}", list(words)),
         Kind::Choices(words) => format!("a list of {}", list(words)),
         Kind::Text => "a text".into(),
+        Kind::Texts => "a text or a list of texts".into(),
         Kind::Flag => "`true` or `false`".into(),
         Kind::Table => "a table".into(),
         Kind::Tables => "a list of tables".into(),

@@ -47,6 +47,7 @@ fn of_key(key: &Key) -> Value {
         Kind::Choice(words) => choice(words),
         Kind::Choices(words) => json!({ "type": "array", "minItems": 1, "uniqueItems": true, "items": choice(words) }),
         Kind::Text => json!({ "type": "string" }),
+        Kind::Texts => json!({ "anyOf": [{ "type": "string" }, { "type": "array", "minItems": 1, "items": { "type": "string" } }] }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Table => table(key.path),
         Kind::Tables => json!({ "type": "array", "items": table(&format!("{}[]", key.path)) }),

@@ -2,7 +2,7 @@
 
 mod latin_hypercube;
 
-use super::catalogue::{self, Key, Kind};
+use super::catalogue::{self, Key, Kind, Range};
 use super::check::{self, Units};
 use super::diagnostic::{Place, SceneError};
 use super::document::{Document, Node, Value};
@@ -125,11 +125,7 @@ fn read_one(root: &Node, table: &Node, units: Units, cube: Option<(&Cube, u64)>)
     let header = first_line(&table.place);
     let key_node = table.get("key").ok_or_else(|| missing("key", &header))?;
     let Value::Text(path) = &key_node.value else { return Err(missing("key", &header)) };
-    let key = swept_key(root, path, &key_node.place)?;
-    let (dimension, range) = match key.kind {
-        Kind::Number { dimension, .. } => (dimension, range_of(key)),
-        _ => dependent_kind(root, path, key).unwrap_or((Dimension::NUMBER, range_of(key))),
-    };
+    let (key, dimension, range) = varied_key(root, path, &key_node.place, "sweep.key")?;
     let unit = if units == Units::Si { dimension.si_unit() } else { "1".to_owned() };
     let value_of = |node: &Node| -> Result<f64, SceneError> {
         let value = check::number(node, path, dimension, units)?;
@@ -185,16 +181,25 @@ fn read_one(root: &Node, table: &Node, units: Units, cube: Option<(&Cube, u64)>)
     Ok(Sweep { key: path.clone(), values, unit, logarithmic, together: cube.is_some(), place: key_node.place.clone() })
 }
 
-/// The catalogue entry of a swept path, after checking that it is a number and that its table exists.
-fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, SceneError> {
+/// The catalogue entry of the path of a number that `named_by` gives, after checking that it is a number and that its table exists; with what it is measured in.
+pub(super) fn varied_key(root: &Node, path: &str, place: &Place, named_by: &str) -> Result<(&'static Key, Dimension, Range), SceneError> {
+    let key = swept_key(root, path, place, named_by)?;
+    let (dimension, range) = match key.kind {
+        Kind::Number { dimension, .. } => (dimension, range_of(key)),
+        _ => dependent_kind(root, path, key).unwrap_or((Dimension::NUMBER, range_of(key))),
+    };
+    Ok((key, dimension, range))
+}
+
+fn swept_key(root: &Node, path: &str, place: &Place, named_by: &str) -> Result<&'static Key, SceneError> {
     let generic = catalogue::generic_path(path);
     if generic == "sweep" || generic.starts_with("sweep.") || generic.starts_with("sweep[]") {
-        return Err(SceneError::at(place, format!("`sweep.key` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
+        return Err(SceneError::at(place, format!("`{named_by}` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
     }
     let Some(key) = catalogue::key(&generic).filter(|key| is_number(key) || dependent_kind(root, path, key).is_some()) else {
         let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
         let label = nearest_number(path).map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
-        return Err(SceneError::at(place, format!("`sweep.key` = {path:?} {what}"), label));
+        return Err(SceneError::at(place, format!("`{named_by}` = {path:?} {what}"), label));
     };
     let table = path.rsplit_once('.').map_or("", |(table, _)| table);
     if has_table(root, table) {
@@ -203,10 +208,10 @@ fn swept_key(root: &Node, path: &str, place: &Place) -> Result<&'static Key, Sce
         if let Some((list, index)) = table.rsplit_once('.')
             && let Some(Node { value: Value::List(items), .. }) = root.at(list)
         {
-            let message = format!("`sweep.key` = {path:?} does not exist: `{list}` has {} items, counted from 0", items.len());
+            let message = format!("`{named_by}` = {path:?} does not exist: `{list}` has {} items, counted from 0", items.len());
             return Err(SceneError::at(place, message, format!("{index} is none of them")));
         }
-        let message = format!("`sweep.key` = {path:?} lies in [{table}], which the scene does not have");
+        let message = format!("`{named_by}` = {path:?} lies in [{table}], which the scene does not have");
         Err(SceneError::at(place, message, "a table that is absent is an effect that is not simulated").help(format!("add [{table}]")))
     }
 }

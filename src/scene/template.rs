@@ -38,6 +38,11 @@ pub const TEMPLATES: &[Template] = &[
         meaning: "a sphere pressed in and pulled off: force, contact and pull-off in time",
         text: include_str!("../../scenes/templates/indentation.toml"),
     },
+    Template {
+        name: "pull-off-test",
+        meaning: "a test as instruments run it: press to a force, hold, retract at a rate",
+        text: include_str!("../../scenes/templates/pull_off_test.toml"),
+    },
 ];
 
 /// The template of a name.

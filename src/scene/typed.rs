@@ -2,6 +2,7 @@
 
 mod attraction;
 mod delayed;
+mod fit;
 mod history;
 mod indentation;
 mod material;
@@ -19,6 +20,7 @@ use std::sync::Arc;
 pub use super::check::Units;
 pub use attraction::SceneAttraction;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
+pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
     CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,

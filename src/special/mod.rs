@@ -13,4 +13,5 @@ pub mod harmonic_imaginary;
 pub mod log_quadrature;
 pub mod log_sine;
 pub mod memory_clausen;
+pub mod normal;
 pub(crate) mod split_mix;

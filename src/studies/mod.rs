@@ -13,6 +13,8 @@ pub mod counters;
 pub mod draw;
 pub mod effects;
 pub mod event_lists;
+pub mod finite_spheres;
+pub mod fit_coverage;
 pub mod fits;
 pub mod hard_cases;
 pub mod held_contacts;
@@ -21,6 +23,7 @@ pub mod known_states;
 mod manufactured;
 pub mod order;
 pub mod precision;
+pub mod published_spheres;
 mod reference;
 mod report;
 mod run;
@@ -63,6 +66,7 @@ pub const STUDIES: &[Study] = &[
     alone("precision_sliding", precision::sliding::study),
     alone("precision_strength", precision::strength::study),
     alone("precision_sphere", precision::sphere::study),
+    alone("precision_finite_spheres", finite_spheres::cost::study),
     alone("precision_growth", precision::growth::study),
     alone("precision_steady_crack", precision::steady_crack::study),
     alone("precision_peers", precision::peers::study),
@@ -75,9 +79,12 @@ pub const STUDIES: &[Study] = &[
     beside("grammar", whole_grammar::study),
     beside("hard_cases", hard_cases::study),
     beside("held_contacts", held_contacts::study),
+    beside("finite_spheres", finite_spheres::study),
+    beside("published_spheres", published_spheres::study),
     beside("seeded_sweep", seeded_sweep::study),
     beside("event_lists", event_lists::study),
     beside("scene_bytes", scene_bytes::study),
     alone("fits", fits::study),
+    beside("fit_coverage", fit_coverage::study),
     alone("effects", effects::study),
 ];

@@ -57,7 +57,6 @@ pub const INDENTATION_CASES: &[Case] = &[
     Case { kind: "a second rim", edits: &[(SPHERE, "flat_punch = { radius = 1 }\nrim_radius = 0.5")], place: "rim_radius", says: &["`indentation.rim_radius`", "ends at its own radius", "leave it out"], ..NONE },
     Case { kind: "two shapes", edits: &[(SPHERE, "sphere = { radius = 1 }\ncone = { slope = 1 }")], place: "cone", says: &["`indentation.sphere` and `indentation.cone` exclude each other"], ..NONE },
     Case { kind: "two starts", edits: &[("\"untouched\"", "\"relaxed\"\npenetration = 1e-6\nforce = 0")], place: "force", says: &["exclude each other"], ..NONE },
-    Case { kind: "a rate from where nobody knows", edits: &[("hold = \"2 s\"", "force = \"1 mN\"\nrate = \"1 mN/s\"")], place: "1 mN/s", says: &["`history.1.rate`", "`penetration` is controlled", "give `duration` instead"], ..NONE },
     Case { kind: "a quantity of cracks", edits: &[(PRESSED, "stress_intensity = 1\nduration = 1")], place: "stress_intensity", says: &["not controlled in an indentation", "`penetration`, `force`, `contact_radius`, `frame`"], ..NONE },
     Case { kind: "times of fields that fall", edits: &[("", "[indentation.fields]\ntimes = [2, 1]\n")], place: "times", says: &["`indentation.fields.times`", "not later"], ..NONE },
     Case { kind: "fields of cracks", edits: &[("", "[fields]\npoints = 9\n")], place: "[fields]", says: &["belongs to cracks and sliding contacts", "[indentation.fields]"], ..NONE },

@@ -200,13 +200,14 @@ pub fn shortened(path: &Path) -> &'static [&'static str] {
         Some("million_steps") => &["history.0.oscillation.cycles=20"],
         Some("frequency_sweep") => &["history.0.oscillation.duration=120", "history.0.oscillation.to_frequency=0.1147"],
         Some("vibrated_retraction") => &["history.0.oscillation.duration=100", "history.0.oscillation.to=4.7e-5", "sweep.values=[0.0557]"],
+        Some("pull_off_at_five_ranges") => &["sweep.0.values=[1e-3, 5e-3]", "sweep.1.points=3"],
         Some("periodic_contact") => &["sweep.points=2"],
         Some("dynamic_stiffness") => &["sweep.points=3", "sweep.to=10"],
         _ => &[],
     }
 }
 
-/// Every shipped scene, the templates among them; files with materials only are none.
+/// Every shipped scene that `run` takes, the templates among them; files with materials only are none, and scenes with [fit] have their own tests.
 pub fn shipped_scenes() -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")];
@@ -214,7 +215,7 @@ pub fn shipped_scenes() -> Vec<PathBuf> {
         for entry in std::fs::read_dir(&folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                if path.file_name().is_none_or(|name| name != "materials") {
+                if path.file_name().is_none_or(|name| name != "materials" && name != "fits") {
                     folders.push(path);
                 }
             } else if path.extension().is_some_and(|extension| extension == "toml") {

@@ -369,9 +369,6 @@ fn what_it_does_not_solve_is_refused_with_the_reason() {
     assert!(refusal.contains("a force or a sudden step without adhesion"), "{refusal}");
     let refusal = solve_by_panels(&material, &asked).unwrap_err().to_string();
     assert!(refusal.contains("without adhesion"), "{refusal}");
-    let held = problem(state, History::contact_radius(0.1).step(0.12).hold(1.0)).relaxed();
-    let refusal = march_by_panels(&material, &held, USUAL, &[]).unwrap_err().to_string();
-    assert!(refusal.contains("a sudden change of the contact radius"), "{refusal}");
     let rimmed = Profile::FlatPunch { radius: 0.1 };
     let refusal =
         march_by_panels(&material, &IndentationProblem { profile: rimmed, ..retraction(state) }, USUAL, &[]).unwrap_err().to_string();

@@ -1,6 +1,8 @@
 //! Indentation in time.
 #![allow(missing_docs)]
 
+#[path = "../command_support/mod.rs"]
+mod command_support;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -9,6 +11,8 @@ mod annuli_reference;
 mod approach;
 mod by_panels;
 mod by_panels_against_march;
+mod by_panels_checkpoints;
+mod by_panels_histories;
 mod by_panels_shapes;
 mod checkpoints;
 mod closure_and_states;
@@ -25,6 +29,7 @@ mod periodic;
 mod prescribed_edge;
 mod profile_table;
 mod quick_edges;
+mod rate_after_another_control;
 mod reference_values;
 mod retraction;
 mod rim;

@@ -34,8 +34,8 @@ fn assert_free_of(rooms: &[&str], forbidden: &[&str]) {
     }
 }
 
-const PHYSICS: [&str; 10] =
-    ["special", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "finite_range", "rivals"];
+const PHYSICS: [&str; 11] =
+    ["special", "fit", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "finite_range", "rivals"];
 
 #[test]
 fn physics_knows_nothing_of_files_scenes_or_plots() {
@@ -60,6 +60,7 @@ fn no_plan_picks_a_rival() {
     assert_free_of(
         &[
             "special",
+            "fit",
             "material",
             "elastic",
             "closure",

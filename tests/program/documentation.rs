@@ -126,7 +126,7 @@ fn every_command_exists() {
     for (_, text) in pages() {
         for (info, body) in blocks(&text) {
             let word = |line: &str| line.strip_prefix("viscotack ")?.split_whitespace().next().map(str::to_string);
-            if info == "sh" {
+            if info == "sh" || info == "sh run" {
                 commands.extend(body.lines().filter_map(word));
             }
         }
@@ -138,6 +138,33 @@ fn every_command_exists() {
         let answer = Folder::new().call(&[&command, "--help"]);
         assert_eq!(answer.code, 0, "{command}: {}", answer.stderr);
     }
+}
+
+/// Commands in blocks `sh run` end well, one after the other, where the repository's scenes are.
+#[test]
+fn commands_that_are_short_run() {
+    let mut count = 0;
+    for (page, text) in pages() {
+        let folder = Folder::new();
+        let commands: Vec<String> = blocks(&text)
+            .into_iter()
+            .filter(|block| block.0 == "sh run")
+            .flat_map(|block| block.1.lines().map(str::to_owned).collect::<Vec<_>>())
+            .collect();
+        for command in commands {
+            let scenes = root().join("scenes").display().to_string();
+            let words: Vec<String> = command
+                .split_whitespace()
+                .skip(1)
+                .map(|word| word.replacen("scenes", &scenes, usize::from(word.starts_with("scenes/"))))
+                .collect();
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            let answer = folder.call(&words);
+            assert_eq!(answer.code, 0, "{}: {command}\n{}", page.display(), answer.stderr);
+            count += 1;
+        }
+    }
+    assert!(count >= 3, "{count}");
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod support;
 
 mod effects;
 mod figures_of_the_thesis;
+mod fit_numbers;
 mod hard_cases;
 mod held_contacts;
 mod honesty;

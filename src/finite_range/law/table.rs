@@ -115,6 +115,12 @@ impl Table {
         self.works[i] + h * t * (c[0] + t * (c[1] / 2.0 + t * (c[2] / 3.0 + t * c[3] / 4.0)))
     }
 
+    /// The first point of largest tension.
+    pub(super) fn peak_gap(&self) -> f64 {
+        let least = self.stresses.iter().zip(&self.gaps).min_by(|a, b| a.0.total_cmp(b.0));
+        least.map_or(0.0, |(_, &gap)| gap)
+    }
+
     /// The largest slope inside any piece: at an end of it or at the middle of its parabola.
     pub(super) fn steepest(&self) -> f64 {
         let mut most = self.slopes.iter().copied().fold(0.0_f64, f64::max);
@@ -139,7 +145,7 @@ impl Table {
     }
 
     /// Where the stress turns from repulsion to tension (the first gap if the table begins with tension).
-    fn zero(&self) -> f64 {
+    pub(super) fn zero(&self) -> f64 {
         let Some(after) = self.stresses.iter().position(|&s| s <= 0.0).filter(|&i| i > 0) else {
             return self.gaps[0];
         };

@@ -1,5 +1,6 @@
 //! The record of a run while it is made.
 
+use super::kept_surface::Surface;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Control, Motion, Problem, Start};
 use super::result::{Certificate, Jump, LegSummary, Record, Run};
@@ -16,7 +17,11 @@ pub(super) struct Book {
     pub(super) instants: Vec<f64>,
     pub(super) rows: Vec<Record>,
     pub(super) legs: Vec<LegSummary>,
+    surfaces: Vec<Surface>,
+    /// Times of surfaces still to come, the last first.
+    wanted: Vec<f64>,
     pub(super) jumps: Vec<Jump>,
+    pub(super) losses: Vec<Record>,
     pub(super) steps: usize,
     pub(super) rejected: usize,
     pub(super) failed: usize,
@@ -33,11 +38,28 @@ impl Book {
         let mut solver = Solver::new(problem, accuracy, mesher)?;
         let state = solver.start(problem, deepest(problem))?;
         let initial = state.energies(&solver.surface, &solver.chain, solver.coupling);
-        let mut instants = problem.instants.clone();
+        let mut instants: Vec<f64> = problem.instants.iter().chain(&problem.surfaces).copied().collect();
         instants.sort_by(f64::total_cmp);
-        let (rows, legs, jumps) = (Vec::new(), Vec::new(), Vec::new());
-        let mut book = Self { initial, instants, rows, legs, jumps, steps: 0, rejected: 0, failed: 0, refined: 0, nodes: 0, largest: 0.0 };
+        let mut wanted = problem.surfaces.clone();
+        wanted.sort_by(|a, b| b.total_cmp(a));
+        let mut book = Self {
+            initial,
+            instants,
+            rows: Vec::new(),
+            legs: Vec::new(),
+            surfaces: Vec::new(),
+            wanted,
+            jumps: Vec::new(),
+            losses: Vec::new(),
+            steps: 0,
+            rejected: 0,
+            failed: 0,
+            refined: 0,
+            nodes: 0,
+            largest: 0.0,
+        };
         book.rows.push(book.record(&solver, &state));
+        book.keep_surface(&solver, &state);
         Ok((solver, state, book))
     }
 
@@ -51,10 +73,10 @@ impl Book {
         let energies = state.energies(&solver.surface, &solver.chain, solver.coupling);
         let change = energies.instant - self.initial.instant + energies.interface - self.initial.interface;
         Record {
-            time: state.time,
+            time: solver.frozen.unwrap_or(state.time),
             penetration: state.penetration,
             force: state.force,
-            contact_radius: state.radius_at_gap(solver.surface.peak_gap()),
+            contact_radius: state.radius_at_gap(solver.surface.peak_gap(), &solver.mesher.quadrature.rule, &solver.surface),
             tension_radius: state.tension_radius(),
             energies,
             work: state.work,
@@ -73,9 +95,21 @@ impl Book {
             return Err(Refusal::out_of_range("contact radius", row.contact_radius, "well inside the mesh"));
         }
         self.rows.push(row);
+        self.keep_surface(solver, state);
         let energies = [row.work, row.energies.instant, row.energies.delayed];
         self.largest = energies.iter().fold(self.largest, |most, e| most.max(e.abs()));
         Ok(())
+    }
+
+    /// Keeps the surface of a state, if it is wanted at its time.
+    pub(super) fn keep_surface(&mut self, solver: &Solver, state: &State) {
+        let time = solver.frozen.unwrap_or(state.time);
+        while let Some(&wanted) = self.wanted.last()
+            && wanted <= time * (1.0 + 1e-12)
+        {
+            self.wanted.pop();
+            self.surfaces.push(Surface::of(state, wanted, &solver.mesher.quadrature.rule, &solver.surface));
+        }
     }
 
     /// The finished run.
@@ -93,21 +127,27 @@ impl Book {
             newton_residual: solver.newton.last_correction,
             accuracy: solver.accuracy,
         };
-        Run { rows: self.rows, legs: self.legs, jumps: self.jumps, detachment, certificate }
+        Run { rows: self.rows, legs: self.legs, surfaces: self.surfaces, jumps: self.jumps, losses: self.losses, detachment, certificate }
     }
 }
 
 /// An upper estimate of the penetrations of the history.
 fn deepest(problem: &Problem) -> f64 {
-    let (Start::Relaxed(mut now) | Start::Unstrained(mut now)) = problem.start;
+    let of_force = |force: f64| (0.75 * problem.tabor.powf(1.5) * force.max(0.0)).powf(2.0 / 3.0);
+    let mut now = match problem.start {
+        Start::Relaxed(depth) | Start::Unstrained(depth) => depth,
+        Start::Held { control: Control::Force, value, .. } => of_force(value),
+        Start::Held { value, .. } => value,
+    };
     let mut most = now;
     for leg in &problem.history {
         let value = match leg.motion {
             Motion::Ramp { to, .. } => to,
             Motion::Hold(_) => continue,
             Motion::Oscillation { amplitude, .. } => amplitude.abs(),
+            Motion::Swing { to, oscillation, .. } => to + oscillation.amplitude,
         };
-        let depth = if leg.control == Control::Force { (0.75 * problem.tabor.powf(1.5) * value.max(0.0)).powf(2.0 / 3.0) } else { value };
+        let depth = if leg.control == Control::Force { of_force(value) } else { value };
         now = if matches!(leg.motion, Motion::Oscillation { .. }) { most + depth } else { depth };
         most = most.max(now);
     }

@@ -16,24 +16,24 @@ pub(super) struct Drive {
 }
 
 impl Drive {
-    /// A leg that begins at a state.
+    /// A leg that begins at a state. A step at once runs through a time of its own, from 0 to 1.
     pub(super) fn new(leg: Leg, state: &State) -> Self {
+        let motion = match leg.motion {
+            Motion::Ramp { to, duration: 0.0 } => Motion::Ramp { to, duration: 1.0 },
+            motion => motion,
+        };
         let from = match leg.control {
             Control::Penetration => state.penetration,
             Control::Force => state.force,
             Control::Frame(stiffness) => state.penetration + state.force / stiffness,
         };
-        Self { control: leg.control, motion: leg.motion, begin: state.time, from }
+        Self { control: leg.control, motion, begin: state.time, from }
     }
 
     /// The control equation at a time.
     pub(super) fn row(&self, time: f64) -> Row {
         let value = self.motion.at(time - self.begin, self.from).0;
-        let (penetration, force) = match self.control {
-            Control::Penetration => (1.0, 0.0),
-            Control::Force => (0.0, 1.0),
-            Control::Frame(stiffness) => (1.0, 1.0 / stiffness),
-        };
+        let (penetration, force) = self.control.factors();
         Row { penetration, force, value }
     }
 

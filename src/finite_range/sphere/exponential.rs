@@ -10,7 +10,7 @@ use super::problem::{Accuracy, Problem};
 use super::result::Run;
 use super::state::State;
 use super::step::Solver;
-use crate::refusal::Refusal;
+use crate::refusal::{Refusal, require_positive};
 
 /// Meshes tried for one step.
 const REMESHES: usize = 60;
@@ -59,6 +59,7 @@ impl Solver<'_> {
 pub fn run_by_exponentials(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, pieces: usize) -> Result<Run, Refusal> {
     let (mut solver, mut state, mut book) = Book::open(problem, accuracy, mesher)?;
     for leg in &problem.history {
+        require_positive("duration", leg.motion.duration())?;
         let drive = Drive::new(*leg, &state);
         let end = state.time + leg.motion.duration();
         let mut stops: Vec<f64> = book.instants.iter().copied().filter(|&t| t > state.time && t < end).collect();

@@ -124,7 +124,7 @@ impl Solver<'_> {
     pub(super) fn jump(&mut self, from: &State, drive: &Drive, mut h: f64, end: f64) -> Option<Landing> {
         for growth in 0..20 {
             h = h.min(end - from.time);
-            let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| h / tau).collect();
+            let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| self.creep_time(h) / tau).collect();
             let landed = self.settle(from, &z, drive.row(from.time + h))?;
             let old = from.on(&landed.mesh, self.mesher, &self.surface);
             let change =

@@ -27,6 +27,7 @@ fn influence(x: f64, y: f64, distance: f64) -> f64 {
 }
 
 /// A Gauss–Legendre rule on [−1, 1] with what is needed to interpolate through its nodes.
+#[derive(Clone)]
 pub(super) struct Rule {
     pub(super) nodes: Vec<f64>,
     pub(super) weights: Vec<f64>,

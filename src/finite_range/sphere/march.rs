@@ -35,11 +35,21 @@ const COARSEN_EVERY: usize = 3;
 /// # Errors
 /// [`Refusal`] for a number that is not allowed, a start or a landing that was not found, or an exhausted budget of steps.
 pub fn run(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Run, Refusal> {
+    run_watched(problem, accuracy, mesher, &mut |_| {})
+}
+
+/// The same; `watch` is called after every step with the part of the history (0 to 1) that is done.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_watched(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, watch: &mut dyn FnMut(f64)) -> Result<Run, Refusal> {
     let (solver, state, book) = Book::open(problem, accuracy, mesher)?;
-    let mut march = March { solver, state, book };
+    let whole = problem.history.iter().map(|leg| leg.motion.duration()).sum();
+    let mut march = March { solver, state, book, watch, whole };
     for leg in &problem.history {
-        if march.leg(leg)? {
+        if march.whole_leg(leg)? {
             let detachment = march.book.rows.last().copied();
+            march.book.losses.extend(detachment);
             return Ok(march.book.close(&march.solver, detachment));
         }
     }
@@ -50,6 +60,9 @@ struct March<'m> {
     solver: Solver<'m>,
     state: State,
     book: Book,
+    watch: &'m mut dyn FnMut(f64),
+    /// How long the history is.
+    whole: f64,
 }
 
 /// The states of a leg that the search for its events needs.
@@ -59,15 +72,37 @@ struct Window {
     zero: Option<State>,
 }
 
+impl Solver<'_> {
+    /// Whether a contact ends between two states.
+    fn parts(&self, old: &State, new: &State) -> bool {
+        let open = |state: &State| state.open_at_axis(&self.mesher.quadrature.rule, &self.surface) > 0.0;
+        !open(old) && open(new)
+    }
+}
+
 impl March<'_> {
+    /// One leg, in time or at once; true if contact ended under force control.
+    fn whole_leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
+        if leg.motion.duration() > 0.0 {
+            return self.leg(leg);
+        }
+        let time = std::mem::replace(&mut self.state.time, 0.0);
+        self.solver.frozen = Some(time);
+        let ended = self.leg(leg);
+        self.solver.frozen = None;
+        self.state.time = time;
+        ended
+    }
+
     /// One leg; true if contact ended under force control.
     fn leg(&mut self, leg: &Leg) -> Result<bool, Refusal> {
         let drive = Drive::new(*leg, &self.state);
-        let end = drive.begin + leg.motion.duration();
+        let end = drive.begin + drive.motion.duration();
+        let longest = drive.motion.longest_step();
         self.state.rate = None;
         let mut window = Window { before: None, best: self.state.clone(), zero: None };
         let first = self.book.record(&self.solver, &self.state);
-        let (mut h, mut careful) = (first_step(&drive, end), 0);
+        let (mut h, mut careful) = (first_step(&drive, end).min(longest), 0);
         let mut usual = h;
         let mut remeshed = 0;
         let mut detached = false;
@@ -115,7 +150,7 @@ impl March<'_> {
             let growth = if careful > 0 { CAREFUL_GROWTH } else { GROWTH };
             careful = careful.saturating_sub(1);
             // A step cut short by an instant says nothing about the next one.
-            h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 });
+            h = (step * factor.min(growth)).max(if next.is_some() { h } else { 0.0 }).min(longest);
             usual = step.max(0.9 * usual);
         }
         let summary = LegSummary {
@@ -131,7 +166,8 @@ impl March<'_> {
     /// The step cut or stretched to the next instant or the end of the leg, and the time to land on.
     fn bounded(&self, h: f64, end: f64) -> (f64, Option<f64>) {
         let now = self.state.time;
-        let stop = self.book.instants.iter().copied().find(|&t| t > now * (1.0 + 1e-14) && t < end).unwrap_or(end);
+        let instants: &[f64] = if self.solver.frozen.is_some() { &[] } else { &self.book.instants };
+        let stop = instants.get(instants.partition_point(|&t| t <= now * (1.0 + 1e-14))).copied().filter(|&t| t < end).unwrap_or(end);
         let left = stop - now;
         if h * 1.001 >= left {
             (left, Some(stop))
@@ -146,6 +182,7 @@ impl March<'_> {
     fn accepted(&mut self, new: State, drive: &Drive, window: &mut Window) -> Result<(), Refusal> {
         let old = std::mem::replace(&mut self.state, new);
         self.book.row(&self.solver, &self.state)?;
+        (self.watch)(self.solver.frozen.unwrap_or(self.state.time) / self.whole.max(f64::MIN_POSITIVE));
         if drive.control == Control::Force && self.state.u.iter().all(|&u| self.solver.surface.gap(u) > LOST) {
             let reason = "the force goes to zero and the surfaces part without limit".to_owned();
             return Err(Refusal::NoSuchState { reason, limit_name: "time", limit: self.state.time });
@@ -162,6 +199,11 @@ impl March<'_> {
             if found.force < window.best.force {
                 window.best = found;
             }
+        }
+        if self.solver.parts(&old, &self.state) {
+            let lost = self.solver.open_axis(&old, &self.state, drive);
+            let lost = self.book.record(&self.solver, &lost);
+            self.book.losses.push(lost);
         }
         if old.force > 0.0 && self.state.force <= 0.0 {
             window.zero = Some(self.solver.zero_of_force(&old, &self.state, drive));
@@ -189,9 +231,15 @@ impl March<'_> {
         self.state = landing.state;
         let row = self.book.record(&self.solver, &self.state);
         self.book.rows.push(row);
+        self.book.keep_surface(&self.solver, &self.state);
         if landing.jumped {
+            let from = self.book.record(&self.solver, &before);
+            if from.contact_radius > 0.0 && row.contact_radius == 0.0 {
+                self.book.losses.push(row);
+            }
             self.book.jumps.push(Jump {
                 time: row.time,
+                radius_before: from.contact_radius,
                 penetration: before.penetration,
                 force_before: before.force,
                 force_after: row.force,

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::kernel::Quadrature;
+use super::kernel::{Quadrature, Rule};
 
 /// Lengths of neighbours differ by this factor at most.
 pub(super) const GRADING: f64 = 4.0;
@@ -94,6 +94,16 @@ impl Mesh {
     /// out = A q, in the widest vectors of the machine.
     pub(super) fn apply(&self, q: &[f64], out: &mut [f64]) {
         pulp::Arch::new().dispatch(Product { matrix: &self.matrix, q, out });
+    }
+
+    /// The value at a radius of a field that is a polynomial in every element; nothing outside.
+    pub(super) fn value_at(&self, rule: &Rule, field: &[f64], radius: f64) -> Option<f64> {
+        let e = self.cells.partition_point(|cell| cell.interval().1 < radius);
+        let (a, b) = self.cells.get(e)?.interval();
+        let order = rule.nodes.len();
+        let mut basis = vec![0.0; order];
+        rule.basis((2.0 * radius - a - b) / (b - a), &mut basis);
+        Some(basis.iter().zip(&field[e * order..(e + 1) * order]).map(|(b, v)| b * v).sum())
     }
 
     /// ∫ f dA.

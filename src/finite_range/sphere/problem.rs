@@ -6,7 +6,11 @@
 //! Penetration zero: the apex of the undeformed tip lies one range above the undeformed plane (at the wall, if the law has one).
 
 use crate::finite_range::law::Law;
-use crate::refusal::{Refusal, require_finite, require_positive};
+use crate::indentation::Oscillation;
+use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
+
+/// Steps of a cycle, at least.
+const STEPS_OF_A_CYCLE: f64 = 16.0;
 
 /// The undeformed tip: its height f(x) over the apex, in h₀, at radius x.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,6 +55,15 @@ pub enum Start {
     Relaxed(f64),
     /// A body without creep strain at this penetration (a negative one, where the surfaces hardly attract).
     Unstrained(f64),
+    /// A contact under this value of another control.
+    Held {
+        /// What is given.
+        control: Control,
+        /// Its value.
+        value: f64,
+        /// Relaxed, or without creep strain.
+        relaxed: bool,
+    },
 }
 
 /// What a leg of the history imposes.
@@ -64,15 +77,42 @@ pub enum Control {
     Frame(f64),
 }
 
+impl Control {
+    fn check(self) -> Result<(), Refusal> {
+        if let Self::Frame(stiffness) = self {
+            require_positive("frame stiffness", stiffness)?;
+        }
+        Ok(())
+    }
+
+    /// Factors of the penetration and the force in what is imposed.
+    pub(super) fn factors(self) -> (f64, f64) {
+        match self {
+            Self::Penetration => (1.0, 0.0),
+            Self::Force => (0.0, 1.0),
+            Self::Frame(stiffness) => (1.0, 1.0 / stiffness),
+        }
+    }
+}
+
 /// How the imposed quantity moves during a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
-    /// At constant rate to a value within a duration > 0.
+    /// At constant rate to a value within a duration; zero is a step at once, during which nothing creeps.
     Ramp {
         /// The value at the end.
         to: f64,
         /// The time it takes.
         duration: f64,
+    },
+    /// A sine of steady or swept frequency about a straight way to a value, within a duration > 0.
+    Swing {
+        /// The mean at the end.
+        to: f64,
+        /// The time it takes.
+        duration: f64,
+        /// The sine.
+        oscillation: Oscillation,
     },
     /// It stays as it is for a duration > 0.
     Hold(f64),
@@ -92,8 +132,18 @@ impl Motion {
     #[must_use]
     pub fn duration(self) -> f64 {
         match self {
-            Self::Ramp { duration, .. } | Self::Hold(duration) => duration,
+            Self::Ramp { duration, .. } | Self::Hold(duration) | Self::Swing { duration, .. } => duration,
             Self::Oscillation { period, cycles, .. } => period * cycles,
+        }
+    }
+
+    /// The longest step that sees every swing; without bound where nothing swings.
+    #[must_use]
+    pub(super) fn longest_step(self) -> f64 {
+        match self {
+            Self::Ramp { .. } | Self::Hold(_) => f64::INFINITY,
+            Self::Oscillation { period, .. } => period / STEPS_OF_A_CYCLE,
+            Self::Swing { oscillation, .. } => 1.0 / (STEPS_OF_A_CYCLE * oscillation.frequency.max(oscillation.end_frequency)),
         }
     }
 
@@ -103,6 +153,13 @@ impl Motion {
         match self {
             Self::Ramp { to, duration } => (from + (to - from) * since / duration, (to - from) / duration),
             Self::Hold(_) => (from, 0.0),
+            Self::Swing { to, duration, oscillation } => {
+                let slope = (to - from) / duration;
+                let cycles = oscillation.cycles_at(since, duration);
+                let speed = std::f64::consts::TAU * oscillation.frequency_at(since, duration);
+                let swing = oscillation.amplitude * speed * (std::f64::consts::TAU * (cycles - cycles.round())).cos();
+                (from + slope * since + oscillation.deviation(since, duration), slope + swing)
+            }
             Self::Oscillation { amplitude, period, .. } => {
                 let frequency = std::f64::consts::TAU / period;
                 let (sine, cosine) = (frequency * since).sin_cos();
@@ -138,6 +195,8 @@ pub struct Problem {
     pub history: Vec<Leg>,
     /// Times at which a row is wanted (besides those of the integrator).
     pub instants: Vec<f64>,
+    /// Times at which the surface is kept.
+    pub surfaces: Vec<f64>,
 }
 
 impl Problem {
@@ -179,16 +238,24 @@ impl Problem {
                 return Err(Refusal::out_of_range("exponent", exponent, "between 1 and 20"));
             }
         }
-        let (Start::Relaxed(penetration) | Start::Unstrained(penetration)) = self.start;
-        require_finite("start penetration", penetration)?;
-        for leg in &self.history {
-            if let Control::Frame(stiffness) = leg.control {
-                require_positive("frame stiffness", stiffness)?;
+        match self.start {
+            Start::Relaxed(penetration) | Start::Unstrained(penetration) => require_finite("start penetration", penetration)?,
+            Start::Held { control, value, .. } => {
+                control.check()?;
+                require_finite("start value", value)?
             }
+        };
+        for leg in &self.history {
+            leg.control.check()?;
             match leg.motion {
                 Motion::Ramp { to, duration } => {
                     require_finite("ramp target", to)?;
+                    require_non_negative("duration", duration)?;
+                }
+                Motion::Swing { to, duration, oscillation } => {
+                    require_finite("mean", to)?;
                     require_positive("duration", duration)?;
+                    oscillation.checked()?;
                 }
                 Motion::Hold(duration) => {
                     require_positive("duration", duration)?;
@@ -200,7 +267,7 @@ impl Problem {
                 }
             }
         }
-        for &instant in &self.instants {
+        for &instant in self.instants.iter().chain(&self.surfaces) {
             require_finite("instant", instant)?;
         }
         Ok(())

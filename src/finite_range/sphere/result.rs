@@ -1,5 +1,6 @@
 //! What a run gives: rows, events, and the evidence for them. Units as in [`super::problem`].
 
+use super::kept_surface::Surface;
 use super::problem::Accuracy;
 use super::state::Energies;
 
@@ -33,6 +34,8 @@ pub struct Record {
 pub struct Jump {
     /// When it was over.
     pub time: f64,
+    /// The contact radius before it.
+    pub radius_before: f64,
     /// Before it; known to about 1e-5.
     pub penetration: f64,
     /// Before it. Soft: near a fold it varies by up to 3e-3 with the tolerances.
@@ -112,8 +115,12 @@ pub struct Run {
     pub rows: Vec<Record>,
     /// One for each leg that ended.
     pub legs: Vec<LegSummary>,
+    /// At the times that were asked for and reached.
+    pub surfaces: Vec<Surface>,
     /// In the order of time.
     pub jumps: Vec<Jump>,
+    /// Where a contact ended, smoothly or by a jump: the gap became wider everywhere than that of the largest tension.
+    pub losses: Vec<Record>,
     /// Under force control: the last state before no equilibrium exists any more. The run ends there.
     pub detachment: Option<Record>,
     /// Evidence.

@@ -47,8 +47,19 @@ impl Solver<'_> {
 
     /// The state of zero force inside a step.
     pub(super) fn zero_of_force(&mut self, from: &State, to: &State, drive: &Drive) -> State {
-        let (mut low, mut high) = ((0.0, from.force), (to.time - from.time, to.force));
-        let mut best = if from.force.abs() < to.force.abs() { from.clone() } else { to.clone() };
+        self.crossing([from, to], drive, |_, state| state.force)
+    }
+
+    /// The state inside a step in which the gap at the axis is that of the largest tension: where a contact ends or begins.
+    pub(super) fn open_axis(&mut self, from: &State, to: &State, drive: &Drive) -> State {
+        self.crossing([from, to], drive, |solver, state| state.open_at_axis(&solver.mesher.quadrature.rule, &solver.surface))
+    }
+
+    /// The state inside a step in which a quantity that changes its sign is zero.
+    fn crossing(&mut self, [from, to]: [&State; 2], drive: &Drive, of: impl Fn(&Self, &State) -> f64) -> State {
+        let ends = [of(self, from), of(self, to)];
+        let (mut low, mut high) = ((0.0, ends[0]), (to.time - from.time, ends[1]));
+        let (mut best, mut least) = if ends[0].abs() < ends[1].abs() { (from.clone(), ends[0]) } else { (to.clone(), ends[1]) };
         let mut side = 0;
         for _ in 0..TRIALS {
             let h = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
@@ -56,20 +67,20 @@ impl Solver<'_> {
                 break;
             }
             let Some(state) = self.advance(from, drive, h, HALVINGS) else { break };
-            let force = state.force;
-            if force.abs() < best.force.abs() {
-                best = state;
+            let value = of(self, &state);
+            if value.abs() < least.abs() {
+                (best, least) = (state, value);
             }
-            if force.abs() < 1e-9 * (from.force.abs() + to.force.abs()) {
+            if value.abs() < 1e-9 * (ends[0].abs() + ends[1].abs()) {
                 break;
             }
             // The Illinois rule: an end that stays twice counts half.
-            if force * low.1 > 0.0 {
-                low = (h, force);
+            if value * low.1 > 0.0 {
+                low = (h, value);
                 high.1 *= if side == 1 { 0.5 } else { 1.0 };
                 side = 1;
             } else {
-                high = (h, force);
+                high = (h, value);
                 low.1 *= if side == -1 { 0.5 } else { 1.0 };
                 side = -1;
             }

@@ -1,9 +1,10 @@
 //! The first state of a run.
 
+use spec_math::Gamma;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::newton::Row;
-use super::problem::{Problem, Shape, Start};
+use super::problem::{Control, Problem, Shape, Start};
 use super::state::State;
 use super::step::Solver;
 use crate::refusal::Refusal;
@@ -21,9 +22,17 @@ impl Solver<'_> {
     /// # Errors
     /// [`Refusal::NotConverged`] if no equilibrium was found.
     pub(super) fn start(&mut self, problem: &Problem, deepest: f64) -> Result<State, Refusal> {
-        let (Start::Relaxed(depth) | Start::Unstrained(depth)) = problem.start;
-        let relaxed = matches!(problem.start, Start::Relaxed(_));
-        let reach = radius_at_depth(problem.shape, deepest.max(depth).max(1.0));
+        let (control, value, relaxed) = match problem.start {
+            Start::Relaxed(depth) => (Control::Penetration, depth, true),
+            Start::Unstrained(depth) => (Control::Penetration, depth, false),
+            Start::Held { control, value, relaxed } => (control, value, relaxed),
+        };
+        let modulus = if relaxed { 1.0 } else { self.chain.instant };
+        let (of_depth, of_force) = control.factors();
+        let row = Row { penetration: of_depth, force: of_force, value };
+        let depth = first_depth(problem.shape, row, self.coupling * modulus);
+        let deepest = deepest.max(depth).max(1.0);
+        let reach = radius_at_depth(problem.shape, deepest).max(first_contact(problem.shape, deepest, self.coupling).unwrap_or(0.0));
         let mesh = self.mesher.coarsest(MARGIN * reach);
         let n = mesh.nodes();
         let mut state = State {
@@ -40,8 +49,7 @@ impl Solver<'_> {
             viscous: 0.0,
             released: 0.0,
         };
-        let modulus = if relaxed { 1.0 } else { self.chain.instant };
-        let contact = first_contact(problem.shape, depth, self.coupling * modulus).filter(|_| relaxed || depth > 0.0);
+        let contact = first_contact(problem.shape, depth, self.coupling * modulus).filter(|_| relaxed || depth > 0.0 || of_force > 0.0);
         for _ in 0..ROUNDS {
             state.u = state.mesh.x.iter().map(|&x| self.first_guess(x, problem.shape, depth, contact, modulus)).collect();
             state.p = state.u.iter().map(|&u| self.surface.pressure(u)).collect();
@@ -52,11 +60,17 @@ impl Solver<'_> {
             }
         }
         let z = vec![if relaxed { RELAXED } else { 0.0 }; self.chain.terms.len()];
-        let row = Row { penetration: 1.0, force: 0.0, value: depth };
         let settled = self.settle(&state, &z, row);
         settled.ok_or_else(|| Refusal::NotConverged {
             what: "the first state",
-            detail: format!("no equilibrium was found at penetration {depth}"),
+            detail: format!(
+                "no equilibrium was found where {} = {value}",
+                match control {
+                    Control::Penetration => "the penetration",
+                    Control::Force => "the force",
+                    Control::Frame(_) => "the travel of the frame",
+                }
+            ),
         })
     }
 
@@ -64,7 +78,7 @@ impl Solver<'_> {
     fn first_guess(&self, x: f64, shape: Shape, depth: f64, contact: Option<f64>, modulus: f64) -> f64 {
         let coupling = self.coupling * modulus;
         let Some(a) = contact else { return (self.surface.undeformed(x) - depth).max(0.9) };
-        let opening = if shape == Shape::Paraboloid { (2.0 * PI * coupling * a).sqrt() } else { 0.0 };
+        let opening = (2.0 * PI * coupling * a).sqrt();
         if x < a {
             let root = (a * a - x * x).sqrt().max(1e-3 * a);
             return self.surface.compressed((FRAC_2_PI * root - opening / (PI * root)) / coupling);
@@ -76,6 +90,63 @@ impl Solver<'_> {
     }
 }
 
+/// The contact of zero range on a tip of height c·x^n: Δ = κa^n − √(2πma), F = 2n/(n+1)·κa^{n+1}/m − √(8πa³/m), with κ by Sneddon (1965).
+struct ZeroRange {
+    factor: f64,
+    exponent: f64,
+    coupling: f64,
+}
+
+impl ZeroRange {
+    fn new(shape: Shape, coupling: f64) -> Self {
+        let (coefficient, exponent) = match shape {
+            Shape::Paraboloid => (0.5, 2.0),
+            Shape::Power { coefficient, exponent } => (coefficient, exponent),
+        };
+        let gammas = Gamma::gamma(&(0.5 * exponent + 1.0)) / Gamma::gamma(&(0.5 * exponent + 0.5));
+        Self { factor: coefficient * PI.sqrt() * gammas, exponent, coupling }
+    }
+
+    /// The radius at which the penetration is least, times this power of three.
+    fn least(&self, threefold: bool) -> f64 {
+        let slope = (2.0 * PI * self.coupling).sqrt() / (2.0 * self.exponent * self.factor);
+        (if threefold { 3.0 * slope } else { slope }).powf(1.0 / (self.exponent - 0.5))
+    }
+
+    fn penetration(&self, a: f64) -> f64 {
+        self.factor * a.powf(self.exponent) - (2.0 * PI * self.coupling * a).sqrt()
+    }
+
+    fn force(&self, a: f64) -> f64 {
+        let n = self.exponent;
+        2.0 * n / (n + 1.0) * self.factor * a.powf(n + 1.0) / self.coupling - (8.0 * PI * a.powi(3) / self.coupling).sqrt()
+    }
+
+    /// The radius, from `least` up, at which a rising quantity is zero; `least` if it is positive there.
+    fn radius(least: f64, rising: impl Fn(f64) -> f64) -> f64 {
+        let (mut low, mut high) = (least, 2.0 * least.max(1.0));
+        while rising(high) < 0.0 && high < 1e100 {
+            high *= 2.0;
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if rising(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        low
+    }
+}
+
+/// The penetration at which a contact of zero range has a value of what is imposed.
+fn first_depth(shape: Shape, row: Row, coupling: f64) -> f64 {
+    if row.force == 0.0 {
+        return row.value / row.penetration;
+    }
+    let contact = ZeroRange::new(shape, coupling);
+    // The force is least at a larger radius than the penetration: there the slope of one is three times that of the other.
+    let imposed = |a: f64| row.penetration * contact.penetration(a) + row.force * contact.force(a) - row.value;
+    contact.penetration(ZeroRange::radius(contact.least(true), imposed))
+}
+
 /// The radius at which the undeformed tip is as high as a depth.
 fn radius_at_depth(shape: Shape, depth: f64) -> f64 {
     match shape {
@@ -84,19 +155,9 @@ fn radius_at_depth(shape: Shape, depth: f64) -> f64 {
     }
 }
 
-/// The radius of the JKR contact at a penetration, the larger one; for other tips that of the overlap. None where there is no contact.
+/// The radius of the contact of zero range at a penetration, the larger one. None where there is no contact.
 fn first_contact(shape: Shape, depth: f64, coupling: f64) -> Option<f64> {
-    let Shape::Paraboloid = shape else { return (depth > 0.0).then(|| 0.8 * radius_at_depth(shape, depth)) };
-    // Δ = a² − √(2πma) has its least value where 2a = √(2πm/a)/2.
-    let least = (PI * coupling / 8.0).cbrt();
-    let excess = |a: f64| a * a - (2.0 * PI * coupling * a).sqrt() - depth;
-    if excess(least) > 0.0 {
-        return None;
-    }
-    let (mut low, mut high) = (least, 2.0 * (depth.abs().sqrt() + least) + (2.0 * PI * coupling).powf(0.4) * 2.0);
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    Some(high)
+    let contact = ZeroRange::new(shape, coupling);
+    let least = contact.least(false);
+    (contact.penetration(least) <= depth).then(|| ZeroRange::radius(least, |a| contact.penetration(a) - depth))
 }

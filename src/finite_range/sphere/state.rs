@@ -3,8 +3,12 @@
 use std::sync::Arc;
 
 use super::chain::Chain;
+use super::kernel::Rule;
 use super::mesh::{Mesh, Mesher};
 use super::surface::Surface;
+
+/// Halvings in the search for the edge of the contact: to the last digits.
+const BISECTIONS: usize = 45;
 
 /// Everything a run needs to go on from an instant. Each state keeps its own mesh.
 #[derive(Clone)]
@@ -98,10 +102,26 @@ impl State {
         if curvature > 0.0 { (x[least] - slope / curvature).clamp(x[least - 1], x[least + 1]) } else { x[least] }
     }
 
-    /// The innermost radius where the gap passes a value; zero if the gap is larger everywhere.
-    pub(super) fn radius_at_gap(&self, gap: f64) -> f64 {
+    /// By how much the gap at the axis is wider than that of the largest tension.
+    pub(super) fn open_at_axis(&self, rule: &Rule, surface: &Surface) -> f64 {
+        let lifted: Vec<f64> = self.u.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
+        surface.undeformed(0.0) + self.mesh.value_at(rule, &lifted, 0.0).unwrap_or(0.0) - surface.peak_gap()
+    }
+
+    /// The innermost radius where the gap passes a value, by the polynomial of its element; zero if the gap is larger everywhere.
+    pub(super) fn radius_at_gap(&self, gap: f64, rule: &Rule, surface: &Surface) -> f64 {
         let (u, x) = (&self.u, &self.mesh.x);
-        let Some(i) = (0..u.len()).find(|&i| u[i] > gap) else { return self.mesh.radius() };
-        if i == 0 { 0.0 } else { x[i - 1] + (x[i] - x[i - 1]) * (gap - u[i - 1]) / (u[i] - u[i - 1]) }
+        let Some(i) = (0..u.len()).find(|&i| surface.gap(u[i]) > gap) else { return self.mesh.radius() };
+        let lifted: Vec<f64> = self.u.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
+        let open = |x: f64| self.mesh.value_at(rule, &lifted, x).map_or(0.0, |lift| surface.undeformed(x) + lift - gap);
+        let (mut low, mut high) = (if i == 0 { 0.0 } else { x[i - 1] }, x[i]);
+        if i == 0 && open(0.0) >= 0.0 {
+            return 0.0;
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if open(middle) > 0.0 { high = middle } else { low = middle }
+        }
+        0.5 * (low + high)
     }
 }

@@ -37,13 +37,24 @@ pub(super) struct Solver<'m> {
     pub(super) newton: Newton,
     /// Factor on Newton's tolerance: less than one while an extremum is searched, which noise would shift.
     pub(super) sharpness: f64,
+    /// The time of a step at once: while it goes on nothing creeps, and the time of a state is the part of the step that is done.
+    pub(super) frozen: Option<f64>,
 }
 
 impl<'m> Solver<'m> {
     pub(super) fn new(problem: &Problem, accuracy: Accuracy, mesher: &'m mut Mesher) -> Result<Self, Refusal> {
         let surface = Surface::new(problem.law.clone(), problem.shape)?;
         let coupling = problem.tabor.powf(1.5);
-        Ok(Self { mesher, surface, chain: Chain::new(&problem.creep), coupling, accuracy, newton: Newton::default(), sharpness: 1.0 })
+        Ok(Self {
+            mesher,
+            surface,
+            chain: Chain::new(&problem.creep),
+            coupling,
+            accuracy,
+            newton: Newton::default(),
+            sharpness: 1.0,
+            frozen: None,
+        })
     }
 
     /// A contact whose creep strains are (a_j + z_j J_j p)/(1 + z_j).
@@ -77,8 +88,10 @@ impl<'m> Solver<'m> {
     /// One step of length h; nothing if a stage has no solution that Newton's method finds.
     pub(super) fn step(&mut self, from: &State, drive: &Drive, h: f64) -> Option<Trial> {
         let (n, terms) = (from.mesh.nodes(), self.chain.terms.clone());
-        let z: Vec<f64> = terms.iter().map(|&(_, tau)| DIAGONAL * h / tau).collect();
-        let relax = |p: &[f64], v: &[f64], (j, tau): (f64, f64)| p.iter().zip(v).map(|(p, v)| h * (j * p - v) / tau).collect::<Vec<f64>>();
+        let creep = self.creep_time(h);
+        let z: Vec<f64> = terms.iter().map(|&(_, tau)| DIAGONAL * creep / tau).collect();
+        let relax =
+            |p: &[f64], v: &[f64], (j, tau): (f64, f64)| p.iter().zip(v).map(|(p, v)| creep * (j * p - v) / tau).collect::<Vec<f64>>();
         // h·dv_j/dt at the stages known so far.
         let mut slopes: Vec<Vec<Vec<f64>>> = vec![terms.iter().zip(&from.strains).map(|(&term, v)| relax(&from.p, v, term)).collect()];
         let (mut gaps, mut depths, mut forces) = (vec![from.u.clone()], [from.penetration; STAGES], [from.force; STAGES]);
@@ -135,6 +148,11 @@ impl<'m> Solver<'m> {
             released: from.released,
         };
         error.is_finite().then_some(Trial { state, error })
+    }
+
+    /// How long the body creeps during a step: not at all in a step at once.
+    pub(super) fn creep_time(&self, h: f64) -> f64 {
+        if self.frozen.is_some() { 0.0 } else { h }
     }
 
     /// h·m Σ_j v̇_j·A p.

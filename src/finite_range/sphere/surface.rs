@@ -21,6 +21,7 @@ pub(super) struct Local {
 }
 
 /// The law with the shape of the tip.
+#[derive(Clone)]
 pub(super) struct Surface {
     law: Attraction,
     shape: Shape,
@@ -35,12 +36,6 @@ impl Surface {
     pub(super) fn new(law: Law, shape: Shape) -> Result<Self, Refusal> {
         let law = Attraction::new(law, 1.0, 1.0)?;
         let wall = law.wall();
-        if wall.is_some() {
-            return Err(Refusal::Undefined {
-                quantity: "the sphere",
-                reason: "a law with a hard wall is not implemented for it".to_owned(),
-            });
-        }
         Ok(Self { rest: wall.unwrap_or(1.0), law, shape, wall, tail: unit_rule(TAIL_POINTS) })
     }
 
@@ -100,11 +95,7 @@ impl Surface {
 
     /// The gap of the largest tension, by the law's own shape.
     pub(super) fn peak_gap(&self) -> f64 {
-        match self.law.law {
-            Law::LennardJones => 3_f64.powf(1.0 / 6.0),
-            Law::Cosine => 0.5,
-            _ => self.rest,
-        }
+        self.law.peak_gap()
     }
 
     /// Outside a radius, where the body is not deformed: force, its derivative with respect to the penetration, interface energy.

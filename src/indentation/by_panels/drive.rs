@@ -11,9 +11,15 @@
 
 use super::chain::Chain;
 use super::followed::Control;
+use crate::indentation::Oscillation;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
+
+/// Rounding of a value that a straight way has led to, over it.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// One branch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Branch {
     /// What it is the value of, if not Δ.
     pub(super) control: Option<Control>,
@@ -49,8 +55,8 @@ impl Branch {
         (self.amplitude * (angle.sin() - self.phase.sin()), self.amplitude * self.omega * angle.cos())
     }
 
-    /// Whether it takes no time.
-    pub(super) fn is_sudden(&self) -> bool {
+    /// Whether it takes no time: nothing is left of it.
+    pub(super) fn is_over(&self) -> bool {
         self.end <= self.start
     }
 
@@ -98,21 +104,32 @@ pub(super) struct Stretch {
     /// Its value at the end, reached along a straight way from the present one; at once if there is no duration.
     pub(super) end: f64,
     pub(super) duration: f64,
-    /// Amplitude and ω of an oscillation upon the straight way.
-    pub(super) oscillation: Option<(f64, f64)>,
+    /// An oscillation of one frequency upon the straight way.
+    pub(super) oscillation: Option<Oscillation>,
+    /// Which stretch of the problem it is, or begins with.
+    pub(super) segment: usize,
 }
 
 /// The whole history.
 #[derive(Debug, Clone)]
 pub(super) struct Drive {
+    /// What is given at first, and its value.
+    pub(super) start: (Option<Control>, f64),
     pub(super) stretches: Vec<Stretch>,
 }
 
 impl Stretch {
+    /// Whether it takes no time.
+    pub(super) fn is_sudden(&self) -> bool {
+        self.duration <= 0.0
+    }
+
     /// As a branch from an instant and a value on.
     pub(super) fn branch(&self, start: f64, value: f64, memory: Vec<f64>) -> Branch {
-        let (amplitude, omega) = self.oscillation.unwrap_or((0.0, 0.0));
+        let (amplitude, omega) = self.oscillation.map_or((0.0, 0.0), |o| (o.amplitude, TAU * o.frequency));
         let control = self.control;
+        // What is held is held, but for the rounding of how it came there.
+        let value = if (self.end - value).abs() <= ROUNDING * value.abs() { self.end } else { value };
         if self.duration <= 0.0 {
             return Branch { control, start, end: start, level: self.end, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory };
         }

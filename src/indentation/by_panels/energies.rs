@@ -14,10 +14,11 @@ use super::gauss::Gauss;
 use super::line::{FADED, Line, SERIES, Segment, chebyshev, field};
 use super::window::{GROWTH, MOST_CUTS};
 use crate::indentation::Profile;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// At an instant.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     /// U (J).
     pub stored: f64,
@@ -26,7 +27,7 @@ pub struct Energies {
 }
 
 /// Since the start.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct TurnedOver {
     /// ∫F dΔ (J).
     pub external: f64,

@@ -18,6 +18,7 @@ use super::newton::Panel;
 use super::path::Chart;
 use super::prescribed::RADIUS;
 use super::problem::End;
+use serde::{Deserialize, Serialize};
 
 /// Distances to kinks below this part of the zone are rounding of places.
 const KINK_NOISE: f64 = 1e-9;
@@ -28,9 +29,11 @@ const CLEAR: f64 = 0.02;
 const MERGED_EVERY: u64 = 8;
 /// Marks of turns and corners that are kept: those of the last four turns suffice (same results as with all).
 const WEAK_MARKS: usize = 8;
+/// The same of jumps, of which a surface that is touched again and again has two each time.
+const STRONG_MARKS: usize = 32;
 
 /// A place where the state of the line has a kink, or jumps.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Mark {
     pub(super) place: f64,
     pub(super) jump: bool,
@@ -74,11 +77,12 @@ impl March<'_> {
         let sign = if advances { 1.0 } else { -1.0 };
         let left = self.branch.end - self.line.time;
         let corner = first_crossing(|x| segment.time_at(x) - left).filter(|&x| x < 1.0 || segment.time_at(1.0) >= left * (1.0 - 1e-14));
+        let stop = self.may_end().and_then(|end| first_crossing(|x| segment.time_at(x) - (end - self.line.time)));
         let (kink, strong, steep) = self.next_kink(advances);
         let timed = chart == Chart::PlaceOfTime;
         let fold = (!timed).then(|| first_crossing(|x| -series(&segment.times, x).1)).flatten();
         let turn = timed.then(|| turning(|x| -sign * segment.place_at(x).1)).flatten();
-        let cut = [corner, fold, turn].into_iter().flatten().fold(1.0, f64::min);
+        let cut = [corner, fold, turn, stop].into_iter().flatten().fold(1.0, f64::min);
         let whole = cut >= 1.0;
         let met = !timed && whole && (strong || steep) && (segment.place_at(1.0).0 - kink).abs() <= KINK_NOISE * self.problem.zone;
         self.record(advances, &segment, cut);
@@ -145,6 +149,10 @@ impl March<'_> {
             self.mark(false);
             return self.next_stretch();
         }
+        if self.ends_stationary() {
+            self.mark(false);
+            return self.next_stretch();
+        }
         if met && (strong || !self.goes_on(v)) {
             self.past = None;
         }
@@ -153,13 +161,21 @@ impl March<'_> {
 
     /// Nothing moves for a time.
     pub(super) fn rests(&mut self, time: f64) -> Option<End> {
+        let until = self.may_end().map_or(f64::INFINITY, |end| end - self.line.time);
+        let (time, whole) = (time.min(until), time <= until);
         self.record_rest(time);
         self.line.waited(time);
-        self.next_stretch()
+        if let Some(state) = &mut self.state {
+            let faded = |rate: f64| (-time * rate).exp();
+            state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
+        }
+        if self.ends_stationary() || whole { self.next_stretch() } else { None }
     }
 
     /// The next stretch of the history.
     pub(super) fn next_stretch(&mut self) -> Option<End> {
+        self.ends_at_once(true);
+        self.ends_cycles();
         if self.upcoming == self.problem.drive.stretches.len() {
             return Some(End::History);
         }
@@ -181,6 +197,8 @@ impl March<'_> {
         let value = if before == stretch.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
+        } else if self.upcoming == 0 && self.problem.drive.start.0 == stretch.control {
+            self.problem.drive.start.1
         } else {
             let radius = self.line.edge;
             stretch.control.map_or(now.depth, |control| {
@@ -192,12 +210,13 @@ impl March<'_> {
             })
         };
         self.upcoming += 1;
+        if stretch.is_sudden() {
+            return self.begins_at_once(stretch, value, now);
+        }
+        let (segment, duration, oscillation) = (stretch.segment, stretch.duration, stretch.oscillation);
         self.branch = stretch.branch(time, value, now.memory.clone());
         self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
-        if stretch.control.is_none() && self.branch.is_sudden() {
-            let way = self.branch.level - now.depth;
-            self.branch.memory.iter_mut().zip(&chain.relaxation).for_each(|(memory, &(modulus, _))| *memory += modulus * way);
-        }
+        self.begins_cycles(segment, duration, oscillation);
     }
 
     /// Joins old segments where nothing is lost by it.
@@ -208,11 +227,12 @@ impl March<'_> {
         self.line.merge(&problem.chain, false, CLEAR * zone, error);
     }
 
-    /// Marks the place of the edge; of the weak ones the last few.
+    /// Marks the place of the edge; of each kind the last few.
     pub(super) fn mark(&mut self, jump: bool) {
         self.marks.push(Mark { place: 0.0, jump });
-        let weak = self.marks.iter().filter(|mark| !mark.jump).count();
-        if let Some(oldest) = self.marks.iter().position(|mark| !mark.jump).filter(|_| weak > WEAK_MARKS) {
+        let alike = self.marks.iter().filter(|mark| mark.jump == jump).count();
+        let most = if jump { STRONG_MARKS } else { WEAK_MARKS };
+        if let Some(oldest) = self.marks.iter().position(|mark| mark.jump == jump).filter(|_| alike > most) {
             self.marks.remove(oldest);
         }
     }

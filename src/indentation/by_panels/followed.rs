@@ -15,9 +15,10 @@ use super::gauss::{Gauss, solve};
 use super::line::{FADED, series};
 use super::newton::{Panel, Target, tail};
 use super::path::{Chart, Points, Setting, passed};
+use serde::{Deserialize, Serialize};
 
 /// Δ, its rate and P_i at the origin of the line.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct State {
     pub(super) depth: f64,
     pub(super) rate: f64,
@@ -25,7 +26,7 @@ pub(super) struct State {
 }
 
 /// c_F and c_D.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Control {
     pub(super) force: f64,
     pub(super) depth: f64,
@@ -104,6 +105,8 @@ const MOST_ITERATIONS: u32 = 12;
 const DIFFERENCE: f64 = 1e-6;
 const OF_ITSELF: f64 = 1e-4;
 const LEAST_DIFFERENCE: f64 = 1e-12;
+/// Duration of a panel, over the shortest time of the solid, in which nothing relaxes.
+const FROZEN: f64 = 1e-9;
 /// Part of what the edge may leave that the control may: it costs nothing to hold it better.
 const FORCE: f64 = 1e-2;
 /// What rounding leaves of a control, as a part of the penetration, and of C over Δγ.
@@ -187,13 +190,14 @@ pub(super) fn solved_with_depth(
                     matrix[i * 2 * p + j] = (moved[i] - found[i]) / step;
                 }
             }
-            // ∂C/∂a at fixed history: of a time, along the path. That of an elastic solid depends on time through Δ alone.
+            // ∂C/∂a at fixed history: of a time, along the path. Where nothing relaxes C depends on time through Δ alone.
+            let [shortest, _] = setting.chain.times(true);
+            let frozen = setting.chain.terms() == 0 || (segment.time_at(1.0) - segment.time_at(-1.0)).abs() < FROZEN * shortest;
             let slope = |i: usize| {
                 let theta = points.nodes[i + 1];
                 let diagonal = matrix[i * 2 * p + i];
                 let duration = series(&segment.times, theta).1;
-                let by_depth =
-                    if setting.chain.terms() == 0 { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
+                let by_depth = if frozen { matrix[i * 2 * p + p + i] * series(&segment.depths, theta).1 / duration } else { 0.0 };
                 let speed = series(&segment.places, theta).1 / duration;
                 (if chart == Chart::TimeOfPlace { (diagonal + by_depth) / speed } else { diagonal }).abs()
             };

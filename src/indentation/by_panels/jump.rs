@@ -5,8 +5,7 @@
 //! the contact is lost.
 
 use super::march::March;
-use super::path::{Chart, passed};
-use super::problem::End;
+use super::problem::{End, Row};
 use crate::indentation::EventKind;
 
 /// A jump outwards beyond so many radii of the contact has no end.
@@ -20,16 +19,23 @@ impl March<'_> {
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
         // What the last panel left is within its tolerance, and would be taken for a landing.
         let left = self.sudden(0.0);
-        self.moves_at_once(advances, first, left, Some(if advances { EventKind::JumpOut } else { EventKind::PartialDetachment }))
+        let kind = if advances { EventKind::JumpOut } else { EventKind::PartialDetachment };
+        // On the way of a sudden step it is a part of the step.
+        self.moves_at_once(advances, first, left, Some(kind).filter(|_| self.at_once.is_none()))
     }
 
     /// The same until C − Δγ is what is left; `kind`: what has happened if it is not the control that moves the edge.
     pub(super) fn moves_at_once(&mut self, advances: bool, first: f64, left: f64, kind: Option<EventKind>) -> Option<End> {
+        let from = self.row(None, 0.0);
+        self.lands(advances, first, left, (kind, from))
+    }
+
+    /// The same for a contact that was in the state of a row before.
+    pub(super) fn lands(&mut self, advances: bool, first: f64, left: f64, (kind, from): (Option<EventKind>, Row)) -> Option<End> {
         let zone = self.problem.zone;
         let sign = if advances { 1.0 } else { -1.0 };
         self.start_residual = left;
         let start = self.line.edge;
-        let from = self.row(None, 0.0);
         let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
         let mut stride = first;
         let mut gone = 0.0;
@@ -58,11 +64,8 @@ impl March<'_> {
             if gone == 0.0 {
                 self.mark(true);
             }
-            let values = vec![0.0; self.points.p + 1];
-            let segment = passed(&self.points, &self.setting(advances), Chart::TimeOfPlace, sign * way, &values, &[]);
-            self.line.swept(segment, 1.0);
+            self.goes_at_once(sign * way);
             self.balance();
-            self.marks.iter_mut().for_each(|mark| mark.place -= sign * way);
             gone += way;
             if landed {
                 let to = self.row(None, 0.0);
@@ -70,7 +73,8 @@ impl March<'_> {
                     self.event(kind, &from);
                 }
                 self.piece += 1;
-                self.step_at_rest(to, &from, false);
+                self.step_at_rest((to, 0.0), &from, false);
+                self.meters_at_once(&to);
                 self.outcome.jumps.push(to);
                 self.mark(true);
                 return None;

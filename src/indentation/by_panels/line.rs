@@ -18,6 +18,7 @@
 use super::chain::Chain;
 use super::drive::Instant;
 use super::trail::Trail;
+use serde::{Deserialize, Serialize};
 
 /// Most coefficients of a series.
 pub(super) const SERIES: usize = 16;
@@ -45,7 +46,7 @@ pub(super) fn series(coefficients: &[f64], x: f64) -> (f64, f64) {
 }
 
 /// A piece of the path.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Segment {
     /// Its ends, and the parameter there.
     pub(super) low: f64,
@@ -176,7 +177,7 @@ pub(super) fn field(chain: &Chain, bonded: bool, segment: &Segment, theta: f64, 
 }
 
 /// Both lists; the segment nearest the edge is the last of its list.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Line {
     /// a and t of the origin, with what rounding leaves.
     pub(super) edge: f64,
@@ -191,7 +192,7 @@ pub(super) struct Line {
 }
 
 /// A place of no smooth continuation of the profile.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Break {
     pub(super) place: f64,
     /// b and c of what f has more beyond it, b·h^{3/2} + c·h^{5/2}; None where pieces only grow towards a place that is rough.

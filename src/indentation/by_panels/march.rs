@@ -3,8 +3,11 @@
 //! Each panel is solved, checked between its points (the defect, as a position error), and cut at the first event on its polynomial: a
 //! corner of the history, a fold (T′ = 0), a turn (s′ = 0), a kink of the line. The step follows the defect alone; there is no limit in δ.
 
+use super::at_once::AtOnce;
 use super::check::checked;
+use super::checkpoint::PanelObserver;
 use super::closure::Window;
+use super::cycles::Cycles;
 use super::drive::{Branch, Stretch};
 use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
@@ -14,7 +17,8 @@ use super::newton::{Target, solved};
 use super::path::{Chart, Motion, Points, Setting, continued};
 use super::problem::{End, Outcome, Problem, Row};
 use super::start::{breaks, glassy};
-use crate::indentation::EventKind;
+use crate::indentation::record::Record;
+use crate::indentation::{EventKind, Trace};
 
 /// Residual of C over Δγ between points, in tolerances: where an edge creeps it acts as an error of Δγ, however small it is as a position.
 const RESIDUAL: f64 = 3.0;
@@ -28,18 +32,25 @@ const FADES: u32 = 2;
 const SUDDEN: f64 = 1e-3;
 /// Refusals in a row after which the edge sets out anew from its present state, in time.
 pub(super) const PATIENCE: u32 = 5;
+/// Shortest panel over the process zone, or over the time.
+const SHORTEST: f64 = 1e-12;
+/// Panels of a stretch or a cycle, accepted or not.
+const MOST_PANELS: u64 = 20_000;
 /// Way of a held edge, in process zones, that is rounding.
 const REST: f64 = 1e-9;
 
 /// The state of the march.
 pub(super) struct March<'a> {
     pub(super) problem: &'a Problem,
+    pub(super) observer: Option<PanelObserver<'a>>,
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
     /// Which stretch of the history comes next, and the branch of the one under way.
     pub(super) upcoming: usize,
     pub(super) branch: Branch,
+    /// A sudden step under way.
+    pub(super) at_once: Option<AtOnce>,
     /// Kinks of the line.
     pub(super) marks: Vec<Mark>,
     /// Whether the edge advances, and its path so far up to a parameter.
@@ -63,6 +74,14 @@ pub(super) struct March<'a> {
     pub(super) piece: u32,
     /// C/Δγ − 1 on the last panel, at most.
     pub(super) panel_residual: f64,
+    /// Instants wanted, those that come after a stretch that ended early moved with it, and how many of them have been met.
+    pub(super) instants: Vec<f64>,
+    pub(super) met: usize,
+    /// The oscillation under way, and the rows of its cycles.
+    pub(super) cycles: Option<Cycles>,
+    pub(super) rows: Record<'static>,
+    /// Panels, accepted or not, before the stretch or cycle under way.
+    pub(super) budget_from: u64,
     pub(super) outcome: Outcome,
 }
 
@@ -72,7 +91,7 @@ impl<'a> March<'a> {
         if !problem.relaxed {
             glassy(problem, &mut line, depth);
         }
-        let still = Stretch { control: None, end: depth, duration: 0.0, oscillation: None };
+        let still = Stretch { control: None, end: depth, duration: 0.0, oscillation: None, segment: 0 };
         let branch = still.branch(0.0, depth, vec![0.0; problem.chain.terms()]);
         let row = Row::default();
         let outcome = Outcome {
@@ -91,14 +110,19 @@ impl<'a> March<'a> {
             refused: 0,
             closures: 0,
             kernel_nodes: 0,
+            cycles: vec![],
+            spreads: vec![],
+            shortened: vec![],
         };
         let mut march = Self {
             problem,
+            observer: None,
             points: Points::new(problem.degree),
             window: Window::new(problem.zone),
             line,
             upcoming: 0,
             branch,
+            at_once: None,
             marks: vec![Mark { place: 0.0, jump: true }],
             past: None,
             span: (Chart::TimeOfPlace, 0.0),
@@ -113,6 +137,11 @@ impl<'a> March<'a> {
             state: None,
             piece: 0,
             panel_residual: 0.0,
+            instants: problem.instants.clone(),
+            met: 0,
+            cycles: None,
+            rows: Record::without_contact(),
+            budget_from: 0,
             outcome,
         };
         march.window.blur = MERGE * problem.tolerance * march.displacement();
@@ -161,36 +190,50 @@ impl<'a> March<'a> {
     }
 
     pub(super) fn run(mut self) -> Outcome {
-        self.outcome.end = loop {
-            if self.outcome.surface.is_some() {
-                break End::History;
+        loop {
+            self.outcome.end = self.in_contact();
+            let last = self.outcome.path.last().map(|step| step.row);
+            match (self.outcome.end, last) {
+                (End::Lost, Some(row)) => self.event(EventKind::Detachment, &row),
+                (End::Floor, Some(row)) => self.event(EventKind::ZoneReached, &row),
+                _ => break,
             }
-            if let Some(end) = self.panel() {
-                break end;
+            if !(self.flies() && self.touches_again()) {
+                break;
             }
-            if self.outcome.panels + self.outcome.refused > 20_000 {
-                break End::Failed;
-            }
-        };
-        let last = self.outcome.path.last().map(|step| step.row);
-        match (self.outcome.end, last) {
-            (End::Lost, Some(row)) => self.event(EventKind::Detachment, &row),
-            (End::Floor, Some(row)) => self.event(EventKind::ZoneReached, &row),
-            _ => {}
         }
-        if matches!(self.outcome.end, End::Lost | End::Floor) {
-            self.flies();
-        }
+        self.ends_cycles();
+        let Trace { cycles, spreads, shortened, .. } = self.rows.finished();
+        (self.outcome.cycles, self.outcome.spreads, self.outcome.shortened) = (cycles, spreads, shortened);
         self.outcome.closures = self.window.closures;
         self.outcome.kernel_nodes = self.window.kernel_nodes;
         self.outcome
+    }
+
+    /// Panel by panel until the contact or the history ends.
+    fn in_contact(&mut self) -> End {
+        loop {
+            if self.outcome.surface.is_some() {
+                return End::History;
+            }
+            self.observe();
+            if let Some(end) = self.panel() {
+                return end;
+            }
+            if self.outcome.panels + self.outcome.refused - self.budget_from > MOST_PANELS {
+                return End::Failed;
+            }
+        }
     }
 
     /// One panel, accepted or refused; or a jump; or a rest.
     pub(super) fn panel(&mut self) -> Option<End> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
-        if !self.branch.is_sudden() && self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
+        if self.branch.is_over() {
+            return self.next_stretch();
+        }
+        if self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
             // A panel that ended where the stretch does, but for rounding.
             self.mark(false);
             return self.next_stretch();
@@ -200,23 +243,23 @@ impl<'a> March<'a> {
         }
         if self.past.is_none() {
             let left = self.branch.end - self.line.time;
-            if self.state.is_some() || self.branch.is_sudden() {
+            if self.state.is_some() {
                 self.balance();
                 let excess = self.sudden(0.0);
                 if (excess - self.start_residual).abs() > SUDDEN * self.scale() {
-                    // What changed at once has left equilibrium.
                     return self.moves_at_once(excess < 0.0, zone / 16.0, 0.0, None);
                 }
             }
-            if self.branch.is_sudden() {
-                self.record_rest(0.0);
-                return self.next_stretch();
-            }
             let outset = self.sets_out();
-            let held = self.state.is_none() && self.branch.is_held();
+            // Under a force that is held a contact may rest as well, if Δ does.
+            let still = self.state.as_ref().is_none_or(|state| state.rate.abs() * left <= REST * self.displacement());
+            let held = still && self.branch.is_held();
             // Held, everything relaxes. However little an edge goes it has another K than one that rests: it is followed, down to rounding or where panels end.
-            let least = if self.refusals >= PATIENCE { tolerance } else { REST * zone };
+            let least = if self.refusals >= PATIENCE && self.state.is_none() { tolerance } else { REST * zone };
             if outset.speed == 0.0 || held && outset.speed.abs() * left <= least || self.is_idle(outset.speed * left) {
+                return self.rests(left);
+            }
+            if held && self.state.is_none() && self.refusals >= PATIENCE && self.stays(left, tolerance) {
                 return self.rests(left);
             }
             if !outset.stable {
@@ -346,6 +389,8 @@ impl<'a> March<'a> {
     /// A shorter panel, in place if it was in time and no turn is near; `way`: how far it would have gone.
     pub(super) fn refuses(&mut self, span: f64, factor: f64, way: f64) -> Option<End> {
         self.outcome.refused += 1;
+        let time = if self.at_once.is_some() { self.branch.end } else { self.line.time.max(1e-3) };
+        let least = SHORTEST * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { time };
         self.span.1 = factor * span;
         if self.span.0 == Chart::PlaceOfTime && way != 0.0 && (if self.slows { self.to_turn } else { self.since_turn }) > 1.5 * way.abs() {
             self.span = (Chart::TimeOfPlace, factor * way);
@@ -355,7 +400,15 @@ impl<'a> March<'a> {
             self.past = None;
             return None;
         }
-        (span.abs() < 1e-12 * if self.span.0 == Chart::TimeOfPlace { self.problem.zone } else { self.line.time.max(1e-3) })
-            .then_some(End::Failed)
+        if span.abs() >= least {
+            return None;
+        }
+        if self.refusals < PATIENCE && self.state.is_none() && self.branch.is_held() {
+            // It may be at rest, but for rounding.
+            self.refusals = PATIENCE;
+            self.past = None;
+            return None;
+        }
+        Some(End::Failed)
     }
 }

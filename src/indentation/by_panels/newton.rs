@@ -105,7 +105,8 @@ pub(super) fn solved(
             return None;
         }
         let residual = worst / stiffness;
-        if residual <= enough || worst <= ROUNDING * setting.scale {
+        // A guess that happens to be good enough is that of every degree and tolerance: their distance would not show its error.
+        if residual <= enough && previous.is_some() || worst <= ROUNDING * setting.scale {
             let tail = setting.scale / stiffness * tail(&segment, setting, window.zone);
             let end_residual = closures[p].value;
             return Some(Panel { chart, segment, stiffness, end_residual, tail });

@@ -123,10 +123,23 @@ impl March<'_> {
         self.past = Some((advances, straight, 1.0));
     }
 
+    /// Whether an edge that rests for a time leaves no more of the closure than would move it by a part of the tolerance.
+    pub(super) fn stays(&mut self, time: f64, tolerance: f64) -> bool {
+        let (here, left) = (self.sudden(0.0), self.resting(time));
+        // Too little work: it would advance.
+        let way = if left < here { tolerance } else { -tolerance };
+        let softness = way / (self.sudden(way) - here);
+        let stays = softness > 0.0 && (left - here).abs() * softness <= LINGER * tolerance;
+        if stays {
+            self.start_residual = left;
+        }
+        stays
+    }
+
     /// An edge whose turn is not found rests: for the longest time up to `longest` in which what it leaves of the closure would move it, either way, by a part
     /// of the tolerance only. Then it sets out anew.
     pub(super) fn lingers(&mut self, longest: f64, tolerance: f64) -> bool {
-        let until_corner = self.branch.end - self.line.time;
+        let until_corner = self.may_end().unwrap_or(f64::INFINITY).min(self.branch.end) - self.line.time;
         if self.state.is_some() || longest > 0.5 * until_corner {
             return false;
         }

@@ -16,9 +16,10 @@ use super::gauss::{inverse, radau};
 use super::line::{Line, SERIES, Segment, chebyshev, field, series};
 use super::prescribed::RADIUS;
 use crate::indentation::Profile;
+use serde::{Deserialize, Serialize};
 
 /// Which unknown a panel has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Chart {
     TimeOfPlace,
     PlaceOfTime,

@@ -3,7 +3,8 @@
 use super::chain::Chain;
 use super::drive::Drive;
 use super::energies::{Energies, TurnedOver};
-use crate::indentation::{Event, Profile, SurfaceFields};
+use crate::indentation::{Cycle, Event, Profile, Spread, SurfaceFields};
+use serde::{Deserialize, Serialize};
 
 /// What is asked.
 #[derive(Debug, Clone)]
@@ -22,12 +23,16 @@ pub(super) struct Problem {
     pub instants: Vec<f64>,
     /// Whether energies are accounted for.
     pub energies: bool,
+    /// Accuracy to which cycles of an oscillation are stationary; None where no cycles are asked for.
+    pub cycles: Option<f64>,
+    /// Stretches known to end early: which, and how long they take (s).
+    pub stops: Vec<(usize, f64)>,
     /// Whether the surface at the last instant wanted is.
     pub surface: bool,
 }
 
 /// A point of the path.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::indentation) struct Step {
     pub row: Row,
     /// C/Δγ − 1 there, at most.
@@ -42,7 +47,7 @@ pub(in crate::indentation) struct Step {
 }
 
 /// A point of the history.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// t (s).
     pub time: f64,
@@ -57,7 +62,7 @@ pub struct Row {
 }
 
 /// Why a march ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum End {
     /// The history is over.
     History,
@@ -67,12 +72,12 @@ pub enum End {
     Floor,
     /// Panels do not converge.
     Failed,
-    /// The surfaces touch again after they have let go of each other.
+    /// The surfaces touch again, but away from the axis, under a given radius, or where no contact wider than a process zone is in equilibrium.
     TouchesAgain,
 }
 
 /// What a march gives.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// At time zero.
     pub start: Row,
@@ -88,6 +93,7 @@ pub struct Outcome {
     pub(in crate::indentation) path: Vec<Step>,
     pub(in crate::indentation) events: Vec<Event<f64>>,
     /// The surface at the last instant wanted, if the problem asks for it.
+    #[serde(skip)]
     pub(in crate::indentation) surface: Option<SurfaceFields>,
     /// Smallest D outside the contact (m).
     pub smallest_gap: f64,
@@ -103,6 +109,10 @@ pub struct Outcome {
     pub closures: u64,
     /// Nodes of the window in all of them.
     pub kernel_nodes: u64,
+    /// Whole cycles of stretches that oscillate, by how much they differ, and stretches that ended early.
+    pub cycles: Vec<Cycle<f64>>,
+    pub(in crate::indentation) spreads: Vec<Spread>,
+    pub(in crate::indentation) shortened: Vec<(usize, f64)>,
 }
 
 impl Outcome {

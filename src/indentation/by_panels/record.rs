@@ -2,7 +2,7 @@
 //! the way.
 
 use super::closure::Way;
-use super::drive::Instant;
+use super::drive::{Instant, Stretch};
 use super::energies::{Energies, TurnedOver, energies, stress_intensity};
 use super::events::first_crossing;
 use super::force::force;
@@ -15,7 +15,7 @@ use crate::indentation::{Event, EventKind};
 use std::f64::consts::PI;
 
 /// An instant so little beyond a panel, relative, is its end: times are sums.
-const LATE: f64 = 1e-13;
+pub(super) const LATE: f64 = 1e-13;
 /// A force so little above the least one so far, relative, may be less between points.
 const NEARLY_LEAST: f64 = 1e-3;
 /// Golden sections of a least force: beyond them rounding decides.
@@ -56,7 +56,7 @@ impl March<'_> {
         let edge = self.line.edge + way.map_or(0.0, |way| way.panel.place_at(way.theta).0);
         let solid = (&self.problem.chain, &self.problem.profile);
         Row {
-            time: self.line.time + time,
+            time: self.time_after(time),
             penetration: now.depth,
             contact_radius: edge,
             force: force(solid, &self.line, way, &now),
@@ -65,7 +65,7 @@ impl March<'_> {
     }
 
     /// The drive on the way, or a time after the origin with the edge at rest.
-    fn instant(&self, way: Option<Way<'_>>, time: f64) -> Instant {
+    pub(super) fn instant(&self, way: Option<Way<'_>>, time: f64) -> Instant {
         let mut now = Instant::default();
         let setting = self.setting(false);
         match way {
@@ -78,12 +78,18 @@ impl March<'_> {
     }
 
     /// The next wanted instant up to a time, from a place of their list on, before a segment of the history.
-    /// One that is wanted twice is wanted before a sudden step and after it.
+    /// One that is wanted twice is wanted before a sudden step and after it, one that is wanted more often after each of some steps.
     pub(super) fn due(&self, next: usize, end: f64, upcoming: usize) -> Option<f64> {
-        let wanted = *self.problem.instants.get(next)?;
-        let again = next > 0 && self.problem.instants.get(next - 1).is_some_and(|last| last.to_bits() == wanted.to_bits());
-        let steps = self.problem.drive.stretches.get(upcoming).is_some_and(|stretch| stretch.duration <= 0.0);
-        (wanted <= end + LATE * end && !(again && steps)).then_some(wanted)
+        if self.at_once.is_some() {
+            return None;
+        }
+        let instants = &self.instants;
+        let wanted = *instants.get(next)?;
+        let again = instants.iter().take(next).rev().take_while(|last| last.to_bits() == wanted.to_bits()).count();
+        let (gone, ahead) = self.problem.drive.stretches.split_at_checked(upcoming)?;
+        let steps = gone.iter().rev().take_while(|stretch| stretch.is_sudden()).count();
+        let waits = again > steps && ahead.first().is_some_and(Stretch::is_sudden);
+        (wanted <= end + LATE * end && !waits).then_some(wanted)
     }
 
     /// The panel up to a parameter: wanted instants, Gauss points, the least force, the end.
@@ -100,7 +106,7 @@ impl March<'_> {
             let ends = [-1.0, cut].map(|theta| self.account(Some(way(theta)), 0.0).stored);
             self.turned(way(cut), self.part(way(cut), (-1.0, cut)), ends, MOST_HALVINGS, &mut parts);
         }
-        let asked = self.outcome.wanted.len();
+        let asked = self.met;
         let mut next = asked;
         while let Some(wanted) = self.due(next, end, self.upcoming) {
             next += 1;
@@ -125,8 +131,9 @@ impl March<'_> {
             self.step(Step { row, residual, piece: self.piece, area_rate, account, wanted });
         }
         self.outcome.ends.push(end_row);
+        self.meters_panel(advances, segment, cut);
         if next > asked && self.is_asked_for_surface(next) {
-            let theta = self.problem.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
+            let theta = self.instants.last().and_then(|wanted| first_crossing(|x| segment.time_at(x) - (wanted - start)));
             let way = way(theta.map_or(cut, |theta| theta.min(cut)));
             self.outcome.surface =
                 Some(surface((&self.problem.chain, &self.problem.profile), &self.line, Some(way), &self.instant(Some(way), 0.0)));
@@ -224,15 +231,17 @@ impl March<'_> {
     /// Adds a point to the path.
     pub(super) fn step(&mut self, step: Step) {
         if step.wanted {
+            self.met += 1;
             self.outcome.wanted.push(step.row);
         }
         self.outcome.path.push(step);
     }
 
     /// Adds a point with the edge at rest, or moved at once: what acts from outside goes straight, and what is not stored is lost.
-    pub(super) fn step_at_rest(&mut self, row: Row, since: &Row, wanted: bool) {
+    /// `time`: after the origin.
+    pub(super) fn step_at_rest(&mut self, (row, time): (Row, f64), since: &Row, wanted: bool) {
         let account = self.problem.energies.then(|| {
-            let now = self.account(None, row.time - self.line.time);
+            let now = self.account(None, time);
             let last = self.outcome.path.last().and_then(|last| last.account);
             let (before, mut total) = last.unwrap_or((now, TurnedOver::default()));
             let external = 0.5 * (since.force + row.force) * (row.penetration - since.penetration);
@@ -244,22 +253,40 @@ impl March<'_> {
         self.step(Step { row, residual, piece: self.piece, area_rate: 0.0, account, wanted });
     }
 
+    /// Adds the point at which an edge has been put to its equilibrium: what that takes is of its tip.
+    pub(super) fn step_settled(&mut self, row: Row) {
+        let last = self.outcome.path.last().copied();
+        let account = self.problem.energies.then(|| {
+            let now = self.account(None, 0.0);
+            let (before, mut total) = last.and_then(|last| last.account).unwrap_or((now, TurnedOver::default()));
+            let external = last.map_or(0.0, |last| 0.5 * (last.row.force + row.force) * (row.penetration - last.row.penetration));
+            total.external += external;
+            total.tip += now.stored - before.stored - external;
+            (now, total)
+        });
+        let residual = self.start_residual.abs() / self.scale();
+        self.step(Step { row, residual, piece: self.piece, area_rate: 0.0, account, wanted: false });
+    }
+
     /// Wanted instants of a time in which nothing moves.
     pub(super) fn record_rest(&mut self, time: f64) {
         let start = self.line.time;
         let end = start + time;
         let mut last = self.outcome.path.last().map_or_else(|| self.row(None, 0.0), |last| last.row);
-        while let Some(wanted) = self.due(self.outcome.wanted.len(), end, self.upcoming) {
+        while let Some(wanted) = self.due(self.met, end, self.upcoming) {
             let row = self.row(None, wanted - start);
-            self.step_at_rest(row, &last, true);
+            self.step_at_rest((row, wanted - start), &last, true);
             last = row;
-            if self.is_asked_for_surface(self.outcome.wanted.len()) {
+            if self.is_asked_for_surface(self.met) {
                 let solid = (&self.problem.chain, &self.problem.profile);
                 self.outcome.surface = Some(surface(solid, &self.line, None, &self.instant(None, wanted - start)));
             }
         }
+        if time > 0.0 {
+            self.meters_rest(time);
+        }
         let row = self.row(None, time);
-        self.step_at_rest(row, &last, false);
+        self.step_at_rest((row, time), &last, false);
         self.outcome.ends.push(row);
     }
 

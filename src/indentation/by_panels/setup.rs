@@ -7,7 +7,6 @@ use super::prescribed::RADIUS;
 use crate::indentation::{Controlled, EdgeLaw, IndentationProblem, Oscillation, Profile, Segment};
 use crate::material::Material;
 use crate::refusal::Refusal;
-use std::f64::consts::TAU;
 
 /// Strides down from a deep contact to the first crossing of a control's value, over the depth where they start; halvings of the last one.
 const STRIDES: f64 = 100.0;
@@ -28,17 +27,13 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
     let by_depth = history.controls(Controlled::Penetration)
         && history.segments.iter().all(|segment| segment.controlled == Controlled::Penetration && segment.duration > 0.0);
     let given = |controlled: Controlled| controlled == Controlled::ContactRadius;
-    let steady = |o: &Oscillation| o.frequency.to_bits() == o.end_frequency.to_bits() && !o.until_stationary;
+    let steady = |o: &Oscillation| o.frequency.to_bits() == o.end_frequency.to_bits();
     let refusals = [
         (problem.profile.rim().is_finite(), "shapes with a rim"),
         (problem.edge_law != EdgeLaw::CONSTANT, "edge laws"),
-        (
-            history.segments.iter().any(|segment| given(segment.controlled) && segment.duration <= 0.0),
-            "a sudden change of the contact radius",
-        ),
         (problem.adhesion.is_none() && given(history.controlled), "a given contact radius without adhesion"),
         (problem.adhesion.is_none() && !by_depth, "a force or a sudden step without adhesion"),
-        (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept or open-ended oscillations"),
+        (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept oscillations"),
     ];
     match refusals.iter().find(|(is, _)| *is) {
         Some((_, what)) => Err(Refusal::Undefined { quantity: "the march by panels", reason: format!("it does not solve {what} yet") }),
@@ -83,17 +78,18 @@ pub(super) fn started(profile: &Profile, modulus: f64, control: Control, value: 
 
 /// The stretches of the history.
 pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Drive {
-    let stretch = |segment: &Segment| Stretch {
+    let stretch = |number: usize, segment: &Segment| Stretch {
         control: control_of(segment.controlled, frame_stiffness),
         end: segment.end,
         duration: segment.duration,
-        oscillation: segment.oscillation.as_ref().map(|o| (o.amplitude, TAU * o.frequency)),
+        oscillation: segment.oscillation,
+        segment: number,
     };
     let history = &problem.history;
     let mut stretches: Vec<Stretch> = Vec::new();
     // Where the last stretch began, if its quantity was given there, and where the history is.
     let (mut from, mut here): (Option<f64>, _) = (None, (history.controlled, history.start));
-    for segment in &history.segments {
+    for (number, segment) in history.segments.iter().enumerate() {
         let start = (here.0 == segment.controlled).then_some(here.1);
         here = (segment.controlled, segment.value(here.1, segment.duration));
         let straight = segment.duration > 0.0 && segment.oscillation.is_none();
@@ -107,9 +103,9 @@ pub(super) fn drive_of(problem: &IndentationProblem, frame_stiffness: f64) -> Dr
             }
         }
         from = start.filter(|_| straight);
-        stretches.push(stretch(segment));
+        stretches.push(stretch(number, segment));
     }
-    Drive { stretches }
+    Drive { start: (control_of(history.controlled, frame_stiffness), history.start), stretches }
 }
 
 /// The radius at which f is a depth.

@@ -6,9 +6,11 @@
 //! Not the finest path is given, although it is closer: its error is some thirty times less than any distance, by much more or less, so that a bound that covers
 //! is more than a hundred times what is true.
 
+use super::checkpoint::{MarchState, PanelObserver, PanelsState, PathsState};
 use super::energies::{Energies as Stored, TurnedOver};
 use super::problem::{End, Outcome, Step};
-use super::solve::{PanelOptions, marched};
+use super::solve::{PanelOptions, marched, marched_from};
+use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
 use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
 use crate::indentation::{Energies, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
@@ -21,39 +23,75 @@ pub(super) const LOOSEST: f64 = 3e-4;
 /// Each tolerance over the one before, and the last.
 pub(super) const TIGHTER: f64 = 0.1;
 pub(super) const TIGHTEST: f64 = 1e-8;
+/// Why a path that touches again may not go on.
+const TOUCHES_AGAIN: &str =
+    "the surfaces touch again away from the axis, under a given radius, or with no contact wider than a process zone";
 /// Tolerance below which degrees 7 and 9 take fewer panels than 5 and 7.
 const HIGH_DEGREE: f64 = 1e-7;
 
-/// Solves a history to its accuracy; cycles of an oscillation are not added up.
+/// Solves a history to its accuracy.
 ///
 /// # Errors
-/// [`Refusal::Undefined`] for what is not solved here, surfaces that touch again among it; [`Refusal::NoSuchState`] without a first contact;
-/// [`Refusal::NotConverged`] where the paths of every tolerance differ in kind.
+/// [`Refusal::Undefined`] for what is not solved here; [`Refusal::NoSuchState`] without a first contact; [`Refusal::NotConverged`] where the paths of every tolerance
+/// differ in kind.
 pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Result<IndentationSolution, Refusal> {
+    solve_by_panels_watched(material, problem, None, None)
+}
+
+/// The same, watched, and from a checkpoint of the same material and problem: the numbers are the same, to the last bit.
+///
+/// # Errors
+/// Those of [`solve_by_panels`]; [`Refusal::Undefined`] for a checkpoint of something else, or of time steps.
+pub fn solve_by_panels_watched(
+    material: &Material,
+    problem: &IndentationProblem,
+    from: Option<Checkpoint>,
+    watch: Option<&dyn Watch>,
+) -> Result<IndentationSolution, Refusal> {
+    let from = match from.map(|checkpoint| checkpoint.run) {
+        None => None,
+        Some(RunState::Panels(state)) => Some(state),
+        Some(RunState::Steps(_)) => return Err(foreign("it was left by time steps")),
+    };
+    solve_from(material, problem, from, watch)
+}
+
+pub(in crate::indentation) fn solve_from(
+    material: &Material,
+    problem: &IndentationProblem,
+    from: Option<Box<PanelsState>>,
+    watch: Option<&dyn Watch>,
+) -> Result<IndentationSolution, Refusal> {
     problem.checked()?;
     if problem.adhesion.is_none() {
         return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: "without adhesion no path is needed".into() });
     }
     let instants = kept_instants(problem);
-    let mut tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
-    let mut work = IndentationWork::default();
-    let mut best: Option<IndentationSolution> = None;
+    let tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
+    let (mut run, mut march) = match from {
+        Some(state) => (state.run, Some(state.march)),
+        None => (PathsState { tolerance, ..PathsState::default() }, None),
+    };
     loop {
-        let failed = match compared_paths(material, problem, &instants, tolerance, &mut work) {
-            Ok(solution) if solution.reached => return Ok(solution),
-            Ok(solution) => {
-                best = Some(solution);
+        let failed = match round(material, problem, &instants, (&mut run, march.take()), watch) {
+            Ok(()) => {
+                let solution = solution_of(problem, &run.traces, run.work)?;
+                if solution.reached {
+                    return Ok(solution);
+                }
+                run.best = Some(std::mem::take(&mut run.traces));
                 None
             }
             Err(refusal @ Refusal::NotConverged { .. }) => Some(refusal),
             Err(refusal) => return Err(refusal),
         };
-        if tolerance <= TIGHTEST {
+        if run.tolerance <= TIGHTEST {
             // The last one, whose bounds say how far it is known.
             let none = failed.unwrap_or_else(|| not_converged("no path".into()));
-            return best.map(|best| IndentationSolution { work, ..best }).ok_or(none);
+            return run.best.map_or(Err(none), |traces| solution_of(problem, &traces, run.work));
         }
-        tolerance = (TIGHTER * tolerance).max(TIGHTEST);
+        run.tolerance = (TIGHTER * run.tolerance).max(TIGHTEST);
+        (run.traces, run.ends) = (Vec::new(), Vec::new());
     }
 }
 
@@ -63,7 +101,7 @@ pub fn solve_by_panels(material: &Material, problem: &IndentationProblem) -> Res
 /// Those of [`solve_by_panels`].
 pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
     let instants = kept_instants(problem);
-    let outcome = marched(material, problem, options, (&instants, false))?;
+    let outcome = marched(material, problem, options, (&instants, false), &[])?;
     trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
 }
 
@@ -78,33 +116,42 @@ pub(super) fn options(tolerance: f64) -> [PanelOptions; 3] {
     [option(degree + 2, TIGHTER * tolerance), option(degree, tolerance), option(degree, tolerance / TIGHTER)]
 }
 
-fn compared_paths(
+/// The paths of one tolerance: the finest, the given one, the loosest.
+fn round(
     material: &Material,
     problem: &IndentationProblem,
     instants: &[f64],
-    tolerance: f64,
-    work: &mut IndentationWork,
-) -> Result<IndentationSolution, Refusal> {
-    let mut traces = Vec::new();
-    let mut ends = Vec::new();
+    (run, mut march): (&mut PathsState, Option<MarchState>),
+    watch: Option<&dyn Watch>,
+) -> Result<(), Refusal> {
     // The given one first: what it is refused for, all are.
-    let [finest, given, loosest] = options(tolerance);
-    for options in [given, finest, loosest] {
-        let outcome = marched(material, problem, options, (instants, false))?;
-        if outcome.end == End::TouchesAgain {
-            return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: "the surfaces touch again".into() });
+    let [finest, given, loosest] = options(run.tolerance);
+    for options in [given, finest, loosest].into_iter().skip(run.traces.len()) {
+        let observer = watch.map(|watch| PanelObserver { watch, run });
+        let outcome = marched_from(material, problem, options, ((instants, false), &run.stops), (march.take(), observer))?;
+        if run.stops.is_empty() {
+            // Stretches that were stationary early are as long for every other path.
+            run.stops.clone_from(&outcome.shortened);
         }
-        work.add(&work_of(&outcome));
-        ends.push((outcome.events.iter().map(|event| event.kind).collect::<Vec<_>>(), outcome.end));
-        traces.push(trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))?);
+        if outcome.end == End::TouchesAgain {
+            return Err(Refusal::Undefined { quantity: "the path of the edge by panels", reason: TOUCHES_AGAIN.into() });
+        }
+        run.finished += 1;
+        run.work.add(&work_of(&outcome));
+        run.ends.push((outcome.events.iter().map(|event| event.kind).collect::<Vec<_>>(), outcome.end));
+        run.traces.push(trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))?);
     }
-    if ends.windows(2).any(|pair| pair[0] != pair[1]) {
-        return Err(not_converged(format!("paths at {tolerance:e} and beside it end or jump differently")));
+    if run.ends.windows(2).any(|pair| pair[0] != pair[1]) {
+        return Err(not_converged(format!("paths at {:e} and beside it end or jump differently", run.tolerance)));
     }
-    traces.swap(0, 1);
-    let reduction = reduction(&traces);
-    let compared = judgement::compared(problem, &traces, 1, Some(reduction)).ok_or_else(|| not_converged("no path".into()))?;
-    Ok(IndentationSolution { by_panels: true, ..compared.solution(*work) })
+    run.traces.swap(0, 1);
+    Ok(())
+}
+
+/// The middle of three paths with its bounds.
+fn solution_of(problem: &IndentationProblem, traces: &[Trace], work: IndentationWork) -> Result<IndentationSolution, Refusal> {
+    let compared = judgement::compared(problem, traces, 1, Some(reduction(traces))).ok_or_else(|| not_converged("no path".into()))?;
+    Ok(IndentationSolution { by_panels: true, ..compared.solution(work) })
 }
 
 /// What the distance of the middle path to the finest is over that of the loosest, over all numbers of all instants kept, each over its scale; at most one.
@@ -141,9 +188,10 @@ pub(in crate::indentation) fn surface_at(
     time: f64,
 ) -> Result<(PathPoint, [SurfaceFields; 2]), Refusal> {
     let [high, low, _] = options(solved.tolerance);
+    let asked = as_planned(problem, &solved.shortened, time);
     let mut found = Vec::new();
     for options in [high, low] {
-        let outcome = marched(material, problem, options, (&[time], true))?;
+        let outcome = marched(material, problem, options, (&[asked], true), &solved.shortened)?;
         let step = outcome.path.iter().find(|step| step.wanted).copied().ok_or_else(|| not_converged("no state there".into()))?;
         let surface = outcome.surface.ok_or_else(|| not_converged("no surface there".into()))?;
         found.push((step, surface));
@@ -155,12 +203,27 @@ pub(in crate::indentation) fn surface_at(
     }
 }
 
+/// A time as it would be if no stretch had ended early.
+fn as_planned(problem: &IndentationProblem, shortened: &[(usize, f64)], time: f64) -> f64 {
+    let (mut start, mut planned) = (0.0, time);
+    for (number, segment) in problem.history.segments.iter().enumerate() {
+        let took = shortened.iter().find(|stop| stop.0 == number).map_or(segment.duration, |stop| stop.1);
+        if time > start {
+            planned += segment.duration - took;
+        }
+        start += took;
+    }
+    planned
+}
+
 /// Instants to keep: the start, and equally spaced ones of every segment.
 fn kept_instants(problem: &IndentationProblem) -> Vec<f64> {
     let each = problem.instants_per_segment.max(1);
     let (mut instants, mut start) = (vec![0.0], 0.0);
     for segment in &problem.history.segments {
-        let each = if segment.duration > 0.0 { each } else { 1 };
+        // Of a stretch whose end is not known the end alone.
+        let open_ended = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
+        let each = if segment.duration > 0.0 && !open_ended { each } else { 1 };
         instants.extend((1..=each).map(|k| start + segment.duration * if k == each { 1.0 } else { f64::from(k) / f64::from(each) }));
         start += segment.duration;
     }
@@ -179,6 +242,9 @@ fn work_of(outcome: &Outcome) -> IndentationWork {
 /// The path as a trace that can be compared, which keeps every instant wanted.
 fn trace(outcome: &Outcome, wanted: usize, (tolerance, glassy): (f64, f64)) -> Result<Trace, Refusal> {
     let mut trace = Trace { tolerance, events: outcome.events.clone(), work: work_of(outcome), ..Trace::default() };
+    trace.cycles.clone_from(&outcome.cycles);
+    trace.spreads.clone_from(&outcome.spreads);
+    trace.shortened.clone_from(&outcome.shortened);
     trace.unknown_of_events = vec![[0.0; 4]; trace.events.len()];
     let mut summary = Summary::default();
     for step in &outcome.path {

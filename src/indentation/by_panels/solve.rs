@@ -1,5 +1,6 @@
 //! From a problem of this crate to its panels, and one path of its edge.
 
+use super::checkpoint::{MarchState, PanelObserver};
 use super::jump::FLOOR;
 use super::march::March;
 use super::prescribed::{RADIUS, depth_of};
@@ -33,7 +34,7 @@ pub fn march_by_panels(
     options: PanelOptions,
     instants: &[f64],
 ) -> Result<Outcome, Refusal> {
-    marched(material, problem, options, (instants, false))
+    marched(material, problem, options, (instants, false), &[])
 }
 
 /// A problem in the terms of the room, and its first contact.
@@ -44,12 +45,13 @@ pub(super) struct Begun {
     pub(super) depth: f64,
 }
 
-/// Sets a problem up; `surface`: with the surface at the last of the instants.
+/// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
 pub(super) fn begun(
     material: &Material,
     problem: &IndentationProblem,
     options: PanelOptions,
     (instants, surface): (&[f64], bool),
+    stops: &[(usize, f64)],
 ) -> Result<Begun, Refusal> {
     problem.checked()?;
     require_positive("tolerance", options.tolerance)?;
@@ -102,6 +104,8 @@ pub(super) fn begun(
         degree: options.degree,
         instants: instants.to_vec(),
         energies: problem.energies,
+        cycles: Some(problem.accuracy),
+        stops: stops.to_vec(),
         surface,
     };
     let depth = match history.controlled {
@@ -111,15 +115,32 @@ pub(super) fn begun(
     Ok(Begun { problem, edge, depth })
 }
 
-/// One march; `surface`: with the surface at the last of the instants.
+/// One march; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
 pub(super) fn marched(
     material: &Material,
     problem: &IndentationProblem,
     options: PanelOptions,
     instants: (&[f64], bool),
+    stops: &[(usize, f64)],
 ) -> Result<Outcome, Refusal> {
-    let Begun { problem: own, edge, depth } = begun(material, problem, options, instants)?;
-    let outcome = March::new(&own, edge, depth).run();
+    marched_from(material, problem, options, (instants, stops), (None, None))
+}
+
+/// The same from a checkpoint, observed.
+pub(super) fn marched_from(
+    material: &Material,
+    problem: &IndentationProblem,
+    options: PanelOptions,
+    (instants, stops): ((&[f64], bool), &[(usize, f64)]),
+    (from, observer): (Option<MarchState>, Option<PanelObserver<'_>>),
+) -> Result<Outcome, Refusal> {
+    let Begun { problem: own, edge, depth } = begun(material, problem, options, instants, stops)?;
+    let mut march = March::new(&own, edge, depth);
+    if let Some(state) = from {
+        march.restore(state)?;
+    }
+    march.observer = observer;
+    let outcome = march.run();
     // The widest contacts are at ends of panels: an edge that turns back ends one.
     for row in outcome.ends.iter().chain(&outcome.jumps).chain([&outcome.start]) {
         problem.profile.holds(row.contact_radius, own.zone)?;

@@ -1,9 +1,10 @@
 //! The path of the edge, where it is kept: the panels that it went along, without the states that they left.
 
 use super::line::{Segment, series};
+use serde::{Deserialize, Serialize};
 
 /// What the edge has passed, from its first place and instant on.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Trail {
     /// Way (m) and time (s) gone so far.
     pub(super) way: f64,
@@ -12,7 +13,7 @@ pub(super) struct Trail {
 }
 
 /// A piece of it: where and when it starts, how long it takes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Passed {
     pub(super) way: f64,
     pub(super) time: f64,

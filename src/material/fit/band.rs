@@ -8,10 +8,10 @@
 
 use super::choose::{Candidate, material};
 use super::joint::{self, Free};
-use super::least_squares::matrix;
-use super::normal::Normal;
 use super::observation::{Observation, Quantity};
 use super::sample::Sample;
+use crate::fit::least_squares::matrix;
+use crate::special::normal::Normal;
 
 use crate::material::Material;
 use faer::Mat;
@@ -131,7 +131,7 @@ impl Band {
         });
         let model = model.or(self.models.first())?;
         let spread = model.spread.as_ref()?;
-        let normal: Vec<f64> = (0..spread.ncols()).map(|_| stream.next()).collect();
+        let normal: Vec<f64> = (0..spread.ncols()).map(|_| stream.sample()).collect();
         let step: Vec<f64> = (0..spread.nrows()).map(|k| (k..spread.ncols()).map(|j| spread[(k, j)] * normal[j]).sum()).collect();
         let (own, rest) = step.split_at(self.free.count().min(step.len()));
         // A step along which two terms exchange their strengths changes no curve while it is small: along a long one the curves would leave the linear picture,

@@ -1,8 +1,8 @@
 //! The best fit that positive strengths allow with any number of terms, as far as this search finds it, and one term fewer.
 
-use super::least_squares;
 use super::sample::Sample;
 use super::series::{Ends, Series};
+use crate::fit::least_squares;
 
 /// Grid times a decade of the first stage.
 const PER_DECADE: f64 = 10.0;

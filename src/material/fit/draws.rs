@@ -1,9 +1,9 @@
 //! Materials that the data leave possible: what a result owes to the scatter of the data is seen by computing it for each of them.
 
 use super::choose::SeriesFit;
-use super::normal::Normal;
 use crate::material::Material;
 use crate::refusal::Refusal;
+use crate::special::normal::Normal;
 
 /// A material that the data leave possible, and ln a_T and ln b_T of every isotherm that was fitted.
 pub type Drawn = (Material, Vec<(f64, f64)>);

@@ -1,8 +1,8 @@
 //! Strengths at given times, all positive: what an expansion of a law needs, at the price of a few linear systems.
 
-use super::least_squares;
 use super::observation::Observation;
 use super::shape::SeriesShape;
+use crate::fit::least_squares;
 use faer::Mat;
 
 /// Most systems: each leaves out at least one time.

@@ -1,9 +1,9 @@
 //! A series and the shifts of isotherms refined together.
 
-use super::descent::{Descent, descended};
 use super::observation::Quantity;
 use super::sample::Sample;
 use super::series::Series;
+use crate::fit::{Descent, descended};
 
 /// Which shifts are free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -13,13 +13,11 @@ mod band;
 mod best;
 mod choose;
 pub mod consistency;
-mod descent;
+
 mod draws;
 mod fixed_times;
 mod joint;
 mod law;
-mod least_squares;
-mod normal;
 mod observation;
 pub mod overlap;
 mod rest;

@@ -7,8 +7,8 @@
 //! ```
 //! so that no step of the fit depends on the number of rows. Numbers that are relative to themselves are then taken relative to that polynomial.
 
-use super::least_squares::product;
 use super::observation::{Observation, Quantity};
+use crate::fit::least_squares::product;
 use faer::Mat;
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! A series while it is being fitted.
 
-use super::descent::{Descent, descended};
-use super::least_squares;
 use super::observation::Quantity;
 use super::sample::Sample;
+use crate::fit::least_squares;
+use crate::fit::{Descent, descended};
 
 /// What a series may have besides its terms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -250,7 +250,7 @@ pub(super) fn position(indentation: &Indentation, column: usize) -> Option<usize
     present(indentation).iter().position(|place| *place == column)
 }
 
-fn unit(measure: Measure, units: Units) -> &'static str {
+pub(super) fn unit(measure: Measure, units: Units) -> &'static str {
     match (measure, units) {
         (Measure::Time, Units::Si) => "s",
         (Measure::Length, Units::Si) => "m",

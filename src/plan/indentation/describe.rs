@@ -164,6 +164,7 @@ impl IndentationPlan {
             }
             .to_owned(),
         );
+        sentences.extend(self.called_for.clone());
         sentences
     }
 
@@ -213,7 +214,10 @@ impl IndentationPlan {
                 groups.push(group(&format!("cycles of history.{}", leg.segment), leg.cycles(), "1"));
             }
         }
-        groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
+        // With a rate after another control it is known when the history is solved.
+        if self.timeline.open_rates.is_empty() {
+            groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
+        }
         let way = self.timeline.way(HistoryQuantity::Penetration);
         if way > 0.0 {
             groups.push(group("way of the penetration", way, pick("m", "R")));

@@ -172,7 +172,7 @@ fn between(path: &[PathPoint], index: usize, time: f64) -> [f64; 2] {
 }
 
 /// Places from the axis outwards: half of them inside and half outside of the edge, dense at it.
-fn places(a: f64, reach: f64, points: u32) -> Vec<f64> {
+pub(super) fn places(a: f64, reach: f64, points: u32) -> Vec<f64> {
     let even = |from: f64, to: f64, count: u32, dense_end: bool, dense_start: bool| -> Vec<f64> {
         (0..count)
             .map(|index| {

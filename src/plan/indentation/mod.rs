@@ -3,12 +3,15 @@
 mod answer;
 mod columns;
 mod cost;
+mod curve;
 mod cycle_figures;
 mod cycles;
 mod describe;
 mod fields;
 mod figures;
+mod finite;
 mod march;
+mod rates;
 mod rows;
 mod scale;
 mod scan;
@@ -23,11 +26,13 @@ use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
+use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
+pub(super) use finite::FiniteRangePlan;
 use scale::Scale;
-use timeline::Timeline;
+use timeline::{RateStart, Timeline};
 
 /// An indenter in time, ready to be solved.
 #[derive(Debug, Clone)]
@@ -46,11 +51,15 @@ pub(super) struct IndentationPlan {
     /// Whether a sweep follows.
     swept: bool,
     timeline: Timeline,
+    /// Where segments at a rate start, as far as they were found.
+    rate_starts: Vec<RateStart>,
     /// The history at values all over the sweep of a frequency; none if no frequency is swept.
     examples: Vec<Timeline>,
     profile: Profile,
     /// Whether it is solved without steps in time.
     without_steps: bool,
+    /// Which theory the range of the interface calls for, if the scene names it.
+    called_for: Option<String>,
 }
 
 impl IndentationPlan {
@@ -63,7 +72,7 @@ impl IndentationPlan {
             liquid_is_possible(indentation, adhesion.process_zone)?;
         }
         let scale = Scale::new(scene.units);
-        let timeline = Timeline::new(indentation, &scale)?;
+        let timeline = Timeline::new(indentation, &scale, &[])?;
         let mut plan = Self {
             indentation: indentation.clone(),
             relaxed: material.relaxed_modulus(),
@@ -75,9 +84,11 @@ impl IndentationPlan {
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
             timeline,
+            rate_starts: Vec::new(),
             examples: examples(scene, indentation, &scale),
             profile: march::profile(indentation)?,
             without_steps: false,
+            called_for: finite::beside_an_edge(scene, indentation),
         };
         plan.without_steps = plan.problem()?.is_without_steps();
         if !plan.without_steps && plan.flow.is_some() {
@@ -129,7 +140,7 @@ fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Time
             let mut changed = indentation.clone();
             let HistorySegment::Oscillation(oscillation) = changed.history.segments.get_mut(index)? else { return None };
             oscillation.frequency = *values.get(example * last / count.saturating_sub(1).max(1))?;
-            Timeline::new(&changed, scale).ok()
+            Timeline::new(&changed, scale, &[]).ok()
         })
         .collect()
 }
@@ -221,7 +232,17 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let mut rows = self.rows(state, swept, desk);
+        let mut rows = match self.with_rates() {
+            Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
+            Ok(None) => self.rows(state, swept, desk),
+            Err(refusal) => vec![self.refused(state, swept, &refusal)],
+        };
+        let of_rates = self.rate_starts.iter().map(|start| start.error).sum::<f64>();
+        if of_rates > 0.0 {
+            // A rate that is off by a part moves what follows by at most that part.
+            let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten());
+            values.for_each(|estimate| estimate.error += of_rates * estimate.value.abs());
+        }
         if self.flow.is_some() && !self.without_steps {
             let values = rows
                 .iter_mut()
@@ -237,6 +258,10 @@ impl ProblemPlan for IndentationPlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        Some(self.way(tolerance))
     }
 
     fn answer(&self, _: &[Row]) -> Option<Answer> {

@@ -45,11 +45,14 @@ impl IndentationPlan {
             let rows = self.rows_of(&solution, state, swept)?;
             Ok(rows)
         });
-        solved.unwrap_or_else(|refusal| {
-            let mut row = self.row(state, swept, [SUMMARY, ""]);
-            row.refuse(&refusal);
-            vec![row]
-        })
+        solved.unwrap_or_else(|refusal| vec![self.refused(state, swept, &refusal)])
+    }
+
+    /// The row of a state that is refused.
+    pub(super) fn refused(&self, state: usize, swept: &[f64], refusal: &Refusal) -> Row {
+        let mut row = self.row(state, swept, [SUMMARY, ""]);
+        row.refuse(refusal);
+        row
     }
 
     fn row(&self, state: usize, swept: &[f64], labels: [&str; 2]) -> Row {
@@ -193,7 +196,7 @@ impl IndentationPlan {
     pub(super) fn basic(&self, time: Estimate, penetration: Estimate, force: Estimate, contact_radius: Estimate) -> Values {
         let mut values: Values = vec![None; COLUMNS.len()];
         let far_end = self.far_end(penetration, force);
-        let measured = self.measured_force(time.value).map(Estimate::exact);
+        let measured = self.timeline.measured_force(time.value, &self.scale).map(Estimate::exact);
         for (place, value) in [
             (at::TIME, Some(time)),
             (at::PENETRATION, Some(penetration)),
@@ -354,25 +357,5 @@ impl IndentationPlan {
         };
         // An open contact has the force 0, not −0.
         Estimate::new(converted.value + 0.0, converted.error)
-    }
-
-    /// The force that was measured at a time, coherent: between two rows of a table that both hold one.
-    pub(super) fn measured_force(&self, time: f64) -> Option<f64> {
-        self.timeline.overlays.iter().rev().find_map(|overlay| {
-            let column = overlay.table.others.iter().find(|column| column.name == "force")?;
-            let sought = (time - overlay.start) * overlay.speed_factor;
-            let next = overlay.table.rows.partition_point(|row| *row < sought);
-            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.rows.len() - 1));
-            let row = |index: usize| Some((*overlay.table.rows.get(index)?, (*column.values.get(index)?)?));
-            let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
-            // A rounding beyond its ends is still within the table.
-            let width = second_time - first_time;
-            let reach = 1e-9 * overlay.table.rows.last().copied().unwrap_or(0.0);
-            if sought < first_time - reach || sought > second_time + reach {
-                return None;
-            }
-            let part = if width > 0.0 { ((sought - first_time) / width).clamp(0.0, 1.0) } else { 0.0 };
-            Some((first + (second - first) * part) * self.scale.force)
-        })
     }
 }

@@ -51,10 +51,23 @@ pub(super) struct Timeline {
     pub(super) overlays: Vec<Overlay>,
     /// Ramps that begin where only the march knows, in times: their instants are taken from its path.
     pub(super) open_ramps: Vec<(f64, f64)>,
+    /// Segments at a rate whose start only the solved history before them knows: until it is solved, their durations are guesses from zero.
+    pub(super) open_rates: Vec<usize>,
     /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
     pub(super) in_time: bool,
     /// Whether it is one cycle that repeats itself for ever.
     pub(super) periodic: bool,
+}
+
+/// Where a segment at a rate starts: found by solving the history before it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RateStart {
+    /// Which segment.
+    pub(super) segment: usize,
+    /// The value of its quantity there, coherent.
+    pub(super) value: f64,
+    /// The error of that value over the way of the segment: by so much its rate is off.
+    pub(super) error: f64,
 }
 
 struct Builder<'s> {
@@ -64,14 +77,25 @@ struct Builder<'s> {
     here: (HistoryQuantity, f64),
     time: f64,
     segment: usize,
+    /// Where segments at a rate start, as far as it is known.
+    starts: &'s [RateStart],
     timeline: Timeline,
 }
 
 impl Timeline {
-    pub(super) fn new(indentation: &Indentation, scale: &Scale) -> Result<Self, Refusal> {
+    /// The timeline of a history; `starts` of segments at a rate that are known.
+    pub(super) fn new(indentation: &Indentation, scale: &Scale, starts: &[RateStart]) -> Result<Self, Refusal> {
         let (quantity, value) = indentation.at_start;
         let start = (quantity, scale.coherent(quantity, value));
-        let timeline = Self { start, legs: Vec::new(), overlays: Vec::new(), open_ramps: Vec::new(), in_time: false, periodic: false };
+        let timeline = Self {
+            start,
+            legs: Vec::new(),
+            overlays: Vec::new(),
+            open_ramps: Vec::new(),
+            open_rates: Vec::new(),
+            in_time: false,
+            periodic: false,
+        };
         let mut builder = Builder {
             scale,
             factor: indentation.speed_factor,
@@ -79,6 +103,7 @@ impl Timeline {
             here: start,
             time: 0.0,
             segment: 0,
+            starts,
             timeline,
         };
         for (index, segment) in indentation.history.segments.iter().enumerate() {
@@ -89,6 +114,26 @@ impl Timeline {
             }
         }
         Ok(builder.timeline)
+    }
+
+    /// The force that was measured at a time, coherent: between two rows of a table that both hold one.
+    pub(super) fn measured_force(&self, time: f64, scale: &Scale) -> Option<f64> {
+        self.overlays.iter().rev().find_map(|overlay| {
+            let column = overlay.table.others.iter().find(|column| column.name == "force")?;
+            let sought = (time - overlay.start) * overlay.speed_factor;
+            let next = overlay.table.rows.partition_point(|row| *row < sought);
+            let (before, after) = (next.saturating_sub(1), next.min(overlay.table.rows.len() - 1));
+            let row = |index: usize| Some((*overlay.table.rows.get(index)?, (*column.values.get(index)?)?));
+            let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
+            // A rounding beyond its ends is still within the table.
+            let width = second_time - first_time;
+            let reach = 1e-9 * overlay.table.rows.last().copied().unwrap_or(0.0);
+            if sought < first_time - reach || sought > second_time + reach {
+                return None;
+            }
+            let part = if width > 0.0 { ((sought - first_time) / width).clamp(0.0, 1.0) } else { 0.0 };
+            Some((first + (second - first) * part) * scale.force)
+        })
     }
 
     /// Whether anything oscillates.
@@ -121,11 +166,12 @@ impl Builder<'_> {
                 let end = self.scale.coherent(*quantity, *value);
                 let duration = match pace {
                     Pace::Duration(time) => *time,
-                    Pace::Rate(_) if self.here.0 != *quantity => {
-                        return Err(Refusal::Undefined {
-                            quantity: "a rate right after a change of what is controlled",
-                            reason: "the value it starts from is only known when the history is solved; give a duration".into(),
-                        });
+                    Pace::Rate(rate) if self.here.0 != *quantity => {
+                        let known = self.starts.iter().find(|start| start.segment == self.segment);
+                        if known.is_none() {
+                            self.timeline.open_rates.push(self.segment);
+                        }
+                        (end - known.map_or(0.0, |start| start.value)).abs() / self.scale.coherent(*quantity, *rate)
                     }
                     Pace::Rate(rate) => (end - self.here.1).abs() / self.scale.coherent(*quantity, *rate),
                 };

@@ -3,7 +3,7 @@
 use super::SurfacePlan;
 use crate::outcome::{Effect, Group, Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
-use crate::plan::citations::{CONTMECH, Citation, GREENWOOD_RANGE, PRIMAL_DUAL, THESIS};
+use crate::plan::citations::{CONTMECH, Citation, GREENWOOD_1997, PRIMAL_DUAL, THESIS};
 use crate::scene::typed::{SlidingContact, SurfaceLoad, SurfacePath, SurfaceTask, Units};
 use crate::sliding::layer::Backing;
 
@@ -162,7 +162,7 @@ impl SurfacePlan {
         let mut papers = vec![&THESIS, &PRIMAL_DUAL];
         if let Some(law) = &self.sliding.attraction {
             if law.word == "lennard_jones" {
-                papers.push(&GREENWOOD_RANGE);
+                papers.push(&GREENWOOD_1997);
             }
             if law.word == "cosine" {
                 papers.push(&CONTMECH);

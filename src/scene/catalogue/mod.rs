@@ -6,6 +6,7 @@
 mod adhesion;
 mod crack;
 mod fields;
+mod fit;
 mod general;
 mod history;
 mod indentation;
@@ -55,6 +56,8 @@ pub enum Kind {
     Choices(&'static [Word]),
     /// A free text.
     Text,
+    /// A text or a list of texts.
+    Texts,
     /// true or false.
     Flag,
     /// A table.
@@ -126,6 +129,7 @@ pub fn keys() -> impl Iterator<Item = &'static Key> {
         sliding::KEYS,
         surface::KEYS,
         fields::KEYS,
+        fit::KEYS,
     ]
     .into_iter()
     .flatten()

@@ -31,6 +31,18 @@ pub(super) fn is_given(top: &Section<'_>) -> bool {
     top.node().get("adhesion").is_some_and(|table| ["law", "table"].iter().any(|key| table.get(key).is_some()))
 }
 
+/// Refuses what belongs to a law, in a scene that has none.
+pub(super) fn without(top: &Section<'_>, owner: &str) -> Result<(), SceneError> {
+    let Some(table) = top.table("adhesion") else { return Ok(()) };
+    for key in ["law", "table", "range", "peak_stress", "ramp", "columns"] {
+        if table.node().get(key).is_some() {
+            let message = format!("`{}` belongs to a law of attraction, and {owner} has none", table.full(key));
+            return Err(SceneError::at(&table.key_place(key), message, "leave it out"));
+        }
+    }
+    Ok(())
+}
+
 /// Reads the law; none where [adhesion] names no law. `unit` is the unit of `work_of_adhesion` in a reduced scene, in its pressure times
 /// its length of gaps (1 in SI units).
 pub(super) fn read(top: &Section<'_>, document: &Document, unit: f64) -> Result<Option<SceneAttraction>, SceneError> {

@@ -1,6 +1,8 @@
 //! The `[indentation]`, `[adhesion]` and `[[history]]` tables of an indenter.
 
+use super::attraction;
 use super::counter_body;
+use super::indentation_at_a_distance as at_a_distance;
 use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
@@ -34,7 +36,9 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let shape = shape(&table, document)?;
     let rim_radius = rim_radius(&table, &shape)?;
     let (shape, counter_body) = counter_body::of_indentation(&table, shape)?;
-    let (adhesion, edge_law) = adhesion(top, &shape)?.unzip();
+    let attraction = attraction::read(top, document, 1.0)?;
+    // A law acts everywhere: there is no edge.
+    let (adhesion, edge_law) = if attraction.is_some() { (None, None) } else { adhesion(top, &shape)?.unzip() };
     let edge_law = edge_law.unwrap_or_default();
     let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
@@ -44,9 +48,12 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         Some("relaxed") => IndentationStart::Relaxed,
         _ => IndentationStart::Untouched,
     };
+    if attraction.is_some() {
+        at_a_distance::possible(top, &table, &history, &shape)?;
+    }
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
-    rates_know_their_start(top, &history, at_start.0)?;
+    means_are_known(top, &history, at_start.0)?;
     let frame_stiffness = table.number("frame_stiffness")?;
     if let (None, Some(index)) =
         (frame_stiffness, history.segments.iter().position(|segment| segment.quantity() == Some(HistoryQuantity::Frame)))
@@ -63,6 +70,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         start,
         at_start,
         adhesion,
+        attraction,
         edge_law,
         frame_stiffness,
         history,
@@ -140,21 +148,10 @@ fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, histor
     Ok((quantity, table.required_number(key)?))
 }
 
-/// A rate makes a duration only where the value it starts from is known, and an oscillation without `to` needs its mean.
-fn rates_know_their_start(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
+/// An oscillation without `to` needs its mean.
+fn means_are_known(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
     let mut controlled = first;
     for (segment, item) in history.segments.iter().zip(top.items("history")) {
-        if let HistorySegment::Ramp { quantity, pace: Pace::Rate(_), .. } = segment
-            && *quantity != controlled
-        {
-            let message = format!(
-                "`{}`: before this segment `{}` is controlled, and where `{}` then stands is only known when the history is solved",
-                item.full("rate"),
-                controlled.word(),
-                quantity.word()
-            );
-            return Err(SceneError::at(&item.key_place("rate"), message, "give `duration` instead"));
-        }
         if let HistorySegment::Oscillation(HistoryOscillation { quantity, to: None, .. }) = segment
             && *quantity != controlled
         {

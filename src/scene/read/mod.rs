@@ -7,10 +7,13 @@ mod counter_body;
 mod crack;
 mod crack_history;
 pub mod decks;
+mod fit;
+mod fit_data;
 mod force_curve_header;
 pub mod history;
 mod include;
 mod indentation;
+mod indentation_at_a_distance;
 mod material;
 mod material_choice;
 mod material_columns;
@@ -89,6 +92,10 @@ const MOST_TRIES: usize = 1000;
 /// The first thing that is wrong, at the first values.
 pub fn read(document: &Document) -> Result<Scene, SceneError> {
     check(&document.root)?;
+    if let Some(fit) = document.root.get("fit") {
+        let message = "the scene has a table [fit], which only `viscotack fit` carries out";
+        return Err(SceneError::at(&fit.place, message, "this table").help("type: viscotack fit SCENE --out DIR"));
+    }
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
     let state = |number: usize| {
@@ -117,7 +124,13 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
     let stem = || file.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let mut material = material::read(&top, document)?;
     material.notes.extend(document.notes().iter().cloned());
-    let problem = match the_problem(&top)? {
+    let named = the_problem(&top)?;
+    if named == "crack" {
+        attraction::without(&top, "a crack")?;
+    } else if !attraction::is_given(&top) {
+        attraction::without(&top, "a scene without `adhesion.law` or `adhesion.table`")?;
+    }
+    let problem = match named {
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),
@@ -175,6 +188,8 @@ pub fn read_material(document: &Document) -> Result<SceneMaterial, SceneError> {
     top.table("material").map_or(Ok(()), |table| table.all_read(&[], "a material"))?;
     Ok(material)
 }
+
+pub use fit::read_fit;
 
 /// Whether a file is delimited text whose header names a modulus or a compliance with a known name.
 #[must_use]

@@ -35,7 +35,7 @@ const THROUGH_ALL: &str = "seriestime";
 /// Columns that are compared with the result.
 const COMPARED: [(&str, Dimension); 2] = [("force", Dimension::FORCE), ("growth", Dimension::LENGTH)];
 
-fn names(word: &str) -> &'static [&'static str] {
+pub(super) fn names(word: &str) -> &'static [&'static str] {
     NAMES.iter().find(|entry| entry.0 == word).map_or(&[], |entry| entry.1)
 }
 

@@ -1,6 +1,7 @@
 //! An indenter in time, as a scene gives it.
 
 use super::ElasticBody;
+use super::attraction::SceneAttraction;
 use super::history::{History, HistoryQuantity};
 use crate::indentation::EdgeLaw;
 use crate::indentation::scan::ScannedShape;
@@ -24,6 +25,8 @@ pub struct Indentation {
     pub at_start: (HistoryQuantity, f64),
     /// What holds the faces together, if anything does.
     pub adhesion: Option<IndentationAdhesion>,
+    /// The law by which the surfaces attract at a distance, in place of a process zone at an edge.
+    pub attraction: Option<SceneAttraction>,
     /// How the work of adhesion and the process zone follow the edge.
     pub edge_law: EdgeLaw,
     /// k_f (N/m), if a frame is given.

@@ -1,6 +1,7 @@
 //! Draws of indenters.
 
 use super::adhesion::{by_speed, works_file};
+use super::attraction;
 use super::material::{Scales, Taken, write as material};
 use super::text::{ENERGY_PER_AREA, FORCE, FORCE_RATE, FREQUENCY, LENGTH, NUMBER, PRESSURE, SPEED, STIFFNESS, TIME, Text, Units, quoted};
 use std::f64::consts::PI;
@@ -8,6 +9,9 @@ use std::f64::consts::PI;
 const TAKEN: Taken = Taken { liquids: true, stiffest: 30.0, most_terms: 3, decades: 2.0 };
 /// Adhesive scenes cost a hundred times more.
 pub(super) const ADHESIVE: f64 = 0.1;
+
+/// Adhesive scenes of which one attracts at a distance.
+const AT_A_DISTANCE: usize = 3;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shape {
@@ -154,6 +158,11 @@ pub(super) fn write(text: &mut Text) {
     text.reduced = text.chance(0.25);
     let adhesive = text.chance(ADHESIVE);
     let scales = material(text, if adhesive { Taken { liquids: false, most_terms: 2, ..TAKEN } } else { TAKEN });
+    // One adhesive scene in so many attracts at a distance: by what was drawn so far, so that the other scenes stay as they were.
+    if adhesive && text.lines.iter().map(String::len).sum::<usize>().is_multiple_of(AT_A_DISTANCE) {
+        attraction::indenter(text, scales);
+        return;
+    }
     let size = shape(text, scales);
     if adhesive {
         adhesion(text, scales, &size);

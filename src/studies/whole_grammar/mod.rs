@@ -13,6 +13,7 @@
 //! The truth is the same scene at a thousandth of the accuracy (or at the floor of its problem), written in other units, so that the inputs differ in their last digits.
 
 mod adhesion;
+mod attraction;
 pub mod compared;
 pub mod coverage;
 mod crack;

@@ -42,7 +42,7 @@ pub(super) struct Text {
     pub(super) reduced: bool,
     /// Plain numbers now: what is fitted to them turns on their last digits.
     pub(super) plain: bool,
-    lines: Vec<String>,
+    pub(super) lines: Vec<String>,
     /// Files that it names.
     pub(super) files: Vec<(String, String)>,
 }

@@ -77,6 +77,7 @@ impl CycleMap<'_> {
         let row = march.row(None, 0.0);
         march.outcome.path.clear();
         march.outcome.wanted.clear();
+        march.met = 0;
         (march.outcome.start, march.outcome.least_force) = (row, row);
         march.start_residual = march.sudden(0.0);
         let end = loop {

@@ -154,7 +154,8 @@ fn found(
     near: Option<&ClosedPath>,
     work: &mut IndentationWork,
 ) -> Result<Found, Refusal> {
-    let Begun { problem: mut own, edge, .. } = begun(material, problem, options, (&[], false))?;
+    let Begun { problem: mut own, edge, .. } = begun(material, problem, options, (&[], false), &[])?;
+    own.cycles = None;
     // Energies of the last cycles alone.
     let energies = std::mem::take(&mut own.energies);
     let settled = settled(&CycleMap { problem: &own, sinus, period, edge }, near, work)?;

@@ -4,13 +4,17 @@ use super::least_squares::{self, matrix, product};
 use faer::Mat;
 
 /// Numbers whose residuals are to be made small.
-pub(super) trait Descent: Sized {
+pub(crate) trait Descent: Sized {
     /// The residuals.
     fn residuals(&self) -> Vec<f64>;
     /// A part of the sum of squares that no step changes.
     fn rest(&self) -> f64;
     /// Derivatives of the residuals by the numbers, a column each.
     fn jacobian(&self) -> Vec<Vec<f64>>;
+    /// A fall of the sum below which a step is not tried; none tries every step.
+    fn least_gain(&self) -> Option<f64> {
+        None
+    }
     /// The same after a step.
     fn moved(&self, step: &[f64]) -> Self;
 }
@@ -20,7 +24,7 @@ fn squares(residuals: &[f64]) -> f64 {
 }
 
 /// The descent from here; at most so many steps.
-pub(super) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
+pub(crate) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
     let mut residuals = model.residuals();
     let mut misfit = squares(&residuals);
     let mut damping = 1e-3;
@@ -38,6 +42,7 @@ pub(super) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
         let triangle = factor.thin_R();
         let small = triangle.nrows();
         let mut better = None;
+        let mut at_the_end = false;
         for _ in 0..12 {
             let damped = Mat::from_fn(small + columns, columns, |i, j| {
                 if i < small {
@@ -51,6 +56,18 @@ pub(super) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
             });
             let right: Vec<f64> = (0..small + columns).map(|i| if i < small { -triangle[(i, columns)] } else { 0.0 }).collect();
             let Some(step) = least_squares::damped(&damped, &right) else { break };
+            // What the linear picture promises; a step that is damped more promises less.
+            let promised: f64 = (0..small)
+                .map(|i| {
+                    let along: f64 = step.iter().enumerate().skip(i).map(|(j, step)| triangle[(i, j)] * step).sum();
+                    let before = triangle[(i, columns)];
+                    before * before - (before + along) * (before + along)
+                })
+                .sum();
+            if model.least_gain().is_some_and(|least| promised < least) {
+                at_the_end = true;
+                break;
+            }
             let trial = model.moved(&step);
             let new = trial.residuals();
             let reached = squares(&new);
@@ -64,7 +81,7 @@ pub(super) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
                 break;
             }
         }
-        let Some((trial, new, reached)) = better else { break };
+        let Some((trial, new, reached)) = better.filter(|_| !at_the_end) else { break };
         let gained = (misfit - reached) / (misfit + model.rest());
         (model, residuals, misfit) = (trial, new, reached);
         // A descent this slow is at its end, or in a valley that leads nowhere.

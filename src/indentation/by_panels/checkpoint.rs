@@ -1,0 +1,198 @@
+//! What a killed run by panels goes on from: every number of the path under way, bit for bit, and the paths before it.
+//!
+//! A checkpoint is taken between two panels. What a path remembers only to be quick (nodes of the last window, the kernel of the last edge) is left out: it is made
+//! anew before it is read.
+
+use super::at_once::AtOnce;
+use super::cycles::Cycles;
+use super::drive::{Branch, Stretch};
+use super::events::Mark;
+use super::followed::State;
+use super::line::{Line, Segment};
+use super::march::March;
+use super::path::Chart;
+use super::problem::{End, Outcome};
+use crate::indentation::checkpoint::{Checkpoint, RunState, foreign};
+use crate::indentation::record::{Record, RecordState};
+use crate::indentation::{EventKind, IndentationWork, Trace, Watch};
+use crate::refusal::Refusal;
+use serde::{Deserialize, Serialize};
+
+/// A run between two panels.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(in crate::indentation) struct PanelsState {
+    pub(super) run: PathsState,
+    pub(super) march: MarchState,
+}
+
+/// What a run has besides the path under way.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct PathsState {
+    /// Paths that are finished.
+    pub(super) finished: u32,
+    /// Tolerance of the path that is to be given, those of its round that are finished, and how they ended.
+    pub(super) tolerance: f64,
+    pub(super) traces: Vec<Trace>,
+    pub(super) ends: Vec<(Vec<EventKind>, End)>,
+    /// Paths of the last round that can be compared.
+    pub(super) best: Option<Vec<Trace>>,
+    /// Stretches that end early.
+    pub(super) stops: Vec<(usize, f64)>,
+    pub(super) work: IndentationWork,
+}
+
+/// A path between two panels.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct MarchState {
+    line: Line,
+    upcoming: usize,
+    branch: Branch,
+    at_once: Option<AtOnce>,
+    marks: Vec<Mark>,
+    past: Option<(bool, Segment, f64)>,
+    span: (Chart, f64),
+    /// To the turn, since the turn, residual and rate at the start, stiffness, residual of the last panel.
+    numbers: [f64; 6],
+    slows: bool,
+    /// Refusals, flips, pieces.
+    counts: [u32; 3],
+    state: Option<State>,
+    instants: Vec<f64>,
+    met: usize,
+    cycles: Option<Cycles>,
+    rows: RecordState,
+    /// Before the stretch or cycle under way: panels; closures and their nodes.
+    work: [u64; 3],
+    outcome: Outcome,
+}
+
+/// Who watches a path, and what the run knows besides it.
+#[derive(Clone, Copy)]
+pub(super) struct PanelObserver<'a> {
+    pub(super) watch: &'a dyn Watch,
+    pub(super) run: &'a PathsState,
+}
+
+impl March<'_> {
+    fn checkpoint(&self) -> MarchState {
+        // Every field is named: a new one must be given a place, or a reason.
+        let Self {
+            problem: _,
+            observer: _,
+            // Made anew from the problem.
+            points: _,
+            window,
+            line,
+            upcoming,
+            branch,
+            at_once,
+            marks,
+            past,
+            span,
+            to_turn,
+            since_turn,
+            slows,
+            start_residual,
+            start_rate,
+            stiffness,
+            refusals,
+            flips,
+            state,
+            piece,
+            panel_residual,
+            instants,
+            met,
+            cycles,
+            rows,
+            budget_from,
+            outcome,
+        } = self;
+        MarchState {
+            line: line.clone(),
+            upcoming: *upcoming,
+            branch: branch.clone(),
+            at_once: *at_once,
+            marks: marks.clone(),
+            past: past.clone(),
+            span: *span,
+            numbers: [*to_turn, *since_turn, *start_residual, *start_rate, *stiffness, *panel_residual],
+            slows: *slows,
+            counts: [*refusals, *flips, *piece],
+            state: state.clone(),
+            instants: instants.clone(),
+            met: *met,
+            cycles: cycles.clone(),
+            rows: rows.state(),
+            work: [*budget_from, window.closures, window.kernel_nodes],
+            outcome: outcome.clone(),
+        }
+    }
+
+    /// A path as new, put where a checkpoint was taken.
+    pub(super) fn restore(&mut self, state: MarchState) -> Result<(), Refusal> {
+        let n = self.problem.chain.terms();
+        let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.past.iter().map(|past| &past.1));
+        if state.branch.memory.len() != n || segments.into_iter().any(|segment| !segment.states.len().is_multiple_of(n + 1)) {
+            return Err(foreign("its line has another number of terms"));
+        }
+        if state.upcoming > self.problem.drive.stretches.len() {
+            return Err(foreign("its history has fewer stretches"));
+        }
+        if state.instants.len() != self.instants.len() {
+            return Err(foreign("it has other instants"));
+        }
+        if state.line.inside.is_empty() || state.line.outside.is_empty() {
+            return Err(foreign("its line is empty"));
+        }
+        let MarchState {
+            line,
+            upcoming,
+            branch,
+            at_once,
+            marks,
+            past,
+            span,
+            numbers,
+            slows,
+            counts,
+            instants,
+            met,
+            cycles,
+            rows,
+            work,
+            outcome,
+            ..
+        } = state;
+        (self.line, self.upcoming, self.branch, self.at_once, self.marks) = (line, upcoming, branch, at_once, marks);
+        (self.past, self.span, self.slows, self.state) = (past, span, slows, state.state);
+        [self.to_turn, self.since_turn, self.start_residual, self.start_rate, self.stiffness, self.panel_residual] = numbers;
+        [self.refusals, self.flips, self.piece] = counts;
+        (self.instants, self.met, self.cycles, self.outcome) = (instants, met, cycles, outcome);
+        self.rows = Record::restored_without_contact(rows);
+        [self.budget_from, self.window.closures, self.window.kernel_nodes] = work;
+        Ok(())
+    }
+
+    /// Between two panels: tells how far the path is, and leaves a checkpoint where one is wanted.
+    pub(super) fn observe(&self) {
+        let Some(PanelObserver { watch, run }) = self.observer else { return };
+        watch.passed(run.finished + 1, self.progress());
+        if watch.wants_checkpoint() {
+            let state = PanelsState { run: run.clone(), march: self.checkpoint() };
+            watch.checkpoint(&Checkpoint { run: RunState::Panels(Box::new(state)) });
+        }
+    }
+
+    /// Part (0…1) of the history that is done; a cycle counts as much as a ramp.
+    fn progress(&self) -> f64 {
+        let weight = |stretch: &Stretch| 1.0 + stretch.oscillation.map_or(0.0, |o| o.cycles_at(stretch.duration, stretch.duration));
+        let stretches = &self.problem.drive.stretches;
+        let all: f64 = stretches.iter().map(weight).sum();
+        let gone: f64 = stretches.iter().take(self.upcoming).map(weight).sum();
+        let under_way = self.upcoming.checked_sub(1).and_then(|last| stretches.get(last)).map_or(0.0, weight);
+        let left = (self.branch.end - self.line.time) / (self.branch.end - self.branch.start);
+        let left = if left.is_finite() { left.clamp(0.0, 1.0) } else { 0.0 };
+        let part = (gone - under_way * left) / all;
+        if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 }
+    }
+}

@@ -1,0 +1,304 @@
+//! Cycles of an oscillation: ∮F dΔ, amplitudes and extremes, from integrals over the panels themselves.
+//!
+//! ```text
+//! work = ∫F Δ′ dθ,    ∫x φ̇ sin φ dt, ∫x φ̇ cos φ dt  of x = Δ, F
+//! ```
+//! Eight Gauss points a part, and parts halved until halves agree with the whole to a part of the tolerance. An extreme between points is sought on the polynomial
+//! through them, and evaluated there. What is made of the sums, and when cycles are stationary, says the meter that time steps use as well.
+
+use super::closure::Way;
+use super::events::first_crossing;
+use super::gauss::{Gauss, NODES};
+use super::line::{Segment, series};
+use super::march::March;
+use super::problem::Row;
+use super::record::LATE;
+use crate::indentation::adhesiveless::Sums;
+use crate::indentation::meter::Meter;
+use crate::indentation::{Oscillation, PathPoint};
+use serde::{Deserialize, Serialize};
+
+/// Change of the work by halving a part, over the tolerance and what is turned over there; halvings.
+const ENOUGH: f64 = 1e-3;
+const MOST_HALVINGS: u32 = 12;
+/// Parts of a cycle without contact.
+const PARTS_IN_FLIGHT: f64 = 8.0;
+/// Golden sections of the place of an extreme.
+const SECTIONS: u32 = 30;
+
+/// The oscillation under way.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Cycles {
+    meter: Meter,
+    oscillation: Oscillation,
+    duration: f64,
+    origin: f64,
+    segment: usize,
+    /// The next cycle to end, from 1.
+    number: u64,
+    /// Whether its stretch ends with the first stationary cycle, and whether that is over.
+    seeks_end: bool,
+    pub(super) is_stationary: bool,
+}
+
+impl Cycles {
+    /// When the next whole cycle ends, if the stretch holds another.
+    fn end_of_cycle(&self) -> Option<f64> {
+        self.oscillation.time_of(self.number as f64, self.duration).map(|time| self.origin + time)
+    }
+}
+
+/// At a parameter: the time and its slope, dΔ by the parameter, and the row.
+#[derive(Clone, Copy)]
+pub(super) struct Sample {
+    pub(super) pace: f64,
+    pub(super) sink: f64,
+    pub(super) row: Row,
+}
+
+pub(super) fn point_of(row: &Row) -> PathPoint {
+    PathPoint {
+        time: row.time,
+        penetration: row.penetration,
+        force: row.force,
+        contact_radius: row.contact_radius,
+        stress_intensity_factor: row.stress_intensity,
+        unresolved_intensity: 0.0,
+        residual: 0.0,
+        piece: 0,
+        energies: None,
+    }
+}
+
+impl March<'_> {
+    /// A stretch that oscillates begins.
+    pub(super) fn begins_cycles(&mut self, segment: usize, duration: f64, oscillation: Option<Oscillation>) {
+        self.cycles = None;
+        self.budget_from = self.outcome.panels + self.outcome.refused;
+        let (Some(oscillation), Some(_)) = (oscillation, self.problem.cycles) else { return };
+        let origin = self.branch.start;
+        let chain = &self.problem.chain;
+        let longest = if chain.terms() == 0 { 0.0 } else { chain.times(false)[1] };
+        let now = self.outcome.path.last().map(|last| point_of(&last.row));
+        let meter = Meter::new(segment, (oscillation, duration), origin, longest, now.as_ref());
+        let stop = self.problem.stops.iter().find(|stop| stop.0 == segment).map(|stop| stop.1);
+        let seeks_end = oscillation.until_stationary && stop.is_none();
+        self.cycles = Some(Cycles { meter, oscillation, duration, origin, segment, number: 1, seeks_end, is_stationary: false });
+        if let Some(stop) = stop {
+            self.ends_early(origin + stop);
+        }
+    }
+
+    /// The stretch ends at a time, and all that comes after is earlier.
+    pub(super) fn ends_early(&mut self, time: f64) {
+        let early = self.branch.end - time;
+        self.branch.end = time;
+        self.instants.iter_mut().skip(self.met).for_each(|instant| *instant -= early);
+        if let Some(cycles) = &self.cycles {
+            self.rows.trace.shortened.push((cycles.segment, time - cycles.origin));
+        }
+    }
+
+    /// When the next cycle ends, where the stretch may end with it.
+    pub(super) fn may_end(&self) -> Option<f64> {
+        self.cycles.as_ref().filter(|cycles| cycles.seeks_end).and_then(Cycles::end_of_cycle)
+    }
+
+    /// Ends the stretch now if its cycles are stationary. Whether they are.
+    pub(super) fn ends_stationary(&mut self) -> bool {
+        let ends = self.cycles.as_ref().is_some_and(|cycles| cycles.seeks_end && cycles.is_stationary);
+        if ends {
+            self.ends_early(self.line.time);
+            if let Some(cycles) = &mut self.cycles {
+                cycles.seeks_end = false;
+            }
+            self.record_rest(0.0);
+        }
+        ends
+    }
+
+    /// A stretch is over.
+    pub(super) fn ends_cycles(&mut self) {
+        if let Some(cycles) = self.cycles.take() {
+            self.rows.last_cycle(Some(cycles.meter));
+        }
+    }
+
+    /// The edge, or the contact, has changed at once.
+    pub(super) fn meters_at_once(&mut self, row: &Row) {
+        if let Some(cycles) = &mut self.cycles {
+            cycles.meter.step(&point_of(row));
+        }
+    }
+
+    /// Adds a panel up to a parameter.
+    pub(super) fn meters_panel(&mut self, advances: bool, segment: &Segment, cut: f64) {
+        let start = self.line.time;
+        let sample = |march: &Self, theta: f64| {
+            let way = Way { panel: segment, advances, theta };
+            let pace = series(&segment.times, theta).1;
+            Sample { pace, sink: pace * march.instant(Some(way), 0.0).rate, row: march.row(Some(way), segment.time_at(theta)) }
+        };
+        let place = |time: f64| first_crossing(|theta| segment.time_at(theta) - (time - start)).map_or(cut, |theta| theta.min(cut));
+        self.meters((-1.0, cut), start + segment.time_at(cut), place, sample, f64::INFINITY);
+    }
+
+    /// Adds a time in which the edge rests.
+    pub(super) fn meters_rest(&mut self, time: f64) {
+        let start = self.line.time;
+        let sample = |march: &Self, since: f64| Sample { pace: 1.0, sink: march.instant(None, since).rate, row: march.row(None, since) };
+        let longest = self.cycles.as_ref().map_or(f64::INFINITY, |cycles| (PARTS_IN_FLIGHT * cycles.oscillation.frequency).recip());
+        self.meters((0.0, time), start + time, |end| (end - start).min(time), sample, longest);
+    }
+
+    /// Adds a time without contact, between two instants, of a Δ(t) and its rate. When the stretch ends early, if it does.
+    pub(super) fn meters_flight(&mut self, (from, to): (f64, f64), depth: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
+        let longest = self.cycles.as_ref().map(|cycles| (PARTS_IN_FLIGHT * cycles.oscillation.frequency).recip())?;
+        let sample = |_: &Self, time: f64| {
+            let (penetration, sink) = depth(time);
+            Sample { pace: 1.0, sink, row: Row { time, penetration, ..Row::default() } }
+        };
+        let mut from = from;
+        while let Some(end) = self.may_end().filter(|end| *end <= to) {
+            self.meters((from, end), end, |time| time.min(end), sample, longest);
+            from = end;
+            if self.cycles.as_ref().is_some_and(|cycles| cycles.is_stationary) {
+                return Some(end);
+            }
+        }
+        self.meters((from, to), to, |time| time.min(to), sample, longest);
+        None
+    }
+
+    /// Adds what lies between two parameters, the second at a time, cycle by cycle; `place`: the parameter of a time; `longest`: most of a part.
+    fn meters(
+        &mut self,
+        (from, to): (f64, f64),
+        end: f64,
+        place: impl Fn(f64) -> f64,
+        sample: impl Fn(&Self, f64) -> Sample,
+        longest: f64,
+    ) {
+        let Some(mut cycles) = self.cycles.take() else { return };
+        let mut here = from;
+        loop {
+            let ends = cycles.end_of_cycle().filter(|time| *time <= end + LATE * end.abs());
+            let next = ends.map_or(to, |time| place(time).clamp(here, to));
+            let parts = ((next - here) / longest).ceil().max(1.0);
+            let step = (next - here) / parts;
+            for part in 0..parts as u64 {
+                let range = (here + step * part as f64, if part as f64 + 1.0 < parts { here + step * (part as f64 + 1.0) } else { next });
+                if range.1 > range.0 {
+                    let sums = self.added(&cycles.meter, range, &sample, MOST_HALVINGS).sums;
+                    cycles.meter.passed(&point_of(&sample(self, range.1).row), &sums);
+                }
+            }
+            here = next;
+            let Some(time) = ends else { break };
+            let accuracy = self.problem.cycles.unwrap_or(0.0);
+            if self.rows.cycle(&mut cycles.meter, time, accuracy) == Some(true) {
+                cycles.is_stationary = true;
+            }
+            cycles.number += 1;
+            self.budget_from = self.outcome.panels + self.outcome.refused;
+            if cycles.seeks_end && cycles.is_stationary {
+                break;
+            }
+        }
+        self.cycles = Some(cycles);
+    }
+
+    fn added(&self, meter: &Meter, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample, cuts: u32) -> Added {
+        let middle = 0.5 * (from + to);
+        let whole = self.gauss(meter, (from, to), sample);
+        let halves = [(from, middle), (middle, to)].map(|range| self.gauss(meter, range, sample));
+        let work = halves[0].sums.work + halves[1].sums.work;
+        let size = halves[0].size + halves[1].size;
+        if cuts == 0 || (work - whole.sums.work).abs() <= ENOUGH * self.problem.tolerance * size {
+            let [first, second] = halves.map(|half| self.with_extremes(half, sample));
+            return first.and(&second);
+        }
+        let [first, second] = [(from, middle), (middle, to)].map(|range| self.added(meter, range, sample, cuts - 1));
+        first.and(&second)
+    }
+
+    fn gauss(&self, meter: &Meter, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample) -> Added {
+        let rule = Gauss::get();
+        let samples = rule.nodes.map(|x| sample(self, from + (to - from) * x));
+        let mut sums = Sums { work: 0.0, lost: 0.0, moments: [[0.0; 3]; 2], extremes: None };
+        let mut size = 0.0;
+        for (Sample { pace, sink, row }, weight) in samples.iter().zip(rule.weights) {
+            let part = weight * (to - from);
+            sums.work += part * row.force * sink;
+            size += part * (row.force * sink).abs();
+            let weights = meter.weights(row.time);
+            for (moments, value) in sums.moments.iter_mut().zip([row.penetration, row.force]) {
+                moments.iter_mut().zip(weights).for_each(|(moment, weight)| *moment += part * pace * weight * value);
+            }
+        }
+        Added { range: (from, to), samples: Some(samples), sums, size }
+    }
+
+    /// With the extremes of Δ, F and a at the points and between them.
+    fn with_extremes(&self, mut added: Added, sample: &impl Fn(&Self, f64) -> Sample) -> Added {
+        let Some(samples) = added.samples.take() else { return added };
+        let numbers = |row: &Row| [row.penetration, row.force, row.contact_radius];
+        let mut extremes = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        let mut take = |row: &Row| {
+            for (pair, value) in extremes.iter_mut().zip(numbers(row)) {
+                *pair = [pair[0].min(value), pair[1].max(value)];
+            }
+        };
+        samples.iter().for_each(|sample| take(&sample.row));
+        let (from, to) = added.range;
+        // The edge turns at ends of panels only.
+        for quantity in 0..2 {
+            for sign in [-1.0, 1.0] {
+                let values: [f64; NODES] = std::array::from_fn(|k| sign * numbers(&samples[k].row)[quantity]);
+                if let Some(x) = highest(&values) {
+                    take(&sample(self, from + (to - from) * x).row);
+                }
+            }
+        }
+        added.sums.extremes = Some(extremes);
+        added
+    }
+}
+
+/// Sums over a part, with the samples that they are made of, and ∫|F dΔ|.
+struct Added {
+    range: (f64, f64),
+    samples: Option<[Sample; NODES]>,
+    sums: Sums,
+    size: f64,
+}
+
+impl Added {
+    fn and(&self, other: &Self) -> Self {
+        let mut sums = Sums { work: self.sums.work + other.sums.work, ..self.sums };
+        sums.moments.iter_mut().flatten().zip(other.sums.moments.iter().flatten()).for_each(|(sum, part)| *sum += part);
+        sums.extremes = match (self.sums.extremes, other.sums.extremes) {
+            (Some(one), Some(two)) => Some(std::array::from_fn(|k| [one[k][0].min(two[k][0]), one[k][1].max(two[k][1])])),
+            (one, two) => one.or(two),
+        };
+        Self { range: (self.range.0, other.range.1), samples: None, sums, size: self.size + other.size }
+    }
+}
+
+/// Where the polynomial through values at the Gauss points has its top.
+fn highest(values: &[f64; NODES]) -> Option<f64> {
+    let nodes = &Gauss::get().nodes;
+    let top = (0..NODES).max_by(|&one, &other| values[one].total_cmp(&values[other]))?;
+    let at = |x: f64| -> f64 {
+        let basis = |h: usize| (0..NODES).filter(|&k| k != h).map(|k| (x - nodes[k]) / (nodes[h] - nodes[k])).product::<f64>();
+        (0..NODES).map(|h| basis(h) * values[h]).sum()
+    };
+    // Up to the ends of the part, where its neighbour has no point either.
+    let mut low = if top > 0 { nodes[top - 1] } else { 0.0 };
+    let mut high = if top + 1 < NODES { nodes[top + 1] } else { 1.0 };
+    for _ in 0..SECTIONS {
+        let [one, two] = [low + 0.382 * (high - low), low + 0.618 * (high - low)];
+        if at(one) > at(two) { high = two } else { low = one }
+    }
+    Some(0.5 * (low + high))
+}

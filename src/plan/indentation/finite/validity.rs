@@ -1,0 +1,55 @@
+//! Where the model of an indenter that attracts at a distance reaches its limits.
+
+use super::FiniteRangePlan;
+use super::columns::at;
+use crate::outcome::{Row, Validity};
+use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
+use crate::plan::measured::{note, records};
+use crate::scene::typed::IndentationShape;
+
+/// The assumptions, in the order of [`FiniteRangePlan::assumptions`].
+const ASSUMPTIONS: [Assumption; 3] = [
+    Assumption {
+        name: "contact radius over R",
+        limit: Limit::Below(0.3),
+        meaning: "the paraboloid stands for the sphere, and the half-space for the body, only where the contact is small",
+    },
+    Assumption {
+        name: "slope of the indenter at the contact radius",
+        limit: Limit::Below(0.3),
+        meaning: "linear elasticity of a half-space wants slopes well below one",
+    },
+    Assumption {
+        name: "largest tension of the law over glassy modulus",
+        limit: Limit::Below(0.3),
+        meaning: "the material below the attracting surfaces must stay linear",
+    },
+];
+
+impl FiniteRangePlan {
+    /// The numbers that the assumptions are compared with, for one row.
+    pub(super) fn assumptions(&self, row: &Row) -> Vec<Option<f64>> {
+        let radius = row.value(at::CONTACT_RADIUS).filter(|radius| *radius > 0.0);
+        let (size, slope) = match self.indentation.shape {
+            IndentationShape::Sphere { radius: size } => (Some(size), radius.map(|radius| radius / size)),
+            IndentationShape::Cone { slope } => (None, Some(slope)),
+            IndentationShape::PowerLaw { radius: size, exponent } => (None, radius.map(|radius| (radius / size).powf(exponent - 1.0))),
+            IndentationShape::FlatPunch { .. } | IndentationShape::Table { .. } => (None, None),
+        };
+        let peak = self.reduced.law.peak_stress() / self.material.glassy_modulus();
+        vec![radius.zip(size).map(|(radius, size)| radius / size), slope, Some(peak)]
+    }
+
+    pub(super) fn limits(&self, rows: &[Row]) -> Vec<Validity> {
+        let mut entries = judged(&ASSUMPTIONS, rows);
+        entries.extend(self.attraction.notes.iter().map(|text| note("law of attraction", text)));
+        entries.extend(records(&self.indentation.history, self.accuracy));
+        entries.extend(constant_poisson_ratio(self.poisson_ratio));
+        entries.push(not_judged(
+            "no friction, inertia or heat",
+            None,
+            "left out: no shear stress at the interface; a jump goes to the next equilibrium down the energy without any time",
+        ));
+        entries
+    }
+}

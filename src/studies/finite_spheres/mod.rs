@@ -1,0 +1,98 @@
+//! Indenters that attract at a distance: random problems against far tighter runs, and what accuracy costs.
+
+pub mod cost;
+pub mod problems;
+
+use super::cells::{count, number, word};
+use super::{Check, Column, Effort, Progress, Section, Table};
+use problems::{Compared, compared};
+use rayon::prelude::*;
+
+/// The seed of the problems that are reported.
+pub const SEED: u64 = 0x42_5f17_e5ca;
+/// Problems of each effort.
+const PROBLEMS: [u64; 2] = [16, 1000];
+/// What the energy balance may leave, over the largest energy of the history.
+const BALANCE: f64 = 1e-3;
+/// Problems that are listed.
+const LISTED: usize = 200;
+
+/// The study.
+pub fn study(effort: Effort, progress: &Progress) -> Section {
+    let problems = effort.choose(PROBLEMS[0], PROBLEMS[1]);
+    let mut section = Section::new("finite_spheres", "Random problems with attraction at a distance");
+    section.paragraphs.push(format!(
+        "{problems} random problems: Tabor numbers 0.05 to 6, stiffening 2 to 1000, 1, 3 or 12 terms, speeds over eight decades, spheres, cones and power laws, starts in contact and far from it, rests, oscillations and steps at \
+         once. Each is solved by two runs that give bounds, at 1e-4 and with every tolerance tightened, and by one that is tightened once more, which the second is compared with. A problem that needs more than {} steps at 1e-4 is left out, and counted.",
+        problems::MOST_STEPS
+    ));
+    progress.expect(problems);
+    let all: Vec<Compared> = (0..problems)
+        .into_par_iter()
+        .map(|problem| {
+            let compared = compared(SEED, problem);
+            progress.advance(1);
+            compared
+        })
+        .collect();
+    let values: usize = all.iter().map(|problem| problem.values).sum();
+    let outside: usize = all.iter().map(|problem| problem.outside.len()).sum();
+    let wrong = all.iter().find_map(|problem| problem.outside.first());
+    section.checks.push(Check::new(
+        "no value lies outside of its bound",
+        "the difference from the tightest run is at most the bound",
+        wrong
+            .map_or_else(|| format!("{values} values, none outside"), |first| format!("{outside} of {values} outside, the first: {first}")),
+        outside == 0,
+    ));
+    let failed: Vec<&String> = all.iter().filter_map(|problem| problem.failed.as_ref()).collect();
+    section.checks.push(Check::new(
+        "every problem ends with a state",
+        "none fails",
+        failed.first().map_or_else(|| "none failed".to_owned(), |first| format!("{} failed, the first: {first}", failed.len())),
+        failed.is_empty(),
+    ));
+    let defect = all.iter().map(|problem| problem.defect).fold(0.0, f64::max);
+    section.checks.push(Check::new(
+        "energy is balanced",
+        format!("within {BALANCE:e} of the largest energy"),
+        format!("at most {defect:.1e} off"),
+        defect < BALANCE,
+    ));
+    let long = all.iter().filter(|problem| problem.too_long).count();
+    section.checks.push(Check::statement(
+        "how many problems take too long",
+        "none: each step takes as long as the surface needs",
+        format!("{long} of {problems} left out"),
+        long == 0,
+    ));
+    section.tables.push(table(&all));
+    section
+}
+
+fn table(all: &[Compared]) -> Table {
+    let columns = vec![
+        Column::new("problem", "1"),
+        Column::new("values compared", "1"),
+        Column::new("outside", "1"),
+        Column::new("energy defect", "1"),
+        Column::new("steps", "1"),
+        Column::words("what is wrong, or left out"),
+    ];
+    let mut table = Table::new("problems", "Problems with something to say, then the others.", columns).folded();
+    let mut sorted: Vec<(usize, &Compared)> = all.iter().enumerate().collect();
+    sorted.sort_by_key(|(_, problem)| (problem.outside.is_empty() && problem.failed.is_none(), !problem.too_long));
+    for (index, problem) in sorted.into_iter().take(LISTED) {
+        let said = problem.failed.clone().or_else(|| problem.outside.first().cloned());
+        let said = said.unwrap_or_else(|| if problem.too_long { "left out: too many steps".into() } else { String::new() });
+        table.rows.push(vec![
+            count(index),
+            count(problem.values),
+            count(problem.outside.len()),
+            number(problem.defect),
+            count(problem.steps),
+            word(said),
+        ]);
+    }
+    table
+}

@@ -1,0 +1,226 @@
+//! Source: `viscotack fit` (`src/plan/fit`), `scenes/fits/`, `studies::fit_coverage`.
+//!
+//! Goal: the shipped scene gives its stated truth, and the scene that is written runs; every key of [fit] is heard or refused; bad data end in one clear error;
+//! what the data cannot separate is said; models and further tests are compared; a better minimum is never missed.
+//!
+//! Oracle: the truth that `scenes/fits/make_data.py` and the study state.
+//!
+//! Tolerance: the truth lies within twice the 95 % interval.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
+
+use crate::command_support;
+
+use command_support::Folder;
+use std::path::{Path, PathBuf};
+use viscotack::studies::fit_coverage::drawn;
+
+fn repository(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// A pull-off of few rows, with its data; `{}` stands for what is free and what else [fit] holds.
+fn pull_off(fit: &str, data: &str) -> Folder {
+    let scene = std::fs::read_to_string(repository("scenes/fits/pull_off.toml")).unwrap();
+    let (before, _) = scene.split_once("[fit]").unwrap();
+    let folder = Folder::with(&format!("{before}[fit]\n{fit}\n[[fit.test]]\ndata = \"data.csv\"\n"));
+    folder.write("data.csv", data);
+    folder
+}
+
+const FREE: &str = "compare = \"force\"\nfree = [\n\
+    { key = \"adhesion.work_of_adhesion\", from = \"1 mJ/m²\", to = \"1 J/m²\" },\n\
+    { key = \"indentation.frame_stiffness\", from = \"10 N/m\", to = \"10 kN/m\" } ]\n";
+
+/// Every eighth row of the shipped data.
+fn thinned() -> String {
+    let text = std::fs::read_to_string(repository("scenes/fits/pull_off.csv")).unwrap();
+    let (header, rows) = text.split_once('\n').unwrap();
+    let rows: Vec<&str> = rows.lines().step_by(8).collect();
+    format!("{header}\n{}\n", rows.join("\n"))
+}
+
+#[test]
+fn the_shipped_fit_gives_its_truth_and_a_scene_that_runs() {
+    let folder = Folder::new();
+    let scene = repository("scenes/fits/pull_off.toml");
+    folder.call(&["fit", scene.to_str().unwrap(), "--out", "found"]).ended(0);
+    let summary: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(folder.path("found/summary.json")).unwrap()).unwrap();
+    for (place, truth) in [0.055, 180.0].into_iter().enumerate() {
+        let found = &summary["parameters"][place];
+        let value = found["value"].as_f64().unwrap();
+        let [low, high] = ["lower", "upper"].map(|end| found["interval_by_profile_95"][end]["value"].as_f64().unwrap());
+        assert!((value - truth).abs() < high - low && high - low < 0.01 * truth, "{found}");
+    }
+    assert!(summary["moved_by_a_tighter_model_over_standard_error"].as_f64().unwrap() < 0.3);
+    assert_eq!(summary["descents_to_this_minimum"], summary["descents"]);
+    let run = folder.call(&["run", "found/fitted.toml"]).ended(0);
+    assert!(run.stdout.contains("pull_off_force"), "{}", run.stdout);
+    let rows = std::fs::read_to_string(folder.path("found/residuals.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 501);
+    assert!(folder.path("found/residuals_force_1.svg").exists() || !cfg!(feature = "plots"));
+}
+
+#[test]
+fn bad_data_end_in_one_clear_error() {
+    let good = thinned();
+    let with = |change: &dyn Fn(&str) -> String| change(&good);
+    let cases: [(&str, String, &str); 7] = [
+        ("a number that is none", with(&|data| data.replacen("509.184", "nan", 1)), "must be a finite number"),
+        ("a wrong unit", with(&|data| data.replace("force (µN)", "force (µm)")), "wrong unit"),
+        ("no unit", with(&|data| data.replace("force (µN)", "force")), "has no unit"),
+        ("time in milliseconds", with(&|data| data.replace("time (s)", "time (ms)")), "check the unit in the header"),
+        ("another column", with(&|data| data.replace("force (µN)", "push (µN)")), "has no column `force`"),
+        ("three rows", good.lines().take(4).collect::<Vec<_>>().join("\n"), "at least four"),
+        ("time that goes back", format!("{good}0.5, 1.0\n"), "does not increase"),
+    ];
+    for (name, data, says) in cases {
+        let answer = pull_off(FREE, &data).call(&["fit", "scene.toml"]).ended(2);
+        assert!(answer.stderr.contains(says), "{name}: {}", answer.stderr);
+    }
+    let reversed: Vec<String> = good
+        .lines()
+        .enumerate()
+        .map(|(row, line)| match line.split_once(", ") {
+            Some((time, force)) if row > 0 => format!("{time}, {}", -force.parse::<f64>().unwrap()),
+            _ => line.to_owned(),
+        })
+        .collect();
+    let answer = pull_off(FREE, &reversed.join("\n")).call(&["fit", "scene.toml"]).ended(2);
+    assert!(answer.stderr.contains("its sign seems reversed"), "{}", answer.stderr);
+}
+
+#[test]
+fn offsets_are_found_and_missing_ones_are_detected() {
+    let moved: Vec<String> = thinned()
+        .lines()
+        .enumerate()
+        .map(|(row, line)| match line.split_once(", ") {
+            Some((time, force)) if row > 0 => {
+                format!("{:.5}, {:.3}", time.parse::<f64>().unwrap() + 0.25, force.parse::<f64>().unwrap() + 80.0)
+            }
+            _ => line.to_owned(),
+        })
+        .collect();
+    let data = moved.join("\n");
+    let without = pull_off(FREE, &data).call(&["fit", "scene.toml"]);
+    assert!(without.stdout.contains("free { key = \"fit.force_offset\" }"), "{}\n{}", without.stdout, without.stderr);
+    let free = FREE.replace(" ]", ", { key = \"fit.force_offset\" }, { key = \"fit.time_offset\", from = -1, to = 1 } ]");
+    let summary = pull_off(&free, &data).call(&["fit", "scene.toml", "--json"]).ended(0).json();
+    for (place, truth) in [(0, 0.055), (1, 180.0), (2, 80e-6), (3, 0.25)] {
+        let found = &summary["parameters"][place];
+        let [low, high] = ["lower", "upper"].map(|end| found["interval_by_profile_95"][end]["value"].as_f64().unwrap());
+        assert!((found["value"].as_f64().unwrap() - truth).abs() < high - low, "{found}");
+    }
+}
+
+#[test]
+fn every_key_of_fit_is_read_or_refused() {
+    let data = thinned();
+    let cases = [
+        (FREE.replace("force\"", "colour\""), "`fit.compare` = \"colour\""),
+        (format!("{FREE}against = \"frame\"\n"), "has no column `frame`"),
+        (format!("{FREE}against = \"colour\"\n"), "`fit.against` = \"colour\" is not a key"),
+        (FREE.replace("\"10 N/m\"", "\"10 kN/m\""), "is not below"),
+        (FREE.replace("from = \"10 N/m\", ", ""), "from` is missing"),
+        (FREE.replace("\"10 N/m\"", "\"10 m\""), "wrong unit"),
+        (
+            FREE.replace("indentation.frame_stiffness", "adhesion.work_of_adhesion")
+                .replace("10 N/m", "1 J/m²")
+                .replace("10 kN/m", "2 J/m²"),
+            "is free twice",
+        ),
+        (
+            FREE.replace("indentation.frame_stiffness", "fit.depth_offset").replace("\"10 N/m\"", "0").replace("\"10 kN/m\"", "1"),
+            "free fit.time_offset",
+        ),
+        (FREE.replace("indentation.frame_stiffness", "fit.colour"), "known are: fit.depth_offset"),
+        (FREE.replace("indentation.frame_stiffness", "indentation.frame_stifness"), "did you mean"),
+        ("compare = \"force\"\n".to_owned(), "names no number to find"),
+        (format!("{FREE}starts = 0\n"), "must be a whole number from 1"),
+        (format!("{FREE}loss = \"cubes\"\n"), "allowed: \"squares\", \"huber\""),
+        (format!("{FREE}errors = \"relative\"\n"), "has no logarithm"),
+        (format!("{FREE}colour = 1\n"), "`fit.colour` is not a key"),
+    ];
+    for (fit, says) in cases {
+        let answer = pull_off(&fit, &data).call(&["fit", "scene.toml"]).ended(2);
+        assert!(answer.stderr.contains(says), "{says}: {}", answer.stderr);
+    }
+    let folder = pull_off(FREE, &data);
+    let run = folder.call(&["run", "scene.toml"]).ended(2);
+    assert!(run.stderr.contains("viscotack fit SCENE --out DIR"), "{}", run.stderr);
+    folder.call(&["fit", "scene.toml", "--set", "sweep.key=adhesion.work_of_adhesion"]).ended(2);
+    // What changes the result: the loss, the rows that a test sets, the number of starts.
+    let numbers = |fit: &str| pull_off(fit, &data).call(&["fit", "scene.toml", "--json"]).ended(0).json();
+    let plain = numbers(FREE);
+    assert_ne!(plain["parameters"], numbers(&format!("{FREE}loss = \"huber\"\n"))["parameters"]);
+    assert_ne!(plain["descents"], numbers(&format!("{FREE}starts = 1\n"))["descents"]);
+    let folder = Folder::with(&format!("{}set = \"indentation.force = '1 mN'\"\n", folder.read("scene.toml")));
+    folder.write("data.csv", &data);
+    assert_ne!(plain["parameters"], folder.call(&["fit", "scene.toml", "--json"]).json()["parameters"]);
+}
+
+#[test]
+fn columns_that_are_called_otherwise_can_be_named() {
+    let folder = pull_off(FREE, &thinned().replace("force (µN)", "Channel 3"));
+    let scene = format!("{}columns = {{ force = \"Channel 3 in µN\" }}\n", folder.read("scene.toml"));
+    folder.write("scene.toml", &scene);
+    folder.call(&["fit", "scene.toml"]).ended(0);
+}
+
+#[test]
+fn what_the_data_cannot_separate_is_said_and_a_further_test_is_named() {
+    // G of a crack follows the retardation time times the speed over the process zone: only the ratio of the two is seen.
+    let scene = "[material]\nglassy_modulus = 1e8\ncreep = [{ compliance = 9e-7, retardation_time = 1e-3 }]\n\
+        [adhesion]\nwork_of_adhesion = 10\nprocess_zone = { length = 1e-7 }\n\
+        [crack]\nmotion = \"opening\"\nbody = \"two_halves\"\nplane = \"stress\"\ntheories = [\"virtual_work\"]\nspeed = 1e-3\n\
+        [fit]\ncompare = \"energy_release_rate\"\nagainst = \"crack.speed\"\nfree = [\n\
+        { key = \"adhesion.process_zone.length\", from = 1e-9, to = 1e-5 },\n\
+        { key = \"material.creep.0.retardation_time\", from = 1e-5, to = 0.1 } ]\n[[fit.test]]\ndata = \"data.csv\"\n";
+    let run = scene.split_once("[fit]").unwrap().0;
+    let swept = Folder::with(&format!("{run}[sweep]\nkey = \"crack.speed\"\nfrom = 1e-7\nto = 1e-1\npoints = 20\n"))
+        .call(&["run", "scene.toml", "--json"])
+        .json();
+    let rows: Vec<String> = swept["results"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .enumerate()
+        .map(|(row, result)| {
+            let noise = 1.0 + 0.02 * (1.3 * row as f64).sin();
+            let speed = 1e-7 * 10f64.powf(6.0 * row as f64 / 19.0);
+            format!("{speed:e}, {:e}", noise * result["values"]["energy_release_rate"]["value"].as_f64().unwrap())
+        })
+        .collect();
+    let folder = Folder::with(scene);
+    folder.write("data.csv", format!("speed (m/s), energy_release_rate (J/m²)\n{}\n", rows.join("\n")));
+    let answer = folder.call(&["fit", "scene.toml", "--plan"]).ended(0);
+    println!("{}", answer.stdout);
+    assert!(answer.stdout.contains("are nearly one parameter in these data"), "{}", answer.stdout);
+    assert!(answer.stdout.contains("adhesion.process_zone.length · material.creep.0.retardation_time^-1.0"), "{}", answer.stdout);
+    assert!(answer.stdout.contains("further tests, best first") && answer.stdout.contains("a decade below"), "{}", answer.stdout);
+}
+
+#[test]
+fn models_that_leave_memory_or_adhesion_out_are_excluded_by_the_data() {
+    let answer = pull_off(FREE, &thinned()).call(&["fit", "scene.toml", "--models"]).ended(0);
+    println!("{}", answer.stdout);
+    let line =
+        |name: &str| answer.stdout.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{name}: {}", answer.stdout));
+    assert!(line("the scene as it is").contains("possible"));
+    for name in ["viscoelastic, without adhesion", "elastic, adhesion at the edge (JKR)", "elastic, without adhesion (Hertz)"] {
+        let line = line(name);
+        assert!(line.contains("excluded by these data") || line.contains("no fit"), "{line}");
+    }
+}
+
+#[test]
+fn curves_across_states_are_fitted_and_no_better_minimum_is_missed() {
+    for family in [2, 3] {
+        let (fit, truth, there) = drawn(family, 1).unwrap();
+        let found = fit.fitted();
+        assert!(there > found.misfit - 0.1, "{there} {}", found.misfit);
+        for ((value, interval), truth) in found.values.iter().zip(&found.by_profile).zip(&truth) {
+            assert!((value - truth).abs() < interval.upper.value() - interval.lower.value(), "{value} {truth}");
+        }
+    }
+}
