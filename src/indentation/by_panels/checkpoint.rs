@@ -189,10 +189,12 @@ impl March<'_> {
         let stretches = &self.problem.drive.stretches;
         let all: f64 = stretches.iter().map(weight).sum();
         let gone: f64 = stretches.iter().take(self.upcoming).map(weight).sum();
-        let under_way = self.upcoming.checked_sub(1).and_then(|last| stretches.get(last)).map_or(0.0, weight);
-        let left = (self.branch.end - self.line.time) / (self.branch.end - self.branch.start);
+        let under_way = self.upcoming.checked_sub(1).and_then(|last| stretches.get(last));
+        // A stretch in which the surfaces have touched again has a later start.
+        let duration = if self.at_once.is_some() { self.branch.end } else { under_way.map_or(0.0, |stretch| stretch.duration) };
+        let left = (self.branch.end - self.line.time) / duration;
         let left = if left.is_finite() { left.clamp(0.0, 1.0) } else { 0.0 };
-        let part = (gone - under_way * left) / all;
+        let part = (gone - under_way.map_or(0.0, weight) * left) / all;
         if part.is_finite() { part.clamp(0.0, 1.0) } else { 1.0 }
     }
 }
