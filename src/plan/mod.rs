@@ -175,6 +175,13 @@ impl Plan {
         if wide.is_some() {
             problem = problem_plan(scene)?;
         }
+        // Numbers of a scene that are finite may have characteristic ones that are not.
+        if let Some(group) = problem.groups().into_iter().find(|group| !group.value.is_finite()) {
+            return Err(Refusal::Undefined {
+                quantity: "a characteristic number",
+                reason: format!("{}: the numbers of the scene are too large or too small for it", group.name),
+            });
+        }
         let most_kept = kept::most_states(&scene.sweeps, problem.rows_of_a_state());
         Ok(Self { problem, material: scene.material.clone(), visited, states, most_kept, draws: propagate::draws(scene) })
     }

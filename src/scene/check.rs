@@ -8,6 +8,9 @@ use super::document::{Entry, Node, Value};
 use super::suggest::{self, Suggestion};
 use super::units::{Dimension, parse_quantity};
 
+/// Characters of a line of a list of keys.
+const WIDTH_OF_A_LIST: usize = 110;
+
 /// Checks a whole scene.
 ///
 /// # Errors
@@ -49,13 +52,30 @@ fn check_table(table: &Node, path: &str, generic: &str, units: Units) -> Result<
     Ok(())
 }
 
+/// Words after each other, in lines that a terminal has room for.
+fn listed(words: &[&str]) -> String {
+    let mut text = String::new();
+    let mut width = 0;
+    for (index, word) in words.iter().enumerate() {
+        if index > 0 {
+            text.push(',');
+            let full = width + word.len() > WIDTH_OF_A_LIST;
+            text.push(if full { '\n' } else { ' ' });
+            width = if full { 0 } else { width };
+        }
+        text.push_str(word);
+        width += word.len() + 2;
+    }
+    text
+}
+
 /// The error for a key that the catalogue does not have.
 fn unknown_key(entry: &Entry, table: &str, generic: &str) -> SceneError {
     let known: Vec<&str> = catalogue::names_in(generic).collect();
     let path = if table.is_empty() { entry.key.clone() } else { format!("{table}.{}", entry.key) };
     let place = if table.is_empty() { "a scene".to_owned() } else { format!("[{table}]") };
     let meant = suggest::for_key(&entry.key, generic);
-    let mut help = if known.is_empty() { format!("{place} has no keys") } else { format!("{place} knows: {}", known.join(", ")) };
+    let mut help = if known.is_empty() { format!("{place} has no keys") } else { format!("{place} knows: {}", listed(&known)) };
     let label = match &meant {
         Some(Suggestion { path: Some(path), note }) => {
             let parent = path.rsplit_once('.').map_or("", |(parent, _)| parent);

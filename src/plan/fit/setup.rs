@@ -50,7 +50,7 @@ impl Setup {
     /// Sets a fit up.
     ///
     /// # Errors
-    /// The first thing that is wrong with the scene, the table [fit] or the data.
+    /// The first thing that is wrong with the scene, the table `[fit]` or the data.
     pub fn new(document: &mut Document) -> Result<Self, SceneError> {
         let task = read::read_fit(document)?;
         let document = document.without(&["fit"]);

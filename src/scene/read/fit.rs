@@ -24,7 +24,7 @@ const OFFSETS: [(&str, Dimension); 4] = [
     ("fit.force_drift", Dimension::FORCE_RATE),
 ];
 
-/// Reads the table [fit] of a scene and the data that it names.
+/// Reads the table `[fit]` of a scene and the data that it names.
 ///
 /// # Errors
 /// The first thing that is wrong, with its place.
