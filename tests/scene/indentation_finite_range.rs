@@ -301,6 +301,7 @@ fn a_law_with_a_hard_wall_is_solved_and_its_bounds_hold() {
         assert!((a.value - b.value).abs() <= a.error + b.error, "{name}: {a:?} {b:?}");
     }
     assert!(answer(&fine, "energy_defect").value < 1e-3);
+    // Maugis' closed form holds the other end: `finite_range::sphere`.
 }
 
 #[test]

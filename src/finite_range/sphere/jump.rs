@@ -7,6 +7,7 @@ use super::drive::Drive;
 use super::newton::Row;
 use super::state::State;
 use super::step::Solver;
+use crate::refusal::Refusal;
 
 /// Steps of pseudo-time after which the search is given up.
 const DESCENT_STEPS: usize = 1000;
@@ -96,8 +97,24 @@ impl Solver<'_> {
         if !flags.contains(&true) {
             return None;
         }
+        let nodes = state.mesh.nodes() + self.mesher.order() * flags.iter().filter(|&&flag| flag).count();
+        if nodes > self.accuracy.most_nodes {
+            self.too_fine = Some(nodes);
+            return None;
+        }
         let finer = self.refined(state, flags);
         (finer.mesh.cells != state.mesh.cells).then_some(finer)
+    }
+
+    /// Refuses to go on where a mesh was needed that is too fine.
+    pub(super) fn fine_enough(&self, time: f64) -> Result<(), Refusal> {
+        self.too_fine.map_or(Ok(()), |nodes| {
+            let detail = format!(
+                "{nodes} nodes are needed at time {time}, {} are the most: a wide contact with a short range, or a hard wall; a looser accuracy needs fewer",
+                self.accuracy.most_nodes
+            );
+            Err(Refusal::NotConverged { what: "the mesh", detail })
+        })
     }
 
     /// The state without needless elements.

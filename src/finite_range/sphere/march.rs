@@ -106,7 +106,9 @@ impl March<'_> {
         let mut usual = h;
         let mut remeshed = 0;
         let mut detached = false;
+        let mut known = None;
         while self.state.time < end {
+            self.solver.fine_enough(self.state.time)?;
             if self.book.attempts() >= self.solver.accuracy.budget {
                 return Err(Refusal::NotConverged {
                     what: "the integration in time",
@@ -114,7 +116,7 @@ impl March<'_> {
                 });
             }
             let (step, next) = self.bounded(h, end);
-            let Some(trial) = self.solver.step(&self.state, &drive, step) else {
+            let Some(trial) = self.solver.step_again(&self.state, &drive, step, known.take().as_ref()) else {
                 self.book.failed += 1;
                 (h, careful) = (0.25 * step, CAREFUL_STEPS);
                 let fold =
@@ -140,6 +142,7 @@ impl March<'_> {
                 && let Some(finer) = self.solver.refined_if(&self.state, &flags)
             {
                 (self.book.refined, remeshed) = (self.book.refined + 1, remeshed + 1);
+                known = Some(trial.stages.carried(&self.state, &finer, self.solver.mesher));
                 self.state = finer;
                 continue;
             }
@@ -221,6 +224,7 @@ impl March<'_> {
     fn jump(&mut self, drive: &Drive, h: f64, end: f64, window: &mut Window) -> Result<bool, Refusal> {
         let before = self.state.clone();
         let landing = self.solver.jump(&before, drive, h.max(1e-12 * before.time), end);
+        self.solver.fine_enough(before.time)?;
         let Some(landing) = landing else {
             if drive.control == Control::Force && drive.row(before.time).value < 0.0 {
                 return Ok(false);

@@ -13,8 +13,9 @@ use super::kernel::{Quadrature, Rule};
 pub(super) const GRADING: f64 = 4.0;
 /// No element is halved more often: the shortest is 1e-9 of its root.
 const DEEPEST: u32 = 30;
-/// Blocks kept before the store is emptied (100 MB at ten nodes).
-const STORE: usize = 125_000;
+/// Bytes of the blocks kept before their store is emptied, and what a block takes besides its numbers.
+const STORE: usize = 24 << 20;
+const OF_A_BLOCK: usize = 100;
 
 /// A dyadic piece of a root interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -181,7 +182,7 @@ impl Mesher {
             }
         }
         let mut matrix = vec![0.0; n * n];
-        if self.blocks.len() > STORE {
+        if self.blocks.len() * (8 * order * order + OF_A_BLOCK) > STORE {
             self.blocks.clear();
         }
         for (j, &source) in cells.iter().enumerate() {

@@ -289,6 +289,8 @@ pub struct Accuracy {
     pub newton: f64,
     /// Attempted steps after which the run ends with a refusal.
     pub budget: usize,
+    /// Nodes that a mesh may have; a run that needs more ends with a refusal. Seven matrices of so many squared are alive at a time.
+    pub most_nodes: usize,
 }
 
 impl Accuracy {
@@ -298,7 +300,7 @@ impl Accuracy {
         let relative = relative.clamp(1e-8, 1e-2);
         let force = (1e-2 * (relative / 1e-5).powf(0.7)).clamp(2e-4, 5e-2);
         let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
-        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000 }
+        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, most_nodes: 800 }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.

@@ -7,14 +7,15 @@ use super::mesh::{Cell, GRADING, Mesh, Mesher};
 /// A field that the mesh must resolve.
 pub(super) struct Watched<'a> {
     pub(super) values: &'a [f64],
+    /// An error that is allowed anywhere.
     pub(super) tolerance: f64,
-    /// The error counts times the length of the element (a strain, which acts through its integral).
-    pub(super) by_length: bool,
+    /// An error times the length of its element that is allowed: what is unresolved there moves the surface no more than that.
+    pub(super) of_integral: f64,
 }
 
 impl Watched<'_> {
     fn tolerance(&self, cell: Cell) -> f64 {
-        if self.by_length { self.tolerance / cell.length() } else { self.tolerance }
+        self.tolerance.max(self.of_integral / cell.length())
     }
 }
 

@@ -61,6 +61,7 @@ impl Solver<'_> {
         }
         let z = vec![if relaxed { RELAXED } else { 0.0 }; self.chain.terms.len()];
         let settled = self.settle(&state, &z, row);
+        self.fine_enough(0.0)?;
         settled.ok_or_else(|| Refusal::NotConverged {
             what: "the first state",
             detail: format!(

@@ -88,6 +88,14 @@ impl State {
         new
     }
 
+    /// Values of the unknown on the mesh of this state, carried to another mesh of the same radius.
+    pub(super) fn carried(&self, unknown: &[f64], to: &Self, mesher: &Mesher) -> Vec<f64> {
+        let mut lifted: Vec<f64> = unknown.iter().zip(self.undeformed.iter()).map(|(u, flat)| u - flat).collect();
+        mesher.carry(&self.mesh, &to.mesh, &mut [&mut lifted]);
+        let least = unknown.iter().fold(f64::INFINITY, |least, &u| least.min(u));
+        lifted.iter().zip(to.undeformed.iter()).map(|(lifted, flat)| (lifted + flat).max(least)).collect()
+    }
+
     /// The radius where the tension is largest, by a parabola through its neighbours; zero if that is at the centre.
     pub(super) fn tension_radius(&self) -> f64 {
         let (p, x) = (&self.p, &self.mesh.x);

@@ -16,6 +16,8 @@ use crate::refusal::Refusal;
 const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
 const WORK_SCALE: f64 = 3.0;
+/// Part of the error of the gap and the force that an element at the edge of a hard wall may make.
+const EDGE_OF_WALL: f64 = 0.1;
 /// A correction of the gap that does not fall any more is rounding if it is smaller than this times the square of the outer radius,
 /// the scale of the gap there.
 const ROUNDING: f64 = 1e-13;
@@ -24,6 +26,22 @@ const ROUNDING: f64 = 1e-13;
 pub(super) struct Trial {
     pub(super) state: State,
     pub(super) error: f64,
+    pub(super) stages: Stages,
+}
+
+/// The unknown and the penetration of every stage of a step: first guesses of the same step on a finer mesh.
+pub(super) struct Stages {
+    length: f64,
+    unknowns: Vec<Vec<f64>>,
+    penetrations: [f64; STAGES],
+}
+
+impl Stages {
+    /// The same on the mesh of another state.
+    pub(super) fn carried(mut self, from: &State, to: &State, mesher: &Mesher) -> Self {
+        self.unknowns.iter_mut().for_each(|unknown| *unknown = from.carried(unknown, to, mesher));
+        self
+    }
 }
 
 /// The solver of one run.
@@ -39,6 +57,8 @@ pub(super) struct Solver<'m> {
     pub(super) sharpness: f64,
     /// The time of a step at once: while it goes on nothing creeps, and the time of a state is the part of the step that is done.
     pub(super) frozen: Option<f64>,
+    /// The nodes of a mesh that was needed and is too fine.
+    pub(super) too_fine: Option<usize>,
 }
 
 impl<'m> Solver<'m> {
@@ -54,6 +74,7 @@ impl<'m> Solver<'m> {
             newton: Newton::default(),
             sharpness: 1.0,
             frozen: None,
+            too_fine: None,
         })
     }
 
@@ -87,6 +108,12 @@ impl<'m> Solver<'m> {
 
     /// One step of length h; nothing if a stage has no solution that Newton's method finds.
     pub(super) fn step(&mut self, from: &State, drive: &Drive, h: f64) -> Option<Trial> {
+        self.step_again(from, drive, h, None)
+    }
+
+    /// The same, with what was found on a coarser mesh.
+    pub(super) fn step_again(&mut self, from: &State, drive: &Drive, h: f64, known: Option<&Stages>) -> Option<Trial> {
+        let known = known.filter(|known| known.length.total_cmp(&h).is_eq());
         let (n, terms) = (from.mesh.nodes(), self.chain.terms.clone());
         let creep = self.creep_time(h);
         let z: Vec<f64> = terms.iter().map(|&(_, tau)| DIAGONAL * creep / tau).collect();
@@ -107,7 +134,10 @@ impl<'m> Solver<'m> {
                     a.iter_mut().zip(s).for_each(|(a, s)| *a += ROWS[stage][k] * s);
                 }
             }
-            let (guess, depth) = self.guess(from, &gaps, &depths, stage, h);
+            let (guess, depth) = match known {
+                Some(known) => (known.unknowns[stage].clone(), known.penetrations[stage]),
+                None => self.guess(from, &gaps, &depths, stage, h),
+            };
             let row = drive.row(from.time + TIMES[stage] * h);
             let contact = self.contact(from, &forced, &z, row, None, (&guess, depth))?;
             for (((v, a), &z), &(j, _)) in strains.iter_mut().zip(&forced).zip(&z).zip(&terms) {
@@ -139,7 +169,7 @@ impl<'m> Solver<'m> {
             time: from.time + h,
             penetration: depths[STAGES - 1],
             force: forces[STAGES - 1],
-            u: gaps.pop()?,
+            u: gaps.last()?.clone(),
             p,
             strains,
             rate: Some((rate, depth_rate)),
@@ -147,7 +177,8 @@ impl<'m> Solver<'m> {
             viscous: from.viscous + dot(&WEIGHTS, &viscous),
             released: from.released,
         };
-        error.is_finite().then_some(Trial { state, error })
+        let stages = Stages { length: h, unknowns: gaps, penetrations: depths };
+        error.is_finite().then_some(Trial { state, error, stages })
     }
 
     /// How long the body creeps during a step: not at all in a step at once.
@@ -209,9 +240,13 @@ impl<'m> Solver<'m> {
     /// What the mesh must resolve: the pressure, and every creep strain by the gap that it makes.
     fn watched<'a>(&self, state: &'a State) -> Vec<Watched<'a>> {
         let largest = state.p.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
-        let mut fields = vec![Watched { values: &state.p, tolerance: self.accuracy.mesh * (0.1 * largest).max(1.0), by_length: false }];
-        let tolerance = self.accuracy.mesh / self.coupling;
-        fields.extend(state.strains.iter().map(|values| Watched { values, tolerance, by_length: true }));
+        let of_integral = self.accuracy.mesh / self.coupling;
+        // The pressure at the edge of a hard wall is a square root, which no mesh follows: what it moves, and its force, count.
+        let at_edge = EDGE_OF_WALL * self.accuracy.mesh / self.coupling.max(state.tension_radius());
+        let at_edge = if self.surface.has_wall() { at_edge } else { 0.0 };
+        let tolerance = self.accuracy.mesh * (0.1 * largest).max(1.0);
+        let mut fields = vec![Watched { values: &state.p, tolerance, of_integral: at_edge }];
+        fields.extend(state.strains.iter().map(|values| Watched { values, tolerance: 0.0, of_integral }));
         fields
     }
 

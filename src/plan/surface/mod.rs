@@ -156,11 +156,12 @@ impl SurfacePlan {
         let own = self.profile.nodes()[0].next_power_of_two();
         // Every place of a field is a node.
         let places = self.sliding.field_points.map_or(0, |points| (points as usize).next_power_of_two());
-        let least = LEAST_NODES[which].max(own).max(places);
         let most = self.sliding.most_nodes.map_or(MOST_NODES[which], |nodes| nodes as usize);
         // The largest power of two that is allowed.
         let most = if most.is_power_of_two() { most } else { most.next_power_of_two() / 2 };
-        Request { accuracy: self.accuracy, least_nodes: least, most_nodes: most.max(2 * own).max(places) }
+        let most = most.max(2 * own).max(places);
+        let least = LEAST_NODES[which].max(own).max(places).min(most);
+        Request { accuracy: self.accuracy, least_nodes: least, most_nodes: most }
     }
 }
 

@@ -60,7 +60,9 @@ impl SurfacePlan {
     /// The state by the wanted way, and what happened on it.
     fn reached(&self, problem: &Problem) -> Result<(SteadyState, Option<String>), Refusal> {
         let request = self.request();
-        let (Control::MeanPressure(wanted), true) = (problem.control, self.sliding.reached_by != SurfacePath::LongRange) else {
+        // Without attraction the equations are strictly monotone, since each wave loses energy: one state exists, whatever the way to it.
+        let several = self.sliding.reached_by != SurfacePath::LongRange && problem.attraction.attracts();
+        let (Control::MeanPressure(wanted), true) = (problem.control, several) else {
             return solve(problem, &request).map(|state| (state, None));
         };
         let start = match self.sliding.reached_by {

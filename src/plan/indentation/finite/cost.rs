@@ -1,7 +1,7 @@
 //! What an indenter that attracts at a distance is expected to cost: the one place to tune when the solver changes.
 
 use super::FiniteRangePlan;
-use super::history::{Piece, is_kinked};
+use super::history::{Piece, tolerances};
 use crate::finite_range::sphere::Motion;
 use crate::outcome::Work;
 
@@ -21,10 +21,10 @@ const SYSTEMS: f64 = 60.0;
 const WALL: f64 = 6.0;
 /// Rows of events besides instants.
 const EVENTS: u64 = 64;
-/// Influence matrices, their blocks, and the states of a step (bytes).
-const MESHES: u64 = 40 << 20;
-/// The same of a law with kinks, which takes more nodes.
-const KINKED_MESHES: u64 = 96 << 20;
+/// Matrices of the nodes alive at a time: of a state, its finer mesh, two earlier states, the Jacobian and its factors.
+const MATRICES: u64 = 7;
+/// The blocks of which matrices are made, and what else does not grow (bytes).
+const BLOCKS: u64 = 30 << 20;
 /// Memory of a step of both runs (bytes).
 const STEP: u64 = 450;
 /// Linear systems of a step.
@@ -41,8 +41,8 @@ impl FiniteRangePlan {
 
     /// Memory of a state besides its rows (bytes), at most.
     pub(super) fn most_memory(&self) -> u64 {
-        let meshes = if is_kinked(&self.reduced.law) { KINKED_MESHES } else { MESHES };
-        meshes + STEP * self.work_of_a_state().linear_solves / SYSTEMS_A_STEP
+        let nodes = tolerances(self.accuracy, &self.reduced.law).most_nodes as u64;
+        8 * MATRICES * nodes * nodes + BLOCKS + STEP * self.work_of_a_state().linear_solves / SYSTEMS_A_STEP
     }
 
     /// Expected work of one state.

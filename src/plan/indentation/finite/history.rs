@@ -134,6 +134,10 @@ impl Course {
 
 /// Nodes of an element where a hard wall or a kink of the law leaves one in the pressure: more do not pay there.
 const KINKED_ORDER: usize = 6;
+/// Tolerance of its mesh over that of a smooth law: the steps in time leave kinks behind the edge that need no more.
+const KINKED_MESH: f64 = 3.0;
+/// Nodes of its mesh, at most.
+const KINKED_NODES: usize = 2000;
 
 /// Whether the stress has a kink at some gap.
 pub(super) fn is_kinked(law: &Attraction) -> bool {
@@ -143,7 +147,10 @@ pub(super) fn is_kinked(law: &Attraction) -> bool {
 /// Tolerances of the first of two runs, for a wanted accuracy.
 pub(super) fn tolerances(accuracy: f64, law: &Attraction) -> Accuracy {
     let smooth = Accuracy::new(accuracy);
-    if is_kinked(law) { Accuracy { order: KINKED_ORDER, ..smooth } } else { smooth }
+    if !is_kinked(law) {
+        return smooth;
+    }
+    Accuracy { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh: KINKED_MESH * smooth.mesh, ..smooth }
 }
 
 /// Whether a leg goes on at the pace of a piece.

@@ -4,6 +4,7 @@ use super::super::columns::Measure;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
+use super::history::is_kinked;
 use super::widened::{Floors, widened};
 use crate::estimate::Estimate;
 use crate::finite_range::sphere::{Jump, LegSummary, Record};
@@ -21,6 +22,10 @@ pub(super) const DETACHMENT: &str = "detachment";
 
 /// Heat that may be negative by rounding and truncation, over the energies turned over.
 const ADMISSIBLE: f64 = 1e-3;
+/// The end of a contact comes slowly, so that its instant settles later than all else: so many times the change between two runs.
+const SOFT: f64 = 4.0;
+/// Where the law has a kink or a hard wall, runs do not converge by an order: so many times the change between two.
+const KINKED: f64 = 3.0;
 /// A bound is never smaller than this part of its value.
 const ROUNDING: f64 = 1e-11;
 
@@ -128,11 +133,17 @@ impl FiniteRangePlan {
 
     /// The tighter value, with the change between both runs as its bound.
     fn between(&self, loose: f64, tight: f64, unit: f64) -> Estimate {
-        self.reduced.of(tight, (loose - tight).abs() + ROUNDING * tight.abs(), unit)
+        self.reduced.of(tight, self.change(loose, tight), unit)
     }
 
     fn depth(&self, loose: f64, tight: f64) -> Estimate {
-        self.reduced.penetration(tight, (loose - tight).abs() + ROUNDING * tight.abs())
+        self.reduced.penetration(tight, self.change(loose, tight))
+    }
+
+    /// The bound of a tighter value.
+    fn change(&self, loose: f64, tight: f64) -> f64 {
+        let factor = if is_kinked(&self.reduced.law) { KINKED } else { 1.0 };
+        factor * (loose - tight).abs() + ROUNDING * tight.abs()
     }
 
     /// The far end of the frame, if there is one.
@@ -232,7 +243,13 @@ impl FiniteRangePlan {
         let tension = self.of_largest_tension(runs, floors);
         let pull = |place: usize| tension.as_ref().and_then(|row| row.get(place).copied().flatten());
         let mut lost = runs.tight.losses.last().map(|tight| self.of_event(runs.loose.losses.last(), tight, runs));
-        lost.iter_mut().for_each(|values| floors.raise(values));
+        if let Some(values) = &mut lost {
+            floors.raise(values);
+            for place in [at::TIME, at::PENETRATION] {
+                let soft = values.get(place).copied().flatten().map(|event| Estimate::new(event.value, SOFT * event.error));
+                set(values, [(place, soft)]);
+            }
+        }
         let loss = |place: usize| lost.as_ref().and_then(|row| row.get(place).copied().flatten());
         let last = |place: usize| end.and_then(|row| row.get(place).copied().flatten());
         let units = self.reduced.scales;
