@@ -6,8 +6,9 @@ use super::problem::{Accuracy, Problem};
 use super::result::{LegSummary, Run};
 use crate::refusal::Refusal;
 
-/// The bound is the change from the looser run to the tighter one, whose values are returned; rounding is never less than this part.
-const ROUNDING: f64 = 1e-11;
+/// The bound is the change from the looser run to the tighter one, whose values are returned, and at least this part of the tighter one's
+/// tolerance of a step: two runs may agree by chance.
+pub const BY_CHANCE: f64 = 0.5;
 
 /// Error bounds of a leg, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +60,7 @@ pub struct Assessed {
 pub fn assessed(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Assessed, Refusal> {
     let loose = run(problem, accuracy, mesher)?;
     let tight = run(problem, accuracy.tightened(), mesher)?;
-    let change = |a: f64, b: f64| (a - b).abs().max(ROUNDING * b.abs());
+    let change = |a: f64, b: f64| (a - b).abs() + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
     let legs = loose.legs.iter().zip(&tight.legs).map(|(a, b)| bounds(a, b, change)).collect();
     let instants = problem.instants.iter().filter_map(|&time| {
         let (a, b) = (loose.at(time)?, tight.at(time)?);

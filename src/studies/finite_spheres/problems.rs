@@ -1,7 +1,7 @@
 //! A random problem, and its runs against each other.
 
 use crate::finite_range::law::Law;
-use crate::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
+use crate::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
 use crate::refusal::Refusal;
 use crate::studies::draw::Draw;
 
@@ -109,7 +109,7 @@ pub fn compared(seed: u64, number: u64) -> Compared {
     let largest = (0..all.len()).map(change).fold(0.0, f64::max);
     for (index, [_, b, c]) in all.iter().enumerate() {
         let beside = change(index).max(change(index + 1)).max(index.checked_sub(1).map_or(0.0, change));
-        let bound = beside.max(0.05 * largest).max(FLOOR * b.abs().max(5.0));
+        let bound = beside.max(0.05 * largest).max(FLOOR * b.abs().max(5.0)) + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
         compared.values += 1;
         if (b - c).abs() > bound {
             compared.outside.push(format!("problem {number}, value {index}: {b} ± {bound:.1e}, {c}"));

@@ -4,10 +4,10 @@ use super::super::columns::Measure;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
-use super::history::is_kinked;
+use super::history::{is_kinked, tolerances};
 use super::widened::{Floors, widened};
 use crate::estimate::Estimate;
-use crate::finite_range::sphere::{Jump, LegSummary, Record};
+use crate::finite_range::sphere::{BY_CHANCE, Jump, LegSummary, Record};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
@@ -143,7 +143,8 @@ impl FiniteRangePlan {
     /// The bound of a tighter value.
     fn change(&self, loose: f64, tight: f64) -> f64 {
         let factor = if is_kinked(&self.reduced.law) { KINKED } else { 1.0 };
-        factor * (loose - tight).abs() + ROUNDING * tight.abs()
+        let by_chance = BY_CHANCE * tolerances(self.accuracy, &self.reduced.law).tightened().step;
+        factor * (loose - tight).abs() + (by_chance + ROUNDING) * tight.abs()
     }
 
     /// The far end of the frame, if there is one.
