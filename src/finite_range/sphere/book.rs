@@ -3,7 +3,7 @@
 use super::kept_surface::Surface;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Control, Motion, Problem, Start};
-use super::result::{Certificate, Jump, LegSummary, Record, Run};
+use super::result::{Certificate, Jump, LANDED, LegSummary, Record, Run, SUM_OF_DURATIONS};
 use super::state::{Energies, State};
 use super::step::Solver;
 use crate::refusal::Refusal;
@@ -105,9 +105,16 @@ impl Book {
     pub(super) fn keep_surface(&mut self, solver: &Solver, state: &State) {
         let time = solver.frozen.unwrap_or(state.time);
         while let Some(&wanted) = self.wanted.last()
-            && wanted <= time * (1.0 + 1e-12)
+            && wanted <= time * (1.0 + LANDED)
         {
             self.wanted.pop();
+            self.surfaces.push(Surface::of(state, wanted, &solver.mesher.quadrature.rule, &solver.surface));
+        }
+    }
+
+    /// Keeps the last state as the surface of times that only the rounding of sums of durations puts behind the end.
+    pub(super) fn keep_last(&mut self, solver: &Solver, state: &State) {
+        while let Some(wanted) = self.wanted.pop_if(|wanted| *wanted <= state.time * (1.0 + SUM_OF_DURATIONS)) {
             self.surfaces.push(Surface::of(state, wanted, &solver.mesher.quadrature.rule, &solver.surface));
         }
     }

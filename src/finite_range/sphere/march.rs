@@ -4,7 +4,7 @@ use super::book::Book;
 use super::drive::Drive;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Control, Leg, Problem};
-use super::result::{Jump, LegSummary, Run};
+use super::result::{Jump, LANDED, LegSummary, Run};
 use super::state::State;
 use super::step::Solver;
 use crate::refusal::Refusal;
@@ -53,6 +53,7 @@ pub fn run_watched(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher, w
             return Ok(march.book.close(&march.solver, detachment));
         }
     }
+    march.book.keep_last(&march.solver, &march.state);
     Ok(march.book.close(&march.solver, None))
 }
 
@@ -170,7 +171,7 @@ impl March<'_> {
     fn bounded(&self, h: f64, end: f64) -> (f64, Option<f64>) {
         let now = self.state.time;
         let instants: &[f64] = if self.solver.frozen.is_some() { &[] } else { &self.book.instants };
-        let stop = instants.get(instants.partition_point(|&t| t <= now * (1.0 + 1e-14))).copied().filter(|&t| t < end).unwrap_or(end);
+        let stop = instants.get(instants.partition_point(|&t| t <= now * (1.0 + LANDED))).copied().filter(|&t| t < end).unwrap_or(end);
         let left = stop - now;
         if h * 1.001 >= left {
             (left, Some(stop))

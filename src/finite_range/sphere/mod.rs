@@ -54,6 +54,6 @@ pub use kept_surface::{Place, Surface};
 pub use march::{run, run_watched};
 pub use mesh::Mesher;
 pub use problem::{Accuracy, Control, Creep, Leg, Motion, Problem, Shape, Start};
-pub use result::{Certificate, Jump, LegSummary, Record, Run};
+pub use result::{Certificate, Jump, LegSummary, Record, Run, SUM_OF_DURATIONS, row_at};
 pub use scales::Scales;
 pub use state::Energies;

@@ -4,6 +4,11 @@ use super::kept_surface::Surface;
 use super::problem::Accuracy;
 use super::state::Energies;
 
+/// What sums of the durations of a history may be rounded by, relative.
+pub const SUM_OF_DURATIONS: f64 = 1e-12;
+/// A time that is passed but for rounding, relative: a step ended on it.
+pub(super) const LANDED: f64 = 1e-14;
+
 /// The state at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Record {
@@ -137,6 +142,17 @@ impl Run {
     /// The row at a time, if there is one.
     #[must_use]
     pub fn at(&self, time: f64) -> Option<&Record> {
-        self.rows.iter().find(|row| (row.time - time).abs() <= 1e-9 * time.abs())
+        row_at(&self.rows, time)
     }
+}
+
+/// Of rows in the order of time the one at a time, the first of equal ones; nothing if none is there but for the rounding of sums of durations.
+///
+/// Steps end on instants to the last digit, and after a long rest a quick leg has many rows within that rounding: the nearest is meant.
+#[must_use]
+pub fn row_at(rows: &[Record], time: f64) -> Option<&Record> {
+    let off = |row: &Record| (row.time - time).abs();
+    let after = rows.partition_point(|row| row.time < time * (1.0 - SUM_OF_DURATIONS));
+    let around = rows.get(after..)?.iter().take_while(|row| off(row) <= SUM_OF_DURATIONS * time.abs());
+    around.min_by(|a, b| off(a).total_cmp(&off(b)))
 }

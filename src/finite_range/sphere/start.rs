@@ -59,6 +59,8 @@ impl Solver<'_> {
                 None => break,
             }
         }
+        // A guess that no mesh resolves is a guess as well.
+        self.too_fine = None;
         let z = vec![if relaxed { RELAXED } else { 0.0 }; self.chain.terms.len()];
         let settled = self.settle(&state, &z, row);
         self.fine_enough(0.0)?;

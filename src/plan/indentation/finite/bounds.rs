@@ -2,7 +2,7 @@
 
 use super::FiniteRangePlan;
 use super::history::tolerances;
-use crate::finite_range::sphere::{Mesher, Problem, Record, Run, run_watched};
+use crate::finite_range::sphere::{Mesher, Problem, Record, Run, row_at, run_watched};
 use crate::indentation::Watch;
 use crate::plan::desk::Desk;
 use crate::refusal::Refusal;
@@ -72,13 +72,9 @@ impl FiniteRangePlan {
     pub(super) fn instants<'r>(&self, runs: &'r Runs) -> Vec<(&'r Record, &'r Record)> {
         let of = |run: &'r Run| -> Vec<Option<&'r Record>> {
             let mut all = vec![run.rows.first()];
-            let mut rows = run.rows.as_slice();
             for (index, piece) in self.course.pieces.iter().enumerate() {
                 for time in &piece.instants {
-                    // Rows follow each other in time; those of a step at once share theirs with the instant before.
-                    let after = rows.partition_point(|row| row.time < time * (1.0 - 1e-9));
-                    rows = rows.get(after..).unwrap_or(&[]);
-                    all.push(rows.first().filter(|row| (row.time - time).abs() <= 1e-9 * time.abs()));
+                    all.push(row_at(&run.rows, *time));
                 }
                 all.push(run.legs.get(index).map(|leg| &leg.end));
             }

@@ -17,6 +17,7 @@ mod widened;
 
 use super::scale::Scale;
 use super::timeline::Timeline;
+use crate::finite_range::sphere::SUM_OF_DURATIONS;
 use crate::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
@@ -70,7 +71,7 @@ impl FiniteRangePlan {
             });
         }
         let mut wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
-        if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + 1e-9)) {
+        if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + SUM_OF_DURATIONS)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));
         }
         let reduced = Reduced::new(indentation, attraction, &material, &scale)?;
