@@ -16,6 +16,7 @@ mod indentation_edges;
 mod indentation_finite_range;
 mod indentation_without_adhesion;
 mod inputs_of_users;
+mod instants_after_a_long_rest;
 mod liquids;
 mod material;
 mod material_uncertainty;

@@ -300,7 +300,7 @@ impl Accuracy {
         let relative = relative.clamp(1e-8, 1e-2);
         let force = (1e-2 * (relative / 1e-5).powf(0.7)).clamp(2e-4, 5e-2);
         let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
-        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, most_nodes: 800 }
+        Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, most_nodes: 1200 }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.
