@@ -27,6 +27,7 @@ mod record_thinning;
 mod records_mutated;
 mod sliding_branches;
 mod sliding_columns;
+mod sliding_full_contact_fields;
 mod sliding_on_request;
 mod steady_crack_columns;
 mod surfaces;

@@ -9,7 +9,7 @@ use crate::estimate::Estimate;
 use crate::outcome::FieldPoint;
 use crate::refusal::Refusal;
 use crate::sliding::contact::{ArcPoint, ContactState};
-use crate::sliding::steady::PartialContact;
+use crate::sliding::steady::{FullContact, PartialContact};
 use std::f64::consts::PI;
 
 /// Rounding of a field over the size of its terms, a digit of the condition.
@@ -121,6 +121,31 @@ impl SlidingPlan {
         }
         found.sort_by(|left, right| left.place.total_cmp(&right.place));
         Ok(found)
+    }
+}
+
+impl SlidingPlan {
+    /// The same of a full contact, evenly along a wavelength: the surface is Λ cos kx about its mean, and the pressure one wave about its own;
+    /// none without a mean pressure.
+    pub(super) fn full_fields(&self, full: &FullContact, points: u32) -> Vec<FieldPoint> {
+        let Some(mean) = full.mean_pressure else { return Vec::new() };
+        let [along, across] = full.pressure_waves;
+        let of = |index: u32| {
+            let place = 2.0 * PI * ((f64::from(index) + 0.5) / f64::from(points) - 0.5);
+            let (sine, cosine) = place.sin_cos();
+            let size = mean.abs() + along.value.abs() + across.value.abs();
+            let pressure = Estimate::new(
+                mean + along.value * cosine + across.value * sine,
+                along.error * cosine.abs() + across.error * sine.abs() + ROUNDING * size,
+            );
+            let values = vec![
+                self.in_units(pressure, self.scale.pressure),
+                self.in_units(Estimate::exact(0.0), self.scale.displacement),
+                self.in_units(Estimate::new(cosine, ROUNDING), self.scale.displacement),
+            ];
+            FieldPoint { place: self.direction() * place * self.scale.length, values }
+        };
+        (0..points).map(of).collect()
     }
 }
 

@@ -102,6 +102,14 @@ impl SlidingPlan {
                 let limit = self.limit(full.limit_name, full.limit);
                 row.reason = Some(format!("past {limit}"));
                 row.witness = Some(limit.into());
+                if let Some(points) = self.sliding.field_points {
+                    row.fields = self.full_fields(&full, points);
+                    row.work.field_evaluations = row.fields.len() as u64;
+                    if row.fields.is_empty() {
+                        let without = "no fields: full contact carries any mean pressure, and none is given".to_owned();
+                        row.reason = Some(row.reason.take().into_iter().chain([without]).collect::<Vec<_>>().join("; "));
+                    }
+                }
                 (self.full_values(&full), self.extras_of_state(&problem, None)?)
             }
         };
@@ -215,6 +223,8 @@ impl SlidingPlan {
             (at::FRICTION, Some(full.friction_stress)),
             (at::COEFFICIENT, full.friction_coefficient),
             (at::LOAD, full.mean_pressure.map(Estimate::exact)),
+            // The displacement of the surface is counted from its mean, and a wave has its crests one amplitude from there.
+            (at::PENETRATION, self.is_wave().then_some(Estimate::exact(1.0))),
         ] {
             if let Some(slot) = values.get_mut(place) {
                 *slot = value;

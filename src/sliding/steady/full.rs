@@ -19,10 +19,14 @@ pub(super) fn full_contact(
         _ => None,
     };
     let friction_stress = full_contact_friction(material, problem.rate)?;
+    let relaxed = material.solid_modulus("the pressure of a full contact in units of E0")?;
+    let rounding = (4.0 + material.relaxation_terms().len() as f64) * f64::EPSILON;
+    let storage = Estimate::relative(material.complex_modulus(problem.rate)?.storage / relaxed, rounding);
     Ok(SlidingOutcome::Full(FullContact {
         mean_pressure,
         friction_stress,
         friction_coefficient: mean_pressure.filter(|&pressure| pressure > 0.0).map(|pressure| friction_stress.scaled(1.0 / pressure)),
+        pressure_waves: [storage, friction_stress.scaled(2.0)],
         limit_name,
         limit,
         work,

@@ -134,6 +134,8 @@ pub struct FullContact {
     pub friction_stress: Estimate,
     /// Friction stress over mean pressure, if that is positive.
     pub friction_coefficient: Option<Estimate>,
+    /// a and b of the pressure p̄ + a cos kx + b sin kx under the surface Λ cos kx (E0*kΛ/2): storage and loss modulus at ω = kv over E0.
+    pub pressure_waves: [Estimate; 2],
     /// The limit that partial contact has passed.
     pub limit_name: &'static str,
     /// Its value.
