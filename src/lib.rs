@@ -9,6 +9,7 @@ pub mod estimate;
 pub mod figures;
 pub mod finite_range;
 pub mod fit;
+pub mod in_order;
 pub mod indentation;
 pub mod material;
 pub mod outcome;

@@ -12,16 +12,20 @@ const PLENTY: usize = 100;
 
 static ALLOWED: OnceLock<bool> = OnceLock::new();
 
-/// Tries once whether as many threads start as work and its surroundings want; where one is refused, parallel work is done on this thread. To be called before
-/// any work, on the thread that asks for it.
-pub fn prepare() {
+/// Starts so many threads for parallel work: without a number, one a core. Tries once whether as many start as work and its surroundings want; where one is
+/// refused, parallel work is done on this thread. To be called before any work, on the thread that asks for it.
+pub fn prepare(jobs: Option<usize>) {
     ALLOWED.get_or_init(|| {
         let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
-        let wanted = cores().max(asked) + OTHERS;
+        let wanted = jobs.unwrap_or(cores().max(asked)) + OTHERS;
         let allowed = !may_be_refused(wanted) || all_start(wanted);
         if !allowed {
             // It starts no thread. That a pool is there already is no error.
             drop(rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global());
+        } else if let Some(jobs) = jobs {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs);
+            // One is there already.
+            drop(if jobs == 1 { pool.use_current_thread() } else { pool }.build_global());
         }
         allowed
     });

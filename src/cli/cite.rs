@@ -1,14 +1,17 @@
 //! `viscotack cite`: the papers behind what a scene uses.
 
 use super::scene_source::SceneSource;
-use super::{Failure, SceneArguments, print};
+use super::{Failure, SceneArguments, ThreadArguments, print};
 use crate::plan::Plan;
 use crate::plan::citations::{ALL, Citation};
 use std::path::PathBuf;
 
 pub(super) fn cite(scene: Option<PathBuf>) -> Result<u8, Failure> {
     let papers: Vec<&Citation> = match scene {
-        Some(scene) => Plan::new(&SceneSource::load(&SceneArguments { scene, sets: Vec::new() })?.scene)?.citations(),
+        Some(scene) => {
+            Plan::new(&SceneSource::load(&SceneArguments { scene, sets: Vec::new(), threads: ThreadArguments::default() })?.scene)?
+                .citations()
+        }
         None => ALL.to_vec(),
     };
     for paper in papers {

@@ -7,6 +7,7 @@ use serde_json::json;
 use std::fmt::Write as _;
 
 pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Failure> {
+    arguments.threads.start();
     let source = SceneSource::load(arguments)?;
     let plan = Plan::new(&source.scene)?;
     let work = plan.predicted_work();

@@ -26,7 +26,7 @@ pub(super) fn figures(options: &Options, manifest: Option<&Path>) -> Result<u8, 
         None => Manifest::embedded(),
     }
     .map_err(|error| wrong(error.to_string()))?;
-    crate::threads::prepare();
+    crate::threads::prepare(None);
     let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sources, {elapsed}") {
         bar.set_style(style);

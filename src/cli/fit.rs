@@ -18,7 +18,7 @@ pub(super) struct Asked<'a> {
 }
 
 pub(super) fn fit(arguments: &SceneArguments, asked: &Asked<'_>) -> Result<u8, Failure> {
-    crate::threads::prepare();
+    arguments.threads.start();
     let (mut document, _) = document(arguments)?;
     let setup = Setup::new(&mut document)?;
     if let Some(target) = asked.out {

@@ -20,7 +20,7 @@ pub(super) struct Asked<'a> {
 }
 
 pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
-    crate::threads::prepare();
+    crate::threads::prepare(None);
     let report = report(asked)?;
     let code = if report.met() { 0 } else { 4 };
     let written = asked.out.map(|target| write(&report, target, asked.force).map(|names| (target, names))).transpose();

@@ -13,9 +13,11 @@ mod new;
 mod output;
 mod run;
 mod scene_source;
+mod shards;
 mod units;
 mod verify;
 
+use crate::outcome::shard::Shard;
 use clap::{CommandFactory, Parser, Subcommand};
 use output::{note, print, print_json};
 use std::path::PathBuf;
@@ -27,6 +29,16 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// How an error is written to standard error: for people, or as one line of JSON for programs
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "FORM", hide_possible_values = true)]
+    errors: ErrorForm,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+enum ErrorForm {
+    #[default]
+    Text,
+    Json,
 }
 
 #[derive(Debug, Subcommand)]
@@ -55,6 +67,29 @@ enum Command {
         /// Draw no plots, whatever the key `plots` of the scene says
         #[arg(long)]
         no_plots: bool,
+        /// Solve only the states whose number is i modulo n, counted from 0, for `viscotack gather`: many machines share a sweep
+        #[arg(long, value_name = "i/n", requires = "out", conflicts_with_all = ["json", "no_plots"])]
+        shard: Option<Shard>,
+    },
+    /// Bring the shards of a sweep together: the same files, to the byte, as one run of all states
+    Gather {
+        /// The folders of all shards, in any order
+        #[arg(required = true, value_name = "DIR")]
+        shards: Vec<PathBuf>,
+        /// Write summary.json, tables and plots to this folder
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Replace the folder if it exists
+        #[arg(long)]
+        force: bool,
+        /// Print summary.json with all rows instead of the table
+        #[arg(long)]
+        json: bool,
+        /// Draw no plots, whatever the key `plots` of the scene says
+        #[arg(long)]
+        no_plots: bool,
+        #[command(flatten)]
+        threads: ThreadArguments,
     },
     /// Find numbers of a scene from measured curves, as its table [fit] says: values with 95 % intervals, residuals, a scene with them
     Fit {
@@ -154,6 +189,11 @@ enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
+    /// Print a manual page, for `man -l`
+    Man {
+        /// A command; without it, the page of the program
+        command: Option<String>,
+    },
 }
 
 #[derive(Debug, clap::Args)]
@@ -163,11 +203,29 @@ struct SceneArguments {
     /// Put a value into the scene, as in --set crack.speed='"1 mm/s"' or --set sweep.points=20; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     sets: Vec<String>,
+    #[command(flatten)]
+    threads: ThreadArguments,
+}
+
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+struct ThreadArguments {
+    /// Threads that work side by side; without it, one a core. The results do not depend on it, to the byte
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+}
+
+impl ThreadArguments {
+    /// Starts the threads; to be called before any work.
+    fn start(self) {
+        crate::threads::prepare(self.jobs.map(usize::from));
+    }
 }
 
 /// Ends of a command other than success.
 enum Failure {
-    /// The scene or the call is wrong: exit 2.
+    /// The scene is wrong: exit 2.
+    Scene(Box<crate::scene::SceneError>),
+    /// The call is wrong: exit 2.
     Wrong(String),
     /// The machine refuses, with the path or the stream that it is about: exit 5.
     Machine(String),
@@ -175,7 +233,7 @@ enum Failure {
 
 impl From<crate::scene::SceneError> for Failure {
     fn from(error: crate::scene::SceneError) -> Self {
-        Self::Wrong(error.rendered())
+        Self::Scene(Box::new(error))
     }
 }
 
@@ -201,6 +259,16 @@ impl From<crate::outcome::folder::FolderError> for Failure {
     }
 }
 
+impl From<crate::outcome::gather::GatherError> for Failure {
+    fn from(error: crate::outcome::gather::GatherError) -> Self {
+        let message = format!("error: {error}\n");
+        match error {
+            crate::outcome::gather::GatherError::Io { .. } => Self::Machine(message),
+            _ => Self::Wrong(message),
+        }
+    }
+}
+
 impl From<crate::refusal::Refusal> for Failure {
     fn from(refusal: crate::refusal::Refusal) -> Self {
         Self::Wrong(format!("error: {refusal}\n"))
@@ -213,11 +281,19 @@ pub fn main() -> ExitCode {
     interrupt::limits_are_errors();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => return ended(unparsed(&error)),
+        Err(error) => return ended(unparsed(&error), ErrorForm::Text),
     };
+    let errors = arguments.errors;
     let result = match arguments.command {
         Command::New { problem, out } => new::new(problem.as_deref(), out.as_deref()),
-        Command::Run { scene, out, force, json, no_plots } => run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots }),
+        Command::Run { scene, out: Some(out), force, shard: Some(shard), .. } => shards::run(&scene, &out, force, shard),
+        Command::Run { scene, out, force, json, no_plots, .. } => {
+            run::run(&scene, &run::Wanted { out: out.as_deref(), force, json, no_plots })
+        }
+        Command::Gather { shards, out, force, json, no_plots, threads } => {
+            threads.start();
+            shards::gather(&shards, &run::Wanted { out: Some(&out), force, json, no_plots })
+        }
         Command::Fit { scene, out, force, models, plan, json } => {
             fit::fit(&scene, &fit::Asked { out: out.as_deref(), force, models, plan, json })
         }
@@ -239,8 +315,25 @@ pub fn main() -> ExitCode {
             clap_complete::generate(shell, &mut Arguments::command(), "viscotack", &mut bytes);
             print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
         }
+        Command::Man { command } => man(command.as_deref()),
     };
-    ended(result)
+    ended(result, errors)
+}
+
+/// The manual page of the program, or of one command.
+fn man(command: Option<&str>) -> Result<u8, Failure> {
+    let mut program = Arguments::command();
+    program.build();
+    let page = match command {
+        None => program,
+        Some(name) => {
+            let found = program.find_subcommand(name).ok_or_else(|| Failure::Wrong(format!("error: there is no command `{name}`\n")))?;
+            found.clone()
+        }
+    };
+    let mut bytes = Vec::new();
+    clap_mangen::Man::new(page).render(&mut bytes).map_err(|error| Failure::Machine(format!("error: {error}\n")))?;
+    print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
 }
 
 /// What clap says: help and version are asked for, anything else is a wrong call. It may quote arguments.
@@ -250,12 +343,20 @@ fn unparsed(error: &clap::Error) -> Result<u8, Failure> {
 }
 
 /// The exit code, after the last words.
-fn ended(result: Result<u8, Failure>) -> ExitCode {
-    let (message, code) = match result {
+fn ended(result: Result<u8, Failure>, errors: ErrorForm) -> ExitCode {
+    let failure = match result {
         Ok(code) => return ExitCode::from(code),
-        Err(Failure::Wrong(message)) => (message, 2),
-        Err(Failure::Machine(message)) => (message, 5),
+        Err(failure) => failure,
     };
-    note(&message);
+    let code = if matches!(failure, Failure::Machine(_)) { 5 } else { 2 };
+    note(&match (failure, errors) {
+        (Failure::Scene(error), ErrorForm::Text) => error.rendered(),
+        (Failure::Wrong(message) | Failure::Machine(message), ErrorForm::Text) => message,
+        (Failure::Scene(error), ErrorForm::Json) => format!("{}\n", error.report()),
+        (Failure::Wrong(message) | Failure::Machine(message), ErrorForm::Json) => {
+            let sentence = message.trim_end().trim_start_matches("error: ");
+            format!("{}\n", serde_json::json!({ "message": sentence, "text": message }))
+        }
+    });
     ExitCode::from(code)
 }

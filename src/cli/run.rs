@@ -1,8 +1,10 @@
 //! `viscotack run`: solve a scene.
 
 use super::scene_source::SceneSource;
-use super::{Failure, SceneArguments, interrupt, note, print, print_json};
+use super::{Failure, SceneArguments, interrupt, note, print, print_json, shards};
 use crate::outcome::folder::{RunFolder, partial_of};
+use crate::outcome::gather::Shards;
+use crate::outcome::shard::Shard;
 use crate::outcome::{Outcome, Row, Status, screen, summary};
 use crate::plan::{self, Safe, Stage};
 use crate::terminal_text::name;
@@ -23,27 +25,29 @@ pub(super) struct Wanted<'a> {
 const PARTS: u64 = 1000;
 
 pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8, Failure> {
+    let source = SceneSource::load(arguments)?;
+    arguments.threads.start();
+    carry_out(source, None, wanted)
+}
+
+/// Solves a scene; with shards, takes the rows of all states from them.
+pub(super) fn carry_out(mut source: SceneSource, shards: Option<&Shards>, wanted: &Wanted<'_>) -> Result<u8, Failure> {
     let &Wanted { out, force, json, no_plots } = wanted;
-    let mut source = SceneSource::load(arguments)?;
     if no_plots || out.is_none() {
         source.scene.plots.clear();
     }
-    crate::threads::prepare();
     // A number that the physics refuses is found before a folder is touched.
     let plan = plan::Plan::new(&source.scene)?;
     let states = plan.states();
     interrupt::explain(out.map(|target| name(&partial_of(target))), states);
     // The header tells the build, for which the program reads its own file: only where there is a journal.
-    let header = || plan::journal_header(&source.document, &source.scene);
+    let header = || plan::journal_header(&source.document, &source.scene, Shard::WHOLE);
     let mut folder = out.map(|target| RunFolder::open(target, &header(), force)).transpose()?;
     if let Some(folder) = &mut folder {
-        let (journal, checkpoints) = folder.journal();
-        let (finished, begun) = (journal.states(), checkpoints.begun(states));
-        if finished > 0 || begun > 0 {
-            let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
-            note(&format!("resuming: {finished} of {states} states were finished before{under_way}\n"));
-        }
-        interrupt::finished(finished);
+        say_what_is_kept(folder, states);
+    }
+    if let (Some(folder), Some(shards)) = (&mut folder, shards) {
+        shards::copy(shards, folder.journal().0)?;
     }
     let bar = progress_bar(states);
     let progress = |stage: Stage| show(&bar, states, stage);
@@ -77,6 +81,17 @@ pub(super) fn run(arguments: &SceneArguments, wanted: &Wanted<'_>) -> Result<u8,
     printed?;
     say_what_is_missing(&outcome);
     Ok(outcome.exit_code())
+}
+
+/// Of a run that was interrupted before, how much of it is there.
+pub(super) fn say_what_is_kept(folder: &mut RunFolder, states: usize) {
+    let (journal, checkpoints) = folder.journal();
+    let (finished, begun) = (journal.states(), checkpoints.begun());
+    if finished > 0 || begun > 0 {
+        let under_way = if begun > 0 { format!(", {begun} begun") } else { String::new() };
+        note(&format!("resuming: {finished} of {states} states were finished before{under_way}\n"));
+    }
+    interrupt::finished(finished);
 }
 
 /// A long sweep whose rows are printed as they come.
@@ -118,7 +133,7 @@ fn say_what_is_missing(outcome: &Outcome) {
 }
 
 /// A bar on a terminal's standard error, for work that takes long enough to be waited for.
-fn progress_bar(states: usize) -> ProgressBar {
+pub(super) fn progress_bar(states: usize) -> ProgressBar {
     let (length, template) = if states == 1 {
         (PARTS, "{bar:40} {percent} %{msg}, {eta} left")
     } else {
@@ -136,7 +151,7 @@ fn progress_bar(states: usize) -> ProgressBar {
 }
 
 /// Shows a stage: of one state alone the march under way, each of which starts the bar and its clock anew.
-fn show(bar: &ProgressBar, states: usize, stage: Stage) {
+pub(super) fn show(bar: &ProgressBar, states: usize, stage: Stage) {
     if let Stage::States { finished, .. } = stage {
         interrupt::finished(finished);
     }

@@ -1,8 +1,12 @@
 //! A scene from a file or standard input and `--set`s, read and typed.
 
 use super::SceneArguments;
+use crate::outcome::gather::{InputFile, Inputs};
+use crate::scene::delimited::decode::Encoding;
+use crate::scene::diagnostic::SourceText;
 use crate::scene::typed::Scene;
 use crate::scene::{Document, SceneError, read};
+use std::path::Path;
 
 /// A scene, as a document to vary and as a typed whole.
 pub(super) struct SceneSource {
@@ -18,6 +22,35 @@ impl SceneSource {
         let scene = read::read(&document)?;
         Ok(Self { document, scene, text })
     }
+
+    /// The scene of a shard, from the texts that it was read from.
+    pub(super) fn of_inputs(inputs: &Inputs) -> Result<Self, SceneError> {
+        let mut document = Document::parse(&inputs.name, inputs.text.clone(), Path::new("."))?;
+        let files = inputs.files.iter().map(|file| {
+            let encoding = Encoding::named(&file.encoding).unwrap_or(Encoding::Utf8);
+            (file.name.clone(), SourceText::decoded(&file.name, file.text.clone(), encoding))
+        });
+        document.provide(files.collect());
+        let text = completed(&mut document, &inputs.sets)?;
+        let scene = read::read(&document)?;
+        Ok(Self { document, scene, text })
+    }
+
+    /// All that the scene was read from.
+    pub(super) fn inputs(&self, sets: &[String]) -> Inputs {
+        let source = &self.document.root.place.source;
+        let file = |(name, source): (&str, &SourceText)| InputFile {
+            name: name.to_owned(),
+            encoding: source.encoding().name().to_owned(),
+            text: source.text().to_owned(),
+        };
+        Inputs {
+            name: source.name().to_owned(),
+            text: source.text().to_owned(),
+            sets: sets.to_vec(),
+            files: self.document.files().map(file).collect(),
+        }
+    }
 }
 
 /// The document of a scene with its files and `--set`s, and its text.
@@ -27,19 +60,25 @@ pub(super) fn document(arguments: &SceneArguments) -> Result<(Document, String),
     } else {
         Document::load(&arguments.scene)?
     };
-    let mut text: String = arguments.sets.iter().map(|set| format!("# --set {}\n", set.replace(['\n', '\r'], " "))).collect();
+    let text = completed(&mut document, &arguments.sets)?;
+    Ok((document, text))
+}
+
+/// Reads the files that a document names and puts values into it; gives its text, headed by the `--set`s.
+fn completed(document: &mut Document, sets: &[String]) -> Result<String, SceneError> {
+    let mut text: String = sets.iter().map(|set| format!("# --set {}\n", set.replace(['\n', '\r'], " "))).collect();
     text.push_str(document.root.place.source.text());
     // Another material file is named before files are read, any other key is set after.
     let (files, others): (Vec<&String>, Vec<&String>) =
-        arguments.sets.iter().partition(|set| ["material.file", "material.data"].iter().any(|key| set.trim_start().starts_with(key)));
+        sets.iter().partition(|set| ["material.file", "material.data"].iter().any(|key| set.trim_start().starts_with(key)));
     for set in files {
         document.set(set)?;
     }
-    read::resolve_includes(&mut document)?;
+    read::resolve_includes(document)?;
     for set in others {
         document.set(set)?;
     }
     // A whole [material] given by --set may name a file, too.
-    read::resolve_includes(&mut document)?;
-    Ok((document, text))
+    read::resolve_includes(document)?;
+    Ok(text)
 }

@@ -17,7 +17,7 @@ const QUIET: Duration = Duration::from_secs(30);
 pub(super) fn verify(names: &[String], full: bool, out: &Path, force: bool) -> Result<u8, Failure> {
     let wrong = |message: String| Failure::Wrong(format!("error: {message}\n"));
     let studies = chosen(names).map_err(|error| wrong(error.to_string()))?;
-    crate::threads::prepare();
+    crate::threads::prepare(None);
     // Before the minutes, not after them.
     folder::writable(out, force)?;
     let effort = if full { Effort::Full } else { Effort::Reduced };

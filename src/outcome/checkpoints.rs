@@ -50,12 +50,12 @@ impl Checkpoints {
         postcard::from_bytes(rest).ok()
     }
 
-    /// How many states of a run of so many are under way.
+    /// How many states are under way.
     #[must_use]
-    pub fn begun(&self, states: usize) -> usize {
+    pub fn begun(&self) -> usize {
         let state_of = |name: &str| name.strip_prefix("state-")?.strip_suffix(ENDING)?.strip_suffix('.')?.parse::<usize>().ok();
         let is_begun = |entry: std::io::Result<std::fs::DirEntry>| {
-            entry.is_ok_and(|entry| entry.file_name().to_str().and_then(state_of).is_some_and(|state| state < states))
+            entry.is_ok_and(|entry| entry.file_name().to_str().and_then(state_of).is_some_and(|state| state < self.header.states))
         };
         std::fs::read_dir(&self.folder).map_or(0, |entries| entries.map(is_begun).filter(|begun| *begun).count())
     }
@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     fn header(scene: &str) -> JournalHeader {
-        JournalHeader { program: "viscotack 0".into(), scene: scene.into(), states: 3 }
+        JournalHeader { program: "viscotack 0".into(), scene: scene.into(), states: 3, shard: super::super::shard::Shard::WHOLE }
     }
 
     #[test]

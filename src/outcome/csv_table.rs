@@ -45,6 +45,13 @@ impl<'o, W: Write> Rows<'o, W> {
     /// # Errors
     /// A writer that refuses.
     pub fn new(outcome: &'o Outcome, table: Table, sink: W) -> Result<Self, csv::Error> {
+        let mut rows = Self::further(outcome, table, sink);
+        rows.writer.write_record(header(outcome, table, &rows.labels, &rows.columns))?;
+        Ok(rows)
+    }
+
+    /// The same without the header, for rows that follow others.
+    pub fn further(outcome: &'o Outcome, table: Table, sink: W) -> Self {
         let (all_labels, all_columns) = ((0..outcome.labels.len()).collect(), (0..outcome.columns.len()).collect());
         let (labels, columns) = match (&outcome.layout, table) {
             (_, Table::Fields) => (vec![0], Vec::new()),
@@ -52,9 +59,7 @@ impl<'o, W: Write> Rows<'o, W> {
             (Some(layout), Table::Path) => (all_labels, layout.path.clone()),
             (None, _) => (all_labels, all_columns),
         };
-        let mut writer = csv::Writer::from_writer(sink);
-        writer.write_record(header(outcome, table, &labels, &columns))?;
-        Ok(Self { outcome, table, labels, columns, writer })
+        Self { outcome, table, labels, columns, writer: csv::Writer::from_writer(sink) }
     }
 
     /// Writes a row, if it belongs to the table.

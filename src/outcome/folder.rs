@@ -6,9 +6,10 @@
 
 use super::checkpoints::Checkpoints;
 use super::csv_table::{Rows, Table};
+use super::gather::{Inputs, ShardFile};
 use super::journal::{Found, Journal, JournalHeader, read};
 use super::owned::OwnedFolder;
-use super::{Outcome, plot, summary};
+use super::{Outcome, Row, plot, summary};
 use crate::terminal_text;
 use rayon::prelude::*;
 use std::fs::File;
@@ -67,21 +68,25 @@ pub struct RunFolder {
     partial: OwnedFolder,
     journal: Journal,
     checkpoints: Checkpoints,
+    header: JournalHeader,
     force: bool,
     /// Keeps other runs out.
     _lock: File,
 }
 
 /// Name of the journal inside the partial folder.
-const JOURNAL: &str = "journal.jsonl";
+pub(super) const JOURNAL: &str = "journal.jsonl";
 /// All that a run keeps there while it is under way.
 const UNDER_WAY: [&str; 4] = [JOURNAL, "journal.new", "state-*.checkpoint", "state-*.new"];
 /// Name of the summary.
 const SUMMARY: &str = "summary.json";
 /// The finished files inside the partial folder.
 const RESULT: &str = "result";
+/// What a shard is of, and what its scene was read from.
+pub(super) const SHARD_FILE: &str = "shard.json";
 /// What marks call a folder of each kind.
 const RUN: &str = "run";
+pub(super) const SHARD: &str = "shard";
 const UNFINISHED: &str = "unfinished run";
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {
@@ -138,15 +143,16 @@ impl RunFolder {
                 0
             }
             Found::Other(found) => {
-                let found = format!("{}, scene {}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
+                let shard = if found.shard.is_whole() { String::new() } else { format!(", shard {}", found.shard) };
+                let found = format!("{}, scene {}{shard}", found.program, found.scene.get(..12).unwrap_or(&found.scene));
                 return Err(FolderError::OtherRun { partial: terminal_text::name(&path), found: terminal_text::one_line(&found) });
             }
         };
         let journal = Journal::open(&journal_path, header, finished).map_err(io(&journal_path))?;
         let checkpoints = Checkpoints::new(&path, header);
         // A kill may have come between the journal and the end of a checkpoint.
-        (0..finished).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
-        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, force, _lock: lock })
+        (0..finished).map(|index| header.shard.state(index)).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
+        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, header: header.clone(), force, _lock: lock })
     }
 
     /// The journal to append finished states to, and where those under way leave checkpoints.
@@ -159,7 +165,7 @@ impl RunFolder {
     /// # Errors
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
-        let Self { target, partial, journal, checkpoints: _, force, _lock } = self;
+        let Self { target, partial, journal, checkpoints: _, header: _, force, _lock } = self;
         // What an earlier run left there at its end is made anew.
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, RUN, &[])?;
@@ -204,50 +210,86 @@ impl RunFolder {
     }
 }
 
+impl RunFolder {
+    /// Ends the folder of a shard: its journal, and all that its scene was read from.
+    ///
+    /// # Errors
+    /// A file system that refuses; the partial folder then stays, with its journal.
+    pub fn finish_shard(self, inputs: &Inputs) -> Result<(), FolderError> {
+        let Self { target, partial, journal, checkpoints: _, header, force, _lock } = self;
+        let path = remove_result(partial.path())?;
+        let mut result = OwnedFolder::make(&path, SHARD, &[])?;
+        let about = ShardFile { header, inputs: inputs.clone() };
+        let text = serde_json::to_vec_pretty(&about).map_err(|error| io(&path)(error.into()))?;
+        result.write(SHARD_FILE, &text)?;
+        let rows = result.file(JOURNAL)?;
+        std::fs::copy(journal.path(), &rows).map_err(io(&rows))?;
+        result.seal()?;
+        moved(result.path(), &target, force)?;
+        drop(journal);
+        partial.remove()?;
+        Ok(())
+    }
+}
+
 /// Removes the finished files that an earlier run may have left in its partial folder; gives the path where they are written.
 fn remove_result(partial: &Path) -> Result<PathBuf, FolderError> {
     let path = partial.join(RESULT);
     if is_there(&path) && !is_empty(&path) {
-        OwnedFolder::open(&path, Some(RUN))?.remove()?;
+        OwnedFolder::open(&path, None)?.remove()?;
     }
     Ok(path)
 }
 
-/// Writes the tables, row after row, and gives their names.
+/// Writes the tables, part after part, and gives their names.
 fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<String>, FolderError> {
     let folder = result.path().to_owned();
     let mut create = |table: Table| {
         let path = result.file(table.file())?;
-        let file = File::create(&path).map_err(io(&path))?;
-        Rows::new(outcome, table, file).map_err(|error| io(&path)(error.into()))
+        let file = BufWriter::new(File::create(&path).map_err(io(&path))?);
+        Rows::new(outcome, table, file).and_then(Rows::finish).map_err(|error| io(&path)(error.into()))
     };
-    let mut tables = vec![(Table::States, create(Table::States)?)];
-    if outcome.layout.is_some() {
-        tables.push((Table::Path, create(Table::Path)?));
-    }
-    let mut failed = None;
-    let visited = outcome.each_row(&mut |row| {
+    let kinds: &[Table] =
+        if outcome.layout.is_some() { &[Table::States, Table::Path, Table::Fields] } else { &[Table::States, Table::Fields] };
+    let mut tables: Vec<(Table, Option<BufWriter<File>>)> = Vec::new();
+    for &table in kinds {
         // Most runs have no fields.
-        if !row.fields.is_empty() && tables.iter().all(|(table, _)| *table != Table::Fields) {
-            match create(Table::Fields) {
-                Ok(fields) => tables.push((Table::Fields, fields)),
-                Err(error) => {
-                    failed = Some(error);
-                    return Err(std::io::Error::other("a table"));
+        tables.push((table, if table == Table::Fields { None } else { Some(create(table)?) }));
+    }
+    let texts = |rows: &[Row]| -> std::io::Result<Vec<Vec<u8>>> {
+        let text = |&table: &Table| -> Result<Vec<u8>, csv::Error> {
+            let mut text = Rows::further(outcome, table, Vec::new());
+            rows.iter().try_for_each(|row| text.write(row))?;
+            text.finish()
+        };
+        kinds.iter().map(|table| text(table).map_err(std::io::Error::from)).collect()
+    };
+    let mut failed = None;
+    let visited = outcome.each_part(texts, |texts| {
+        for ((table, file), text) in tables.iter_mut().zip(texts).filter(|(_, text)| !text.is_empty()) {
+            if file.is_none() {
+                match create(*table) {
+                    Ok(fields) => *file = Some(fields),
+                    Err(error) => {
+                        failed = Some(error);
+                        return Err(std::io::Error::other("a table"));
+                    }
                 }
             }
+            file.as_mut().map_or(Ok(()), |file| file.write_all(&text))?;
         }
-        tables.iter_mut().try_for_each(|(_, rows)| rows.write(row)).map_err(std::io::Error::from)
+        Ok(())
     });
     if let Some(error) = failed {
         return Err(error);
     }
     visited.map_err(io(&folder))?;
     let mut names = Vec::new();
-    for (table, rows) in tables {
-        let path = folder.join(table.file());
-        rows.finish().map_err(|error| io(&path)(error.into()))?;
-        names.push(table.file().to_owned());
+    for (table, file) in tables {
+        if let Some(mut file) = file {
+            file.flush().map_err(io(&folder.join(table.file())))?;
+            names.push(table.file().to_owned());
+        }
     }
     Ok(names)
 }

@@ -8,10 +8,12 @@
 
 use super::owned::digest;
 use super::row::Row;
+use super::shard::Shard;
+use crate::in_order::in_order;
 use crate::regular_file;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions};
-use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::io::{BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// What the digest of the first line starts from.
@@ -26,6 +28,16 @@ pub struct JournalHeader {
     pub scene: String,
     /// Number of states of the whole sweep.
     pub states: usize,
+    /// Which of them it holds.
+    pub shard: Shard,
+}
+
+impl JournalHeader {
+    /// How many states the journal holds when it is whole.
+    #[must_use]
+    pub const fn own_states(&self) -> usize {
+        self.shard.states(self.states)
+    }
 }
 
 /// An open journal.
@@ -37,6 +49,9 @@ pub struct Journal {
     digest: String,
     states: usize,
 }
+
+/// States that are read ahead of those that are wanted.
+const AHEAD: usize = 256;
 
 /// What an existing journal held.
 #[derive(Debug)]
@@ -65,33 +80,54 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
         Some(_) => {}
     }
     let mut states = 0;
-    while lines.next()?.is_some_and(|content| rows_of(content, states).is_some()) {
+    while lines.next()?.is_some_and(|content| rows_of(content, header.shard.state(states)).is_some()) {
         states += 1;
     }
     Ok(Found::States(states))
 }
 
-/// Goes through the states of a journal, one at a time.
+/// Does work on the rows of each state of a journal, side by side, and hands the results over in the order of the states.
 ///
 /// # Errors
 /// A file that cannot be read, and what the caller reports.
-pub fn each(path: &Path, visit: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>) -> std::io::Result<()> {
+pub fn each<R: Send>(
+    path: &Path,
+    work: impl Fn(Vec<Row>) -> std::io::Result<R> + Sync,
+    mut take: impl FnMut(R) -> std::io::Result<()>,
+) -> std::io::Result<()> {
     let mut lines = Lines::open(path)?;
-    lines.next()?;
+    let header = lines.next()?.and_then(|content| serde_json::from_slice::<JournalHeader>(content).ok());
+    let shard = header.ok_or_else(|| std::io::Error::other("the head of the journal cannot be read"))?.shard;
     let mut states = 0;
-    while !lines.at_end()? {
-        let Some(rows) = lines.next()?.and_then(|content| rows_of(content, states)) else {
-            return Err(std::io::Error::other(format!("state {} of the journal cannot be read", states + 1)));
-        };
+    let cut = |state: usize| std::io::Error::other(format!("state {} of the journal cannot be read", state + 1));
+    let contents = std::iter::from_fn(|| {
+        let state = shard.state(states);
         states += 1;
-        visit(rows)?;
-    }
-    Ok(())
+        match lines.at_end() {
+            Ok(true) => None,
+            Ok(false) => Some(lines.next().and_then(|content| Ok((state, content.ok_or_else(|| cut(state))?.to_vec())))),
+            Err(error) => Some(Err(error)),
+        }
+    });
+    in_order(
+        contents,
+        AHEAD,
+        |(state, content)| work(rows_of(&content, state).ok_or_else(|| cut(state))?),
+        |results| results.into_iter().try_for_each(&mut take),
+    )
+}
+
+/// The rows of a state as the journal holds them.
+///
+/// # Errors
+/// Rows that no JSON can hold.
+pub fn encoded(rows: &[Row]) -> std::io::Result<Vec<u8>> {
+    Ok(serde_json::to_vec(rows)?)
 }
 
 /// The lines of a journal, one at a time, as long as their digests are right.
-struct Lines {
-    file: BufReader<File>,
+pub(super) struct Lines {
+    file: BufReader<Box<dyn Read>>,
     line: Vec<u8>,
     /// Of the last line.
     digest: String,
@@ -99,7 +135,17 @@ struct Lines {
 
 impl Lines {
     fn open(path: &Path) -> std::io::Result<Self> {
-        Ok(Self { file: BufReader::new(regular_file::open(path)?), line: Vec::new(), digest: FORMAT.to_owned() })
+        Ok(Self::of(BufReader::new(Box::new(regular_file::open(path)?))))
+    }
+
+    /// The same of a file that is open only while a piece of so many bytes is read: thousands of them need no more than one at a time.
+    pub(super) fn piecewise(path: &Path, bytes: usize) -> std::io::Result<Self> {
+        regular_file::open(path)?;
+        Ok(Self::of(BufReader::with_capacity(bytes, Box::new(Pieces { path: path.to_owned(), read: 0 }))))
+    }
+
+    fn of(file: BufReader<Box<dyn Read>>) -> Self {
+        Self { file, line: Vec::new(), digest: FORMAT.to_owned() }
     }
 
     fn at_end(&mut self) -> std::io::Result<bool> {
@@ -107,11 +153,27 @@ impl Lines {
     }
 
     /// The content of the next line; none at the end, or where the line is not whole: its line feed is missing, or its digest is wrong.
-    fn next(&mut self) -> std::io::Result<Option<&[u8]>> {
+    pub(super) fn next(&mut self) -> std::io::Result<Option<&[u8]>> {
         self.line.clear();
         self.file.read_until(b'\n', &mut self.line)?;
         let whole = self.line.pop() == Some(b'\n');
         Ok(content(&self.line, &mut self.digest).filter(|_| whole))
+    }
+}
+
+/// A file that is opened for each piece that is read.
+struct Pieces {
+    path: PathBuf,
+    read: u64,
+}
+
+impl Read for Pieces {
+    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
+        let mut file = regular_file::open(&self.path)?;
+        file.seek(SeekFrom::Start(self.read))?;
+        let count = file.read(bytes)?;
+        self.read += count as u64;
+        Ok(count)
     }
 }
 
@@ -179,9 +241,23 @@ impl Journal {
     /// # Errors
     /// A disk that is full; the sentence names the path.
     pub fn append(&mut self, states: &[Vec<Row>]) -> std::io::Result<()> {
-        let written = states.iter().try_for_each(|rows| self.write_line(&serde_json::to_vec(rows)?)).and_then(|()| self.file.flush());
-        self.states += states.len();
-        written.map_err(|error| super::named(&self.path, error))
+        let lines = states.iter().map(|rows| encoded(rows)).collect::<std::io::Result<Vec<_>>>()?;
+        self.append_encoded(lines.iter().map(Vec::as_slice))
+    }
+
+    /// The same of states whose rows are [`encoded`] already.
+    ///
+    /// # Errors
+    /// As [`Journal::append`].
+    pub fn append_encoded<'l>(&mut self, states: impl IntoIterator<Item = &'l [u8]>) -> std::io::Result<()> {
+        let write_all = || {
+            for content in states {
+                self.states += 1;
+                self.write_line(content)?;
+            }
+            self.file.flush()
+        };
+        write_all().map_err(|error| super::named(&self.path, error))
     }
 
     fn write_line(&mut self, content: &[u8]) -> std::io::Result<()> {

@@ -4,17 +4,20 @@ pub mod build;
 pub mod checkpoints;
 pub mod csv_table;
 pub mod folder;
+pub mod gather;
 pub mod journal;
 pub mod material_uncertainty;
 pub mod owned;
 pub mod plot;
 pub mod row;
 pub mod screen;
+pub mod shard;
 pub mod summary;
 pub mod tally;
 
 pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
 
+use crate::in_order::in_order;
 use serde::Serialize;
 use std::path::PathBuf;
 use tally::Tally;
@@ -32,6 +35,10 @@ pub struct Layout {
     /// Columns of what lies on the way.
     pub path: Vec<usize>,
 }
+
+/// Rows that are written together, where all are held, and such parts under way.
+const ROWS_OF_A_PART: usize = 64;
+const PARTS_AHEAD: usize = 16;
 
 /// Which pictures of a figure are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -160,14 +167,21 @@ impl Outcome {
         self.rows.len() == self.tally.rows
     }
 
-    /// Goes through all rows, in order: of a very long sweep through the journal, so that no memory is needed for them.
+    /// Does work on parts of all rows, side by side, and hands the results over in the order of the rows: of a very long sweep from the journal, so that no
+    /// memory is needed for them.
     ///
     /// # Errors
     /// A journal that cannot be read, and what the caller reports.
-    pub fn each_row(&self, visit: &mut dyn FnMut(&Row) -> std::io::Result<()>) -> std::io::Result<()> {
+    pub fn each_part<R: Send>(
+        &self,
+        work: impl Fn(&[Row]) -> std::io::Result<R> + Sync,
+        mut take: impl FnMut(R) -> std::io::Result<()>,
+    ) -> std::io::Result<()> {
         match &self.stored {
-            Some(journal) if !self.holds_all_rows() => journal::each(journal, &mut |rows| rows.iter().try_for_each(&mut *visit)),
-            _ => self.rows.iter().try_for_each(visit),
+            Some(journal) if !self.holds_all_rows() => journal::each(journal, |rows| work(&rows), take),
+            _ => {
+                in_order(self.rows.chunks(ROWS_OF_A_PART).map(Ok), PARTS_AHEAD, work, |results| results.into_iter().try_for_each(&mut take))
+            }
         }
     }
 

@@ -17,7 +17,11 @@ pub fn write_whole(outcome: &Outcome, mut writer: impl Write) -> std::io::Result
     let head = pretty(&head(outcome))?;
     writeln!(writer, "{},", head.trim_end_matches("\n}"))?;
     let mut results = Results::new(outcome.into(), &mut writer)?;
-    outcome.each_row(&mut |row| results.write(row))?;
+    let names = Names::from(outcome);
+    outcome.each_part(
+        |rows| rows.iter().map(|row| indented(names, row)).collect::<std::io::Result<Vec<_>>>(),
+        |texts| texts.iter().try_for_each(|text| results.write(text)),
+    )?;
     results.finish()?.write_all(b"\n}")
 }
 
@@ -83,7 +87,7 @@ impl<'o, W: Write> Streamed<'o, W> {
     /// # Errors
     /// A writer that refuses.
     pub fn write(&mut self, row: &Row) -> std::io::Result<()> {
-        self.results.write(row)
+        self.results.write(&indented(self.results.names, row)?)
     }
 
     /// Writes all else.
@@ -128,17 +132,22 @@ impl<'o, W: Write> Results<'o, W> {
         Ok(Self { names, writer, rows: 0 })
     }
 
-    fn write(&mut self, row: &Row) -> std::io::Result<()> {
+    /// Writes the text of a row.
+    fn write(&mut self, text: &str) -> std::io::Result<()> {
         self.writer.write_all(if self.rows == 0 { b"\n" } else { b",\n" })?;
         self.rows += 1;
-        let text = pretty(&result(self.names, row))?;
-        write!(self.writer, "    {}", text.replace('\n', "\n    "))
+        self.writer.write_all(text.as_bytes())
     }
 
     fn finish(mut self) -> std::io::Result<W> {
         self.writer.write_all(if self.rows == 0 { b"]" } else { b"\n  ]" })?;
         Ok(self.writer)
     }
+}
+
+/// The text of a row as it stands in the member `results`.
+fn indented(names: Names<'_>, row: &Row) -> std::io::Result<String> {
+    Ok(format!("    {}", pretty(&result(names, row))?.replace('\n', "\n    ")))
 }
 
 fn pretty(value: &Value) -> std::io::Result<String> {

@@ -28,7 +28,7 @@ mod surface;
 pub(crate) use curves::short as short_number;
 pub use desk::{Progress, Stage};
 pub use path_curve::PathCurve;
-pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns, unsolved};
+pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, run_shard, swept_columns, unsolved};
 
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
 use crate::refusal::Refusal;

@@ -4,22 +4,24 @@ use super::Plan;
 use super::axis_units::WrittenUnits;
 use super::desk::{Desk, Progress, Stage};
 use super::kept::Kept;
+use crate::in_order::in_order;
 use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{self, Journal, JournalHeader};
+use crate::outcome::shard::Shard;
 use crate::outcome::tally::Tally;
-use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn};
+use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn, is_state};
 use crate::refusal::Refusal;
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
 use crate::scene::typed::{Picture, Scene};
 use crate::scene::{SceneError, read};
-use rayon::prelude::*;
+use std::ops::Range;
 use thiserror::Error;
 
-/// Most states between two entries of the journal: a kill loses at most these.
+/// Most states that are under way or wait for an earlier one: a kill loses at most these.
 const MOST_STATES: u64 = 128;
-/// Linear systems between two entries, where states are dear.
+/// Linear systems of such states, where each takes long.
 const MOST_SOLVES: u64 = 4000;
 
 /// Why a run ended without an outcome.
@@ -36,10 +38,10 @@ pub enum RunError {
     Journal(#[from] std::io::Error),
 }
 
-/// What a journal of this scene and build is headed with.
+/// What a journal of this scene and build is headed with, for a part of its states.
 #[must_use]
-pub fn journal_header(document: &Document, scene: &Scene) -> JournalHeader {
-    JournalHeader { program: build::identity().to_owned(), scene: document.hash().to_owned(), states: states(&scene.sweeps) }
+pub fn journal_header(document: &Document, scene: &Scene, shard: Shard) -> JournalHeader {
+    JournalHeader { program: build::identity().to_owned(), scene: document.hash().to_owned(), states: states(&scene.sweeps), shard }
 }
 
 /// Where a run keeps what it must not lose.
@@ -94,12 +96,9 @@ fn run_all(
     progress: Progress<'_>,
 ) -> Result<Outcome, RunError> {
     let total = plan.states();
-    let solves_a_state = plan.predicted_work().linear_solves / (total as u64).max(1);
-    let between = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
     let (columns, layout) = (plan.columns(), plan.layout());
     let tally = Tally::new(scene.accuracy, columns.len());
     let mut kept = Kept::new(&scene.sweeps, layout.as_ref(), tally, plan.rows_of_a_state(), finished.is_some());
-    let alone = document.without_sweep();
     let mut done = 0;
     let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
         if let Some(sink) = &mut sink {
@@ -113,31 +112,10 @@ fn run_all(
         done += 1;
     }
     if let Some(safe) = safe.as_ref().filter(|safe| safe.journal.states() > done) {
-        journal::each(safe.journal.path(), &mut take)?;
+        journal::each(safe.journal.path(), Ok, &mut take)?;
         done = safe.journal.states();
     }
-    while done < total {
-        progress(Stage::States { finished: done, total });
-        let chunk = done..total.min(done + between);
-        let checkpoints = safe.as_ref().map(|safe| &safe.checkpoints);
-        let solve = |state| {
-            let desk = Desk::new(state, checkpoints, progress);
-            let rows = solve_state(plan, &alone, scene, &desk, state);
-            desk.failure().map_or(Ok(()), Err).or_else(gone).map(|()| rows)
-        };
-        // One alone needs no threads.
-        let solved: Vec<Vec<Row>> = if chunk.len() == 1 {
-            vec![solve(chunk.start)?]
-        } else {
-            chunk.clone().into_par_iter().map(solve).collect::<Result<_, _>>()?
-        };
-        if let Some(safe) = &mut safe {
-            safe.journal.append(&solved).or_else(gone)?;
-            chunk.clone().try_for_each(|state| safe.checkpoints.remove(state)).or_else(gone)?;
-        }
-        solved.into_iter().try_for_each(&mut take)?;
-        done = chunk.end;
-    }
+    solve_states(plan, document, scene, (done..total, Shard::WHOLE), safe.as_mut(), &mut take, progress)?;
     progress(Stage::States { finished: total, total });
     let (mut rows, held, tally) = kept.into_parts();
     let validity = plan.validity(&rows);
@@ -161,6 +139,84 @@ fn run_all(
         tally,
         ..unsolved(plan, document, scene)
     })
+}
+
+/// Solves a part of the states of a scene into the journal of a shard; no picture is made and no row is kept.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_shard(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    header: &JournalHeader,
+    mut safe: Safe<'_>,
+    progress: Progress<'_>,
+) -> Result<Tally, RunError> {
+    let mut tally = Tally::new(scene.accuracy, plan.columns().len());
+    let layout = plan.layout();
+    let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
+        rows.iter().for_each(|row| tally.add(row, is_state(layout.as_ref(), row)));
+        Ok(())
+    };
+    let done = safe.journal.states();
+    journal::each(safe.journal.path(), Ok, &mut take)?;
+    solve_states(plan, document, scene, (done..header.own_states(), header.shard), Some(&mut safe), &mut take, progress)?;
+    Ok(tally)
+}
+
+/// Solves a range of the states of a shard: side by side, journalled and taken in order.
+fn solve_states(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    (range, shard): (Range<usize>, Shard),
+    safe: Option<&mut Safe<'_>>,
+    take: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>,
+    progress: Progress<'_>,
+) -> std::io::Result<()> {
+    let (mut finished, total) = (range.start, range.end);
+    progress(Stage::States { finished, total });
+    let solves_a_state = plan.predicted_work().linear_solves / (plan.states() as u64).max(1);
+    let ahead = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
+    let alone = document.without_sweep();
+    let (mut journal, checkpoints) = match safe {
+        Some(safe) => (Some(&mut *safe.journal), Some(&safe.checkpoints)),
+        None => (None, None),
+    };
+    let is_journalled = journal.is_some();
+    let solve = |state: usize| -> std::io::Result<Solved> {
+        let desk = Desk::new(state, checkpoints, progress);
+        let rows = solve_state(plan, &alone, scene, &desk, state);
+        desk.failure().map_or(Ok(()), Err).or_else(gone)?;
+        // A text of many digits takes as long as some states.
+        let line = if is_journalled { journal::encoded(&rows)? } else { Vec::new() };
+        Ok(Solved { rows, line })
+    };
+    let mut taken = |solved: Vec<Solved>| -> std::io::Result<()> {
+        if let (Some(journal), Some(checkpoints)) = (&mut journal, checkpoints) {
+            journal.append_encoded(solved.iter().map(|state| state.line.as_slice())).or_else(gone)?;
+            let ended = finished..finished + solved.len();
+            ended.map(|index| shard.state(index)).try_for_each(|state| checkpoints.remove(state)).or_else(gone)?;
+        }
+        finished += solved.len();
+        solved.into_iter().try_for_each(|state| take(state.rows))?;
+        progress(Stage::States { finished, total });
+        Ok(())
+    };
+    let states = range.map(|index| shard.state(index));
+    // One alone needs no threads.
+    if states.len() == 1 {
+        return states.map(solve).collect::<Result<_, _>>().and_then(taken);
+    }
+    in_order(states.map(Ok), ahead, solve, &mut taken)
+}
+
+/// A state that is solved.
+struct Solved {
+    rows: Vec<Row>,
+    /// Its rows as the journal holds them, if there is one.
+    line: Vec<u8>,
 }
 
 /// An outcome without rows: what a run of the scene will give, before anything is solved.

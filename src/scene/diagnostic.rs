@@ -131,6 +131,32 @@ impl SceneError {
     }
 }
 
+impl SceneError {
+    /// The same in parts, for programs: message, key, file, line and column from 1, what stands under the caret, remedy, and the text for people.
+    #[must_use]
+    pub fn report(&self) -> serde_json::Value {
+        let place = self.place.as_ref().map(|place| (terminal_text::one_line(place.source.name()), place.line_and_column()));
+        serde_json::json!({
+            "message": self.message,
+            "key": self.key(),
+            "file": place.as_ref().map(|(file, _)| file),
+            "line": place.as_ref().map(|(_, [line, _])| line),
+            "column": place.as_ref().map(|(_, [_, column])| column),
+            "label": self.label,
+            "remedy": self.help,
+            "text": self.rendered(),
+        })
+    }
+
+    /// The key that the message is about: what it quotes first, if that is written as a key.
+    fn key(&self) -> Option<&str> {
+        let quoted = self.message.split('`').nth(1)?.split([' ', '=']).next()?;
+        let is_key =
+            |part: &str| !part.is_empty() && part.chars().all(|character| character.is_ascii_alphanumeric() || "_-".contains(character));
+        quoted.split('.').all(is_key).then_some(quoted)
+    }
+}
+
 impl fmt::Display for SceneError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.message)

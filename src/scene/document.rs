@@ -103,6 +103,10 @@ pub struct Document {
     hash: String,
     /// Further files that the scene names, by the names it gives them.
     attached: Vec<(String, SourceText)>,
+    /// Files that are given with the scene, and are not read again.
+    provided: Vec<(String, SourceText)>,
+    /// Files that were put into the tree.
+    included: Vec<(String, SourceText)>,
     /// What was chosen in reading tables.
     notes: Vec<String>,
     /// What was made of the material's data or law, so that states of a sweep do not make it again.
@@ -155,6 +159,8 @@ impl Document {
             folder: folder.to_owned(),
             hash: String::new(),
             attached: Vec::new(),
+            provided: Vec::new(),
+            included: Vec::new(),
             notes: Vec::new(),
             materials: Memo::default(),
             records: OfTable::default(),
@@ -186,6 +192,27 @@ impl Document {
         self.attached.iter().map(|(name, source)| (name.as_str(), source))
     }
 
+    /// Every file that was read, with the name that it has in the scene or beside its material file: with them the scene can be read where they are not.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &SourceText)> {
+        self.included.iter().chain(&self.attached).map(|(name, source)| (name.as_str(), source))
+    }
+
+    /// Gives files, by their names, that are taken instead of those on disk.
+    pub fn provide(&mut self, files: Vec<(String, SourceText)>) {
+        self.provided = files;
+    }
+
+    /// A file that is given with the scene.
+    pub(super) fn provided(&self, name: &str) -> Option<&SourceText> {
+        self.provided.iter().find(|(known, _)| known == name).map(|(_, source)| source)
+    }
+
+    /// Keeps the text of a file that was put into the tree, and adds it to the hash.
+    pub(super) fn include(&mut self, name: &str, source: SourceText) {
+        self.add_to_hash(&source);
+        self.included.push((name.to_owned(), source));
+    }
+
     /// The folder that relative paths start from.
     #[must_use]
     pub fn folder(&self) -> &Path {
@@ -210,6 +237,10 @@ impl Document {
     /// A file that cannot be read or holds no text.
     pub(super) fn attach_table(&mut self, key: &str, name: &str, place: &Place) -> Result<(), SceneError> {
         if self.attached(name).is_some() {
+            return Ok(());
+        }
+        if let Some(source) = self.provided(name).cloned() {
+            self.attach(name, source);
             return Ok(());
         }
         let path = self.folder.join(name);

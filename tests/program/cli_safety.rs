@@ -24,6 +24,7 @@ use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
 use viscotack::outcome::Row;
 use viscotack::outcome::journal::{Found, Journal, JournalHeader, each, read};
+use viscotack::outcome::shard::Shard;
 use viscotack::scene::template::template;
 use viscotack::terminal_text::is_harmful;
 
@@ -192,7 +193,7 @@ fn rows(states: usize) -> Vec<Vec<Row>> {
 fn every_flipped_bit_of_a_journal_is_seen() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.jsonl");
-    let header = JournalHeader { program: "viscotack test".into(), scene: "00".into(), states: 4 };
+    let header = JournalHeader { program: "viscotack test".into(), scene: "00".into(), states: 4, shard: Shard::WHOLE };
     let whole = rows(3);
     let mut journal = Journal::open(&path, &header, 0).unwrap();
     journal.append(&whole[..1]).unwrap();
@@ -202,7 +203,7 @@ fn every_flipped_bit_of_a_journal_is_seen() {
     let kept = |found: Found| match found {
         Found::States(states) => {
             let mut rows = Vec::new();
-            let visited = each(&path, &mut |state| {
+            let visited = each(&path, Ok, |state| {
                 rows.push(state);
                 Ok(())
             });

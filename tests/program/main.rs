@@ -11,6 +11,7 @@ mod cli_bad_input;
 mod cli_commands;
 mod cli_kill_and_resume;
 mod cli_safety;
+mod cli_shards;
 mod cli_sweeps;
 mod cli_verify;
 mod documentation;

@@ -9,7 +9,7 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
     let Some(node) = document.root.at("material.file") else { return Ok(()) };
     let Value::Text(name) = node.value.clone() else { return Ok(()) };
     let place = node.place.clone();
-    let source = match document.attached(&name) {
+    let source = match document.attached(&name).or_else(|| document.provided(&name)) {
         Some(attached) => attached.clone(),
         None => {
             let text = read_text(&document.folder().join(&name)).map_err(|error| {
@@ -37,7 +37,7 @@ pub(super) fn resolve(document: &mut Document) -> Result<(), SceneError> {
             *own = folder.join(&*own).display().to_string();
         }
     }
-    document.add_to_hash(&source);
+    document.include(&name, source);
     if let Some(Entry { node: Node { value: Value::Table(given), .. }, .. }) = entry_of(&mut document.root, "material") {
         given.retain(|entry| entry.key != "file");
         for new in included {

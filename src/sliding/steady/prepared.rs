@@ -54,12 +54,20 @@ impl Prepared {
                 && of == material
                 && (prepared.rate.to_bits(), prepared.indenter, prepared.adhesion) == (rate.to_bits(), indenter, adhesion)
             {
+                prepared.forget_counts();
                 return Ok(Rc::clone(prepared));
             }
             let prepared = Rc::new(Self::new(material, rate, indenter, adhesion)?);
             *last = Some((material.clone(), Rc::clone(&prepared)));
             Ok(prepared)
         })
+    }
+
+    /// A contact that was refused leaves counts of its checks on the curve: they are not work of the next one, which would then depend on the one before it.
+    fn forget_counts(&self) {
+        if let Some((_, curve)) = &*self.curve.borrow() {
+            curve.evaluations();
+        }
     }
 
     /// kv (1/s).

@@ -1,0 +1,229 @@
+"""The calls of the package against the program itself.
+
+Goal: the tables are those of the program, to the bit; errors have their parts; nothing is left behind.
+Oracle: the files and the exit codes of the program called directly. Tolerance: none for values.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+import viscotack as vt
+
+from .conftest import REPOSITORY, SLIDING
+
+
+def program(folder: Path, *arguments: str) -> str:
+    """What the program prints."""
+    command = [str(vt.program()), *arguments]
+    return subprocess.run(command, cwd=folder, check=True, capture_output=True, encoding="utf-8").stdout
+
+
+def test_tables_are_those_of_the_program(sliding: Path) -> None:
+    """Values, errors, units, and words, of states and of fields."""
+    program(sliding.parent, "run", "sliding.toml", "--out", "DIR", "--set", "sliding.speed=2 mm/s")
+    result = vt.run(sliding, {"sliding.speed": "2 mm/s"})
+    for frame, name in ((result.states, "states.csv"), (result.fields, "fields.csv")):
+        assert frame is not None
+        with (sliding.parent / "DIR" / name).open(encoding="utf-8", newline="") as file:
+            header, *rows = list(csv.reader(file))
+        assert len(frame) == len(rows) > 0
+        for place, head in enumerate(header):
+            column, _, unit = head.partition(" [")
+            assert frame.columns[place] == column
+            if unit:
+                assert frame.attrs["units"][column] == unit.rstrip("]")
+            for cell, row in zip(frame[column], rows, strict=True):
+                expected = row[place]
+                assert (expected == "" and pd.isna(cell)) or str(cell) == expected or float(cell) == float(expected)
+    columns = list(result.states.columns)
+    assert columns.index("friction_coefficient_error") == columns.index("friction_coefficient") + 1
+    assert result.states["speed"].iloc[0] == 2e-3
+    assert "friction" in result.states.attrs["meanings"]["friction_coefficient"].lower()
+    assert result.path is None
+    assert result.exit_code == 0
+    assert (
+        result.summary["provenance"]["scene_sha256"]
+        == json.loads((sliding.parent / "DIR/summary.json").read_text(encoding="utf-8"))["provenance"]["scene_sha256"]
+    )
+
+
+def test_a_dictionary_is_a_scene(sliding: Path) -> None:
+    """A template, changed, and a file as a dictionary give what their texts give."""
+    content = vt.scene(sliding)
+    content["sliding"]["speed"] = "2 mm/s"
+    of_dictionary = vt.run(content, plots=False).states
+    of_file = vt.run(sliding, {"sliding.speed": "2 mm/s"}, plots=False).states
+    pd.testing.assert_frame_equal(of_dictionary, of_file, check_exact=True)
+    assert {"sliding", "crack", "indentation"} <= set(vt.problems())
+    template = vt.scene("sliding")
+    del template["sweep"]
+    template["sliding"]["speed"] = np.float64(1e-3)
+    result = vt.run(template, plots=False)
+    assert set(result.states["status"]) == {"solved"}
+    assert vt.explain(template)["problem"] == "steady sliding"
+    assert vt.schema()["type"] == "object"
+
+
+def test_a_history_has_its_path() -> None:
+    """Rows on the way of a state, a dictionary whose material lies in a file."""
+    scene = vt.scene("pull_off_test")
+    result = vt.run(scene, {"accuracy": 1e-2, "indentation.instants": 4}, plots=False)
+    assert result.path is not None
+    assert len(result.path) > len(result.states) >= 1
+    assert "pull_off_force" in result.states
+
+
+def test_a_sweep_of_any_length(crack: Path) -> None:
+    """Values through arguments and, where they are too long for them, through standard input; two keys; a range."""
+    short = np.geomspace(1e-6, 1e-1, 5)
+    long = np.geomspace(1e-6, 1e-1, 3000)
+    few = vt.sweep(crack, {"crack.speed": short}, plots=False).states
+    many = vt.sweep(crack, {"crack.speed": long}, plots=False).states
+    assert few["crack.speed"].tolist() == short.tolist()
+    assert many["crack.speed"].tolist() == long.tolist()
+    assert many["energy_release_rate"].iloc[0] == few["energy_release_rate"].iloc[0]
+    both = vt.sweep(crack, {"crack.speed": ["1 mm/s", "2 mm/s"], "adhesion.work_of_adhesion": {"from": 1, "to": 2, "points": 3}}, plots=False).states
+    assert len(both) == 6
+    assert both["crack.speed"].tolist() == [1e-3] * 3 + [2e-3] * 3
+
+
+def test_errors_have_their_parts(sliding: Path) -> None:
+    """Key, file, line, column and remedy of a wrong scene; the machine; a program that is not there."""
+    text = SLIDING.replace("mean_pressure", "mean_presure")
+    sliding.write_text(text, encoding="utf-8")
+    with pytest.raises(vt.SceneError) as caught:
+        vt.run(sliding)
+    error = caught.value
+    assert error.key is not None
+    assert "mean_presure" in error.key
+    assert error.file is not None
+    assert Path(error.file).name == "sliding.toml"
+    assert error.line == text[: text.index("mean_presure")].count("\n") + 1
+    assert error.column == 1
+    assert "mean_pressure" in str(error)
+    assert error.exit_code == 2
+    with pytest.raises(vt.SceneError, match="sliding"):
+        vt.scene("slidng")
+    with pytest.raises(vt.SceneError, match="cannot be read"):
+        vt.run(sliding.parent / "nothing.toml")
+    with pytest.raises(vt.SceneError, match=r"sliding\.speed"):
+        vt.run(vt.scene("sliding"), {"sliding.speed": "1 MPa"})
+
+
+def test_an_installation_without_the_program(monkeypatch: pytest.MonkeyPatch, sliding: Path) -> None:
+    """The exception says what to do."""
+    monkeypatch.setenv("VISCOTACK_PROGRAM", str(sliding.parent / "none"))
+    with pytest.raises(vt.ProgramNotFoundError, match="none"):
+        vt.run(sliding)
+
+
+def test_a_state_that_does_not_exist(sliding: Path) -> None:
+    """An exception with the rows and the limit; in a sweep, rows among others."""
+    with pytest.raises(vt.NoSuchStateError, match="pulls harder") as caught:
+        vt.run(sliding, {"sliding.mean_pressure": -9e5})
+    result = caught.value.result
+    assert result is not None
+    assert result.states["status"].tolist() == ["no_such_state"]
+    states = vt.sweep(sliding, {"sliding.mean_pressure": [-9e5, 6e3]}, plots=False).states
+    assert states["status"].tolist() == ["no_such_state", "solved"]
+
+
+def test_values_that_miss_the_accuracy_warn() -> None:
+    """Exit code 4 is a warning, and the values are there."""
+    scene = vt.scene(REPOSITORY / "scenes/sliding/two_works.toml")
+    scene.pop("sweep", None)
+    scene.pop("plots", None)
+    with pytest.warns(vt.AccuracyWarning):
+        result = vt.run(scene, {"accuracy": 1e-15}, plots=False)
+    assert "inaccurate" in result.states["status"].tolist()
+    assert result.exit_code == 4
+
+
+def test_a_named_folder_stays_and_another_does_not(sliding: Path) -> None:
+    """Files live as long as the result; those of a named folder for ever, and are not replaced unasked."""
+    result = vt.run(sliding)
+    folder = result.folder
+    assert (folder / "states.csv").exists()
+    del result
+    assert not folder.exists()
+    kept = sliding.parent / "kept"
+    vt.run(sliding, out=kept)
+    assert (kept / "summary.json").exists()
+    with pytest.raises(vt.SceneError, match="exists already"):
+        vt.run(sliding, out=kept)
+    vt.run(sliding, out=kept, force=True)
+
+
+def test_notebooks_show_tables_and_plots(sliding: Path) -> None:
+    """HTML with value ± error and unit, SVG of each plot."""
+    result = vt.sweep(sliding, {"sliding.speed": [1e-4, 1e-3, 1e-2]})
+    html = result._repr_html_()
+    assert "± " in html
+    assert "[m/s]" in html
+    assert "<svg" in html
+    svg = result._repr_svg_()
+    assert svg is not None
+    assert "<svg" in svg
+    assert len(result.plots) >= 3
+    assert "3 states: 3 solved" in repr(result)
+    plot = next(iter(result.plots.values()))
+    plot.save(sliding.parent / "plot.svg")
+    assert plot._repr_svg_() == (sliding.parent / "plot.svg").read_text(encoding="utf-8")
+
+
+def test_progress_is_counted(sliding: Path) -> None:
+    """A function receives how many states are finished, and it rises."""
+    seen: list[tuple[int, int]] = []
+    vt.sweep(sliding, {"sliding.speed": {"from": 1e-5, "to": 1, "points": 300}}, progress=lambda done, of: seen.append((done, of)), jobs=1)
+    assert seen
+    assert all(of == 300 for _, of in seen)
+    assert [done for done, _ in seen] == sorted(done for done, _ in seen)
+
+
+def test_a_fit_and_a_material() -> None:
+    """Values with their intervals, residuals, a scene that runs; terms of a table of measured moduli."""
+    found = vt.fit(REPOSITORY / "scenes/fits/pull_off.toml", {"accuracy": 2e-2})
+    row = found.values.loc["adhesion.work_of_adhesion"]
+    # The data were made with 55 mJ/m².
+    assert row["lower_95"] < 0.055 < row["upper_95"]
+    assert row["unit"] == "J/m²"
+    assert found.residuals is not None
+    assert len(found.residuals) > 100
+    assert found.scene["adhesion"]["work_of_adhesion"]
+    assert "<table>" in found._repr_html_()
+    tread = vt.material(REPOSITORY / "scenes/materials/tread.toml")
+    assert tread.terms is not None
+    assert np.isclose(tread.summary["relaxed_modulus"] + tread.terms["modulus"].sum(), tread.summary["glassy_modulus"])
+    assert tread.material["relaxation"]
+    assert tread.moduli is not None
+    assert tread.moduli.attrs["units"]["storage_modulus"] == "Pa"
+
+
+def median(work: Callable[[], object], times: int = 15) -> float:
+    """The median time of a call (s)."""
+    taken = []
+    for _ in range(times):
+        begun = time.perf_counter()
+        work()
+        taken.append(time.perf_counter() - begun)
+    return sorted(taken)[times // 2]
+
+
+@pytest.mark.skipif(os.environ.get("VISCOTACK_TIMES") != "1", reason="times are measured where VISCOTACK_TIMES=1: a machine with nothing else to do")
+def test_a_small_run_costs_little_more_than_the_program(crack: Path) -> None:
+    """At most 30 ms more than the same command."""
+    count = iter(range(1000))
+    alone = median(lambda: program(crack.parent, "run", "crack.toml", "--no-plots", "--out", f"D{next(count)}"))
+    called = median(lambda: vt.run(crack, plots=False).states)
+    print(f"program {1e3 * alone:.1f} ms, called {1e3 * called:.1f} ms")
+    assert called - alone < 0.03
