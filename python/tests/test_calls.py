@@ -30,7 +30,7 @@ def program(folder: Path, *arguments: str) -> str:
 
 def test_tables_are_those_of_the_program(sliding: Path) -> None:
     """Values, errors, units, and words, of states and of fields."""
-    program(sliding.parent, "run", "sliding.toml", "--out", "DIR", "--set", "sliding.speed=2 mm/s")
+    program(sliding.parent, "run", "sliding.toml", "--out", "DIR", "--set", 'sliding.speed="2 mm/s"')
     result = vt.run(sliding, {"sliding.speed": "2 mm/s"})
     for frame, name in ((result.states, "states.csv"), (result.fields, "fields.csv")):
         assert frame is not None
@@ -76,7 +76,7 @@ def test_a_dictionary_is_a_scene(sliding: Path) -> None:
 
 def test_a_history_has_its_path() -> None:
     """Rows on the way of a state, a dictionary whose material lies in a file."""
-    scene = vt.scene("pull_off_test")
+    scene = vt.scene("pull-off-test")
     result = vt.run(scene, {"accuracy": 1e-2, "indentation.instants": 4}, plots=False)
     assert result.path is not None
     assert len(result.path) > len(result.states) >= 1

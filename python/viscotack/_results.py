@@ -15,6 +15,8 @@ from typing import Any
 import pandas as pd
 
 _SHOWN_ROWS = 12
+# The shortest text of a double is read back as the same double: from pandas 3 on by default.
+_EXACT: dict[str, Any] = {} if int(pd.__version__.split(".")[0]) >= 3 else {"float_precision": "round_trip"}
 
 
 @dataclass(frozen=True)
@@ -37,8 +39,7 @@ def read_table(path: Path, meanings: Mapping[str, str] | None = None) -> pd.Data
 
     Each value stands beside its error bound: the columns `x` and `x_error`.
     """
-    # The shortest text of a double is read back as the same double.
-    frame = pd.read_csv(path, float_precision="round_trip", keep_default_na=False, na_values=[""], encoding="utf-8")
+    frame: pd.DataFrame = pd.read_csv(path, keep_default_na=False, na_values=[""], encoding="utf-8", **_EXACT)
     names: list[str] = []
     units: dict[str, str] = {}
     for header in frame.columns:
