@@ -63,6 +63,12 @@ fn take_some<R, E>(results: Vec<Result<R, E>>, take: &mut impl FnMut(Vec<R>) -> 
     error.map_or(Ok(()), Err)
 }
 
+/// How many quick items are best given to a thread at once, where so many may be under way: handing one over takes some microseconds.
+#[must_use]
+pub fn together(ahead: usize) -> usize {
+    (ahead / (2 * LEAST * rayon::current_num_threads())).max(1)
+}
+
 /// Items for each thread that may be under way, at least.
 const LEAST: usize = 4;
 

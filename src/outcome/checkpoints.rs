@@ -9,10 +9,13 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Length of the digest (bytes).
 const DIGEST: usize = 32;
-/// What the name of every such file ends in.
+/// What the name of every such file begins with, and ends in.
+const BEGINNING: &str = "state-";
 const ENDING: &str = "checkpoint";
 /// No checkpoint is larger (bytes).
 const LARGEST: u64 = 8 << 30;
@@ -22,17 +25,29 @@ const LARGEST: u64 = 8 << 30;
 pub struct Checkpoints {
     folder: PathBuf,
     header: JournalHeader,
+    /// Whether there may be any: most states end before they leave one.
+    any: Arc<AtomicBool>,
 }
 
 impl Checkpoints {
     /// In a folder that is there, for the run that a header belongs to.
     #[must_use]
     pub fn new(folder: &Path, header: &JournalHeader) -> Self {
-        Self { folder: folder.to_owned(), header: header.clone() }
+        let checkpoints = Self { folder: folder.to_owned(), header: header.clone(), any: Arc::default() };
+        checkpoints.any.store(checkpoints.is_any_there(), Ordering::Relaxed);
+        checkpoints
+    }
+
+    /// Whether a checkpoint is there, or one that was being written.
+    fn is_any_there(&self) -> bool {
+        let is_one = |entry: std::io::Result<std::fs::DirEntry>| {
+            entry.map_or(true, |entry| entry.file_name().to_str().is_some_and(|name| name.starts_with(BEGINNING)))
+        };
+        std::fs::read_dir(&self.folder).is_ok_and(|mut entries| entries.any(is_one))
     }
 
     fn path(&self, state: usize) -> PathBuf {
-        self.folder.join(format!("state-{state}.{ENDING}"))
+        self.folder.join(format!("{BEGINNING}{state}.{ENDING}"))
     }
 
     /// The checkpoint of a state, if a whole one of the same run is there.
@@ -53,7 +68,7 @@ impl Checkpoints {
     /// How many states are under way.
     #[must_use]
     pub fn begun(&self) -> usize {
-        let state_of = |name: &str| name.strip_prefix("state-")?.strip_suffix(ENDING)?.strip_suffix('.')?.parse::<usize>().ok();
+        let state_of = |name: &str| name.strip_prefix(BEGINNING)?.strip_suffix(ENDING)?.strip_suffix('.')?.parse::<usize>().ok();
         let is_begun = |entry: std::io::Result<std::fs::DirEntry>| {
             entry.is_ok_and(|entry| entry.file_name().to_str().and_then(state_of).is_some_and(|state| state < self.header.states))
         };
@@ -65,6 +80,7 @@ impl Checkpoints {
     /// # Errors
     /// A folder that cannot be written; the old checkpoint then stays.
     pub fn save(&self, state: usize, checkpoint: &impl Serialize) -> std::io::Result<()> {
+        self.any.store(true, Ordering::Relaxed);
         let content = postcard::to_allocvec(&((&self.header, state), checkpoint)).map_err(std::io::Error::other)?;
         let mut bytes = Sha256::digest(&content).to_vec();
         bytes.extend(content);
@@ -78,6 +94,9 @@ impl Checkpoints {
     /// # Errors
     /// A file that cannot be removed.
     pub fn remove(&self, state: usize) -> std::io::Result<()> {
+        if !self.any.load(Ordering::Relaxed) {
+            return Ok(());
+        }
         for path in [self.path(state), self.path(state).with_extension("new")] {
             match std::fs::remove_file(path) {
                 Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(super::named(&self.path(state), error)),

@@ -4,7 +4,7 @@ use super::Plan;
 use super::axis_units::WrittenUnits;
 use super::desk::{Desk, Progress, Stage};
 use super::kept::Kept;
-use crate::in_order::in_order;
+use crate::in_order::{in_order, together};
 use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{self, Journal, JournalHeader};
@@ -185,7 +185,7 @@ fn solve_states(
         None => (None, None),
     };
     let is_journalled = journal.is_some();
-    let solve = |state: usize| -> std::io::Result<Solved> {
+    let solve_one = |state: usize| -> std::io::Result<Solved> {
         let desk = Desk::new(state, checkpoints, progress);
         let rows = solve_state(plan, &alone, scene, &desk, state);
         desk.failure().map_or(Ok(()), Err).or_else(gone)?;
@@ -193,7 +193,9 @@ fn solve_states(
         let line = if is_journalled { journal::encoded(&rows)? } else { Vec::new() };
         Ok(Solved { rows, line })
     };
-    let mut taken = |solved: Vec<Solved>| -> std::io::Result<()> {
+    let solve = |states: Range<usize>| states.map(|index| solve_one(shard.state(index))).collect::<std::io::Result<Vec<_>>>();
+    let mut taken = |solved: Vec<Vec<Solved>>| -> std::io::Result<()> {
+        let solved: Vec<Solved> = solved.into_iter().flatten().collect();
         if let (Some(journal), Some(checkpoints)) = (&mut journal, checkpoints) {
             journal.append_encoded(solved.iter().map(|state| state.line.as_slice())).or_else(gone)?;
             let ended = finished..finished + solved.len();
@@ -204,12 +206,13 @@ fn solve_states(
         progress(Stage::States { finished, total });
         Ok(())
     };
-    let states = range.map(|index| shard.state(index));
     // One alone needs no threads.
-    if states.len() == 1 {
-        return states.map(solve).collect::<Result<_, _>>().and_then(taken);
+    if range.len() == 1 {
+        return solve(range).and_then(|solved| taken(vec![solved]));
     }
-    in_order(states.map(Ok), ahead, solve, &mut taken)
+    let together = together(ahead);
+    let parts = range.clone().step_by(together).map(|start| Ok(start..range.end.min(start + together)));
+    in_order(parts, ahead / together, solve, taken)
 }
 
 /// A state that is solved.
