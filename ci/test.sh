@@ -64,6 +64,11 @@ trap 'rm -rf "$studies"' EXIT
 # Fails if an order, a counter or a hard case gets worse; times are printed, never judged.
 if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
 
+step "shards by Snakemake and HyperQueue, one of them killed"
+ci/workflow.sh
+step "Python package: linter, types, tests, notebooks"
+ci/python.sh
+
 step "cross-checks against references"
 if [ -z "$python" ]; then
   echo "SKIPPED: no python3 (3.11 or later) with NumPy, SciPy, mpmath and pytest; to install: apt-get install $packages"

@@ -12,6 +12,7 @@ mod cli_commands;
 mod cli_kill_and_resume;
 mod cli_safety;
 mod cli_shards;
+mod cli_shells;
 mod cli_sweeps;
 mod cli_verify;
 mod documentation;
