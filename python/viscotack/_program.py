@@ -39,9 +39,7 @@ def _installed() -> Path:
             return path
     found = shutil.which("viscotack")
     if found is None:
-        raise ProgramNotFoundError(
-            "the program `viscotack` is not there: `pip install .` in its repository installs it, or name it in VISCOTACK_PROGRAM"
-        )
+        raise ProgramNotFoundError("the program `viscotack` is not there: `pip install .` in its repository installs it, or name it in VISCOTACK_PROGRAM")
     return Path(found)
 
 
