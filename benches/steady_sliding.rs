@@ -10,8 +10,8 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use viscotack::material::CreepTerm;
-use viscotack::rivals::sliding_collocation::richardson::extrapolated;
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
+use viscotack_verification::rivals::sliding_collocation::richardson::extrapolated;
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,

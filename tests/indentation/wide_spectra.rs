@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, march, run};
 use viscotack::material::RelaxationTerm;
-use viscotack::studies::honesty::wide_spectrum;
+use viscotack_verification::studies::honesty::wide_spectrum;
 
 /// Terms of equal moduli whose times lie evenly over so many decades about the reference time.
 fn spectrum(terms: u32, beta: f64, decades: f64) -> Material {

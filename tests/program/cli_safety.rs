@@ -22,10 +22,10 @@ use viscotack::Material;
 use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, GrowthWatch, LoadHistory, Resolution, Trajectory, Unwatched, refined_from};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
-use viscotack::outcome::Row;
-use viscotack::outcome::journal::{Found, Journal, JournalHeader, each, read};
-use viscotack::scene::template::template;
-use viscotack::terminal_text::is_harmful;
+use viscotack_program::outcome::Row;
+use viscotack_program::outcome::journal::{Found, Journal, JournalHeader, each, read};
+use viscotack_program::scene::template::template;
+use viscotack_program::terminal_text::is_harmful;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_viscotack");
 

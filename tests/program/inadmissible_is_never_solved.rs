@@ -10,10 +10,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::outcome::tally::Tally;
-use viscotack::outcome::{Outcome, Row, Status, Witness, summary::summary};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::tally::Tally;
+use viscotack_program::outcome::{Outcome, Row, Status, Witness, summary::summary};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const SOLID: &str = "accuracy = 1e-3\n[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n[adhesion]\nwork_of_adhesion = 0.02\nprocess_zone = { length = 5e-7 }\n";
 const WAVE: &str = "[sliding]\nspeed = 1e-6\n[sliding.wave]\nwavelength = 1e-4\namplitude = 3e-6\n";

@@ -12,7 +12,7 @@ use crate::command_support;
 
 use command_support::Folder;
 use std::path::{Path, PathBuf};
-use viscotack::studies::fit_coverage::drawn;
+use viscotack_verification::studies::fit_coverage::drawn;
 
 fn repository(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)

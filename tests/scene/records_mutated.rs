@@ -10,8 +10,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 
 use std::path::Path;
-use viscotack::scene::typed::{HistorySegment, IndentationShape, Problem};
-use viscotack::scene::{Document, read};
+use viscotack_program::scene::typed::{HistorySegment, IndentationShape, Problem};
+use viscotack_program::scene::{Document, read};
 
 const FILES: [(&str, &str); 9] = [
     ("26-line-scan-as-profile", "26-profile.csv"),
@@ -94,7 +94,7 @@ fn changed_bytes_never_panic_and_give_no_number_that_is_none() {
 }
 
 /// The scene of an input with a line added, read as users have it.
-fn read_with(input: &str, anchor: &str, added: &str) -> Result<viscotack::scene::typed::Scene, String> {
+fn read_with(input: &str, anchor: &str, added: &str) -> Result<viscotack_program::scene::typed::Scene, String> {
     let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
     let text = std::fs::read_to_string(inputs.join(format!("{input}.toml"))).unwrap();
     let at = text.find(anchor).unwrap() + anchor.len();

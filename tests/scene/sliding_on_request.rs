@@ -13,9 +13,9 @@
 use std::collections::HashMap;
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::outcome::{Row, Status};
-use viscotack::plan::Plan;
-use viscotack::scene::{Document, Scene, read};
+use viscotack_program::outcome::{Row, Status};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, Scene, read};
 
 type Values = HashMap<&'static str, Estimate>;
 

@@ -10,9 +10,9 @@
 
 use std::path::{Path, PathBuf};
 use viscotack::Estimate;
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const MATERIAL: &str =
     "units = \"reduced\"\n[material]\nrelaxed_modulus = 1.0\nglassy_modulus = 10.0\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n";

@@ -25,7 +25,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
 use viscotack::Material;
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::branch::{
     BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, SecondVariations, Stability,
     beyond_both_ends, contacts_of_width, every_branch, speed_folds, trace,

@@ -20,8 +20,8 @@ use std::f64::consts::PI;
 use support::sliding::contact_near;
 use viscotack::Material;
 use viscotack::material::CreepTerm;
-use viscotack::rivals::sliding_collocation::richardson::{extrapolated, observed_order};
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
+use viscotack_verification::rivals::sliding_collocation::richardson::{extrapolated, observed_order};
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::contact::{ArcPoint, ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
 use viscotack::sliding::steady::WaveAdhesion;
 

@@ -7,8 +7,8 @@
 
 use viscotack::Refusal;
 use viscotack::sliding::steady::{ReachedBy, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding_reached_by};
-use viscotack::studies::draw::Draw;
-use viscotack::studies::held_contacts::{SEED, draws::drawn};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::held_contacts::{SEED, draws::drawn};
 
 const LIMIT: f64 = 790.499_55;
 

@@ -12,9 +12,9 @@
 
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use viscotack::studies::Effort;
-use viscotack::studies::hard_cases::case::{Expected, Found, Kind, falsified, held};
-use viscotack::studies::hard_cases::{cases, complaints};
+use viscotack_verification::studies::Effort;
+use viscotack_verification::studies::hard_cases::case::{Expected, Found, Kind, falsified, held};
+use viscotack_verification::studies::hard_cases::{cases, complaints};
 use viscotack::{Estimate, Refusal};
 
 #[test]

@@ -16,14 +16,14 @@ use support::reference_rows;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
 use viscotack::sliding::steady::{PartialValues, WaveAdhesion};
-use viscotack::studies::draw::Draw;
-use viscotack::studies::held_contacts::answer::Answer;
-use viscotack::studies::held_contacts::conics::common_points;
-use viscotack::studies::held_contacts::draws::{Asked, Control};
-use viscotack::studies::held_contacts::stability::Held;
-use viscotack::studies::held_contacts::states::{Expected, Reached, Speed};
-use viscotack::studies::held_contacts::width::{Bodies, Equilibrium};
-use viscotack::studies::held_contacts::{Fault, against};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::held_contacts::answer::Answer;
+use viscotack_verification::studies::held_contacts::conics::common_points;
+use viscotack_verification::studies::held_contacts::draws::{Asked, Control};
+use viscotack_verification::studies::held_contacts::stability::Held;
+use viscotack_verification::studies::held_contacts::states::{Expected, Reached, Speed};
+use viscotack_verification::studies::held_contacts::width::{Bodies, Equilibrium};
+use viscotack_verification::studies::held_contacts::{Fault, against};
 use viscotack::{Estimate, Material};
 
 /// A conic through four points and a fifth one: the null vector of five rows.

@@ -11,8 +11,8 @@
 
 use rayon::prelude::*;
 use viscotack::Estimate;
-use viscotack::studies::honesty::tally::{Compared, Judged, Tally, Truth};
-use viscotack::studies::honesty::{crack, delayed, sliding, sphere, strength};
+use viscotack_verification::studies::honesty::tally::{Compared, Judged, Tally, Truth};
+use viscotack_verification::studies::honesty::{crack, delayed, sliding, sphere, strength};
 
 fn scenes() -> Vec<Judged> {
     let contacts = (0..40_u64).into_par_iter().map(sliding::judged);

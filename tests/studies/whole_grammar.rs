@@ -7,8 +7,8 @@
 //! Tolerance: none.
 #![allow(missing_docs)]
 
-use viscotack::studies::whole_grammar::coverage::coverage;
-use viscotack::studies::whole_grammar::{COVERED, SEED_OF_MENDING};
+use viscotack_verification::studies::whole_grammar::coverage::coverage;
+use viscotack_verification::studies::whole_grammar::{COVERED, SEED_OF_MENDING};
 
 #[test]
 fn every_key_and_every_word_is_drawn() {

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyModule;
 use viscotack::Refusal;
 use viscotack::indentation::elliptic_k;
-use viscotack::rivals::annulus_indentation::complete_elliptic;
+use viscotack_verification::rivals::annulus_indentation::complete_elliptic;
 use viscotack::special::angle::Angle;
 use viscotack::special::memory_clausen::MemoryClausen;
 use viscotack::special::{

@@ -36,7 +36,7 @@ use bracket::bracketed;
 use grid::Grid;
 use record::Between;
 pub use record::GrowthWork;
-pub(crate) use record::{RawEvent, RawKind, RawSample, Run};
+pub use record::{RawEvent, RawKind, RawSample, Run};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -60,7 +60,7 @@ const BETWEEN_LOOKS: u64 = 64;
 
 /// A run under way: all that its next step reads.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Stepper {
+pub struct Stepper {
     memory: Memory,
     lines_per_zone: u32,
     /// Times with an output; a kept run does not hold them.
@@ -167,16 +167,16 @@ fn unless_stopped(better: f64, held: f64) -> f64 {
 
 /// What a run is asked.
 #[derive(Clone, Copy)]
-pub(crate) struct Asked<'a> {
+pub struct Asked<'a> {
     /// Times with an output, not decreasing, none after `until`.
-    pub(crate) outputs: &'a [f64],
-    pub(crate) until: f64,
-    pub(crate) lines_per_zone: u32,
-    pub(crate) most_steps: u64,
+    pub outputs: &'a [f64],
+    pub until: f64,
+    pub lines_per_zone: u32,
+    pub most_steps: u64,
 }
 
 /// Runs a history up to a time, from where the same run was left off if it was; `look` sees it between steps.
-pub(crate) fn run(
+pub fn run(
     problem: &GrowthProblem<'_>,
     history: &LoadHistory,
     asked: Asked<'_>,
@@ -279,12 +279,12 @@ impl Stepper {
     }
 
     /// Lines per process zone of its grid.
-    pub(crate) const fn lines_per_zone(&self) -> u32 {
+    pub const fn lines_per_zone(&self) -> u32 {
         self.lines_per_zone
     }
 
     /// Steps taken.
-    pub(crate) const fn steps(&self) -> u64 {
+    pub const fn steps(&self) -> u64 {
         self.run.work.steps
     }
 
