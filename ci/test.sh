@@ -51,12 +51,12 @@ fi
 step "format"
 cargo fmt --all --check
 step "lints: warnings are errors"
-cargo clippy --release --locked --all-targets -p viscotack -p viscotack-harness -- -D warnings
-cargo clippy --release --locked --lib --bins --no-default-features -- -D warnings
+cargo clippy --release --locked --all-targets --workspace -- -D warnings
+cargo clippy --release --locked --no-default-features -- -D warnings
 step "documentation: warnings are errors"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
 step "tests"
-cargo test --release --locked -p viscotack -p viscotack-harness
+cargo test --release --locked --workspace
 
 step "studies: convergence, cost, hard cases, effects (viscotack verify)"
 studies=$(mktemp -d)

@@ -2,9 +2,9 @@
 
 use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, print};
+use std::path::PathBuf;
 use viscotack_program::plan::Plan;
 use viscotack_program::plan::citations::{ALL, Citation};
-use std::path::PathBuf;
 
 pub(super) fn cite(scene: Option<PathBuf>) -> Result<u8, Failure> {
     let papers: Vec<&Citation> = match scene {

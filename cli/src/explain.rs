@@ -2,9 +2,9 @@
 
 use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, print, print_json};
-use viscotack_program::plan::Plan;
 use serde_json::json;
 use std::fmt::Write as _;
+use viscotack_program::plan::Plan;
 
 pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Failure> {
     let source = SceneSource::load(arguments)?;

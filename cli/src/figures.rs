@@ -1,12 +1,12 @@
 //! `viscotack figures`: the thesis's figures, computed, drawn and checked.
 
 use super::{Failure, print};
-use viscotack_verification::figures::{FiguresError, Manifest, Options, Verdict, run};
-use viscotack_program::regular_file;
-use viscotack_program::terminal_text::name;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
 use std::time::Duration;
+use viscotack_program::regular_file;
+use viscotack_program::terminal_text::name;
+use viscotack_verification::figures::{FiguresError, Manifest, Options, Verdict, run};
 
 /// No manifest that a person writes is larger (bytes).
 const LARGEST: u64 = 16 << 20;

@@ -2,10 +2,10 @@
 
 use super::scene_source::document;
 use super::{Failure, SceneArguments, print, print_json};
+use std::path::Path;
 use viscotack_program::outcome::folder::{writable, write_whole};
 use viscotack_program::outcome::plot;
 use viscotack_program::plan::fit::{Found, Setup, carry_out, fitted_scenes, further, models, screen, summary, tables};
-use std::path::Path;
 
 /// What the command is asked.
 #[derive(Debug, Clone, Copy)]
@@ -38,7 +38,9 @@ pub(super) fn fit(arguments: &SceneArguments, asked: &Asked<'_>) -> Result<u8, F
         print_json(|out| write!(out, "{:#}", summary(&found)))
     } else {
         print(&screen(&found)).and_then(|()| match &written {
-            Ok(Some((target, names))) => print(&format!("\nwrote      {}: {}\n", viscotack_program::terminal_text::name(target), names.join(", "))),
+            Ok(Some((target, names))) => {
+                print(&format!("\nwrote      {}: {}\n", viscotack_program::terminal_text::name(target), names.join(", ")))
+            }
             Ok(None) => {
                 print("\n(nothing written; add --out DIR for summary.json, residuals, plots and the scene with the fitted values)\n")
             }

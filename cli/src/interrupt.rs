@@ -1,8 +1,8 @@
 //! Ctrl-C: a run says what is kept and how it goes on, then ends as the signal wants. A limit of the size of files becomes an error instead of a death.
 
 use super::output::note;
-use viscotack_program::terminal_text::is_harmful;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use viscotack_program::terminal_text::is_harmful;
 
 /// States that are in the journal.
 static FINISHED: AtomicUsize = AtomicUsize::new(0);

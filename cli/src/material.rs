@@ -1,13 +1,13 @@
 //! `viscotack material`: a material by itself, its fit, curves, and the file that scenes include.
 
 use super::{Failure, print, print_json};
+use std::path::Path;
 use viscotack_program::outcome::folder::write_whole;
 use viscotack_program::outcome::plot;
 use viscotack_program::plan::material::{MaterialReport, material_file, screen, summary, tables};
 use viscotack_program::scene::read::decks::recognised_file;
 use viscotack_program::scene::typed::Units;
 use viscotack_program::scene::{Document, SceneError, read};
-use std::path::Path;
 
 /// What the command is asked.
 pub(super) struct Asked<'a> {
@@ -28,7 +28,9 @@ pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
         print_json(|out| write!(out, "{:#}", summary(&report)))
     } else {
         print(&screen(&report)).and_then(|()| match &written {
-            Ok(Some((target, names))) => print(&format!("\nwrote      {}: {}\n", viscotack_program::terminal_text::name(target), names.join(", "))),
+            Ok(Some((target, names))) => {
+                print(&format!("\nwrote      {}: {}\n", viscotack_program::terminal_text::name(target), names.join(", ")))
+            }
             Ok(None) => print("\n(nothing written; add --out DIR for material.toml, tables and plots)\n"),
             Err(_) => Ok(()),
         })

@@ -1,12 +1,12 @@
 //! `viscotack new`: a commented scene to start from.
 
 use super::{Failure, print};
-use viscotack_program::scene::diagnostic::nearest;
-use viscotack_program::scene::template::{TEMPLATES, template};
-use viscotack_program::terminal_text::name as shown;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
+use viscotack_program::scene::diagnostic::nearest;
+use viscotack_program::scene::template::{TEMPLATES, template};
+use viscotack_program::terminal_text::name as shown;
 
 pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failure> {
     let list = || TEMPLATES.iter().map(|template| format!("  {:14} {}\n", template.name, template.meaning)).collect::<String>();

@@ -1,8 +1,8 @@
 //! What the commands print: nothing in it commands a terminal, and a full disk or a reader that has gone away is no panic.
 
 use super::Failure;
-use viscotack_program::terminal_text::{is_harmful, lines};
 use std::io::{Result, Write};
+use viscotack_program::terminal_text::{is_harmful, lines};
 
 /// Writes text to standard output; a reader that has gone away (`| head`) is no error, a full disk is.
 pub(super) fn print(text: &str) -> std::result::Result<(), Failure> {

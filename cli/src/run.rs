@@ -2,13 +2,13 @@
 
 use super::scene_source::SceneSource;
 use super::{Failure, SceneArguments, interrupt, note, print, print_json};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::path::Path;
+use std::time::Duration;
 use viscotack_program::outcome::folder::{RunFolder, partial_of};
 use viscotack_program::outcome::{Outcome, Row, Status, screen, summary};
 use viscotack_program::plan::{self, Safe, Stage};
 use viscotack_program::terminal_text::name;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::path::Path;
-use std::time::Duration;
 
 /// What is wanted of a run.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,9 @@
 //! `viscotack units`: every unit that is read, from the one list that reads them.
 
 use super::{Failure, print};
-use viscotack_program::scene::units::{UnitGroup, groups};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use viscotack_program::scene::units::{UnitGroup, groups};
 
 pub(super) fn units(as_json: bool) -> Result<u8, Failure> {
     let groups = groups();

@@ -1,13 +1,13 @@
 //! `viscotack verify`: the studies, and their report.
 
 use super::{Failure, note, print};
-use viscotack_program::outcome::folder;
-use viscotack_verification::studies::{Effort, Progress, Verdict, chosen, files, run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
+use viscotack_program::outcome::folder;
+use viscotack_verification::studies::{Effort, Progress, Verdict, chosen, files, run};
 
 /// A check failed.
 const FAILED: u8 = 1;

@@ -10,7 +10,7 @@ use faer::linalg::solvers::SolveLstsq;
 const ROUNDING: f64 = 1e-14;
 
 /// Columns of equal length as a matrix.
-pub fn matrix<'a>(columns: impl ExactSizeIterator<Item = &'a [f64]>, rows: usize) -> Mat<f64> {
+pub(crate) fn matrix<'a>(columns: impl ExactSizeIterator<Item = &'a [f64]>, rows: usize) -> Mat<f64> {
     let mut matrix = Mat::zeros(rows, columns.len());
     for (j, column) in columns.enumerate() {
         for (place, value) in matrix.col_as_slice_mut(j).iter_mut().zip(column) {
@@ -21,12 +21,12 @@ pub fn matrix<'a>(columns: impl ExactSizeIterator<Item = &'a [f64]>, rows: usize
 }
 
 /// Sum of the products of two columns.
-pub fn product(left: &[f64], right: &[f64]) -> f64 {
+pub(crate) fn product(left: &[f64], right: &[f64]) -> f64 {
     left.iter().zip(right).map(|(one, other)| one * other).sum()
 }
 
 /// The same least squares on few rows: the triangle of the columns, its columns.
-pub fn reduced(columns: &[Vec<f64>], rows: usize) -> Vec<Vec<f64>> {
+pub(crate) fn reduced(columns: &[Vec<f64>], rows: usize) -> Vec<Vec<f64>> {
     if rows <= columns.len() {
         return columns.to_vec();
     }
@@ -38,7 +38,7 @@ pub fn reduced(columns: &[Vec<f64>], rows: usize) -> Vec<Vec<f64>> {
 }
 
 /// x of min ‖Ax − b‖ by Householder QR with column pivoting; none if a number of the answer is not finite.
-pub fn free(matrix: &Mat<f64>, right: &[f64]) -> Option<Vec<f64>> {
+pub(crate) fn free(matrix: &Mat<f64>, right: &[f64]) -> Option<Vec<f64>> {
     if matrix.ncols() == 0 {
         return Some(Vec::new());
     }
@@ -61,7 +61,7 @@ fn finite(solution: &Mat<f64>, rows: usize) -> Option<Vec<f64>> {
 }
 
 /// x ≥ 0 of min ‖Ax − b‖, A by its columns.
-pub fn non_negative(given: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
+pub(crate) fn non_negative(given: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
     let columns = given.len();
     let lengths: Vec<f64> = given.iter().map(|column| product(column, column).sqrt()).collect();
     // [A/lengths | b] → R: the same residuals up to the part of b that no column reaches.

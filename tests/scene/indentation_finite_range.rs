@@ -83,7 +83,7 @@ fn scene_of(input: &Value) -> String {
 
 #[test]
 fn the_states_of_an_independent_program_are_met_by_scenes() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/finite_sphere.json");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reference_data/finite_sphere.json");
     let all: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
     for state in all["states"].as_array().unwrap() {
         let (input, result) = (&state["input"], &state["result"]);

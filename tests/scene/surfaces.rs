@@ -1,4 +1,4 @@
-//! Source: issue 41; `src/plan/surface`, `src/scene/read/surface.rs`.
+//! Source: issue 41; `program/src/plan/surface`, `program/src/scene/read/surface.rs`.
 //!
 //! Goal: a scene of a surface that attracts at a distance gives the numbers of the library's reference states, in both unit systems, whichever way the
 //! surface and the law are written; what contradicts is refused with file, line and remedy.

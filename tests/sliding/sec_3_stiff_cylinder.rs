@@ -1,4 +1,4 @@
-//! Source: problem 197 of `src/studies/held_contacts`: a cylinder far ahead of its contact (e = 3a) on a solid that is 521 times stiffer there than at rest.
+//! Source: problem 197 of `verification/src/studies/held_contacts`: a cylinder far ahead of its contact (e = 3a) on a solid that is 521 times stiffer there than at rest.
 //!
 //! Goal: loads just below the largest one of a contact are solved, and loads above it are refused with that limit, however far above.
 //! Oracle: the scan of the study, which finds the last contact at a load of 790.49955.

@@ -1,4 +1,4 @@
-//! Source: the key catalogue (`src/scene/catalogue`) and `studies::whole_grammar`.
+//! Source: the key catalogue (`program/src/scene/catalogue`) and `studies::whole_grammar`.
 //!
 //! Goal: the drawn scenes hold every key in every problem that has it, and every word of every choice. Their bounds are compared by `viscotack verify grammar`.
 //!

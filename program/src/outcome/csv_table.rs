@@ -1,8 +1,8 @@
 //! The one table writer: CSV with the unit of every column in its header; empty cells where there is no value.
 
 use super::{Outcome, Row};
-use viscotack::estimate::Estimate;
 use std::io::Write;
+use viscotack::estimate::Estimate;
 
 /// Which table of an outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

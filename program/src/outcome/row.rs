@@ -1,9 +1,9 @@
 //! One solved state: values with errors, how it ended, the certificate, the work.
 
 use super::material_uncertainty::MaterialUncertainty;
+use serde::{Deserialize, Serialize};
 use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
-use serde::{Deserialize, Serialize};
 
 /// A column of a table: what its numbers are.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

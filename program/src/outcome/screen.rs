@@ -2,8 +2,8 @@
 
 use super::tally::Known;
 use super::{Outcome, Row, Status, Verdict};
-use viscotack::estimate::Estimate;
 use std::fmt::Write as _;
+use viscotack::estimate::Estimate;
 
 /// Most rows that are printed one by one; longer sweeps show their first and last.
 const MOST_ROWS: usize = 24;

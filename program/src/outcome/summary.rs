@@ -2,9 +2,9 @@
 
 use super::tally::Ended;
 use super::{Column, Outcome, Row, Status, SweptColumn};
-use viscotack::estimate::Estimate;
 use serde_json::{Map, Value, json};
 use std::io::Write;
+use viscotack::estimate::Estimate;
 
 /// Most rows in `summary.json`. It says so where there are more, which only the CSV file holds.
 const MOST_ROWS: usize = 10_000;

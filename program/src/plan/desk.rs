@@ -1,12 +1,12 @@
 //! Where one state is solved: what it tells of its way, and where it leaves checkpoints.
 
-use viscotack::crack::delayed::{FinishedRuns, GrowthWatch};
-use viscotack::indentation::{Checkpoint, Watch};
 use crate::outcome::checkpoints::Checkpoints;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
+use viscotack::crack::delayed::{FinishedRuns, GrowthWatch};
+use viscotack::indentation::{Checkpoint, Watch};
 
 /// Time between two checkpoints of a state: a kill loses at most so much of it.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);

@@ -31,7 +31,6 @@ pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, swept_columns, unsolved};
 
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
-use viscotack::refusal::Refusal;
 use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
@@ -44,6 +43,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
 use surface::SurfacePlan;
+use viscotack::refusal::Refusal;
 
 /// The program with its libraries and a few rows.
 const BYTES_OF_THE_PROGRAM: u64 = 12 << 20;

@@ -1,9 +1,9 @@
 //! The plane material of a contact: that of the viscoelastic body, or of it and an elastic one that press each other.
 
+use crate::scene::typed::{ElasticBody, Scene};
 use viscotack::elastic::PlaneState;
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{ElasticBody, Scene};
 
 /// The material in moduli E* = E/(1 − ν²); with a second body its creep function is larger by the compliance of that body at every time.
 ///

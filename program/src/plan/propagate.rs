@@ -7,11 +7,11 @@ use super::desk::{Desk, Progress, Stage};
 use super::{ProblemPlan, problem_plan};
 use crate::outcome::material_uncertainty::{DrawCounts, MaterialUncertainty};
 use crate::outcome::{Column, Row, Status, Validity, Verdict};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::Scene;
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use viscotack::refusal::Refusal;
 
 /// The plan of a draw, or why there is none.
 pub(super) type Draw = Result<Arc<dyn ProblemPlan>, Refusal>;

@@ -9,13 +9,13 @@ use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{self, Journal, JournalHeader};
 use crate::outcome::tally::Tally;
 use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn};
-use viscotack::refusal::Refusal;
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
 use crate::scene::typed::{Picture, Scene};
 use crate::scene::{SceneError, read};
 use rayon::prelude::*;
 use thiserror::Error;
+use viscotack::refusal::Refusal;
 
 /// Most states between two entries of the journal: a kill loses at most these.
 const MOST_STATES: u64 = 128;

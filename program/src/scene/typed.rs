@@ -9,13 +9,13 @@ mod material;
 mod surface;
 
 use super::sweep::Sweep;
+use std::sync::Arc;
 use viscotack::closure::work_by_speed::WorkBySpeed;
 use viscotack::crack::{CrackBody, Motion};
 use viscotack::elastic::PlaneState;
 use viscotack::elastic::pure_shear_strip::SidewaysStrain;
 use viscotack::material::Material;
 use viscotack::sliding::steady::ReachedBy;
-use std::sync::Arc;
 
 pub use super::check::Units;
 pub use attraction::SceneAttraction;

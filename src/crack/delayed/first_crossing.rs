@@ -15,13 +15,13 @@ const MOST_INTERVALS: u32 = 20_000;
 
 /// A rest: the terms' memories at its start for any zone, and the load over it.
 pub(crate) struct Rest<'a> {
-    pub terms: &'a [Term],
+    pub(crate) terms: &'a [Term],
     /// The memories in the zone of a load.
-    pub memories: &'a dyn Fn(f64) -> Vec<f64>,
+    pub(crate) memories: &'a dyn Fn(f64) -> Vec<f64>,
     /// Whether the zone follows the load; if not, the memories are those of any.
-    pub follows: bool,
-    pub loads: [f64; 2],
-    pub duration: f64,
+    pub(crate) follows: bool,
+    pub(crate) loads: [f64; 2],
+    pub(crate) duration: f64,
     /// The work that must be exceeded is Δγ(1 + threshold).
     pub(crate) threshold: f64,
 }

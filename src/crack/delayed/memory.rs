@@ -26,8 +26,8 @@ const HALVINGS: u32 = 40;
 /// One creep term, or the flow: gain (1/s) and rate (1/s).
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Term {
-    pub gain: f64,
-    pub rate: f64,
+    pub(crate) gain: f64,
+    pub(crate) rate: f64,
 }
 
 pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
@@ -45,17 +45,17 @@ pub(crate) fn terms_of(material: &Material) -> Vec<Term> {
 
 /// A time that is summed up from many steps: what one addition rounds off is added by the next. Equal steps would otherwise all be rounded to the same side.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-pub struct Clock {
+pub(crate) struct Clock {
     time: f64,
     rounded_off: f64,
 }
 
 impl Clock {
-    pub const fn time(&self) -> f64 {
+    pub(crate) const fn time(&self) -> f64 {
         self.time
     }
 
-    pub fn pass(&mut self, duration: f64) {
+    pub(crate) fn pass(&mut self, duration: f64) {
         let duration = duration + self.rounded_off;
         let sum = self.time + duration;
         // Knuth's exact rest of a sum.
@@ -115,17 +115,17 @@ impl Piece {
 
 /// A step from the present: duration (s), advance, load at its start and end, process zone at its end.
 #[derive(Debug, Clone, Copy)]
-pub struct Step {
-    pub duration: f64,
-    pub advance: f64,
+pub(crate) struct Step {
+    pub(crate) duration: f64,
+    pub(crate) advance: f64,
     /// See [`Piece::bend`]; the tip does not turn: at most the advance.
-    pub bend: f64,
-    pub loads: [f64; 2],
-    pub zone: f64,
+    pub(crate) bend: f64,
+    pub(crate) loads: [f64; 2],
+    pub(crate) zone: f64,
 }
 
 impl Step {
-    pub const fn none(load: f64, zone: f64) -> Self {
+    pub(crate) const fn none(load: f64, zone: f64) -> Self {
         Self { duration: 0.0, advance: 0.0, bend: 0.0, loads: [load, load], zone }
     }
 }
@@ -134,13 +134,13 @@ impl Step {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sums {
     /// ΣM_j.
-    pub memory: f64,
+    pub(crate) memory: f64,
     /// ΣP_j = −z d(ΣM_j)/dx at fixed time.
     pub(crate) exposure: f64,
     /// ΣR_j = z² d(ΣM_j)/dz at fixed time and place.
-    pub lag: f64,
+    pub(crate) lag: f64,
     /// ΣN_j, the rate at which ΣM_j grows at rest in a constant zone (1/s).
-    pub growth: f64,
+    pub(crate) growth: f64,
 }
 
 /// What a piece holds of one term, seen from a time and place: P, R, and M in a zone.
@@ -152,29 +152,29 @@ struct Held {
 
 /// The memory and the pieces that are in the window, or may come back into it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Memory {
-    pub terms: Vec<Term>,
+pub(crate) struct Memory {
+    pub(crate) terms: Vec<Term>,
     exposure: Vec<f64>,
     lag: Vec<f64>,
     lack: Vec<f64>,
     load: f64,
     /// z.
-    pub zone: f64,
+    pub(crate) zone: f64,
     pieces: VecDeque<Piece>,
     /// Pieces before this one are behind the window.
     first: usize,
     /// Time and place of the tip since the last [`Memory::rebase`].
     clock: Clock,
-    pub place: f64,
+    pub(crate) place: f64,
     left_since_sum: usize,
     /// Term integrals evaluated.
-    pub kernel_evaluations: u64,
+    pub(crate) kernel_evaluations: u64,
     /// The largest number of pieces ever held.
-    pub most_pieces: usize,
+    pub(crate) most_pieces: usize,
 }
 
 impl Memory {
-    pub fn new(terms: Vec<Term>, zone: f64) -> Self {
+    pub(crate) fn new(terms: Vec<Term>, zone: f64) -> Self {
         let zeros = vec![0.0; terms.len()];
         Self {
             terms,
@@ -226,7 +226,7 @@ impl Memory {
     }
 
     /// The sums after a step that is not taken.
-    pub fn after(&mut self, step: &Step) -> Sums {
+    pub(crate) fn after(&mut self, step: &Step) -> Sums {
         let (clock, place, zone) = (self.clock.time() + step.duration, self.place + step.advance, step.zone);
         let exchanged = self.exchanged(place - zone);
         let mut sums = Sums { memory: 0.0, exposure: 0.0, lag: 0.0, growth: 0.0 };
@@ -327,7 +327,7 @@ impl Memory {
     }
 
     /// Takes a step; what is then behind the window goes, and what is again in it comes back.
-    pub fn take(&mut self, step: &Step, speeds: Option<[f64; 2]>) {
+    pub(crate) fn take(&mut self, step: &Step, speeds: Option<[f64; 2]>) {
         let [first, last] = step.loads;
         for (index, term) in self.terms.iter().enumerate() {
             let (decay, [n0, n1, n2, n3]) = fading_moments(term.rate * step.duration);
@@ -426,17 +426,17 @@ impl Memory {
     }
 
     /// The time since the last [`Memory::rebase`].
-    pub const fn time(&self) -> f64 {
+    pub(crate) const fn time(&self) -> f64 {
         self.clock.time()
     }
 
     /// Lets time pass whose history is replaced afterwards.
-    pub fn wait(&mut self, duration: f64) {
+    pub(crate) fn wait(&mut self, duration: f64) {
         self.clock.pass(duration);
     }
 
     /// κ at the last step.
-    pub const fn load(&self) -> f64 {
+    pub(crate) const fn load(&self) -> f64 {
         self.load
     }
 
@@ -508,7 +508,7 @@ impl Memory {
 
     /// Replaces the history: the tip came here through places at these distances behind it (falling to zero), so long ago (s), under
     /// these loads, steadily gaining speed.
-    pub fn replace(&mut self, way: &[[f64; 3]], acceleration: f64) {
+    pub(crate) fn replace(&mut self, way: &[[f64; 3]], acceleration: f64) {
         self.pieces.clear();
         self.first = 0;
         for pair in way.windows(2) {

@@ -16,9 +16,9 @@ pub(crate) enum ZoneRule {
 /// A crack that can grow under a load history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrowthProblem<'a> {
-    pub material: &'a Material,
-    pub interface: Interface,
-    pub zone: ZoneRule,
+    pub(crate) material: &'a Material,
+    pub(crate) interface: Interface,
+    pub(crate) zone: ZoneRule,
 }
 
 impl<'a> GrowthProblem<'a> {

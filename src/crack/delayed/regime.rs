@@ -55,7 +55,7 @@ impl RegimeReport {
 /// 1/E0 − 2Δγ/(cK²) that is left when the crack starts. Both in double-double numbers of the given doubles.
 pub(crate) struct CreepNeeded {
     pub(crate) to_come: f64,
-    pub left: f64,
+    pub(crate) left: f64,
 }
 
 pub(crate) fn creep_needed(problem: &GrowthProblem<'_>, intensity: f64) -> CreepNeeded {

@@ -1,4 +1,4 @@
-//! Source: the key catalogue (`src/scene/catalogue`); style.md: "nothing asked for is silently ignored".
+//! Source: the key catalogue (`program/src/scene/catalogue`); style.md: "nothing asked for is silently ignored".
 //!
 //! Goal: every key of every problem, and of every variant of its shape, control and start, changes the result when it is changed or added, or is refused, or
 //! stands in [`NO_EFFECT`] with the reason. A new key fails until a scene below holds it.

@@ -3,10 +3,10 @@
 use super::source::{Source, SourceError};
 use super::store::Store;
 use super::table::Table;
-use viscotack_program::outcome::folder::FolderError;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use viscotack_program::outcome::folder::FolderError;
 
 /// A table, and whether it was computed now.
 #[derive(Debug, Clone)]

@@ -2,13 +2,13 @@
 
 use super::manifest::{Manifest, ManifestError, SourceEntry};
 use super::table::Table;
-use viscotack_program::plan::{self, Plan, RunError};
-use viscotack::refusal::Refusal;
-use viscotack_program::scene::{Document, SceneError, read, typed::Scene};
 use sha2::{Digest, Sha256};
 use std::path::Path;
 use std::time::Instant;
 use thiserror::Error;
+use viscotack::refusal::Refusal;
+use viscotack_program::plan::{self, Plan, RunError};
+use viscotack_program::scene::{Document, SceneError, read, typed::Scene};
 
 /// Why a source has no table.
 #[derive(Debug, Error)]

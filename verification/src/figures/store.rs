@@ -1,10 +1,10 @@
 //! The folder of the figures: what it shows, and tables that are computed once, kept under the hash of what they depend on.
 
 use super::table::Table;
+use std::path::{Path, PathBuf};
 use viscotack_program::outcome::folder::FolderError;
 use viscotack_program::outcome::owned::{OwnedFolder, digest};
 use viscotack_program::regular_file;
-use std::path::{Path, PathBuf};
 
 /// Where tables are kept, below the folder of the figures.
 const FOLDER: &str = ".computed";

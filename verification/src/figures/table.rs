@@ -1,9 +1,9 @@
 //! What a source computes: named columns of numbers with error bounds, and of words.
 
 use super::source::SourceError;
-use viscotack_program::outcome::{Outcome, Row};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use viscotack_program::outcome::{Outcome, Row};
 
 /// A column of numbers; none where a quantity does not exist.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

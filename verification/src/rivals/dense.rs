@@ -1,10 +1,10 @@
 //! Dense systems by `faer`: partial-pivot LU on one thread, checked here because `faer` reports no singular matrix.
 
-use viscotack::refusal::Refusal;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{Conj, Mat, MatRef, Par};
+use viscotack::refusal::Refusal;
 
 /// Largest residual over Σ|A||x| + |b|; a backward-stable solution leaves some 1e-14.
 const LARGEST_RESIDUAL: f64 = 1e-11;

@@ -13,9 +13,9 @@
 //! steps. A start between two steps is found to first order only, so let the delay be a whole number of them. Shares nothing with
 //! [`viscotack::crack::delayed`], neither the collapse nor the memory; the Python twin is `verification/references/delayed_fracture.py`.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use viscotack::material::Material;
 use viscotack::refusal::{Refusal, require_positive};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Trials of one place.
 const MOST_TRIALS: u32 = 80;

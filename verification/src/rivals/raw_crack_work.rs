@@ -7,14 +7,14 @@
 //! Both integrals by the same quadrature as the closure, one inside the other: some 10⁵ exponentials per term and point, where the
 //! collapsed form takes one. Slow, and right: it is the rival that shows what the collapse is worth.
 
+use std::cell::Cell;
+use std::f64::consts::{PI, TAU};
 use viscotack::crack::curve::{CurvePoint, Motion, SteadyCurve};
 use viscotack::crack::process_zone::Interface;
 use viscotack::crack::steep_closing::Correction;
 use viscotack::material::{Material, WeightedMean};
 use viscotack::refusal::Refusal;
 use viscotack::special::log_quadrature::integrate_between_edges;
-use std::cell::Cell;
-use std::f64::consts::{PI, TAU};
 
 /// Step of the numerical derivative that Newton's method needs: third root of the rounding.
 const DERIVATIVE_STEP: f64 = 6e-6;

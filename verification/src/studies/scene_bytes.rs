@@ -3,13 +3,13 @@
 use super::cells::{count, word};
 use super::draw::Draw;
 use super::{Check, Column, Effort, Progress, Section, Table};
+use rayon::prelude::*;
+use std::panic::catch_unwind;
+use std::path::Path;
 use viscotack_program::plan::Plan;
 use viscotack_program::scene::template::TEMPLATES;
 use viscotack_program::scene::{Document, SceneError, read};
 use viscotack_program::terminal_text::is_harmful;
-use rayon::prelude::*;
-use std::panic::catch_unwind;
-use std::path::Path;
 
 /// The answer to some bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! What a study hands over: plain data that the report turns into a page and tables.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 pub use viscotack_program::outcome::csv_table::Cell;
 use viscotack_program::outcome::plot::{Curve, Figure, Line, Marker};
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How much is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

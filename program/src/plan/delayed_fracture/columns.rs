@@ -5,9 +5,9 @@ use crate::scene::typed::Units;
 
 /// Positions of the columns in a row.
 pub(super) mod at {
-    pub const TIME: usize = 0;
+    pub(crate) const TIME: usize = 0;
     pub(crate) const GROWTH: usize = 1;
-    pub const SPEED: usize = 2;
+    pub(crate) const SPEED: usize = 2;
     pub(crate) const STRESS_INTENSITY: usize = 3;
     pub(crate) const RATIO: usize = 4;
     pub(crate) const PROCESS_ZONE: usize = 5;
@@ -19,7 +19,7 @@ pub(super) mod at {
     pub(crate) const RELAXED_RELEASE: usize = 11;
     pub(crate) const GLASSY_RELEASE: usize = 12;
     pub(crate) const STEPS: usize = 13;
-    pub const PIECES: usize = 14;
+    pub(crate) const PIECES: usize = 14;
 }
 
 struct Definition {

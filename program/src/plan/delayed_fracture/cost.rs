@@ -1,10 +1,10 @@
 //! What a history is expected to cost: the zones that the tip crosses at the steady speed of each load, times the lines of a zone.
 
 use super::DelayedFracturePlan;
-use viscotack::crack::delayed::trajectory::tends_to;
-use viscotack::crack::delayed::{GrowthProblem, Onset, onset};
 use crate::outcome::Work;
 use std::collections::HashMap;
+use viscotack::crack::delayed::trajectory::tends_to;
+use viscotack::crack::delayed::{GrowthProblem, Onset, onset};
 
 /// Steps of four runs with ½, 1, 2 and 4 times the lines.
 const RUNS: f64 = 7.5;

@@ -1,9 +1,9 @@
 //! From the segments of a scene to those of the library: rates become durations.
 
+use crate::scene::typed::{CycleWave, DelayedFracture, History, HistorySegment, Pace, Scene, Units};
 use viscotack::crack::delayed::{LoadHistory, LoadSegment, Wave};
 use viscotack::elastic::PureShearStrip;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{CycleWave, DelayedFracture, History, HistorySegment, Pace, Scene, Units};
 
 /// Values of a swept load that the cost of a sweep is judged by.
 const EXAMPLES: usize = 7;

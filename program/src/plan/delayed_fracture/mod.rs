@@ -8,18 +8,18 @@ mod history;
 mod solve;
 mod validity;
 
-use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution};
-use viscotack::crack::{Interface, ProcessZone};
-use viscotack::elastic::PureShearStrip;
-use viscotack::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZoneLaw, Scene, Units};
+use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution};
+use viscotack::crack::{Interface, ProcessZone};
+use viscotack::elastic::PureShearStrip;
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
 
 /// A crack under a load history, ready to be solved.
 #[derive(Debug, Clone)]

@@ -2,13 +2,15 @@
 
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
-use viscotack::crack::delayed::trajectory::tends_to;
-use viscotack::crack::delayed::{Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_from, regime};
-use viscotack::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::desk::Desk;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::Units;
+use viscotack::crack::delayed::trajectory::tends_to;
+use viscotack::crack::delayed::{
+    Event, EventKind, GrowthProblem, Onset, Regime, Sample, TipState, Trajectory, onset, refined_from, regime,
+};
+use viscotack::estimate::Estimate;
+use viscotack::refusal::Refusal;
 
 /// What the errors of a history are measured against.
 pub(super) struct Scales {

@@ -2,11 +2,11 @@
 
 use super::DelayedFracturePlan;
 use super::solve::Scales;
-use viscotack::crack::delayed::GrowthProblem;
-use viscotack::crack::delayed::validity::growth_validity;
 use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{ProcessZoneLaw, Units};
+use viscotack::crack::delayed::GrowthProblem;
+use viscotack::crack::delayed::validity::growth_validity;
 
 /// The assumptions, in the order of [`DelayedFracturePlan::assumptions`].
 const ASSUMPTIONS: [Assumption; 6] = [

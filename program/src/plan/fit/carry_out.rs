@@ -2,10 +2,10 @@
 
 use super::inspect;
 use super::setup::Setup;
-use viscotack::fit::{Fineness, Fitted, Group, Loss, Noise, Problem, akaike, fit};
-use viscotack::refusal::Refusal;
 use std::ops::Range;
 use std::time::Instant;
+use viscotack::fit::{Fineness, Fitted, Group, Loss, Noise, Problem, akaike, fit};
+use viscotack::refusal::Refusal;
 
 /// The loosest and the tightest tolerance of a way; nearly all values err by less than a hundredth of it.
 const LOOSEST: f64 = 1e-2;

@@ -3,12 +3,12 @@
 use super::carry_out::Fit;
 use super::compare::Comparison;
 use super::setup::{Role, Setup};
-use viscotack::fit::standard_errors;
 use crate::scene::check::{Units, number};
 use crate::scene::document::{Node, Value};
 use crate::scene::read;
 use crate::scene::units::Dimension;
 use rayon::prelude::*;
+use viscotack::fit::standard_errors;
 
 /// Step of differences, in coordinates.
 const STEP: f64 = 0.01;

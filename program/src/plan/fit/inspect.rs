@@ -3,9 +3,9 @@
 use super::carry_out::Fit;
 use super::compare::{Comparison, curve_of};
 use super::setup::{Role, Setup};
-use viscotack::fit::Parameter;
 use crate::scene::diagnostic::SceneError;
 use rayon::prelude::*;
+use viscotack::fit::Parameter;
 
 /// Correlation of a model with the negative of the data beyond which it is like them, and by how much less any model must be like the data.
 const LIKE: f64 = 0.7;

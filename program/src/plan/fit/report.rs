@@ -3,9 +3,9 @@
 use super::Found;
 use super::carry_out::Fit;
 use super::words::unseparated;
-use viscotack::fit::{End, Interval};
 use crate::outcome::build;
 use serde_json::{Value, json};
+use viscotack::fit::{End, Interval};
 
 /// `summary.json`.
 #[must_use]

@@ -4,8 +4,8 @@ use super::Found;
 use super::further::Further;
 use super::models::Alternative;
 use super::words::{known, quantity, unseparated};
-use viscotack::fit::{End, Interval};
 use std::fmt::Write;
+use viscotack::fit::{End, Interval};
 
 /// The page.
 #[must_use]

@@ -2,7 +2,6 @@
 
 use super::compare::{Compared, Comparison, Offsets, Put};
 use super::noise;
-use viscotack::fit::Parameter;
 use crate::plan::Plan;
 use crate::scene::check::Units;
 use crate::scene::delimited::Scale;
@@ -10,6 +9,7 @@ use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
 use crate::scene::typed::{FitFree, FitTask, FitTest, Problem};
 use crate::scene::{check, read};
+use viscotack::fit::Parameter;
 
 /// An offset of the data of one test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

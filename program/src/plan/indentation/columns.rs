@@ -29,26 +29,26 @@ pub(super) struct Definition {
 
 /// Positions among all columns: also of a scene's own rows up to [`at::BALANCE_DEFECT`], behind it by [`position`].
 pub(super) mod at {
-    pub const TIME: usize = 0;
+    pub(crate) const TIME: usize = 0;
     pub(crate) const PENETRATION: usize = 1;
-    pub const FORCE: usize = 2;
+    pub(crate) const FORCE: usize = 2;
     pub(crate) const CONTACT_RADIUS: usize = 3;
     pub(crate) const STRESS_INTENSITY: usize = 4;
     pub(crate) const STORED_ENERGY: usize = 5;
     pub(crate) const EXTERNAL_WORK: usize = 6;
     pub(crate) const DISSIPATED_ENERGY: usize = 7;
     pub(crate) const DISSIPATED_POWER: usize = 8;
-    pub const RESIDUAL: usize = 9;
+    pub(crate) const RESIDUAL: usize = 9;
     pub(crate) const PULL_OFF_RATIO: usize = 10;
     pub(crate) const BALANCE_DEFECT: usize = 11;
-    pub const FRAME: usize = 12;
+    pub(crate) const FRAME: usize = 12;
     pub(crate) const MEASURED_FORCE: usize = 13;
     pub(crate) const TIP_RELEASE_RATE: usize = 14;
     pub(crate) const ENERGY_RELEASE_RATE: usize = 15;
     pub(crate) const SEGMENT: usize = 16;
     pub(crate) const CYCLE: usize = 17;
     pub(crate) const CYCLE_START: usize = 18;
-    pub const FREQUENCY: usize = 19;
+    pub(crate) const FREQUENCY: usize = 19;
     pub(crate) const WORK_PER_CYCLE: usize = 20;
     pub(crate) const STORAGE_STIFFNESS: usize = 21;
     pub(crate) const LOSS_STIFFNESS: usize = 22;
@@ -76,7 +76,7 @@ pub(super) mod at {
     pub(crate) const END_FORCE: usize = 44;
     pub(crate) const END_RADIUS: usize = 45;
     /// How many there are.
-    pub const ALL: usize = 46;
+    pub(crate) const ALL: usize = 46;
 
     /// Of the state as a whole, in the order of its table.
     pub(crate) const OF_A_STATE: [usize; 23] = [
@@ -285,8 +285,8 @@ pub(super) fn columns(indentation: &Indentation, units: Units) -> Vec<Column> {
 
 /// Positions of the fields at a place.
 pub(super) mod field {
-    pub const TIME: usize = 0;
-    pub const PRESSURE: usize = 1;
+    pub(crate) const TIME: usize = 0;
+    pub(crate) const PRESSURE: usize = 1;
     pub(crate) const DISPLACEMENT: usize = 2;
 }
 

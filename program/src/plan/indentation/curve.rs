@@ -2,9 +2,9 @@
 
 use super::IndentationPlan;
 use super::columns::Measure;
+use crate::plan::path_curve::PathCurve;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Event, EventKind, PathPoint, march};
-use crate::plan::path_curve::PathCurve;
 use viscotack::refusal::Refusal;
 
 /// The words of the columns, and what they measure.

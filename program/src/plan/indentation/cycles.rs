@@ -3,10 +3,10 @@
 use super::IndentationPlan;
 use super::columns::{COLUMNS, at};
 use super::rows::Values;
-use viscotack::estimate::Estimate;
-use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 use crate::plan::curves::thinned;
 use std::f64::consts::FRAC_PI_4;
+use viscotack::estimate::Estimate;
+use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 
 /// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
 pub(super) const MOST_ROWS: usize = 2000;

@@ -3,11 +3,11 @@
 
 use super::IndentationPlan;
 use super::rows::Values;
+use crate::outcome::FieldPoint;
+use crate::scene::typed::IndentationFields;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_of};
-use crate::outcome::FieldPoint;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::IndentationFields;
 
 /// Moves in which a path is walked again, in two ways: their difference is the error of the walk.
 const MOVES: [usize; 2] = [240, 120];

@@ -3,12 +3,12 @@
 use super::IndentationPlan;
 use super::columns::{at, field, position};
 use super::rows::{CYCLE, INSTANT, LARGEST_TENSION, SUMMARY};
-use viscotack::elastic::JkrSphere;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
 use crate::plan::curves::{axis_of, innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
 use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
+use viscotack::elastic::JkrSphere;
 
 /// Most states that one figure tells apart.
 const MOST_STATES: usize = 7;

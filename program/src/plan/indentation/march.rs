@@ -2,14 +2,16 @@
 
 use super::IndentationPlan;
 use super::timeline::Leg;
-use viscotack::indentation::by_panels::solve_periodic;
-use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run_watched};
 use crate::plan::desk::Desk;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, IndentationStart, IndentationZone};
 use spec_math::Gamma;
 use std::f64::consts::PI;
 use std::sync::Arc;
+use viscotack::indentation::by_panels::solve_periodic;
+use viscotack::indentation::{
+    Adhesion, Controlled, History, IndentationProblem, IndentationSolution, Profile, Segment, Start, run_watched,
+};
+use viscotack::refusal::Refusal;
 
 /// The indenter of a scene.
 pub(super) fn profile(indentation: &Indentation) -> Result<Profile, Refusal> {

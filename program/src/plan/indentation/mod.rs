@@ -18,8 +18,6 @@ mod scan;
 mod timeline;
 mod validity;
 
-use viscotack::indentation::Profile;
-use viscotack::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
@@ -28,11 +26,13 @@ use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
 pub(super) use finite::FiniteRangePlan;
 use scale::Scale;
 use timeline::{RateStart, Timeline};
+use viscotack::indentation::Profile;
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
 
 /// An indenter in time, ready to be solved.
 #[derive(Debug, Clone)]

@@ -4,10 +4,10 @@
 
 use super::IndentationPlan;
 use super::timeline::{RateStart, Timeline};
+use crate::scene::typed::{HistoryQuantity, HistorySegment, IndentationStart};
 use viscotack::estimate::Estimate;
 use viscotack::indentation::run_watched;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{HistoryQuantity, HistorySegment, IndentationStart};
 
 /// Accuracy of the history before a segment, over that of the scene.
 const TIGHTER: f64 = 0.1;

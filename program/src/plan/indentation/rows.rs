@@ -2,14 +2,14 @@
 
 use super::IndentationPlan;
 use super::columns::{COLUMNS, Measure, at, columns, present};
-use viscotack::elastic::JkrSphere;
-use viscotack::estimate::Estimate;
-use viscotack::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::curves::thinned;
 use crate::plan::desk::Desk;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::IndentationShape;
+use viscotack::elastic::JkrSphere;
+use viscotack::estimate::Estimate;
+use viscotack::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
+use viscotack::refusal::Refusal;
 
 /// Rounding of the way from a scene to coherent units and back, relative.
 const CONVERSION: f64 = 4.0 * f64::EPSILON;

@@ -1,12 +1,12 @@
 //! What a plan says and draws of the scan that its shape was made of.
 
 use super::IndentationPlan;
-use viscotack::indentation::scan::{Apex, ScannedShape};
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use crate::outcome::{Validity, Verdict};
 use crate::plan::curves::thinned;
 use crate::plan::measured::note;
 use crate::scene::typed::{IndentationShape, MeasuredShape, Units};
+use viscotack::indentation::scan::{Apex, ScannedShape};
 
 /// A residual above this share of the height is a caution.
 const LARGE: f64 = 0.02;

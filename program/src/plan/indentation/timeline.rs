@@ -1,12 +1,12 @@
 //! A history as legs, straight or with an oscillation, each of which ends at an instant that becomes a row.
 
 use super::scale::Scale;
-use viscotack::indentation::{FrequencySweep, Oscillation};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{
     CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
 };
 use std::sync::Arc;
+use viscotack::indentation::{FrequencySweep, Oscillation};
+use viscotack::refusal::Refusal;
 
 /// More legs than these are no history that a march could follow.
 const MOST_LEGS: usize = 100_000;

@@ -2,12 +2,12 @@
 
 use super::IndentationPlan;
 use super::columns::{at, position};
-use viscotack::elastic::TaborNumber;
-use viscotack::indentation::{Adhesion, Profile, TabulatedShape};
 use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::plan::measured::records;
 use crate::scene::typed::{IndentationShape, IndentationZone, Units};
+use viscotack::elastic::TaborNumber;
+use viscotack::indentation::{Adhesion, Profile, TabulatedShape};
 
 /// The assumptions, in the order of [`IndentationPlan::assumptions`].
 const ASSUMPTIONS: [Assumption; 6] = [

@@ -1,9 +1,9 @@
 //! The plots of a material: moduli, loss tangent, creep, relaxation, terms; the data on top of the fit.
 
 use super::MaterialReport;
-use viscotack::material::fit::Quantity;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use crate::scene::typed::{MaterialOrigin, MeasuredRow, MeasuredSort, Units};
+use viscotack::material::fit::Quantity;
 
 pub(super) fn figures(report: &MaterialReport) -> Vec<(String, Figure)> {
     let si = report.units == Units::Si;

@@ -1,10 +1,10 @@
 //! The material as a TOML file that scenes include by `material.file`.
 
 use super::MaterialReport;
-use viscotack::material::shift::ShiftFactors;
-use viscotack::material::{GivenSeries, Material};
 use crate::scene::typed::{MaterialOrigin, Units};
 use std::fmt::Write as _;
+use viscotack::material::shift::ShiftFactors;
+use viscotack::material::{GivenSeries, Material};
 
 /// The text of the file: terms at the reference temperature, every digit of them.
 #[must_use]

@@ -12,10 +12,10 @@ pub use file::material_file;
 pub use screen::{screen, summary};
 pub use tables::tables;
 
-use viscotack::estimate::Estimate;
-use viscotack::material::fit::Quantity;
 use crate::outcome::plot::Figure;
 use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
+use viscotack::estimate::Estimate;
+use viscotack::material::fit::Quantity;
 
 pub(super) use effects::{effects, validity};
 pub(super) use reach::widened;

@@ -1,9 +1,9 @@
 //! A law expanded over the times that a scene visits, where the scene does not say over which.
 
-use viscotack::material::broad::{BroadLaw, Expansion, expand};
 use crate::scene::typed::{ExpandedLaw, MaterialOrigin, Scene};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
+use viscotack::material::broad::{BroadLaw, Expansion, expand};
 
 /// The expansions that were made last: a scene is planned before it is solved, and so is each state of a sweep.
 static MADE: Mutex<VecDeque<Made>> = Mutex::new(VecDeque::new());

@@ -1,10 +1,10 @@
 //! Shift factors that were found from data, and whether a fit is a solid or a liquid, on the screen, as JSON and as a table.
 
-use viscotack::material::fit::superposition::Superposition;
-use viscotack::material::fit::{LawFit, SeriesFit};
 use serde_json::{Value, json};
 use std::f64::consts::LN_10;
 use std::fmt::Write as _;
+use viscotack::material::fit::superposition::Superposition;
+use viscotack::material::fit::{LawFit, SeriesFit};
 
 /// The columns of `shift_factors.csv`.
 pub(super) const HEADER: &[(&str, &str)] = &[

@@ -1,10 +1,10 @@
 //! The tables of a material: curves against frequency and time, terms, and the data beside the fit.
 
 use super::{MaterialReport, shifts};
-use viscotack::estimate::Estimate;
-use viscotack::material::fit::Quantity;
 use crate::outcome::csv_table::plain;
 use crate::scene::typed::{MaterialOrigin, MeasuredSort, Units};
+use viscotack::estimate::Estimate;
+use viscotack::material::fit::Quantity;
 
 /// All tables, by file name.
 ///

@@ -11,8 +11,8 @@
 
 use super::SlidingPlan;
 use super::branches::{Item, Traced};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::SlidingBranch;
+use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{Branch, BranchEnd, BranchPath, BranchProblem, ContactAt, Everywhere, Scan, every_branch, speed_folds};
 
 /// The word of a closed branch.

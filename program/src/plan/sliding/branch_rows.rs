@@ -3,10 +3,10 @@
 use super::SlidingPlan;
 use super::branches::{Found, Item, Traced};
 use super::columns::definitions;
-use viscotack::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Work};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{BranchParameter, SlidingBranch, SlidingContact, Units};
+use viscotack::estimate::Estimate;
+use viscotack::refusal::Refusal;
 
 /// Contacts solved for one balance: as it is, and with each edge moved.
 const SOLVES: u64 = 3;

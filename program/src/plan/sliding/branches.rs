@@ -1,12 +1,12 @@
 //! Curves of contacts as the solver gives them, in reduced units: the one place of this plan that follows a [`viscotack::sliding::branch`].
 
 use super::SlidingPlan;
+use crate::scene::typed::{BranchParameter, SlidingBranch};
+use std::borrow::Cow;
 use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{BranchParameter, SlidingBranch};
 use viscotack::sliding::branch::{Branch, BranchEnd, BranchPath, BranchProblem, FoldQuantity, SecondVariations, Stability, Turn, trace};
 use viscotack::sliding::steady::{PartialValues, SlidingControl, WaveAdhesion};
-use std::borrow::Cow;
 
 /// The widest contact of a cylinder that is followed, in L, at no load.
 const WIDEST_UNLOADED: f64 = 6.0;

@@ -35,14 +35,14 @@ pub(super) struct Definition {
 
 /// Positions of the columns in a row.
 pub(super) mod at {
-    pub const SPEED: usize = 0;
+    pub(crate) const SPEED: usize = 0;
     pub(crate) const HALF_WIDTH: usize = 1;
     pub(crate) const ECCENTRICITY: usize = 2;
-    pub const FRICTION: usize = 3;
+    pub(crate) const FRICTION: usize = 3;
     pub(crate) const COEFFICIENT: usize = 4;
     pub(crate) const TRAILING_RELEASE: usize = 5;
     pub(crate) const LEADING_RELEASE: usize = 6;
-    pub const LOAD: usize = 7;
+    pub(crate) const LOAD: usize = 7;
     pub(crate) const ADHESIVE_FRICTION: usize = 10;
     pub(crate) const TRAILING_NONCONSERVATIVE: usize = 11;
     pub(crate) const LEADING_NONCONSERVATIVE: usize = 12;
@@ -54,7 +54,7 @@ pub(super) mod at {
 
 /// Positions of the columns of a strength.
 pub(super) mod strength {
-    pub const PULL_OFF: usize = 2;
+    pub(crate) const PULL_OFF: usize = 2;
     pub(crate) const SNAP_IN: usize = 7;
     pub(crate) const TOUGHNESS: usize = 13;
 }
@@ -272,7 +272,7 @@ pub(super) fn columns(sliding: &Sliding, units: Units) -> Vec<Column> {
 
 /// Positions of the fields at a place.
 pub(super) mod field {
-    pub const PRESSURE: usize = 0;
+    pub(crate) const PRESSURE: usize = 0;
     pub(crate) const DISPLACEMENT: usize = 2;
 }
 

@@ -3,10 +3,10 @@
 use super::SlidingPlan;
 use super::extra_columns::{has_works, outputs_of_state, outputs_of_strength};
 use super::strength_rows::turns_missing;
-use viscotack::estimate::Estimate;
 use crate::outcome::Work;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::SlidingColumns;
+use viscotack::estimate::Estimate;
+use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, Strength};
 use viscotack::sliding::companion::{companion_strength, elastic_companion};
 use viscotack::sliding::sensitivity::{Sensitivity, state_sensitivities, strength_sensitivities};

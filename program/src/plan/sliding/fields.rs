@@ -5,12 +5,12 @@
 //! there a field goes as a root of the distance, at most.
 
 use super::SlidingPlan;
-use viscotack::estimate::Estimate;
 use crate::outcome::FieldPoint;
+use std::f64::consts::PI;
+use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ArcPoint, ContactState};
 use viscotack::sliding::steady::{FullContact, PartialContact};
-use std::f64::consts::PI;
 
 /// Rounding of a field over the size of its terms, a digit of the condition.
 const ROUNDING: f64 = 40.0 * f64::EPSILON;

@@ -7,13 +7,13 @@
 use super::SlidingPlan;
 use super::columns::{Measure, definitions};
 use super::scale::Scale;
-use viscotack::estimate::Estimate;
-use viscotack::material::Material;
 use crate::outcome::{Row, Status};
 use crate::plan::plane_material::flow_as_element;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{Sliding, SlidingContact, SlidingIndenter, SlidingTask, SlidingZone};
 use std::f64::consts::TAU;
+use viscotack::estimate::Estimate;
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
 
 /// E0/|E(kv)| of the solids, the softest first; each is ten times as soft as the next.
 const PARTS: [f64; 3] = [1e-5, 1e-4, 1e-3];

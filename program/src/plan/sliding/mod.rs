@@ -19,8 +19,6 @@ mod solve;
 mod strength_rows;
 mod validity;
 
-use viscotack::closure::work_by_speed::WorkBySpeed;
-use viscotack::material::Material;
 use crate::outcome::plot::{Axis, Figure};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
@@ -28,15 +26,17 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
-use viscotack::refusal::Refusal;
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{
     BranchParameter, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
     Units,
 };
-use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 use columns::at;
 use scale::Scale;
+use viscotack::closure::work_by_speed::WorkBySpeed;
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingProblem, WaveAdhesion};
 
 /// A sliding contact, ready to be solved.
 #[derive(Debug, Clone)]

@@ -2,10 +2,10 @@
 
 use super::SlidingPlan;
 use super::columns::{COLUMNS, Measure, at, columns, definitions};
-use viscotack::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{Sliding, SlidingContact, SlidingTask, SlidingZone, Units};
+use viscotack::estimate::Estimate;
+use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::Stability;
 use viscotack::sliding::steady::{FullContact, PartialContact, PartialValues, SlidingOutcome, SlidingWork, steady_sliding_reached_by};
 

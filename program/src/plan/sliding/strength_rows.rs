@@ -2,10 +2,10 @@
 
 use super::SlidingPlan;
 use super::columns::definitions;
-use viscotack::estimate::Estimate;
 use crate::outcome::{Certificate, Row, Work};
-use viscotack::refusal::Refusal;
 use crate::scene::typed::SlidingContact;
+use viscotack::estimate::Estimate;
+use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{Fold, FoldQuantity, Strength, strength};
 use viscotack::sliding::steady::PartialValues;
 

@@ -13,7 +13,7 @@ pub(super) struct Definition {
 
 /// Positions of the columns in a row, and of the fields at a point.
 pub(super) mod at {
-    pub const SPEED: usize = 0;
+    pub(crate) const SPEED: usize = 0;
     pub(crate) const ENERGY_RELEASE_RATE: usize = 1;
     pub(crate) const RATIO: usize = 2;
     pub(crate) const STRESS_INTENSITY: usize = 3;

@@ -1,10 +1,10 @@
 //! What a steady-crack scene simulates and leaves out, by which method, and its characteristic numbers.
 
 use super::SteadyCrackPlan;
-use viscotack::crack::Motion;
 use crate::outcome::{Effect, Group};
 use crate::plan::citations::{Citation, GREENWOOD, PERSSON_BRENER, RIVLIN_THOMAS, SCHAPERY_CLOSING, SCHAPERY_OPENING, THESIS};
 use crate::scene::typed::{CohesiveLaw, CrackControl, ProcessZoneLaw, Theory, Units};
+use viscotack::crack::Motion;
 
 impl SteadyCrackPlan {
     pub(super) fn effect_list(&self) -> Vec<Effect> {

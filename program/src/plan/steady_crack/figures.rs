@@ -2,7 +2,6 @@
 
 use super::SteadyCrackPlan;
 use super::columns::{at, field};
-use viscotack::crack::Motion;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line};
 use crate::plan::curves::{
@@ -10,6 +9,7 @@ use crate::plan::curves::{
 };
 use crate::plan::maps::Answer;
 use crate::scene::typed::{CrackControl, Scene, Theory, Units};
+use viscotack::crack::Motion;
 
 /// Most states whose fields are drawn in one figure.
 const MOST_FIELDS: usize = 6;

@@ -6,6 +6,13 @@ mod figures;
 mod solve;
 mod validity;
 
+use crate::outcome::plot::Figure;
+use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
+use crate::plan::ProblemPlan;
+use crate::plan::citations::Citation;
+use crate::plan::desk::Desk;
+use crate::plan::maps::Answer;
+use crate::scene::typed::{CohesiveLaw, CrackControl, PoissonRatio, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::curve::{CurvePoint, SteadyCurve};
 use viscotack::crack::persson_brener::PerssonBrener;
@@ -14,14 +21,7 @@ use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{Interface, Motion, ProcessZone};
 use viscotack::elastic::PureShearStrip;
 use viscotack::material::Material;
-use crate::outcome::plot::Figure;
-use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
-use crate::plan::ProblemPlan;
-use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
-use crate::plan::maps::Answer;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{CohesiveLaw, CrackControl, PoissonRatio, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 
 /// A steady crack, ready to be solved.
 #[derive(Debug, Clone)]

@@ -2,13 +2,13 @@
 
 use super::columns::{COLUMNS, columns};
 use super::{Prescribed, SteadyCrackPlan};
+use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
+use crate::scene::typed::{Fields, Theory, Units};
+use std::f64::consts::{PI, TAU};
 use viscotack::crack::near_tip::{ClosingTip, OpeningTip};
 use viscotack::crack::{Motion, SteadyState, at_drive, at_speed};
 use viscotack::estimate::Estimate;
-use crate::outcome::{Certificate, FieldPoint, Row, Status, Witness, Work};
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{Fields, Theory, Units};
-use std::f64::consts::{PI, TAU};
 
 /// The tightest tolerance asked of a root: below it only rounding is left.
 const TIGHTEST: f64 = 1e-15;

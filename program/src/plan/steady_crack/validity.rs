@@ -2,10 +2,10 @@
 
 use super::SteadyCrackPlan;
 use super::columns::at;
-use viscotack::estimate::Estimate;
 use crate::outcome::{Row, Validity};
 use crate::plan::assumptions::{Assumption, Limit, constant_poisson_ratio, judged, not_judged};
 use crate::scene::typed::{CrackControl, ProcessZoneLaw, Units};
+use viscotack::estimate::Estimate;
 
 /// The assumptions, in the order of [`SteadyCrackPlan::assumptions`].
 const ASSUMPTIONS: [Assumption; 7] = [

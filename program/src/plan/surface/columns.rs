@@ -1,8 +1,8 @@
 //! The columns of a sliding surface's table, and what each is measured in.
 
-use viscotack::finite_range::line::Scales;
 use crate::outcome::Column;
 use crate::scene::typed::Units;
+use viscotack::finite_range::line::Scales;
 
 /// What a column measures.
 #[derive(Clone, Copy, PartialEq)]
@@ -25,11 +25,11 @@ pub(super) struct Definition {
 
 /// Positions of the columns in a row.
 pub(super) mod at {
-    pub const FRICTION: usize = 1;
+    pub(crate) const FRICTION: usize = 1;
     pub(crate) const COEFFICIENT: usize = 2;
-    pub const PRESSURE: usize = 3;
+    pub(crate) const PRESSURE: usize = 3;
     pub(crate) const GAP: usize = 4;
-    pub const CONTACT: usize = 5;
+    pub(crate) const CONTACT: usize = 5;
     pub(crate) const PATCHES: usize = 6;
 }
 
@@ -131,7 +131,7 @@ pub(super) fn columns(units: Units) -> Vec<Column> {
 
 /// Positions of the fields at a place of a line; a surface has y before them.
 pub(super) mod field {
-    pub const PRESSURE: usize = 0;
+    pub(crate) const PRESSURE: usize = 0;
     pub(crate) const GAP: usize = 1;
     pub(crate) const DISPLACEMENT: usize = 2;
     pub(crate) const PROFILE: usize = 3;

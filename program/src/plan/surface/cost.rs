@@ -1,9 +1,9 @@
 //! What a sliding surface is expected to cost: the one place to tune when the solver changes.
 
 use super::SurfacePlan;
-use viscotack::finite_range::law::{Attraction, Law};
 use crate::outcome::Work;
 use crate::scene::typed::{SlidingContact, SurfacePath, SurfaceTask};
+use viscotack::finite_range::law::{Attraction, Law};
 
 /// Nodes along x for a relative error of 1e-3, a relaxed zone of 1/k and one wave: of a smooth law, of a Dugdale law, of a surface.
 const NODES: [f64; 3] = [500.0, 4096.0, 100.0];

@@ -2,10 +2,10 @@
 
 use super::SurfacePlan;
 use super::columns::Measure;
-use viscotack::estimate::Estimate;
-use viscotack::finite_range::line::SteadyState;
 use crate::outcome::FieldPoint;
 use std::f64::consts::TAU;
+use viscotack::estimate::Estimate;
+use viscotack::finite_range::line::SteadyState;
 
 impl SurfacePlan {
     /// The fields on at most `points` nodes along each direction; each place is a node, nothing is interpolated.

@@ -9,9 +9,6 @@ mod maps;
 mod rows;
 mod ways;
 
-use viscotack::finite_range::law::Attraction;
-use viscotack::finite_range::line::{Control, Modulus, Problem, Profile, Request, Scales, modulus_of};
-use viscotack::material::Material;
 use crate::outcome::plot::{Axis, Figure};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
@@ -19,12 +16,15 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
-use viscotack::refusal::Refusal;
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{PoissonRatio, Scene, SlidingContact, SurfaceLoad, SurfaceSliding, SurfaceTask, Units};
-use viscotack::sliding::layer::Layer;
 use columns::at;
 use std::f64::consts::TAU;
+use viscotack::finite_range::law::Attraction;
+use viscotack::finite_range::line::{Control, Modulus, Problem, Profile, Request, Scales, modulus_of};
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::layer::Layer;
 
 /// Nodes along x that the accuracy may take where a scene names no number: of a line and of a surface.
 const MOST_NODES: [usize; 2] = [1 << 16, 512];

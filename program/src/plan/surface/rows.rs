@@ -2,11 +2,11 @@
 
 use super::SurfacePlan;
 use super::columns::{COLUMNS, Measure, columns};
+use crate::outcome::{Certificate, Row, Status, Witness, Work};
+use crate::scene::typed::{SlidingContact, SurfacePath, Units};
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::line::{Control, Path, Problem, ReachedBy, SteadyState, follow, solve};
-use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{SlidingContact, SurfacePath, Units};
 
 /// Rounding of the conversion to SI units.
 const CONVERSION: f64 = 8.0 * f64::EPSILON;

@@ -2,12 +2,12 @@
 
 use super::SurfacePlan;
 use super::columns::{COLUMNS, columns};
+use crate::outcome::{Certificate, Row, Status, Work};
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::line::{
     Branch, Certificate as Identities, Control, Direction, End, FoldKind, Numbers, Problem, ReachedBy, SteadyState, follow, locate, solve,
     trace_refined,
 };
-use crate::outcome::{Certificate, Row, Status, Work};
 use viscotack::refusal::Refusal;
 
 /// A step of the load may be halved so often before the contact is said to jump.

@@ -9,12 +9,12 @@
 
 use super::section::Section;
 use super::table_columns::{Columns, Wanted};
-use viscotack::finite_range::law::{Attraction, Law};
 use crate::scene::delimited::{DelimitedTable, Options};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::SceneAttraction;
 use crate::scene::units::Dimension;
+use viscotack::finite_range::law::{Attraction, Law};
 
 /// Rows of a table: fewer make no curve, more are better thinned.
 const ROWS: std::ops::RangeInclusive<usize> = 3..=10_000;

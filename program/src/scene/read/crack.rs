@@ -2,12 +2,12 @@
 
 use super::section::Section;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, without_cohesive_stress, works};
-use viscotack::crack::{CrackBody, Motion};
-use viscotack::elastic::PlaneState;
-use viscotack::elastic::pure_shear_strip::SidewaysStrain;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{CohesiveLaw, CrackControl, Fields, ProcessZoneLaw, SceneMaterial, SteadyCrack, Strip, StripLoad, Theory};
+use viscotack::crack::{CrackBody, Motion};
+use viscotack::elastic::PlaneState;
+use viscotack::elastic::pure_shear_strip::SidewaysStrain;
 
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<SteadyCrack, SceneError> {
     let crack = top.required_table("crack", "it is the problem")?;

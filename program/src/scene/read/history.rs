@@ -2,13 +2,13 @@
 
 use super::record::record;
 use super::section::Section;
-use viscotack::indentation::FrequencySweep;
 use crate::scene::catalogue::{Key, Kind, Range};
 use crate::scene::check::{Units, check_range, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Node, Value};
 use crate::scene::typed::{CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, OscillationExtent, Pace};
 use crate::scene::units::Dimension;
+use viscotack::indentation::FrequencySweep;
 
 /// What a segment does, apart from going to a value of a quantity.
 const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];

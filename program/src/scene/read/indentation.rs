@@ -7,7 +7,6 @@ use super::section::Section;
 use super::shape_points::shape_points;
 use super::works;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, periodic, without_cohesive_stress};
-use viscotack::indentation::EdgeLaw;
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
@@ -16,6 +15,7 @@ use crate::scene::typed::{
     IndentationStart, IndentationZone, Pace, SceneMaterial,
 };
 use crate::scene::units::Dimension;
+use viscotack::indentation::EdgeLaw;
 
 /// What a history of an indenter may control.
 const CONTROLLED: &[HistoryQuantity] =

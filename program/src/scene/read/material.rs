@@ -4,13 +4,13 @@ use super::material_fractions::{FRACTION_SLACK, Strengths, both, of_fractions, s
 use super::material_source::Shift;
 use super::section::Section;
 use super::{decks, material_data, material_draws, material_solid, material_source};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
-use viscotack::refusal::Refusal;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::{IsotropicSeries, MaterialOrigin, SceneMaterial};
 use std::sync::Arc;
+use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::refusal::Refusal;
 
 pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMaterial, SceneError> {
     let table = top.required_table("material", "every problem has a deformable solid")?;

@@ -4,14 +4,14 @@ use super::material_shift::{superposed, unfixed};
 use super::material_source::Shift;
 use super::material_table::material_data;
 use super::section::Section;
-use viscotack::material::fit::consistency::{check, widest_gap};
-use viscotack::material::fit::overlap::{LogCurve, mismatch};
-use viscotack::material::fit::{Observation, Quantity, Wanted, complex_modulus, fit};
-use viscotack::material::shift::ShiftFactors;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::{FittedData, MaterialData, MaterialOrigin, MeasuredRow, MeasuredSort, Overlap};
 use std::sync::Arc;
+use viscotack::material::fit::consistency::{check, widest_gap};
+use viscotack::material::fit::overlap::{LogCurve, mismatch};
+use viscotack::material::fit::{Observation, Quantity, Wanted, complex_modulus, fit};
+use viscotack::material::shift::ShiftFactors;
 
 /// Curves of neighbouring temperatures that differ by more than this where they meet do not lie on each other.
 const OVERLAP: f64 = 0.1;

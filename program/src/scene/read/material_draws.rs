@@ -1,10 +1,10 @@
 //! The materials that measured data leave possible, for results that are to show it.
 
 use super::section::Section;
-use viscotack::material::Material;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{Climate, MaterialOrigin};
 use std::sync::Arc;
+use viscotack::material::Material;
 
 /// How many: the standard deviation of so many is known within 1/√62, 13 %.
 const DRAWS: usize = 32;

@@ -2,10 +2,10 @@
 
 use super::material_data::{TEMPERATURE_TOLERANCE, isotherms, observations, overlap};
 use super::section::Section;
-use viscotack::material::fit::superposition::{Isotherm, Superposition, superpose};
-use viscotack::material::fit::{Quantity, Wanted};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{FittedData, MaterialData, MeasuredRow, MeasuredSort, Overlap};
+use viscotack::material::fit::superposition::{Isotherm, Superposition, superpose};
+use viscotack::material::fit::{Quantity, Wanted};
 
 /// Most isotherms whose shifts are found together.
 const MOST_ISOTHERMS: usize = 60;

@@ -2,10 +2,10 @@
 
 use super::material_fractions::FRACTION_SLACK;
 use super::section::Section;
-use viscotack::material::isotropic::IsotropicSolid;
-use viscotack::material::{Material, RelaxationTerm};
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
+use viscotack::material::isotropic::IsotropicSolid;
+use viscotack::material::{Material, RelaxationTerm};
 
 /// Which modulus is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,14 +2,14 @@
 
 use super::section::Section;
 use super::shift_table::shift_table;
-use viscotack::material::Material;
-use viscotack::material::broad::{BroadKind, BroadLaw, expand};
-use viscotack::material::shift::ShiftFactors;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::{Climate, ExpandedLaw, MaterialOrigin};
 use std::sync::Arc;
+use viscotack::material::Material;
+use viscotack::material::broad::{BroadKind, BroadLaw, expand};
+use viscotack::material::shift::ShiftFactors;
 
 /// Accuracy of an expansion where none is named.
 const DEFAULT_ACCURACY: f64 = 1e-6;

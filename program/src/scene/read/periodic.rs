@@ -1,9 +1,9 @@
 //! What an oscillation that has gone on for ever cannot be asked together with.
 
 use super::section::Section;
-use viscotack::indentation::EdgeLaw;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{History, HistoryQuantity, HistorySegment, IndentationShape, IndentationStart};
+use viscotack::indentation::EdgeLaw;
 
 /// What integrates the cycles that lead to the periodic one instead.
 const INSTEAD: &str =

@@ -2,12 +2,12 @@
 
 use super::history::dependent;
 use super::section::Section;
-use viscotack::continuation::polyline::{Thinned, noise, thinned};
 use crate::scene::catalogue::Range;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{HistoryQuantity, RecordThinning};
 use crate::scene::units::Dimension;
+use viscotack::continuation::polyline::{Thinned, noise, thinned};
 
 /// Records of at most so many rows are followed row by row, if the scene says nothing else.
 const FOLLOWED_ROW_BY_ROW: usize = 2000;

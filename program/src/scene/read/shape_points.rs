@@ -10,12 +10,12 @@
 
 use super::section::Section;
 use super::table_columns::{Column, Columns, Wanted};
-use viscotack::indentation::scan::{Apex, ScanOptions, axisymmetric};
 use crate::scene::delimited::{DelimitedTable, Options};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::MeasuredShape;
 use crate::scene::units::Dimension;
+use viscotack::indentation::scan::{Apex, ScanOptions, axisymmetric};
 
 /// Rows of a shape: fewer have no smooth shape, more are better thinned.
 const ROWS: std::ops::RangeInclusive<usize> = 4..=2000;

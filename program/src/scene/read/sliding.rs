@@ -8,8 +8,8 @@ use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
     SceneMaterial, Sliding, SlidingAdhesion, SlidingColumns, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
 };
-use viscotack::sliding::steady::ReachedBy;
 use std::f64::consts::{PI, TAU};
+use viscotack::sliding::steady::ReachedBy;
 
 /// α = 2∫ tension · gap dx/(Δγ a₀) over the fast zone of a constant tension, and of an exponential one (four digits, measured by
 /// `finite_range`; `docs/src/guides/surfaces.md`).

@@ -3,16 +3,16 @@
 use super::section::Section;
 use super::surface_points::{self, Grid};
 use super::{DEFAULT_FIELD_POINTS, attraction, counter_body};
-use viscotack::finite_range::line::{Ends, Harmonic, Levelling, Profile, Roughness, level, periodic, rough};
-use viscotack::refusal::Refusal;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::{
     PoissonRatio, SceneLayer, SceneMaterial, SceneSurface, SlidingContact, SurfaceLoad, SurfacePath, SurfaceSliding, SurfaceTask,
 };
-use viscotack::sliding::layer::Backing;
 use std::f64::consts::TAU;
+use viscotack::finite_range::line::{Ends, Harmonic, Levelling, Profile, Roughness, level, periodic, rough};
+use viscotack::refusal::Refusal;
+use viscotack::sliding::layer::Backing;
 
 /// Γ of a reduced scene in pressure times height: Δγ = πE0*kΛ² Γ, and E0*kΛ/2 times Λ is the unit.
 const REDUCED_WORK: f64 = TAU;

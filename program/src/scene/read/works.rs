@@ -1,8 +1,8 @@
 //! The works of adhesion of [adhesion]: one number, one for each edge, and how they follow the speed of the edge.
 
 use super::section::Section;
-use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use crate::scene::diagnostic::SceneError;
+use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 
 /// Keys of one work, and of one for each edge.
 const WHOLE: &str = "work_of_adhesion";

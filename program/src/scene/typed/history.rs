@@ -1,9 +1,9 @@
 //! Load histories as a scene gives them: segment after segment, each of one controlled quantity.
 
-use viscotack::indentation::FrequencySweep;
 use crate::scene::catalogue::{Range, Word};
 use crate::scene::units::Dimension;
 use std::sync::Arc;
+use viscotack::indentation::FrequencySweep;
 
 /// What a history may control. Each problem allows some of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -3,9 +3,9 @@
 use super::ElasticBody;
 use super::attraction::SceneAttraction;
 use super::history::{History, HistoryQuantity};
+use std::sync::Arc;
 use viscotack::indentation::EdgeLaw;
 use viscotack::indentation::scan::ScannedShape;
-use std::sync::Arc;
 
 /// A rigid round body pressed on, or pulled off, in time.
 ///

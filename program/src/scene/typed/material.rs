@@ -1,5 +1,7 @@
 //! What a material was made of: given terms, measured data, or a law; and the temperature it is at.
 
+use crate::scene::check::Units;
+use std::sync::Arc;
 use viscotack::elastic::PlaneState;
 use viscotack::material::Material;
 use viscotack::material::broad::{BroadLaw, Expansion};
@@ -9,8 +11,6 @@ use viscotack::material::fit::superposition::Superposition;
 use viscotack::material::isotropic::IsotropicSolid;
 use viscotack::material::shift::ShiftFactors;
 use viscotack::refusal::Refusal;
-use crate::scene::check::Units;
-use std::sync::Arc;
 
 /// What the series of a material was made of.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,9 +2,9 @@
 
 use super::attraction::SceneAttraction;
 use super::{ElasticBody, SlidingContact};
+use std::sync::Arc;
 use viscotack::finite_range::line::Profile;
 use viscotack::sliding::layer::Backing;
-use std::sync::Arc;
 
 /// A surface that slides steadily and acts at a distance.
 ///

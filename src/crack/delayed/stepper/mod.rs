@@ -36,7 +36,7 @@ use bracket::bracketed;
 use grid::Grid;
 use record::Between;
 pub use record::GrowthWork;
-pub use record::{RawEvent, RawKind, RawSample, Run};
+pub(crate) use record::{RawEvent, RawKind, RawSample, Run};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -60,7 +60,7 @@ const BETWEEN_LOOKS: u64 = 64;
 
 /// A run under way: all that its next step reads.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Stepper {
+pub(crate) struct Stepper {
     memory: Memory,
     lines_per_zone: u32,
     /// Times with an output; a kept run does not hold them.
@@ -167,16 +167,16 @@ fn unless_stopped(better: f64, held: f64) -> f64 {
 
 /// What a run is asked.
 #[derive(Clone, Copy)]
-pub struct Asked<'a> {
+pub(crate) struct Asked<'a> {
     /// Times with an output, not decreasing, none after `until`.
-    pub outputs: &'a [f64],
-    pub until: f64,
-    pub lines_per_zone: u32,
-    pub most_steps: u64,
+    pub(crate) outputs: &'a [f64],
+    pub(crate) until: f64,
+    pub(crate) lines_per_zone: u32,
+    pub(crate) most_steps: u64,
 }
 
 /// Runs a history up to a time, from where the same run was left off if it was; `look` sees it between steps.
-pub fn run(
+pub(crate) fn run(
     problem: &GrowthProblem<'_>,
     history: &LoadHistory,
     asked: Asked<'_>,
@@ -279,12 +279,12 @@ impl Stepper {
     }
 
     /// Lines per process zone of its grid.
-    pub const fn lines_per_zone(&self) -> u32 {
+    pub(crate) const fn lines_per_zone(&self) -> u32 {
         self.lines_per_zone
     }
 
     /// Steps taken.
-    pub const fn steps(&self) -> u64 {
+    pub(crate) const fn steps(&self) -> u64 {
         self.run.work.steps
     }
 

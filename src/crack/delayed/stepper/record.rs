@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// What the tip does, as counted by one run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum RawKind {
+pub(crate) enum RawKind {
     Begins,
     Restarts,
     Arrests,
@@ -16,25 +16,25 @@ pub enum RawKind {
 
 /// An event: time (s), place (process zones), speeds before and after (process zones/s), places jumped over.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct RawEvent {
-    pub kind: RawKind,
-    pub time: f64,
-    pub place: f64,
-    pub speeds: [f64; 2],
-    pub jump: f64,
+pub(crate) struct RawEvent {
+    pub(crate) kind: RawKind,
+    pub(crate) time: f64,
+    pub(crate) place: f64,
+    pub(crate) speeds: [f64; 2],
+    pub(crate) jump: f64,
     /// What is not known of the place, beyond the error of stepping.
-    pub doubt: f64,
+    pub(crate) doubt: f64,
     /// The same of the speeds.
     pub(crate) speed_doubt: f64,
 }
 
 /// The tip at an output time.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct RawSample {
-    pub place: f64,
-    pub speed: f64,
-    pub moving: bool,
-    pub bounded: bool,
+pub(crate) struct RawSample {
+    pub(crate) place: f64,
+    pub(crate) speed: f64,
+    pub(crate) moving: bool,
+    pub(crate) bounded: bool,
     /// What is not known of place and speed, beyond the error of stepping.
     pub(crate) doubts: [f64; 2],
 }
@@ -53,7 +53,7 @@ pub struct GrowthWork {
 }
 
 impl GrowthWork {
-    pub fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             steps: self.steps + other.steps,
             closure_evaluations: self.closure_evaluations + other.closure_evaluations,
@@ -65,12 +65,12 @@ impl GrowthWork {
 
 /// What a run returns.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Run {
-    pub samples: Vec<RawSample>,
-    pub events: Vec<RawEvent>,
+pub(crate) struct Run {
+    pub(crate) samples: Vec<RawSample>,
+    pub(crate) events: Vec<RawEvent>,
     /// The greatest |w/Δγ − 1| after a step of growth.
-    pub residual: f64,
-    pub work: GrowthWork,
+    pub(crate) residual: f64,
+    pub(crate) work: GrowthWork,
 }
 
 /// How places and speeds at outputs within a step are known.

@@ -2,9 +2,9 @@
 
 use super::super::table::Table;
 use super::spaced;
+use serde::Deserialize;
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use serde::Deserialize;
 
 /// See the module.
 #[derive(Debug, Clone, Deserialize)]

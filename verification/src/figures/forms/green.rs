@@ -2,10 +2,10 @@
 
 use super::super::table::Table;
 use super::spaced;
-use viscotack::refusal::Refusal;
-use viscotack::sliding::{HalfPlaneGreen, SlidingMemory};
 use serde::Deserialize;
 use std::f64::consts::PI;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::{HalfPlaneGreen, SlidingMemory};
 
 /// See the module.
 #[derive(Debug, Clone, Deserialize)]

@@ -2,10 +2,10 @@
 
 use super::super::table::Table;
 use super::spaced;
-use viscotack::elastic::{Control, JkrSphere};
-use viscotack::refusal::Refusal;
 use serde::Deserialize;
 use std::f64::consts::PI;
+use viscotack::elastic::{Control, JkrSphere};
+use viscotack::refusal::Refusal;
 
 /// See the module.
 #[derive(Debug, Clone, Deserialize)]

@@ -2,8 +2,8 @@
 
 use super::super::table::Table;
 use super::spaced;
-use viscotack::refusal::Refusal;
 use serde::Deserialize;
+use viscotack::refusal::Refusal;
 
 /// See the module.
 #[derive(Debug, Clone, Deserialize)]

@@ -10,8 +10,8 @@ mod sphere_oscillation;
 mod sphere_release;
 
 use super::table::Table;
-use viscotack::refusal::Refusal;
 use serde::Deserialize;
+use viscotack::refusal::Refusal;
 
 /// One of them, with its numbers.
 #[derive(Debug, Clone, Deserialize)]

@@ -5,11 +5,11 @@
 //! πE0*R³, the relaxation time; frequencies are angular.
 
 use super::super::table::Table;
+use serde::Deserialize;
+use std::f64::consts::{PI, TAU};
 use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, march};
 use viscotack::material::{Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
-use serde::Deserialize;
-use std::f64::consts::{PI, TAU};
 
 /// Points of a path that are kept.
 const MOST_POINTS: usize = 6000;

@@ -4,11 +4,11 @@
 //! Over a stretch of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
 
 use super::super::table::Table;
+use serde::Deserialize;
+use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Energies, History, IndentationProblem, PathPoint, Profile, run};
 use viscotack::material::{Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
-use serde::Deserialize;
-use std::f64::consts::PI;
 
 /// See the module.
 #[derive(Debug, Clone, Deserialize)]

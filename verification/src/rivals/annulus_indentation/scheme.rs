@@ -1,13 +1,13 @@
 //! The scheme in time: one dense system per trial edge, the memory in A_h.
 
 use super::influence::{influence_matrix, place};
-use viscotack::elastic::JkrSphere;
-use viscotack::elastic::control::EquilibriumBranch;
-use viscotack::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use crate::rivals::dense::Factors;
 use faer::Mat;
 use std::collections::HashMap;
 use std::f64::consts::PI;
+use viscotack::elastic::JkrSphere;
+use viscotack::elastic::control::EquilibriumBranch;
+use viscotack::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
 /// A sphere, a one-term solid in moduli E*, and the two sizes of the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]

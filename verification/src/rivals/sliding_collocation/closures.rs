@@ -7,10 +7,10 @@
 
 use super::contact::CollocatedContact;
 use super::mesh::Element;
+use std::f64::consts::PI;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::Edge;
 use viscotack::sliding::edge_balance::WaveAdhesion;
-use std::f64::consts::PI;
 
 /// A contact, the two with an edge moved out at the same penetration, and the works at the edges.
 #[derive(Debug, Clone)]

@@ -6,12 +6,12 @@
 
 use super::influence::influence_row;
 use super::mesh::{Element, separation};
-use viscotack::refusal::{Refusal, require_finite};
 use crate::rivals::dense::solved;
-use viscotack::sliding::HalfPlaneGreen;
-use viscotack::sliding::contact::{ArcPoint, Prescribed, WaveContact};
 use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
+use viscotack::refusal::{Refusal, require_finite};
+use viscotack::sliding::HalfPlaneGreen;
+use viscotack::sliding::contact::{ArcPoint, Prescribed, WaveContact};
 
 /// Midpoints that [`CollocatedContact::pressure`] interpolates.
 const STENCIL: usize = 6;

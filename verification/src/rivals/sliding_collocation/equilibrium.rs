@@ -2,11 +2,11 @@
 
 use super::closures::CollocatedClosures;
 use super::scheme::SlidingCollocation;
+use std::f64::consts::PI;
 use viscotack::continuation::two_unknowns::{TwoEquations, TwoResiduals};
 use viscotack::refusal::{Refusal, require_positive};
 use viscotack::sliding::contact::{Prescribed, WaveContact};
 use viscotack::sliding::edge_balance::WaveAdhesion;
-use std::f64::consts::PI;
 
 /// Longest step of an edge in units of the narrower of contact and gap, and steps of difference quotients, as in ours.
 const LONGEST_STEP: f64 = 0.33;

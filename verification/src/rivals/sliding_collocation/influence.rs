@@ -6,10 +6,10 @@
 //! 𝒦 is [`HalfPlaneGreen::antiderivative`]: Clausen's integral for the glassy part and its memory integral for each creep term.
 
 use super::mesh::{Element, separation};
+use faer::Mat;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::HalfPlaneGreen;
 use viscotack::sliding::contact::ArcPoint;
-use faer::Mat;
 
 /// The displacement (Λ per E0*kΛ/2) of one point under unit pressure on each element.
 ///

@@ -4,11 +4,11 @@ use super::closures::{CollocatedClosures, window_work};
 use super::contact::CollocatedContact;
 use super::influence::influence_matrix;
 use super::mesh::{Element, elements_between, mapped_nodes, widened};
+use std::f64::consts::{PI, TAU};
 use viscotack::refusal::{Refusal, require_finite, require_positive};
 use viscotack::sliding::contact::{ArcPoint, Edge, Prescribed, WaveContact};
 use viscotack::sliding::edge_balance::WaveAdhesion;
 use viscotack::sliding::{HalfPlaneGreen, SlidingMemory};
-use std::f64::consts::{PI, TAU};
 
 /// How the moved contacts are meshed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

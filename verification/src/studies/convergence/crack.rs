@@ -1,14 +1,14 @@
 //! Growth of a crack under a constant load: grid lines of a process zone, against the closed form of one term.
 
 use super::{KnownGrowth, Panel};
-use viscotack::crack::delayed::stepper::{Asked, run};
+use crate::rivals::growth_stepping::GrowthStepping;
+use crate::studies::order::{Convergence, Expectation, FINEST};
+use crate::studies::section::{Check, Effort, Progress, Section};
+use viscotack::crack::delayed::trajectory::places_of_one_run;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
-use crate::rivals::growth_stepping::GrowthStepping;
-use crate::studies::order::{Convergence, Expectation, FINEST};
-use crate::studies::section::{Check, Effort, Progress, Section};
 
 /// A solid and an interface whose numbers are nothing like one.
 pub(in crate::studies) struct Case {
@@ -99,12 +99,10 @@ fn computed(effort: Effort) -> Result<(Panel, Check), Refusal> {
     let case = case()?;
     let problem = case.problem()?;
     let history = LoadHistory::constant(case.intensity)?;
-    let until = case.times.last().copied().unwrap_or(0.0);
     let (mut single, mut of_four, mut outside) = (Vec::new(), Vec::new(), 0);
     for lines in effort.choose(vec![4, 8, 16, 32, 64, 128], vec![4, 8, 16, 32, 64, 128, 256, 512, 1024]) {
-        let found =
-            run(&problem, &history, Asked { outputs: &case.times, until, lines_per_zone: lines, most_steps: u64::MAX }, None, &|_| ())?;
-        let places: Vec<f64> = found.samples.iter().map(|sample| sample.place * case.zone).collect();
+        let found = places_of_one_run(&problem, &history, &case.times, lines)?;
+        let places: Vec<f64> = found.iter().map(|place| place * case.zone).collect();
         single.push((f64::from(lines), case.error(&places)));
         let found = trajectory(&problem, &history, &case.times, Resolution { lines_per_zone: lines, ..Resolution::default() })?;
         let growth: Vec<_> = found.samples.iter().filter_map(|sample| sample.growth).collect();

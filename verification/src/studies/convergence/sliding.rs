@@ -1,16 +1,16 @@
 //! Sliding contacts with given edges: Gauss points of ours, elements of the rivals.
 
 use super::Panel;
-use viscotack::material::{CreepTerm, Material};
-use viscotack::refusal::Refusal;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
-use viscotack::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
+use viscotack::material::{CreepTerm, Material};
+use viscotack::refusal::Refusal;
+use viscotack::sliding::contact::{ContactMemory, ContactState, Edge, Indenter, Prescribed, ProcessZone, Resolution, WaveContact};
+use viscotack::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
 
 /// A state of equilibrium: β, ζ_j of equal terms, Γ, δ, p̄, edges near it.
 struct State {

@@ -1,15 +1,15 @@
 //! The march of a sphere: steps of ours, annuli of the rival, on the retraction that the stored annuli have.
 
 use super::Panel;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march};
-use viscotack::material::Material;
-use viscotack::refusal::Refusal;
 use crate::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
 use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::reference::{SPHERE_ANNULI, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march};
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
 
 /// γ̃ = 1.6e-4, δ̃ = 0.013, β = 10 (thesis chapter 4), E0* = R = ρ = 1, τ = 10.
 pub(in crate::studies) const WORK: f64 = 1.6e-4 * PI;

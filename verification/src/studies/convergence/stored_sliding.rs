@@ -1,10 +1,10 @@
 //! Contacts with given edges against the stored Chebyshev collocation of another program.
 
+use crate::studies::reference::{Row, SLIDING_WAVE, rows};
+use crate::studies::section::Check;
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, WaveContact};
-use crate::studies::reference::{Row, SLIDING_WAVE, rows};
-use crate::studies::section::Check;
 
 /// The stored Chebyshev collocation at given edges: penetration, friction, interface work.
 pub(super) fn against_reference() -> Check {

@@ -7,6 +7,11 @@ use super::Panel;
 use super::crack::decades;
 use super::sliding::equal_terms;
 use super::sphere::{WORK, solid};
+use crate::studies::order::{Convergence, Expectation, FINEST};
+use crate::studies::section::{Cell, Check, Column, Effort, Progress, Section, Table};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+use std::sync::Arc;
 use viscotack::continuation::two_unknowns::{TwoEquations, TwoResiduals};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
@@ -15,11 +20,6 @@ use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, ela
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Indenter, Prescribed, Resolution, WaveContact};
 use viscotack::sliding::edge_balance::{EdgeBalance, SlidingControl, WaveAdhesion};
-use crate::studies::order::{Convergence, Expectation, FINEST};
-use crate::studies::section::{Cell, Check, Column, Effort, Progress, Section, Table};
-use rayon::prelude::*;
-use std::f64::consts::PI;
-use std::sync::Arc;
 
 const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };
 /// Relaxed start of the retractions: the contact is wide enough for the whole factor β (thesis Sec 4.10).

@@ -10,9 +10,9 @@
 //! A layer takes A ≈ 4(kd)²e^{−2kd} from the half-plane: 10⁻⁴⁸ at kd = 60, so that 𝒢 and its integral are those of the half-plane to the bit. Each value then costs one
 //! harmonic on top of the half-plane's.
 
+use std::time::Instant;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::{Backing, HalfPlaneGreen, Layer, LayerGreen, SlidingMemory};
-use std::time::Instant;
 
 /// kd of a layer that is a half-plane.
 pub const THICK: f64 = 60.0;

@@ -8,12 +8,12 @@ pub mod scenes;
 
 use super::cells::{count, number, word};
 use super::{Check, Column, Effort, Progress, Section, Table};
-use viscotack_program::outcome::{Outcome, Row, Work};
-use viscotack_program::plan;
-use viscotack_program::scene::{Document, read};
 use scenes::{Effect, Tolerance, effects};
 use std::path::Path;
 use std::time::Instant;
+use viscotack_program::outcome::{Outcome, Row, Work};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 /// Solves a scene; seconds are the least of some runs.
 ///

@@ -10,12 +10,12 @@ use super::cells::{count, number, word};
 use super::draw::Draw;
 use super::effects::solved;
 use super::{Check, Column, Effort, Progress, Section, Table};
+use rayon::prelude::*;
+use std::path::Path;
 use viscotack::estimate::Estimate;
 use viscotack_program::outcome::{Row, Status};
 use viscotack_program::plan::Plan;
 use viscotack_program::scene::{Document, read};
-use rayon::prelude::*;
-use std::path::Path;
 
 /// Accuracies of a scene; the last one is what the others are compared with. Only cheap scenes are solved at the last one.
 pub const ACCURACIES: [f64; 6] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9];

@@ -1,11 +1,11 @@
 //! What accuracy costs on five states, in one run on one core, beside a prototype of the same method.
 
-use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion, Problem, Shape, Start, run};
-use viscotack_program::outcome::plot::{Axis, Figure};
 use crate::studies::cells::{number, word};
 use crate::studies::timing::timed;
 use crate::studies::{Check, Column, Effort, Plot, Progress, Section, Table, ours, stored_curve};
+use viscotack::finite_range::law::Law;
+use viscotack::finite_range::sphere::{Accuracy, Control, Creep, Leg, Mesher, Motion, Problem, Shape, Start, run};
+use viscotack_program::outcome::plot::{Axis, Figure};
 
 /// Tolerances; the truth is the pull-off of the last run, tighter than all of them.
 const TOLERANCES: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];

@@ -1,9 +1,9 @@
 //! A random problem, and its runs against each other.
 
+use crate::studies::draw::Draw;
 use viscotack::finite_range::law::Law;
 use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
 use viscotack::refusal::Refusal;
-use crate::studies::draw::Draw;
 
 /// Tolerance of the first of both runs that give bounds; the second, and the one that they are compared with, are tightened from it as a scene does.
 const TOLERANCE: f64 = 1e-4;

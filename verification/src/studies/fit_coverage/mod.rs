@@ -8,14 +8,14 @@ mod cases;
 use super::cells::{count, number, word};
 use super::draw::Draw;
 use super::{Check, Column, Effort, Progress, Section, Table};
-use viscotack_program::plan::fit::{Fit, Setup, carry_out};
-use viscotack_program::scene::diagnostic::SourceText;
-use viscotack_program::scene::document::Document;
-use viscotack::special::normal::Normal;
 use cases::{CASES, Case, Scatter};
 use rayon::prelude::*;
 use std::fmt::Write;
 use std::path::Path;
+use viscotack::special::normal::Normal;
+use viscotack_program::plan::fit::{Fit, Setup, carry_out};
+use viscotack_program::scene::diagnostic::SourceText;
+use viscotack_program::scene::document::Document;
 
 /// The seed of all draws.
 pub const SEED: u64 = 0xf17c;

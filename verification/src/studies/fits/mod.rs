@@ -7,10 +7,10 @@ pub mod draws;
 
 use super::cells::{count, number, word};
 use super::{Check, Column, Effort, Progress, Section, Table};
+use std::time::Instant;
 use viscotack::material::Material;
 use viscotack::material::fit::superposition::superpose;
 use viscotack::material::fit::{Quantity, Wanted, fit};
-use std::time::Instant;
 
 /// What is compared.
 const QUANTITIES: [(Quantity, &str); 4] = [

@@ -2,13 +2,13 @@
 
 use super::case::{Expected, Found, HardCase, Kind, near};
 use super::material::spread;
+use crate::rivals::raw_crack_work::RawCrackWork;
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::persson_brener::PerssonBrener;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyState, at_drive, at_speed};
 use viscotack::material::{CreepTerm, Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
-use crate::rivals::raw_crack_work::RawCrackWork;
 
 const PROBLEM: &str = "steady crack";
 /// Tolerance of the root.

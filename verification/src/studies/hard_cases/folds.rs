@@ -5,6 +5,8 @@
 
 use super::case::{Expected, Found, HardCase, near};
 use super::sliding::solved;
+use std::f64::consts::PI;
+use std::sync::Arc;
 use viscotack::elastic::johnson_wave::WaveBranch;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
 use viscotack::estimate::Estimate;
@@ -13,9 +15,9 @@ use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, BranchStart, SpeedFolds, contacts_of_width, speed_folds, strength, trace};
 use viscotack::sliding::contact::{ContactMemory, Indenter, Resolution};
 use viscotack::sliding::edge_balance::EdgeBalance;
-use viscotack::sliding::steady::{SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near};
-use std::f64::consts::PI;
-use std::sync::Arc;
+use viscotack::sliding::steady::{
+    SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
+};
 
 const PROBLEM: &str = "sliding folds";
 

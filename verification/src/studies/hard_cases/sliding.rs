@@ -2,15 +2,15 @@
 
 use super::case::{Expected, Found, HardCase, Kind, near};
 use super::material::spread;
+use crate::rivals::sliding_collocation::richardson::extrapolated;
+use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
+use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
-use crate::rivals::sliding_collocation::richardson::extrapolated;
-use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::SlidingMemory;
 use viscotack::sliding::contact::{Prescribed, WaveContact};
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
-use std::f64::consts::PI;
 
 const PROBLEM: &str = "steady sliding";
 /// What is asked for.

@@ -4,6 +4,7 @@ use super::super::Effort;
 use super::super::known_states::sphere::elastic_work;
 use super::case::{Expected, Found, HardCase, Kind, near};
 use super::material::spread;
+use std::f64::consts::PI;
 use viscotack::elastic::{JkrSphere, KendallPunch};
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{
@@ -11,7 +12,6 @@ use viscotack::indentation::{
 };
 use viscotack::material::{Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
-use std::f64::consts::PI;
 
 const PROBLEM: &str = "indentation";
 const SPHERE: Profile = Profile::Paraboloid { radius: 1.0 };

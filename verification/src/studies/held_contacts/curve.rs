@@ -5,9 +5,9 @@
 //! zone fills the gap). No contact is followed from another one.
 
 use super::width::{Bodies, Equilibrium};
+use std::f64::consts::PI;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::Indenter;
-use std::f64::consts::PI;
 
 /// Neighbours are joined if they are nearer than this: |Δe| over the width, |Δp̄| over its size.
 const NEAR: f64 = 0.2;

@@ -3,13 +3,13 @@
 use super::stability::Held;
 use super::states::{Reached, Speed};
 use super::width::Bodies;
+use crate::studies::draw::Draw;
+use std::f64::consts::PI;
+use std::sync::Arc;
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::contact::{ContactMemory, Indenter, Resolution};
 use viscotack::sliding::edge_balance::WaveAdhesion;
-use crate::studies::draw::Draw;
-use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Half-widths of a scan before it is made finer.
 const ROWS: usize = 100;

@@ -23,13 +23,13 @@ pub mod width;
 use super::cells::{count, number, word};
 use super::draw::Draw;
 use super::{Check, Column, Effort, Progress, Section, Table};
-use viscotack::estimate::Estimate;
-use viscotack::sliding::steady::{PartialValues, SlidingControl, SlidingProblem};
 use answer::{Answer, FRAME, answer};
 use draws::{Asked, CONTROLS, Control, Drawn, asked, drawn};
 use rayon::prelude::*;
 use stability::Held;
 use states::{Expected, Reached, Speed};
+use viscotack::estimate::Estimate;
+use viscotack::sliding::steady::{PartialValues, SlidingControl, SlidingProblem};
 use width::Equilibrium;
 
 /// The seed of the problems that are reported.

@@ -3,8 +3,8 @@
 use super::curve::{Curves, End, Strand};
 use super::stability::{Held, Variations};
 use super::width::{Bodies, Equilibrium};
-use viscotack::sliding::contact::Indenter;
 use std::f64::consts::PI;
+use viscotack::sliding::contact::Indenter;
 
 /// Where a piece ends.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -219,7 +219,8 @@ impl Speed {
     /// The contacts of a held half-width.
     #[must_use]
     pub fn of_width(&self, half_width: f64) -> Vec<Equilibrium> {
-        let place = ContactEdges::new(self.bodies.indenter, viscotack::sliding::contact::WaveContact { half_width, eccentricity: 0.0 }).place();
+        let place =
+            ContactEdges::new(self.bodies.indenter, viscotack::sliding::contact::WaveContact { half_width, eccentricity: 0.0 }).place();
         self.finest.contacts(place).unwrap_or_default()
     }
 

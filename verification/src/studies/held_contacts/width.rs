@@ -10,12 +10,12 @@
 //! whose faces do not meet.
 
 use super::conics::common_points;
-use viscotack::refusal::Refusal;
-use viscotack::sliding::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, ZonePressure};
-use viscotack::sliding::edge_balance::WaveAdhesion;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use std::f64::consts::PI;
 use std::sync::Arc;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::contact::{ContactEdges, ContactMemory, ContactState, Indenter, Prescribed, ProcessZone, Resolution, ZonePressure};
+use viscotack::sliding::edge_balance::WaveAdhesion;
 
 /// Points of the gap from each edge to the middle, evenly in the root of the distance and in its logarithm.
 const GAP_POINTS: usize = 24;

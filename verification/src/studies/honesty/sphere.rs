@@ -4,11 +4,11 @@ use super::super::draw::Draw;
 use super::super::known_states::sphere::known_sphere;
 use super::tally::{Compared, Judged, Truth};
 use super::{ANOTHER_ROUTE, SEED};
+use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Controlled, Event, History, IndentationProblem, Instant, PathPoint, Profile, Trace, march, run};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use std::f64::consts::PI;
 
 /// Accuracies asked for, in turn.
 const ACCURACIES: [f64; 3] = [1e-2, 1e-3, 1e-4];

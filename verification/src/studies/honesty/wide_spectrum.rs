@@ -5,10 +5,10 @@
 use super::super::draw::Draw;
 use super::tally::Judged;
 use super::{SEED, sphere};
+use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile, run};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use std::f64::consts::PI;
 
 /// Accuracies asked for, in turn.
 const ACCURACIES: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];

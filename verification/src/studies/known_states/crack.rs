@@ -1,10 +1,10 @@
 //! Steady cracks whose speed and load are known: the crossing time is drawn, and load and speed follow from the double integrals as printed (5.11, 5.19, 5.30, 5.37).
 
 use super::super::draw::Draw;
+use crate::rivals::raw_crack_work::RawCrackWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use crate::rivals::raw_crack_work::RawCrackWork;
 
 /// Relative error of the nested quadratures that is asked for.
 const QUADRATURE: f64 = 1e-11;

@@ -11,10 +11,10 @@
 //! Rounding grows with Π_{ζ_j>1} ζ_j: the reason for which the solver does otherwise, and the reason for the narrow range of the known states.
 
 use super::zone_work;
-use viscotack::sliding::SlidingMemory;
-use viscotack::special::gauss_legendre::UNIT_RULE_20;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
+use viscotack::sliding::SlidingMemory;
+use viscotack::special::gauss_legendre::UNIT_RULE_20;
 
 /// Beyond so many relaxation lengths a memory has faded.
 const FADED: f64 = 40.0;

@@ -5,13 +5,13 @@
 
 use super::super::draw::Draw;
 use super::partial_fractions::{FractionContact, Load, Spectrum};
+use std::f64::consts::PI;
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::SlidingMemory;
 use viscotack::sliding::contact::Indenter;
 use viscotack::sliding::edge_balance::{SlidingControl, WaveAdhesion};
 use viscotack::sliding::steady::SlidingProblem;
-use std::f64::consts::PI;
 
 /// The reduction loses digits in proportion to Πζ_j: so much at most.
 const MOST_MAGNIFIED: f64 = 1e3;

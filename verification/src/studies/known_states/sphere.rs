@@ -8,11 +8,11 @@
 
 use super::super::draw::Draw;
 use super::zone_work;
+use std::f64::consts::PI;
 use viscotack::indentation::{Adhesion, Controlled, History, IndentationProblem, Profile};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
 use viscotack::special::dawson::dawson_relative_deficit;
-use std::f64::consts::PI;
 
 /// A contact that is known.
 #[derive(Debug, Clone)]

@@ -6,13 +6,13 @@
 //! Until the delay t_d the load is constant and the tip rests. The steps are far finer than the table that the solver gets, so that what is left
 //! is the table: straight between its points, second order in their number.
 
+use crate::studies::convergence::crack::decades;
+use crate::studies::order::{Convergence, Expectation, FINEST};
+use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, LoadSegment, Onset, Resolution, onset, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use crate::studies::convergence::crack::decades;
-use crate::studies::order::{Convergence, Expectation, FINEST};
-use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 
 const ZONE: f64 = 2.3e-6;
 const WORK: f64 = 0.31;

@@ -1,16 +1,16 @@
 //! Sliding contacts whose edges, eccentricity and penetration are chosen; the works of adhesion come from the collocation.
 
-use viscotack::refusal::Refusal;
 use crate::rivals::sliding_collocation::richardson::extrapolated;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
-use viscotack::sliding::steady::{
-    Indenter, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
-};
 use crate::studies::convergence::sliding::equal_terms;
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
+use viscotack::sliding::steady::{
+    Indenter, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
+};
 
 /// What is chosen: β, ζ_j, a, e, Δ, δ.
 struct Chosen {

@@ -1,12 +1,12 @@
 //! A sphere whose contact radius a(t) is chosen: Δ(t) by the march driven by the edge; a(t) again by the march driven in time and by dense annuli.
 
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
-use viscotack::refusal::Refusal;
 use crate::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 use crate::studies::convergence::sphere::{WORK, ZONE, solid};
 use crate::studies::order::{Convergence, Expectation, FINEST};
 use crate::studies::section::{Cell, Check, Column, Effort, Section, Table};
 use rayon::prelude::*;
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
+use viscotack::refusal::Refusal;
 
 /// a goes from the first to the last radius in this time (s), straight.
 const FIRST: f64 = 0.24;

@@ -1,11 +1,11 @@
 //! Growth of a crack under a constant load: the stepper beside the thesis's stepping, against the closed form.
 
 use super::{Diagram, Method, Sample};
-use viscotack::crack::delayed::{LoadHistory, Resolution, trajectory};
-use viscotack::refusal::Refusal;
 use crate::studies::convergence::crack::case;
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
+use viscotack::crack::delayed::{LoadHistory, Resolution, trajectory};
+use viscotack::refusal::Refusal;
 
 fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
     let case = case()?;

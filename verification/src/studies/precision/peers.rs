@@ -1,16 +1,16 @@
 //! Problems that other programs have run: their stored runs, and this program beside them where it solves the same problem now.
 
 use super::{Diagram, Method, Sample};
-use viscotack::indentation::{Contact, Profile, Springs, Sweep};
-use viscotack::material::Material;
-use viscotack::refusal::Refusal;
-use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 use crate::studies::convergence::sphere::solid;
 use crate::studies::reference::{SPHERE_ANNULI, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::stored::stored_runs;
 use crate::studies::timing::{Timed, timed};
 use std::f64::consts::PI;
+use viscotack::indentation::{Contact, Profile, Springs, Sweep};
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 
 /// Diagrams of the other sections, which draw their own stored runs.
 const ELSEWHERE: [&str; 6] =

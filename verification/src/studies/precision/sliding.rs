@@ -1,18 +1,18 @@
 //! An adhesive contact on a sliding wave: all methods look for the edges that a stored Chebyshev collocation of another program has.
 
 use super::{Diagram, Method, Sample};
-use viscotack::material::Material;
-use viscotack::refusal::Refusal;
 use crate::rivals::sliding_collocation::richardson::extrapolated;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
-use viscotack::sliding::steady::{
-    Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
-};
 use crate::studies::convergence::stored_sliding::material_of;
 use crate::studies::reference::{SLIDING_WAVE, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
+use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
+use viscotack::sliding::steady::{
+    Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
+};
 
 /// a, e, Δ, friction stress, G₁, G₂.
 type Numbers = [f64; 6];

@@ -1,11 +1,11 @@
 //! A retraction of a sphere: the march beside dense annuli.
 
 use super::{Diagram, Method, Sample};
-use viscotack::indentation::{march, run};
-use viscotack::refusal::Refusal;
 use crate::studies::convergence::sphere::{against_stored, annuli, error, forces, retraction, solid, truth};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
+use viscotack::indentation::{march, run};
+use viscotack::refusal::Refusal;
 
 fn diagram(effort: Effort) -> Result<Diagram, Refusal> {
     let (material, truth) = (solid()?, truth()?);

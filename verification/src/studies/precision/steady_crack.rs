@@ -1,14 +1,14 @@
 //! G(v) of a twelve-term solid: the collapsed closure beside the double integral as printed.
 
 use super::{Diagram, Method, Sample};
-use viscotack::crack::virtual_work::VirtualWork;
-use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_speed};
-use viscotack::material::{CreepTerm, Material, RelaxationTerm};
-use viscotack::refusal::Refusal;
 use crate::rivals::raw_crack_work::RawCrackWork;
 use crate::studies::reference::{Row, STEADY_CRACK, STEADY_CRACK_MATERIALS, rows};
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
+use viscotack::crack::virtual_work::VirtualWork;
+use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_speed};
+use viscotack::material::{CreepTerm, Material, RelaxationTerm};
+use viscotack::refusal::Refusal;
 
 /// A material of the reference file.
 fn material(name: &str) -> Result<Material, Refusal> {

@@ -2,14 +2,14 @@
 
 use super::sliding::State;
 use super::{Diagram, Method, Sample};
-use viscotack::refusal::Refusal;
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use viscotack::sliding::branch::{BranchProblem, strength};
-use viscotack::sliding::contact::{Prescribed, WaveContact};
-use viscotack::sliding::steady::{SlidingControl, SlidingProblem, Start, steady_sliding_near};
 use crate::studies::honesty::strength::least_load;
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
+use viscotack::refusal::Refusal;
+use viscotack::sliding::branch::{BranchProblem, strength};
+use viscotack::sliding::contact::{Prescribed, WaveContact};
+use viscotack::sliding::steady::{SlidingControl, SlidingProblem, Start, steady_sliding_near};
 
 /// Accuracies of this program.
 const ACCURACIES: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];

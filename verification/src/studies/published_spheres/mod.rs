@@ -12,10 +12,10 @@ mod solved;
 
 use super::cells::{count, number, word};
 use super::{Cell, Check, Column, Effort, Plot, Progress, Section, Table};
-use viscotack_program::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use published::Published;
 use rayon::prelude::*;
 use solved::{Solved, solved};
+use viscotack_program::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 
 /// One row of the table in so many.
 const EVERY: usize = 17;

@@ -1,9 +1,9 @@
 //! The published rows, and the spectrum of their material as creep terms.
 
-use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Control, Creep, Leg, Motion, Problem, Shape, Start};
 use crate::studies::reference::{Row, rows};
 use spec_math::Gamma;
+use viscotack::finite_range::law::Law;
+use viscotack::finite_range::sphere::{Control, Creep, Leg, Motion, Problem, Shape, Start};
 
 const KEPT: &str = include_str!("../../../../reference_data/published_spheres.csv");
 /// The public table, if it is there.

@@ -1,11 +1,11 @@
 //! A published row solved by the law of finite range, and by the theory of an edge.
 
 use super::published::Published;
+use std::f64::consts::PI;
 use viscotack::finite_range::sphere::{Accuracy, Mesher, run};
 use viscotack::indentation::{self, Adhesion, History, IndentationProblem, Profile};
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
-use std::f64::consts::PI;
 
 /// Tolerances of both runs.
 const TOLERANCES: [f64; 2] = [3e-5, 3e-6];

@@ -5,8 +5,8 @@ mod page;
 
 use super::run::Report;
 use super::section::{Cell, Check, Plot, Table, Verdict};
-use viscotack_program::outcome::csv_table;
 use serde_json::{Value, json};
+use viscotack_program::outcome::csv_table;
 
 /// Name of the page.
 pub const PAGE: &str = "report.html";

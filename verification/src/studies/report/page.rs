@@ -2,10 +2,10 @@
 
 use super::format::{duration, escaped, number};
 use super::{plot_name, table_name};
-use viscotack_program::outcome::plot::{self, PlotError};
 use crate::studies::run::Report;
 use crate::studies::section::{Cell, Check, Plot, Section, Table, Verdict};
 use std::fmt::Write as _;
+use viscotack_program::outcome::plot::{self, PlotError};
 
 const STYLE: &str = include_str!("style.css");
 /// More checks than this are folded away, but for those that failed or are stated.

@@ -9,13 +9,13 @@ use super::known_states::delayed::{KnownGrowth, KnownTime, known_growth};
 use super::known_states::sliding::{KnownContact, known_contact};
 use super::known_states::sphere::{KnownSphere, known_sphere};
 use super::{Check, Column, Effort, Progress, Section, Table};
+use rayon::prelude::*;
 use viscotack::crack::delayed::{Event, EventKind, GrowthProblem, Resolution, trajectory};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{at_drive, at_speed};
 use viscotack::indentation::{IndentationProblem, run};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{SlidingOutcome, steady_sliding};
-use rayon::prelude::*;
 
 /// The seed of all scenes; another one than that of the bars.
 pub const SEED: u64 = 0x10_000_5ce;

@@ -5,9 +5,9 @@
 
 use super::super::honesty::tally::Compared;
 use super::drawn::{Drawn, Problem, drawn};
+use std::collections::BTreeMap;
 use viscotack::estimate::Estimate;
 use viscotack_program::outcome::{Outcome, Row, SUMMARY};
-use std::collections::BTreeMap;
 
 /// Two times of a history are one if they agree to this part of the longer.
 const SAME_TIME: f64 = 1e-13;

@@ -1,12 +1,12 @@
 //! What the drawn scenes hold of the catalogue: every pair of a key and a problem that it belongs to, and every word of every choice.
 
 use super::drawn::{Problem, drawn};
-use viscotack_program::scene::catalogue::{Kind, key, keys};
-use viscotack_program::scene::document::{Node, Value};
-use viscotack_program::scene::{Document, read};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
+use viscotack_program::scene::catalogue::{Kind, key, keys};
+use viscotack_program::scene::document::{Node, Value};
+use viscotack_program::scene::{Document, read};
 
 /// Keys, with all that lies below them, that do not belong to a problem.
 const FOREIGN: &[(&str, &[Problem])] = &[

@@ -3,11 +3,11 @@
 use super::super::draw::Draw;
 use super::text::{Text, quoted};
 use super::{crack, delayed, indentation, sliding, surface};
+use std::path::Path;
 use viscotack_program::outcome::Outcome;
 use viscotack_program::plan;
 use viscotack_program::scene::diagnostic::SourceText;
 use viscotack_program::scene::{Document, read};
-use std::path::Path;
 
 /// A problem of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -2,10 +2,10 @@
 
 use super::super::IndentationPlan;
 use super::FiniteRangePlan;
-use viscotack::finite_range::law::{Attraction, Law};
 use crate::plan::curves::short;
 use crate::scene::typed::{Indentation, IndentationAdhesion, IndentationZone, Scene, SceneAttraction, Units};
 use std::f64::consts::PI;
+use viscotack::finite_range::law::{Attraction, Law};
 
 /// Above this Tabor number zero range is called fair: the 3 of `elastic::tabor`.
 const JKR_ABOVE: f64 = 3.0;

@@ -2,9 +2,9 @@
 
 use super::FiniteRangePlan;
 use super::history::tolerances;
+use crate::plan::desk::Desk;
 use viscotack::finite_range::sphere::{Mesher, Problem, Record, Run, row_at, run_watched};
 use viscotack::indentation::Watch;
-use crate::plan::desk::Desk;
 use viscotack::refusal::Refusal;
 
 /// Runs, at most.

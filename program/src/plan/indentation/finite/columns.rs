@@ -14,9 +14,9 @@ pub(super) struct Definition {
 
 /// Positions among all columns.
 pub(super) mod at {
-    pub const TIME: usize = 0;
+    pub(crate) const TIME: usize = 0;
     pub(crate) const PENETRATION: usize = 1;
-    pub const FORCE: usize = 2;
+    pub(crate) const FORCE: usize = 2;
     pub(crate) const CONTACT_RADIUS: usize = 3;
     pub(crate) const PULL_OFF_RATIO: usize = 4;
     pub(crate) const STORED_ENERGY: usize = 5;
@@ -24,8 +24,8 @@ pub(super) mod at {
     pub(crate) const EXTERNAL_WORK: usize = 7;
     pub(crate) const DISSIPATED_ENERGY: usize = 8;
     pub(crate) const RELEASED_ENERGY: usize = 9;
-    pub const RESIDUAL: usize = 10;
-    pub const FRAME: usize = 11;
+    pub(crate) const RESIDUAL: usize = 10;
+    pub(crate) const FRAME: usize = 11;
     pub(crate) const MEASURED_FORCE: usize = 12;
     pub(crate) const PULL_OFF_FORCE: usize = 13;
     pub(crate) const PULL_OFF_TIME: usize = 14;
@@ -48,7 +48,7 @@ pub(super) mod at {
     pub(crate) const STEPS: usize = 31;
     pub(crate) const NODES: usize = 32;
     /// How many there are.
-    pub const ALL: usize = 33;
+    pub(crate) const ALL: usize = 33;
 
     /// Energies, which turn into each other.
     pub(crate) const ENERGIES: [usize; 5] = [STORED_ENERGY, INTERFACE_ENERGY, EXTERNAL_WORK, DISSIPATED_ENERGY, RELEASED_ENERGY];
@@ -162,8 +162,8 @@ pub(super) fn columns(indentation: &Indentation, units: Units) -> Vec<Column> {
 
 /// Positions of the fields at a place.
 pub(super) mod field {
-    pub const TIME: usize = 0;
-    pub const PRESSURE: usize = 1;
+    pub(crate) const TIME: usize = 0;
+    pub(crate) const PRESSURE: usize = 1;
     pub(crate) const DISPLACEMENT: usize = 2;
     pub(crate) const GAP: usize = 3;
 }

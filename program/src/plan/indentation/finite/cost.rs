@@ -2,8 +2,8 @@
 
 use super::FiniteRangePlan;
 use super::history::{Piece, tolerances};
-use viscotack::finite_range::sphere::Motion;
 use crate::outcome::Work;
+use viscotack::finite_range::sphere::Motion;
 
 /// Steps of a segment at an accuracy of 1e-3: at least so many; where the surface peels so many at a Tabor number of 3, with the power of that number.
 const LEAST: f64 = 40.0;

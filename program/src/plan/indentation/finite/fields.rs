@@ -4,9 +4,9 @@ use super::super::fields::places;
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::rows::Values;
+use crate::outcome::FieldPoint;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Place, Record, Surface};
-use crate::outcome::FieldPoint;
 
 /// A field is never known better than this part of its largest value.
 const ROUNDING: f64 = 1e-11;

@@ -3,10 +3,10 @@
 use super::super::scale::Scale;
 use super::super::timeline::{Leg, Timeline};
 use super::scales::Reduced;
+use crate::scene::typed::{HistoryQuantity, Indentation, IndentationStart};
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::sphere::{self, Accuracy, Control, Motion, Problem, Start};
 use viscotack::indentation::Oscillation;
-use crate::scene::typed::{HistoryQuantity, Indentation, IndentationStart};
 
 /// Two rates nearer than this, relative, are one.
 const SAME_RATE: f64 = 1e-9;

@@ -17,8 +17,6 @@ mod widened;
 
 use super::scale::Scale;
 use super::timeline::Timeline;
-use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
-use viscotack::material::Material;
 use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
@@ -26,11 +24,13 @@ use crate::plan::citations::Citation;
 use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::{Indentation, PoissonRatio, Scene, SceneAttraction, Units};
 pub(super) use advice::beside_an_edge;
 use history::Course;
 use scales::Reduced;
+use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
 
 /// An indenter whose surface attracts at a distance, ready to be solved.
 #[derive(Debug, Clone)]

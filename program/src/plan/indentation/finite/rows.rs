@@ -6,13 +6,13 @@ use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
 use super::history::{is_kinked, tolerances};
 use super::widened::{Floors, widened};
-use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{BY_CHANCE, Jump, LegSummary, Record};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::desk::Desk;
-use viscotack::refusal::Refusal;
 use crate::scene::typed::IndentationShape;
 use std::f64::consts::PI;
+use viscotack::estimate::Estimate;
+use viscotack::finite_range::sphere::{BY_CHANCE, Jump, LegSummary, Record};
+use viscotack::refusal::Refusal;
 
 /// The words of rows.
 pub(super) const SUMMARY: &str = crate::outcome::SUMMARY;

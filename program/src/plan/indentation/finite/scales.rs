@@ -4,12 +4,12 @@
 //! a scene counts it from where that gap is the law's own gap of zero stress, so that both edge theory and law of short range have one zero.
 
 use super::super::scale::Scale;
+use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, SceneAttraction};
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::law::Attraction;
 use viscotack::finite_range::sphere::{Creep, Scales, Shape};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
-use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, SceneAttraction};
 
 /// Rounding of the way to the units of the solver and back, relative.
 const CONVERSION: f64 = 8.0 * f64::EPSILON;

@@ -19,12 +19,12 @@ mod source;
 
 use super::material_solid::{MadeSolid, Moduli, Relaxing, Solid, Strength, Volume};
 use super::section::Section;
-use viscotack::material::shift::ShiftFactors;
 use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::Document;
 use crate::scene::typed::DeckOrigin;
 use source::DeckSource;
+use viscotack::material::shift::ShiftFactors;
 
 /// A parser.
 type Parser = fn(&DeckSource<'_>) -> Result<Deck, SceneError>;

@@ -1,4 +1,4 @@
-//! Source: `src/plan/indentation/rates.rs`: a segment at a rate after another quantity was controlled.
+//! Source: `program/src/plan/indentation/rates.rs`: a segment at a rate after another quantity was controlled.
 //!
 //! Goal: press to a force, hold, retract at a rate gives what the same history gives whose durations are written out.
 //!
