@@ -4,6 +4,7 @@
 use super::IndentationPlan;
 use super::rows::Values;
 use crate::estimate::Estimate;
+use crate::finite_range::sphere::SUM_OF_DURATIONS;
 use crate::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_of};
 use crate::outcome::FieldPoint;
 use crate::refusal::Refusal;
@@ -34,7 +35,7 @@ impl IndentationPlan {
             .iter()
             .map(|time| {
                 let time = time / self.indentation.speed_factor;
-                if time > end * (1.0 + 1e-9) {
+                if time > end * (1.0 + SUM_OF_DURATIONS) {
                     return Err(Refusal::OutOfRange { quantity: "fields.times", value: time, allowed: "within the history" });
                 }
                 let time = time.min(end);
