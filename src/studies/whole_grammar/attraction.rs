@@ -5,7 +5,7 @@ use super::text::{Accuracies, ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, TIME, T
 use std::f64::consts::PI;
 
 /// Of a smooth law, and of one with kinks or a hard wall, where each digit costs thirty times more.
-const SMOOTH: Accuracies = ([1e-2, 1e-3, 1e-4, 1e-5], 1e-7);
+const SMOOTH: Accuracies = ([1e-2, 1e-3, 1e-4, 1e-5], 1e-6);
 const KINKED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-4);
 
 /// A reduced law of Lennard-Jones, for tables.
