@@ -10,6 +10,7 @@ mod fit_numbers;
 mod hard_cases;
 mod held_contacts;
 mod honesty;
+mod one_scene;
 mod orders_and_contests;
 mod published_numbers;
 mod report;

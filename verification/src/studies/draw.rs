@@ -22,6 +22,11 @@ impl Draw {
         (self.0.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// The next number's later digits, as a whole number: independent of the first ones, which decide whatever is drawn by them.
+    pub fn digits(&mut self) -> usize {
+        ((self.unit() * 4096.0).fract() * 4096.0) as usize
+    }
+
     /// Uniform between two numbers.
     pub fn between(&mut self, lower: f64, upper: f64) -> f64 {
         lower + (upper - lower) * self.unit()

@@ -6,6 +6,7 @@ use super::rows::Values;
 use crate::outcome::FieldPoint;
 use crate::scene::typed::IndentationFields;
 use viscotack::estimate::Estimate;
+use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
 use viscotack::indentation::{Contact, IndentationSolution, Instant, PathPoint, Springs, Start, SurfaceFields, Sweep, surface_of};
 use viscotack::refusal::Refusal;
 
@@ -34,7 +35,7 @@ impl IndentationPlan {
             .iter()
             .map(|time| {
                 let time = time / self.indentation.speed_factor;
-                if time > end * (1.0 + 1e-9) {
+                if time > end * (1.0 + SUM_OF_DURATIONS) {
                     return Err(Refusal::OutOfRange { quantity: "fields.times", value: time, allowed: "within the history" });
                 }
                 let time = time.min(end);

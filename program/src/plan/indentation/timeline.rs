@@ -5,6 +5,7 @@ use crate::scene::typed::{
     CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
 };
 use std::sync::Arc;
+use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
 use viscotack::indentation::{FrequencySweep, Oscillation};
 use viscotack::refusal::Refusal;
 
@@ -125,9 +126,9 @@ impl Timeline {
             let (before, after) = (next.saturating_sub(1), next.min(overlay.table.rows.len() - 1));
             let row = |index: usize| Some((*overlay.table.rows.get(index)?, (*column.values.get(index)?)?));
             let ((first_time, first), (second_time, second)) = (row(before)?, row(after)?);
-            // A rounding beyond its ends is still within the table.
+            // What the sum of durations before it is rounded by beyond its ends is still within the table.
             let width = second_time - first_time;
-            let reach = 1e-9 * overlay.table.rows.last().copied().unwrap_or(0.0);
+            let reach = SUM_OF_DURATIONS * time.abs() * overlay.speed_factor;
             if sought < first_time - reach || sought > second_time + reach {
                 return None;
             }

@@ -1,8 +1,12 @@
 //! Draws of laws by which an indenter attracts at a distance.
 
 use super::material::Scales;
-use super::text::{ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, TIME, Text, quoted};
+use super::text::{Accuracies, ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, TIME, Text, quoted};
 use std::f64::consts::PI;
+
+/// Of a smooth law, and of one with kinks or a hard wall, where each digit costs thirty times more.
+const SMOOTH: Accuracies = ([1e-2, 1e-3, 1e-4, 1e-5], 1e-6);
+const KINKED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-4);
 
 /// A reduced law of Lennard-Jones, for tables.
 fn stress(u: f64) -> f64 {
@@ -33,6 +37,7 @@ pub(super) fn indenter(text: &mut Text, scales: Scales) {
         text.put_number("adhesion.work_of_adhesion", work, 1.0, ENERGY_PER_AREA);
         let law = text.word(&["lennard_jones", "lennard_jones", "cosine", "exponential", "dugdale"]);
         text.put("adhesion.law", quoted(law));
+        text.accuracies = Some(if law == "lennard_jones" { SMOOTH } else { KINKED });
         if law == "dugdale" {
             text.put("adhesion.ramp", "0.2");
         }
@@ -42,6 +47,7 @@ pub(super) fn indenter(text: &mut Text, scales: Scales) {
             text.put_number("adhesion.peak_stress", 1.03 * work / range, 1.0, PRESSURE);
         }
     } else {
+        text.accuracies = Some(KINKED);
         let gaps = [0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2, 1.35, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 7.0];
         let rows: Vec<String> = gaps.iter().map(|u| format!("{:e}, {:e}", u * range, work / range * stress(*u))).collect();
         if form == 2 {

@@ -16,7 +16,8 @@ const SAME_TIME: f64 = 1e-13;
 const INPUTS: f64 = 4.0 * f64::EPSILON;
 
 /// Columns that describe the run that was made, not the contact or crack: counts of work, and what a run itself left of its equations.
-const OF_THE_RUN: [&str; 6] = ["steps", "most_pieces", "most_panels", "residual", "power_balance_defect", "point"];
+const OF_THE_RUN: [&str; 8] =
+    ["steps", "nodes", "most_pieces", "most_panels", "residual", "power_balance_defect", "energy_defect", "point"];
 
 /// A number with the column that it stands in.
 #[derive(Debug, Clone)]
@@ -76,6 +77,10 @@ fn is_spread(problem: Problem, row: &Row) -> bool {
 
 fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
     let time = found.columns.iter().position(|column| column.name == "time");
+    if !found.columns.iter().map(|column| column.name).eq(exact.columns.iter().map(|column| column.name)) {
+        judged.unmatched.push("both answers have other columns".into());
+        return;
+    }
     // How many cycles it takes until they are stationary depends on the accuracy, and with it which one is the last.
     let settles = judged.drawn.text.contains("until_stationary");
     let rows = |outcome: &Outcome| {

@@ -1,7 +1,7 @@
 //! One scene of the grammar: its text, and its rows at an accuracy.
 
 use super::super::draw::Draw;
-use super::text::{Text, quoted};
+use super::text::{Accuracies, Text, quoted};
 use super::{crack, delayed, indentation, sliding, surface};
 use std::path::Path;
 use viscotack_program::outcome::Outcome;
@@ -50,8 +50,7 @@ impl Problem {
         }
     }
 
-    /// Accuracies that are asked for, in turn, and the tightest that a truth is asked for.
-    const fn accuracies(self) -> ([f64; 4], f64) {
+    const fn accuracies(self) -> Accuracies {
         match self {
             Self::SteadyCrack => ([1e-3, 1e-6, 1e-9, 1e-12], 1e-15),
             Self::DelayedFracture => ([1e-2, 1e-3, 1e-4, 3e-4], 1e-6),
@@ -97,7 +96,7 @@ pub fn drawn(seed: u64, problem: Problem, scene: u64, units: u64) -> Drawn {
     } else if text.chance(0.2) {
         text.put("units", quoted("si"));
     }
-    let (accuracies, floor) = problem.accuracies();
+    let (accuracies, floor) = text.accuracies.unwrap_or(problem.accuracies());
     let accuracy = accuracies.get(text.draw.below(accuracies.len())).copied().unwrap_or(1e-3);
     if text.chance(0.1) {
         let plots = text.word(&["svg", "png"]);

@@ -158,8 +158,8 @@ pub(super) fn write(text: &mut Text) {
     text.reduced = text.chance(0.25);
     let adhesive = text.chance(ADHESIVE);
     let scales = material(text, if adhesive { Taken { liquids: false, most_terms: 2, ..TAKEN } } else { TAKEN });
-    // One adhesive scene in so many attracts at a distance: by what was drawn so far, so that the other scenes stay as they were.
-    if adhesive && text.lines.iter().map(String::len).sum::<usize>().is_multiple_of(AT_A_DISTANCE) {
+    // One adhesive scene in so many attracts at a distance: by digits of the next number that nothing else depends on, so that the others stay as they were.
+    if adhesive && text.draw.clone().digits().is_multiple_of(AT_A_DISTANCE) {
         attraction::indenter(text, scales);
         return;
     }

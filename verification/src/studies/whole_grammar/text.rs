@@ -45,11 +45,16 @@ pub(super) struct Text {
     pub(super) lines: Vec<String>,
     /// Files that it names.
     pub(super) files: Vec<(String, String)>,
+    /// Where they are not those of its problem.
+    pub(super) accuracies: Option<Accuracies>,
 }
+
+/// Accuracies that are asked for, one of them of a scene, and the tightest that a truth is asked for.
+pub(super) type Accuracies = ([f64; 4], f64);
 
 impl Text {
     pub(super) fn new(draw: Draw, units: Draw) -> Self {
-        Self { draw, units, reduced: false, plain: false, lines: Vec::new(), files: Vec::new() }
+        Self { draw, units, reduced: false, plain: false, lines: Vec::new(), files: Vec::new(), accuracies: None }
     }
 
     /// A number of `reduced` units of `scale` (SI).

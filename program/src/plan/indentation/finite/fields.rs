@@ -19,11 +19,7 @@ impl FiniteRangePlan {
         let Some(wanted) = &self.indentation.fields else { return Vec::new() };
         let pairs: Vec<(&Surface, &Surface)> = runs.loose.surfaces.iter().zip(&runs.tight.surfaces).collect();
         let units = &self.reduced.scales;
-        let record = |runs: &[Record], surface: &Surface| {
-            // Of a step at once the row after it counts.
-            let near = |row: &&Record| (row.time - surface.time).abs() <= 1e-9 * surface.time.abs() && same(row.force, surface.force);
-            runs.iter().find(near).copied()
-        };
+        let record = |runs: &[Record], surface: &Surface| runs.get(surface.row).copied();
         let found: Vec<(Record, Record, &Surface, &Surface)> = pairs
             .into_iter()
             .filter_map(|(loose, tight)| Some((record(&runs.loose.rows, loose)?, record(&runs.tight.rows, tight)?, loose, tight)))
@@ -57,9 +53,4 @@ impl FiniteRangePlan {
             })
             .collect()
     }
-}
-
-/// Whether two forces are one and the same.
-fn same(a: f64, b: f64) -> bool {
-    a.total_cmp(&b).is_eq()
 }
