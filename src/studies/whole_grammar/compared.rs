@@ -16,7 +16,7 @@ const SAME_TIME: f64 = 1e-13;
 const INPUTS: f64 = 4.0 * f64::EPSILON;
 
 /// Columns that describe the run that was made, not the contact or crack: counts of work, and what a run itself left of its equations.
-const OF_THE_RUN: [&str; 6] = ["steps", "most_pieces", "most_panels", "residual", "power_balance_defect", "point"];
+const OF_THE_RUN: [&str; 7] = ["steps", "most_pieces", "most_panels", "nodes", "residual", "power_balance_defect", "point"];
 
 /// A number with the column that it stands in.
 #[derive(Debug, Clone)]
@@ -60,8 +60,14 @@ pub struct Judged {
 pub fn judged(seed: u64, problem: Problem, scene: u64) -> Judged {
     let first = drawn(seed, problem, scene, 0);
     let second = drawn(seed, problem, scene, 1);
-    let (found, exact) = (first.solved(first.accuracy), second.solved(second.tight));
-    let mut judged = Judged { drawn: first, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
+    let (found, exact) = (first.solved(first.accuracy), second.solved_tightly());
+    compared_with(first, scene, found, exact)
+}
+
+/// The rows of a scene beside those of its truth.
+#[must_use]
+pub fn compared_with(drawn: Drawn, scene: u64, found: Result<Outcome, String>, exact: Result<Outcome, String>) -> Judged {
+    let mut judged = Judged { drawn, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
     match (found, exact) {
         (Ok(found), Ok(exact)) => compare(&mut judged, &found, &exact),
         (found, exact) => judged.refused = [found.err(), exact.err()],
