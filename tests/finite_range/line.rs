@@ -22,8 +22,8 @@ use std::sync::Arc;
 use viscotack::Material;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
-    Control, Direction, FoldKind, Harmonic, Modulus, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact, locate,
-    modulus_of, solve, trace,
+    Control, Direction, FoldKind, Harmonic, Modulus, Numbers, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact,
+    locate, modulus_of, solve, trace,
 };
 use viscotack::material::CreepTerm;
 use viscotack::sliding::layer::{Backing, Layer};
@@ -164,7 +164,9 @@ fn slow_and_fast_sliding_are_elastic_and_elastic_sliding_has_no_friction() {
         let modulus: Modulus = Arc::new(move |w| Complex::new(if w > 0.0 { stiffness } else { 1.0 }, 0.0));
         let problem = Problem { modulus, ..usual(1.0, 0.008, 0.05, Control::MeanPressure(0.15)) };
         let solved = solve(&problem, &request).unwrap();
-        assert!(solved.numbers.friction_stress.abs() < 1e-12, "{:e}", solved.numbers.friction_stress);
+        // The loss of an elastic body is nothing, on any grid, and its bound says so.
+        assert!(solved.numbers.friction_stress.abs() < 1e-15, "{:e}", solved.numbers.friction_stress);
+        assert!(solved.errors.friction_stress < 1e-15, "{:e}", solved.errors.friction_stress);
         solved.numbers.mean_gap
     };
     assert_within("slow", at(1e-4).numbers.mean_gap, elastic(1.0), 2e-5);
@@ -284,8 +286,8 @@ impl Dice {
 /// Random scenes: whatever is returned agrees with a grid four times finer within the bounds, or the finer one refuses with a reason.
 #[test]
 fn random_scenes_agree_with_finer_grids_or_are_refused() {
-    let (mut compared, mut refused) = (0, 0);
-    let mut dice = Dice(41);
+    let (mut compared, mut refused, mut ratios) = (0, 0, Vec::new());
+    let mut dice = Dice(std::env::var("VISCOTACK_DICE").ok().and_then(|seed| seed.parse().ok()).unwrap_or(41));
     for scene in 0..24 {
         let beta = dice.between(2.0, 1000.0);
         let times = [1.0, dice.between(1e-3, 0.5)];
@@ -319,20 +321,31 @@ fn random_scenes_agree_with_finer_grids_or_are_refused() {
                     continue;
                 }
                 compared += 1;
-                let pairs = [
-                    (
-                        coarse.numbers.friction_stress,
-                        fine.numbers.friction_stress,
-                        coarse.errors.friction_stress + fine.errors.friction_stress,
-                    ),
-                    (coarse.numbers.mean_gap, fine.numbers.mean_gap, coarse.errors.mean_gap + fine.errors.mean_gap),
-                    (coarse.numbers.mean_pressure, fine.numbers.mean_pressure, coarse.errors.mean_pressure + fine.errors.mean_pressure),
-                ];
-                for (a, b, bound) in pairs {
-                    assert_within(&what, a, b, bound + 1e-11);
+                let list = |n: &Numbers| {
+                    [
+                        n.friction_stress,
+                        n.mean_gap,
+                        n.mean_pressure,
+                        n.contact_fraction,
+                        n.adhesive_pressure,
+                        n.repulsive_pressure,
+                        n.interface_energy,
+                    ]
+                };
+                let (values, truths) = (list(&coarse.numbers), list(&fine.numbers));
+                let (bounds, unknown) = (list(&coarse.errors), list(&fine.errors));
+                for i in 0..values.len() {
+                    assert_within(&format!("{what}, number {i}"), values[i], truths[i], bounds[i] + unknown[i] + 1e-11);
+                    if 10.0 * unknown[i] <= bounds[i] && bounds[i] > 1e-9 {
+                        ratios.push(bounds[i] / (values[i] - truths[i]).abs().max(unknown[i]));
+                    }
                 }
             }
         }
     }
+    ratios.sort_by(f64::total_cmp);
+    let at = |part: f64| ratios[(part * (ratios.len() - 1) as f64).round() as usize];
+    println!("{} bounds over errors: least {:.2}, median {:.2}, 95th percentile {:.2}", ratios.len(), at(0.0), at(0.5), at(0.95));
+    assert!(at(0.5) <= 10.0 && at(0.95) <= 100.0, "bounds are {} and {} times the errors", at(0.5), at(0.95));
     assert!(compared >= 16 && refused <= 6, "{compared} compared, {refused} refused");
 }

@@ -83,7 +83,7 @@ fn the_reference_states_come_out_of_scenes() {
         }
         let (adhesive, repulsive) = (first(&outcome, "adhesive_pressure"), first(&outcome, "repulsive_pressure"));
         agree(Estimate::new(adhesive.value + repulsive.value, adhesive.error + repulsive.error), first(&outcome, "mean_pressure"), "parts");
-        agree(first(&outcome, "friction_by_loss"), first(&outcome, "friction_by_surface"), "routes");
+        agree(first(&outcome, "friction_by_profile"), first(&outcome, "friction_by_surface"), "routes");
     }
 }
 

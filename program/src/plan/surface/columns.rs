@@ -42,7 +42,7 @@ pub(super) static COLUMNS: [Definition; 14] = [
     column(
         "friction_stress",
         Measure::Friction,
-        "Mean of −p h′, the resistance to sliding per nominal area; accuracy relative to it, or to a thousandth of pressure × slope.",
+        "Resistance to sliding per nominal area, as the loss of all waves of the pressure; accuracy relative to it, or to a thousandth of pressure × slope.",
     ),
     column(
         "friction_coefficient",
@@ -83,9 +83,9 @@ pub(super) static COLUMNS: [Definition; 14] = [
         "Mean of −p w′, w the displaced surface: equal to the friction stress, by another route.",
     ),
     column(
-        "friction_by_loss",
+        "friction_by_profile",
         Measure::Friction,
-        "Loss of each wave of the pressure in the solid, summed: equal to the friction stress, by another route.",
+        "Mean of −p h′, h the profile: equal to the friction stress up to the grid, by another route.",
     ),
     column("nodes", Measure::Number, "Nodes along x of the finest grid."),
 ];

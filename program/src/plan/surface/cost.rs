@@ -4,6 +4,7 @@ use super::SurfacePlan;
 use crate::outcome::Work;
 use crate::scene::typed::{SlidingContact, SurfacePath, SurfaceTask};
 use viscotack::finite_range::law::{Attraction, Law};
+use viscotack::finite_range::line::Request;
 
 /// Nodes along x for a relative error of 1e-3, a relaxed zone of 1/k and one wave: of a smooth law, of a Dugdale law, of a surface.
 const NODES: [f64; 3] = [500.0, 4096.0, 100.0];
@@ -24,7 +25,10 @@ const BYTES_A_NODE: u64 = 8 * (60 + 24);
 impl SurfacePlan {
     /// The nodes of the finest grid, as expected; of a swept range at its shortest.
     fn expected_nodes(&self, contact: SlidingContact) -> u64 {
-        let request = self.request();
+        self.nodes_of(contact, self.request())
+    }
+
+    fn nodes_of(&self, contact: SlidingContact, request: Request) -> u64 {
         let law = self.attraction(contact).ok().filter(Attraction::attracts);
         let zone = law.as_ref().map_or(WITHOUT_ADHESION, |law| {
             std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2) * self.shortest_range.powi(2)
@@ -37,21 +41,26 @@ impl SurfacePlan {
             Some(Law::Dugdale { .. }) => NODES[1],
             _ => NODES[0],
         };
-        let needed = which * waves.powf(BY_WAVES) / zone.max(1e-9).powf(BY_ZONE) * (1e-3 / self.accuracy).powf(BY_ACCURACY);
+        let needed = which * waves.powf(BY_WAVES) / zone.max(1e-9).powf(BY_ZONE) * (1e-3 / request.accuracy).powf(BY_ACCURACY);
         let nodes = (needed.min(1e9) as usize).next_power_of_two().clamp(request.least_nodes, request.most_nodes) as u64;
         if self.is_line() { nodes } else { nodes * nodes }
     }
 
     pub(super) fn work_of_states(&self, states: u64) -> Work {
         let products = match self.sliding.task {
-            SurfaceTask::State if self.sliding.reached_by == SurfacePath::LongRange => COLD,
-            SurfaceTask::State => COLD + STEPS * NEIGHBOUR,
+            SurfaceTask::State => COLD,
             SurfaceTask::Loop { points, .. } => COLD + 2.0 * f64::from(points) * NEIGHBOUR,
             SurfaceTask::Branch { points } => 2.0 * (COLD + f64::from(points) * NEIGHBOUR),
         };
         let contacts = self.sliding.contacts.len() as u64;
         let nodes: f64 = self.sliding.contacts.iter().map(|&contact| self.expected_nodes(contact) as f64).sum();
-        let of_a_state = (products * nodes).min(1e18) as u64;
+        // The states on the way to a load that is raised or lowered are rough.
+        let on_the_way = if self.sliding.task == SurfaceTask::State && self.sliding.reached_by != SurfacePath::LongRange {
+            self.sliding.contacts.iter().map(|&contact| STEPS * NEIGHBOUR * self.nodes_of(contact, self.rough_request()) as f64).sum()
+        } else {
+            0.0
+        };
+        let of_a_state = (products * nodes + on_the_way).min(1e18) as u64;
         let fields = self.sliding.field_points.map_or(0, |points| self.points_of_fields(points as usize)) as u64;
         Work {
             kernel_evaluations: of_a_state.saturating_mul(states),

@@ -7,6 +7,9 @@ use std::f64::consts::TAU;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::line::SteadyState;
 
+/// Rounding of a transform over the largest value.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl SurfacePlan {
     /// The fields on at most `points` nodes along each direction; each place is a node, nothing is interpolated.
     pub(super) fn fields(&self, state: &SteadyState, points: usize) -> Vec<FieldPoint> {
@@ -18,6 +21,8 @@ impl SurfacePlan {
         let (dx, dy) = (TAU / fields.nx as f64, TAU * self.profile.aspect() / fields.ny as f64);
         let centred = self.sliding.surface.word == "wave";
         let [pressure_errors, gap_errors] = &state.field_errors;
+        // Heights on a grid are a sum of waves.
+        let rounding = ROUNDING * self.profile.half_height();
         let mut found: Vec<FieldPoint> = Vec::new();
         for j in chosen(fields.ny) {
             for i in chosen(fields.nx) {
@@ -30,6 +35,8 @@ impl SurfacePlan {
                     x -= TAU;
                 }
                 let gap_error = at(gap_errors);
+                // From its mean the displaced surface is gap + profile − mean gap.
+                let displacement_error = gap_error + state.errors.mean_gap + rounding;
                 let mut values = Vec::with_capacity(5);
                 if !self.is_line() {
                     values.push(Estimate::exact(j as f64 * dy * self.scales.length));
@@ -37,8 +44,8 @@ impl SurfacePlan {
                 values.extend([
                     self.in_units(Estimate::new(at(&fields.pressure), at(pressure_errors)), Measure::Pressure),
                     self.in_units(Estimate::new(at(&fields.gap), gap_error), Measure::Height),
-                    self.in_units(Estimate::new(at(&fields.surface), gap_error), Measure::Height),
-                    self.in_units(Estimate::exact(at(&fields.profile)), Measure::Height),
+                    self.in_units(Estimate::new(at(&fields.surface), displacement_error), Measure::Height),
+                    self.in_units(Estimate::new(at(&fields.profile), rounding), Measure::Height),
                 ]);
                 found.push(FieldPoint { place: x * self.scales.length, values });
             }

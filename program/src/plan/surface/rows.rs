@@ -5,7 +5,7 @@ use super::columns::{COLUMNS, Measure, columns};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::scene::typed::{SlidingContact, SurfacePath, Units};
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::line::{Control, Path, Problem, ReachedBy, SteadyState, follow, solve};
+use viscotack::finite_range::line::{Control, Path, Problem, ReachedBy, Request, SteadyState, follow, solve};
 use viscotack::refusal::Refusal;
 
 /// Rounding of the conversion to SI units.
@@ -14,6 +14,9 @@ const CONVERSION: f64 = 8.0 * f64::EPSILON;
 const ADMISSIBLE: f64 = 1e-6;
 /// Steps of a load that is raised or lowered to the wanted one, at least; a step may be halved so often.
 const STEPS: u32 = 12;
+/// The accuracy of the states on the way, and nodes along x of the first grid that may give them.
+const ON_THE_WAY: f64 = 0.05;
+const LEAST_ON_THE_WAY: usize = 64;
 const HALVINGS: u32 = 6;
 /// Where a raised load begins and a lowered one: parts of the pressure that flattens the profile.
 const LIGHT: f64 = 0.01;
@@ -57,6 +60,13 @@ impl SurfacePlan {
         }
     }
 
+    /// What is asked of states that only lead to the wanted one: three grids that agree roughly are enough.
+    pub(super) fn rough_request(&self) -> Request {
+        let request = self.request();
+        let own = self.profile.nodes()[0].next_power_of_two();
+        Request { accuracy: request.accuracy.max(ON_THE_WAY), least_nodes: own.max(LEAST_ON_THE_WAY).min(request.least_nodes), ..request }
+    }
+
     /// The state by the wanted way, and what happened on it.
     fn reached(&self, problem: &Problem) -> Result<(SteadyState, Option<String>), Refusal> {
         let request = self.request();
@@ -70,19 +80,21 @@ impl SurfacePlan {
             _ => LIGHT.min(0.5 * wanted.abs()),
         };
         let at = |load: f64| Problem { control: Control::MeanPressure(load), ..problem.clone() };
+        let rough = self.rough_request();
+        let asked = |load: f64| if (wanted - load).abs() <= 1e-12 * (1.0 + wanted.abs()) { &request } else { &rough };
         let (mut load, mut jumps) = (start, Vec::new());
-        let mut state = solve(&at(load), &request)?;
+        let mut state = solve(&at(load), asked(load))?;
         let mut step = (wanted - start) / f64::from(STEPS);
         let shortest = step.abs() / f64::from(1_u32 << HALVINGS);
         while (wanted - load).abs() > 1e-12 * (1.0 + wanted.abs()) {
             let next = if (wanted - load).abs() <= step.abs() * (1.0 + 1e-9) { wanted } else { load + step };
-            match follow(&at(next), &state, &request) {
+            match follow(&at(next), &state, asked(next)) {
                 Ok(found) => (state, load) = (found, next),
                 Err(_) if step.abs() > shortest => step *= 0.5,
                 // The branch ends here: the contact jumps to another state.
                 Err(_) => {
                     let before = load * self.scales.pressure;
-                    state = solve(&at(next), &request)?;
+                    state = solve(&at(next), asked(next))?;
                     load = next;
                     jumps.push(format!("on the way the contact jumps beyond the mean pressure {before:.6e}"));
                 }
@@ -176,7 +188,7 @@ impl SurfacePlan {
             Some(friction.scaled(problem.speed)),
             Some(Estimate::new(n.interface_energy, e.interface_energy)),
             Some(by(state.certificate.friction_by_surface)),
-            Some(by(state.certificate.friction_by_loss)),
+            Some(by(state.certificate.friction_by_profile)),
             Some(Estimate::exact(state.fields.nx as f64)),
         ];
         COLUMNS.iter().zip(reduced).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect()

@@ -202,7 +202,7 @@ impl SurfacePlan {
             Some(friction.scaled(problem.speed)),
             Some(Estimate::new(n.interface_energy, e.interface_energy)),
             point.certificate.map(|identities| by(identities.friction_by_surface)),
-            point.certificate.map(|identities| by(identities.friction_by_loss)),
+            point.certificate.map(|identities| by(identities.friction_by_profile)),
             Some(Estimate::exact(point.nodes as f64)),
         ];
         row.values = COLUMNS.iter().zip(reduced).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect();

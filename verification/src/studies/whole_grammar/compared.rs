@@ -61,8 +61,14 @@ pub struct Judged {
 pub fn judged(seed: u64, problem: Problem, scene: u64) -> Judged {
     let first = drawn(seed, problem, scene, 0);
     let second = drawn(seed, problem, scene, 1);
-    let (found, exact) = (first.solved(first.accuracy), second.solved(second.tight));
-    let mut judged = Judged { drawn: first, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
+    let (found, exact) = (first.solved(first.accuracy), second.solved_tightly());
+    compared_with(first, scene, found, exact)
+}
+
+/// The rows of a scene beside those of its truth.
+#[must_use]
+pub fn compared_with(drawn: Drawn, scene: u64, found: Result<Outcome, String>, exact: Result<Outcome, String>) -> Judged {
+    let mut judged = Judged { drawn, scene, values: Vec::new(), unmatched: Vec::new(), refused: [None, None] };
     match (found, exact) {
         (Ok(found), Ok(exact)) => compare(&mut judged, &found, &exact),
         (found, exact) => judged.refused = [found.err(), exact.err()],

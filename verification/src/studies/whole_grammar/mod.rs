@@ -11,6 +11,7 @@
 //! | [`mod@coverage`] | what the scenes hold of the catalogue |
 //!
 //! The truth is the same scene at a thousandth of the accuracy (or at the floor of its problem), written in other units, so that the inputs differ in their last digits.
+//! A sliding line may take four times the nodes for it, a surface twice: their own nodes are so few that both answers would have one grid.
 
 mod adhesion;
 mod attraction;
@@ -64,7 +65,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     let mut section = Section::new("grammar", "Error bounds over the whole grammar of scenes");
     section.say(
         "Random scenes, the same in every run, that together hold every key of the catalogue in every problem that has it, and every word of every choice. \
-         Each is solved at its accuracy and at a thousandth of it, written in other units. Every number of every row is compared: columns, fields, events, \
+         Each is solved at its accuracy and at a thousandth of it, written in other units; sliding surfaces on finer grids. Every number of every row is compared: columns, fields, events, \
          cycles, sensitivities. A bound does not cover the error where both numbers are further apart than their bounds. Of branches only the turns are \
          compared: their other points are spread along a curve.",
     );

@@ -9,6 +9,9 @@ const TAKEN: Taken = Taken { liquids: false, stiffest: 30.0, most_terms: 4, deca
 /// Heights of a drawn profile or map along each direction.
 const POINTS: usize = 16;
 
+/// Nodes along x that a scene allows, and its truth: of a line, of a surface.
+const NODES: [[&str; 2]; 2] = [["4096", "16384"], ["256", "512"]];
+
 /// Reduced units in SI.
 struct Scale {
     /// 1/k.
@@ -50,7 +53,13 @@ pub(super) fn write(text: &mut Text) {
     text.put_number("sliding.speed", speed, scale.speed, SPEED);
     load(text, &scale, adhesive, is_line);
     // A state of this many nodes takes a tenth of a second; where they do not suffice the row is flagged, and its bounds are compared all the same.
-    text.put("sliding.most_nodes", if is_line { "4096" } else { "256" });
+    text.put("sliding.most_nodes", NODES[usize::from(!is_line)][0]);
+}
+
+/// The same scene on the grids of its truth.
+pub(super) fn on_finer_grids(text: &str) -> String {
+    let line = |nodes: &str| format!("most_nodes = {nodes}\n");
+    NODES.iter().fold(text.to_owned(), |text, [drawn, finer]| text.replace(&line(drawn), &line(finer)))
 }
 
 /// The sliding body, and whether it is a line.
