@@ -95,7 +95,8 @@ fn assert_certified(what: &str, problem: &Problem, state: &SteadyState) {
     let c = &state.certificate;
     let scale = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure.abs();
     assert!((c.friction_by_loss - c.friction_by_surface).abs() <= 1e-9 * scale.max(1e-3), "{what}: {c:?}");
-    let discretisation = 2e-3 * scale + 10.0 * state.errors.friction_stress;
+    // Rounding of a profile of order one, where nothing touches and nothing attracts.
+    let discretisation = 2e-3 * scale + 10.0 * state.errors.friction_stress + 1e-12;
     assert!((c.friction_by_profile - c.friction_by_surface).abs() <= discretisation, "{what}: {c:?}");
     assert!(c.least_contact_pressure >= -1e-6 && (c.least_gap >= 0.0 || problem.attraction.wall().is_none()), "{what}: {c:?}");
     let balance = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure - state.numbers.mean_pressure;
@@ -122,7 +123,7 @@ fn fifteen_states_of_an_independent_program_are_met_within_their_bounds() {
         meets("friction_stress", values.friction_stress, errors.friction_stress, 1e-4 * values.friction_stress.abs().max(5e-3));
         meets("mean_gap", values.mean_gap, errors.mean_gap, 1e-4);
         meets("mean_pressure", values.mean_pressure, errors.mean_pressure, 1e-4);
-        meets("half_width", PI * values.contact_fraction, PI * errors.contact_fraction, 2e-3);
+        meets("half_width", PI * values.contact_fraction, PI * errors.contact_fraction, TAU / 1024.0);
         assert_eq!(solved.patches as u64, if name.contains("Lennard") { 1 } else { state["patches"].as_u64().unwrap() }, "{name}");
         assert_certified(name, &problem, &solved);
     }

@@ -166,7 +166,7 @@ fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
 /// Which share of the values may lie outside of their bounds, and why, where that is known: stated on the page instead of failing the command (named gaps).
 const fn known_outside(problem: Problem) -> Option<(f64, &'static str)> {
     match problem {
-        Problem::Indentation => Some((2e-4, "the drift of a cycle, in the eighth digit")),
+        Problem::Indentation => Some((5e-4, "what a jump releases; the drift of a cycle, in the eighth digit")),
         Problem::SteadyCrack | Problem::DelayedFracture | Problem::Sliding | Problem::Surface => None,
     }
 }
