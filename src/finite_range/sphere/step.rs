@@ -20,6 +20,8 @@ const WORK_SCALE: f64 = 3.0;
 const AT_A_KINK: f64 = 0.1;
 /// A correction of the gap that does not fall any more is rounding if it is smaller than this times the scale of the displacements.
 const ROUNDING: f64 = 1e-11;
+/// The same of the scale of the gap at the outer radius, which is half its square.
+const ROUNDING_OF_GAPS: f64 = 1e-13;
 /// That scale is at least so many ranges.
 const DISPLACEMENT: f64 = 10.0;
 
@@ -96,7 +98,7 @@ impl<'m> Solver<'m> {
             compliance += j * z / (1.0 + z);
         }
         let (mesh, undeformed) = (&*state.mesh, &*state.undeformed);
-        let rounding = ROUNDING * state.penetration.abs().max(DISPLACEMENT);
+        let rounding = (ROUNDING * state.penetration.abs().max(DISPLACEMENT)).max(ROUNDING_OF_GAPS * state.mesh.radius().powi(2));
         let tolerance = self.sharpness * self.accuracy.newton * self.accuracy.step;
         let equation =
             Equation { mesh, undeformed, coupling: self.coupling, compliance, history: &history, pseudo, row, tolerance, rounding };
