@@ -180,7 +180,10 @@ const fn wide(problem: Problem) -> Option<&'static str> {
         Problem::DelayedFracture => {
             Some("two runs may agree by chance: no difference counts as less than third order would make of the ones before")
         }
-        Problem::SteadyCrack | Problem::Sliding | Problem::Surface => None,
+        Problem::Surface => Some(
+            "two differences between grids may agree by chance: the larger of the last two counts, though errors fall to a quarter with each doubling",
+        ),
+        Problem::SteadyCrack | Problem::Sliding => None,
     }
 }
 
