@@ -113,7 +113,7 @@ fn fifteen_states_of_an_independent_program_are_met_within_their_bounds() {
         let name = state["name"].as_str().unwrap();
         let problem = of_state(state);
         // A contact edge lies between nodes: the half-width takes more of them than the other numbers.
-        let solved = solve(&problem, &Request { accuracy: 2e-5, least_nodes: 4096, most_nodes: 1 << 15 }).unwrap();
+        let solved = solve(&problem, &Request { accuracy: 2e-5, least_nodes: 1 << 14, most_nodes: 1 << 15 }).unwrap();
         let (values, errors) = (&solved.numbers, &solved.errors);
         let own = |key: &str| Some((state["values"][key]["value"].as_f64()?, state["values"][key]["error"].as_f64()?));
         let meets = |key: &str, got: f64, bound: f64, largest: f64| {
