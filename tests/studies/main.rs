@@ -10,7 +10,6 @@ mod fit_numbers;
 mod hard_cases;
 mod held_contacts;
 mod honesty;
-mod one_scene;
 mod orders_and_contests;
 mod published_numbers;
 mod report;

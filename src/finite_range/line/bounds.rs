@@ -1,27 +1,19 @@
 //! Error bounds of the numbers of a state from its differences between grids.
 //!
-//! A contact edge or a kink of the law falls between nodes, so that the coefficient of the error changes its sign from grid to grid. Near the
-//! right edge the pressure is stationary: a misplaced edge of h changes every number by h², and so does the root of the pressure there.
-//! The differences then have an envelope: the largest of the last three, each brought to the finest grid by 2⁻² a doubling.
-//! The errors that follow add up to a third of it; on grids that are not fine enough for that, where they halve, to the whole of it.
-//! A smooth law without a wall converges faster with every doubling: the last difference times a geometric series of the last ratio
-//! bounds what is left.
+//! A contact edge or a kink of the law falls between nodes, so that the coefficient of the error changes its sign from grid to grid and
+//! one or two differences may be small by chance. The larger of the last two counts, and of the earlier ones what 2^−1.5 a doubling
+//! leaves of them: errors with edges fall like N^−1.5 to N^−2. A smooth law without a wall converges faster with every doubling: the last
+//! difference times a geometric series of the last ratio bounds what is left.
 
 use super::grid::Equations;
 use super::problem::{Control, Problem};
 use super::solution::Fields;
 use crate::finite_range::law::Attraction;
 
-/// What a doubling of the grid leaves of an error with edges.
-const DECAY: f64 = 0.25;
-/// Safety factor of the envelope.
-const ENVELOPE: f64 = 1.5;
-/// The same of the contact fraction, whose edges lie between nodes.
-const DECAY_OF_CONTACT: f64 = 0.5;
-/// The errors that follow the last difference add up to as much again.
-const SUM_OF_CONTACT: f64 = 2.0;
-/// Differences that count.
-pub(super) const AGES: usize = 3;
+/// What a doubling of the grid leaves of an error with edges: 2^−1.5.
+const DECAY: f64 = 0.353_553_390_593_273_8;
+/// Differences that count: the earliest grids of a search are too coarse to say anything.
+pub(super) const AGES: usize = 4;
 /// Safety factor of a geometric series.
 const SAFETY: f64 = 4.0;
 /// A number whose difference is small by chance takes this part of the largest relative difference.
@@ -48,15 +40,23 @@ impl Convergence {
         if law.wall().is_none() && law.kinks().is_empty() { Self::Smooth } else { Self::Edges }
     }
 
-    /// How much counts of a difference of a field of an age (0: the last) among so many.
-    pub(super) fn weight(self, age: usize, count: usize) -> f64 {
+    /// Grids that an accuracy takes to be met. With edges two differences may both be small by chance; a surface costs too much for a fourth grid.
+    pub(super) const fn grids(self, is_line: bool) -> usize {
+        if is_line && matches!(self, Self::Edges) { 4 } else { 3 }
+    }
+
+    /// How much counts of a difference of a field of an age (0: the last).
+    pub(super) fn weight(self, age: usize) -> f64 {
         match self {
-            // Of two differences the larger counts, as it is: either may be small by chance.
-            Self::Edges if count < AGES => ENVELOPE,
-            Self::Edges => ENVELOPE * DECAY.powi(age as i32),
+            Self::Edges => weight(age),
             Self::Smooth => f64::from(u8::from(age == 0)),
         }
     }
+}
+
+/// The last two differences count as they are.
+fn weight(age: usize) -> f64 {
+    DECAY.powi(age.saturating_sub(1) as i32)
 }
 
 /// What numbers are compared with.
@@ -94,33 +94,24 @@ pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residua
     }
     let differences: Vec<[f64; 7]> =
         history.windows(2).rev().take(AGES).map(|pair| std::array::from_fn(|i| (pair[1][i] - pair[0][i]).abs())).collect();
-    let few = differences.len() < AGES;
-    let envelope = |i: usize, decay: f64| {
-        // Of two differences the larger counts, as it is: either may be small by chance.
-        let weight = |age: usize| if few { 1.0 } else { decay.powi(age as i32) };
-        differences.iter().enumerate().map(|(age, list)| weight(age) * list[i]).fold(0.0, f64::max)
-    };
+    let envelope = |i: usize| differences.iter().enumerate().map(|(age, list)| weight(age) * list[i]).fold(0.0, f64::max);
     let units = [scale.stress, scale.half_height, scale.stress * scale.half_height];
     let convergence = Convergence::of(&problem.attraction);
     let mut factor = 1.0;
     let mut errors: [f64; 7] = match convergence {
-        Convergence::Edges => std::array::from_fn(|i| ENVELOPE * envelope(i, DECAY)),
+        Convergence::Edges => std::array::from_fn(envelope),
         Convergence::Smooth => {
             let size = |list: &[f64; 7]| (0..3).map(|i| list[i] / units[i]).fold(0.0, f64::max);
             let ratio = size(&differences[0]) / size(&differences[1]);
             factor = if ratio < 0.5 { (SAFETY * ratio / (1.0 - ratio)).min(SAFETY) } else { SAFETY };
-            std::array::from_fn(|i| if i == CONTACT { ENVELOPE * envelope(i, DECAY) } else { factor * differences[0][i] })
+            std::array::from_fn(|i| if i == CONTACT { envelope(i) } else { factor * differences[0][i] })
         }
     };
-    if problem.attraction.wall().is_some() {
-        errors[CONTACT] = SUM_OF_CONTACT * envelope(CONTACT, DECAY_OF_CONTACT);
-    }
-    if few || convergence == Convergence::Smooth {
-        // Pressure, gap and friction come from one discrete edge.
-        let largest = SHARED * (0..3).map(|i| errors[i] / units[i]).fold(0.0, f64::max);
-        for (i, unit) in [scale.stress, scale.half_height, last[FRICTION].abs()].into_iter().enumerate() {
-            errors[i] = errors[i].max(largest * unit);
-        }
+    // All numbers come from one discrete edge.
+    let largest = SHARED * (0..3).map(|i| errors[i] / units[i]).fold(0.0, f64::max);
+    let units = [scale.stress, scale.half_height, last[FRICTION].abs(), 0.0, last[ADHESIVE].abs(), scale.stress, last[ENERGY].abs()];
+    for (error, unit) in errors.iter_mut().zip(units) {
+        *error = error.max(largest * unit);
     }
     match problem.control {
         Control::MeanPressure(_) => errors[PRESSURE] = (last[PRESSURE] - before[PRESSURE]).abs(),
@@ -137,12 +128,12 @@ pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residua
     (errors, factor)
 }
 
-/// The same, with what the places of contact edges between the nodes leave of the contact fraction: half a cell each, at random.
+/// The same, with what the places of contact edges between the nodes leave of the contact fraction: each lies anywhere in a cell, at random.
 pub(super) fn with_edges(mut errors: [f64; 7], problem: &Problem, fields: &Fields) -> [f64; 7] {
     if problem.attraction.wall().is_some() {
         let row = |row: &[bool]| row.iter().zip(row.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
         let edges: usize = fields.contact.chunks(fields.nx).map(row).sum();
-        errors[CONTACT] = errors[CONTACT].max(0.5 * (edges as f64).sqrt() / fields.contact.len() as f64);
+        errors[CONTACT] += (edges as f64 / 12.0).sqrt() / fields.contact.len() as f64;
     }
     errors
 }

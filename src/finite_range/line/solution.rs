@@ -289,13 +289,12 @@ impl Differences {
     }
 
     /// At each node the largest of the differences, each times the weight of its age.
-    pub(super) fn largest(&self, nodes: usize, weight: impl Fn(usize, usize) -> f64) -> [Vec<f64>; 2] {
+    pub(super) fn largest(&self, nodes: usize, weight: impl Fn(usize) -> f64) -> [Vec<f64>; 2] {
         if self.newest_first.is_empty() {
             return [vec![f64::INFINITY; nodes], vec![f64::INFINITY; nodes]];
         }
-        let count = self.newest_first.len();
         let of = |which: usize, node: usize| {
-            self.newest_first.iter().enumerate().map(|(age, lists)| weight(age, count) * lists[which][node]).fold(0.0, f64::max)
+            self.newest_first.iter().enumerate().map(|(age, lists)| weight(age) * lists[which][node]).fold(0.0, f64::max)
         };
         [0, 1].map(|which| (0..nodes).map(|node| of(which, node)).collect())
     }

@@ -1,4 +1,4 @@
-//! A steady state with the error of every number from three grids.
+//! A steady state with the error of every number from three or more grids.
 //!
 //! A contact edge falls between nodes, so the error of a number changes sign from grid to grid and no extrapolation helps. The
 //! bounds come from the last differences between grids ([`super::bounds`]), plus the effect of the residual.
@@ -190,12 +190,13 @@ fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride:
     refine(problem, request, reached, ReachedBy::Continuation)
 }
 
-/// Doubles the grid until the last three grids agree.
+/// Doubles the grid until enough grids agree.
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
     let Reached { mut equations, mut state, mut report, mut products, mut work, .. } = reached;
     let mut before: Option<Fields> = None;
     let mut differences = Differences::default();
     let convergence = Convergence::of(&problem.attraction);
+    let grids = convergence.grids(problem.profile.is_line());
     let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
@@ -219,12 +220,12 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         .into_iter()
         .fold(0.0, f64::max)
             / request.accuracy;
-        let met = history.len() >= 3 && worst <= 1.0 && nx >= request.least_nodes;
+        let met = history.len() >= grids && worst <= 1.0 && nx >= request.least_nodes;
         let growth = worst.max(1.0).powf(1.0 / 1.5).min(1e6);
         if let Some(before) = &before {
             differences = differences.on_finer_grid(before, &fields, bounds::AGES);
         }
-        let last = |nodes: usize| differences.largest(nodes, |age, count| convergence.weight(age, count));
+        let last = |nodes: usize| differences.largest(nodes, |age| convergence.weight(age));
         let floors = solution::field_floors(&equations, &report);
         let finish = |met: bool, fields: Fields, products: usize| SteadyState {
             numbers,
@@ -267,8 +268,8 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
                     detail: format!("the state on {nx} nodes is not the one on {}: the grid was too coarse for this range", 2 * nx),
                 });
             }
-            // What three grids agree on is an answer with its error, if not the wanted one.
-            Err(_) if history.len() >= 3 && nx >= request.least_nodes => {
+            // What so many grids agree on is an answer with its error, if not the wanted one; fewer may agree on a state that the next grid has not.
+            Err(_) if history.len() >= grids && nx >= request.least_nodes => {
                 return Ok(finish(false, fields, products));
             }
             Err(stalled) => {

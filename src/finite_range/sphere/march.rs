@@ -19,7 +19,7 @@ const CAREFUL_GROWTH: f64 = 1.25;
 const CAREFUL_STEPS: usize = 6;
 /// Without a solution at this part of the usual step, over the tolerance of a step, there is a fold (under force control: at a smaller one). What a
 /// jump releases is wrong by that part, so that it must fall with the tolerance.
-const FOLD_PER_ACCURACY: f64 = 100.0;
+const FOLD_PER_ACCURACY: f64 = 0.1;
 /// That part, at least and at most.
 const FOLD: [f64; 2] = [1e-7, 1e-3];
 const FOLD_OF_FORCE: f64 = 1e-7;

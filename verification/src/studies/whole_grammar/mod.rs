@@ -166,7 +166,7 @@ fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
 /// Which share of the values may lie outside of their bounds, and why, where that is known: stated on the page instead of failing the command (named gaps).
 const fn known_outside(problem: Problem) -> Option<(f64, &'static str)> {
     match problem {
-        Problem::Indentation => Some((5e-4, "what a jump releases; the drift of a cycle, in the eighth digit")),
+        Problem::Indentation => Some((2e-4, "the drift of a cycle, in the eighth digit")),
         Problem::SteadyCrack | Problem::DelayedFracture | Problem::Sliding | Problem::Surface => None,
     }
 }
@@ -180,9 +180,9 @@ const fn wide(problem: Problem) -> Option<&'static str> {
         Problem::DelayedFracture => {
             Some("two runs may agree by chance: no difference counts as less than third order would make of the ones before")
         }
-        Problem::Surface => {
-            Some("a bound is the largest change between the last three grids, and the finest of them errs by a small part of it")
-        }
+        Problem::Surface => Some(
+            "differences between grids may agree by chance: the largest of the last four counts, though errors fall to a quarter with each doubling",
+        ),
         Problem::SteadyCrack | Problem::Sliding => None,
     }
 }
