@@ -15,8 +15,8 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, march, run};
+use viscotack_verification::studies::calibration::{SEED, sphere};
 use viscotack_verification::studies::draw::Draw;
-use viscotack_verification::studies::honesty::{SEED, sphere};
 use viscotack_verification::studies::known_states::sphere::known_sphere;
 
 fn left(scene: u64, instant: usize, tolerance: f64, of: fn(&PathPoint) -> f64) -> f64 {

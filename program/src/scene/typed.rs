@@ -390,7 +390,7 @@ impl SlidingContact {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SlidingColumns {
     /// The elastic contact of the modulus |E(kv)|.
-    ElasticCompanion,
+    ElasticReference,
     /// The friction of the edges and of the bulk.
     FrictionParts,
     /// How outputs follow the parameters.
@@ -399,8 +399,11 @@ pub enum SlidingColumns {
 
 impl SlidingColumns {
     /// All of them with their words.
-    pub const WORDS: [(Self, &'static str); 3] =
-        [(Self::ElasticCompanion, "elastic_companion"), (Self::FrictionParts, "friction_parts"), (Self::Sensitivities, "sensitivities")];
+    pub const WORDS: [(Self, &'static str); 3] = [
+        (Self::ElasticReference, "elastic_reference_contact"),
+        (Self::FrictionParts, "friction_parts"),
+        (Self::Sensitivities, "sensitivities"),
+    ];
 }
 
 /// Adhesion of a sliding contact.

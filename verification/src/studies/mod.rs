@@ -7,6 +7,7 @@
 //! ```
 //! A study never stops half-way: what goes wrong in it is a failed [`Check`] of its section. Studies may use rivals; no plan may.
 
+pub mod calibration;
 mod cells;
 mod convergence;
 pub mod counters;
@@ -18,7 +19,6 @@ pub mod fit_coverage;
 pub mod fits;
 pub mod hard_cases;
 pub mod held_contacts;
-pub mod honesty;
 pub mod known_states;
 mod manufactured;
 pub mod order;
@@ -75,7 +75,7 @@ pub const STUDIES: &[Study] = &[
     beside("convergence_crack", convergence::crack::study),
     beside("process_zone", convergence::zone::study),
     beside("manufactured", manufactured::study),
-    beside("honesty", honesty::study),
+    beside("calibration", calibration::study),
     beside("grammar", whole_grammar::study),
     beside("hard_cases", hard_cases::study),
     beside("held_contacts", held_contacts::study),

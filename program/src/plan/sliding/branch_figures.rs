@@ -230,8 +230,8 @@ impl SlidingPlan {
             (Units::Reduced, true) => r"pull-off pressure $2|p_\mathrm{out}|/E_0^* k\Lambda$",
             (Units::Reduced, false) => r"pull-off force $|F_\mathrm{out}| R/\pi E_0^* L^2$",
         };
-        // Beside each the elastic companion, if it is asked for.
-        let beside = |drawn: Figure, name: &str, sign: f64| self.beside_companion(drawn, &families, name, sign);
+        // Beside each the elastic reference contact, if it is asked for.
+        let beside = |drawn: Figure, name: &str, sign: f64| self.beside_reference(drawn, &families, name, sign);
         let pulled = over(Axis::linear(pull_off), strength::PULL_OFF, -1.0);
         let mut figures = vec![(format!("pull_off_against_{against}"), beside(pulled, "elastic_pull_off_pressure", -1.0))];
         if self.is_wave() {

@@ -9,8 +9,8 @@ use viscotack::sliding::branch::{Scan, beyond_both_ends};
 const ON_CURVE: [f64; 2] = [133.0, 45.0];
 /// Balances of a contact of a given half-width.
 const OF_WIDTH: f64 = 21.0;
-/// Balances of the elastic companion.
-const COMPANION: f64 = 140.0;
+/// Balances of the elastic reference contact.
+const ELASTIC_REFERENCE: f64 = 140.0;
 /// Contacts solved for one balance with adhesion: as it is, and with each edge moved.
 const SOLVES: f64 = 3.0;
 
@@ -81,8 +81,8 @@ impl SlidingPlan {
         let of_wave = |memory: usize| TO_SNAP_IN[tight][memory] + SEPARATION[tight];
         let memory = usize::from(!self.material.is_elastic());
         let own = if self.is_wave() { of_wave(memory) } else { EVERY_LOAD[memory] };
-        let companion = if self.asks(SlidingColumns::ElasticCompanion) { of_wave(0) } else { 0.0 };
-        own + companion + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
+        let reference = if self.asks(SlidingColumns::ElasticReference) { of_wave(0) } else { 0.0 };
+        own + reference + if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[1] } else { 0.0 }
     }
 
     /// Balances of one contact. Measured over the shipped scenes, see `tests/program/explain_predicts_work.rs`.
@@ -112,7 +112,7 @@ impl SlidingPlan {
         let of_contact = |contact: SlidingContact| {
             let mut balances = self.balances(contact);
             if contact == SlidingContact::Adhesive {
-                balances += if self.asks(SlidingColumns::ElasticCompanion) { COMPANION } else { 0.0 };
+                balances += if self.asks(SlidingColumns::ElasticReference) { ELASTIC_REFERENCE } else { 0.0 };
                 balances += if self.asks(SlidingColumns::Sensitivities) { SENSITIVITIES[0] } else { 0.0 };
             }
             let solves = if contact == SlidingContact::Adhesive { SOLVES } else { 1.0 };

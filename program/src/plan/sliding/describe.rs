@@ -90,8 +90,8 @@ impl SlidingPlan {
                 "friction of the edges is G₁ − G₂ over the wavelength (3.40), that of the bulk the rest of the friction",
             ),
             (
-                SlidingColumns::ElasticCompanion,
-                "elastic companion: the same contact of an elastic solid with the modulus |E*(ω)| at ω = kv",
+                SlidingColumns::ElasticReference,
+                "elastic reference contact: the same contact of an elastic solid with the modulus |E*(ω)| at ω = kv",
             ),
             (SlidingColumns::Sensitivities, "sensitivities: implicit derivatives of the solved equations, two resolutions compared"),
         ] {

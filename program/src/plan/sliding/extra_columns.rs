@@ -24,20 +24,24 @@ static FRICTION_PARTS: [Definition; 3] = [
     ),
 ];
 
-static COMPANION: [Definition; 4] = [
-    column("dynamic_modulus", Measure::Modulus, "|E*(ω)| at ω = kv, the modulus of the elastic companion."),
-    column("elastic_half_width", Measure::Length, "a of the elastic companion; none where its contact is full, or where it has none."),
-    column("elastic_mean_pressure", Measure::Load, "p̄ of the elastic companion."),
-    column("elastic_penetration", Measure::Displacement, "Δ of the elastic companion."),
+static ELASTIC_REFERENCE: [Definition; 4] = [
+    column("dynamic_modulus", Measure::Modulus, "|E*(ω)| at ω = kv, the modulus of the elastic reference contact."),
+    column(
+        "elastic_half_width",
+        Measure::Length,
+        "a of the elastic reference contact; none where its contact is full, or where it has none.",
+    ),
+    column("elastic_mean_pressure", Measure::Load, "p̄ of the elastic reference contact."),
+    column("elastic_penetration", Measure::Displacement, "Δ of the elastic reference contact."),
 ];
 
-static COMPANION_STRENGTH: [Definition; 6] = [
-    column("dynamic_modulus", Measure::Modulus, "|E*(ω)| at ω = kv, the modulus of the elastic companion."),
-    column("elastic_pull_off_pressure", Measure::Load, "p_out of the elastic companion (thesis Fig 3.14c)."),
-    column("elastic_pull_off_half_width", Measure::Length, "a of the elastic companion at pull-off."),
-    column("elastic_snap_in_pressure", Measure::Load, "p_IN of the elastic companion."),
-    column("elastic_separation_penetration", Measure::Displacement, "Δ_out of the elastic companion."),
-    column("elastic_toughness", Measure::Energy, "T of the elastic companion (3.41)."),
+static ELASTIC_REFERENCE_STRENGTH: [Definition; 6] = [
+    column("dynamic_modulus", Measure::Modulus, "|E*(ω)| at ω = kv, the modulus of the elastic reference contact."),
+    column("elastic_pull_off_pressure", Measure::Load, "p_out of the elastic reference contact (thesis Fig 3.14c)."),
+    column("elastic_pull_off_half_width", Measure::Length, "a of the elastic reference contact at pull-off."),
+    column("elastic_snap_in_pressure", Measure::Load, "p_IN of the elastic reference contact."),
+    column("elastic_separation_penetration", Measure::Displacement, "Δ_out of the elastic reference contact."),
+    column("elastic_toughness", Measure::Energy, "T of the elastic reference contact (3.41)."),
 ];
 
 /// The five sensitivities of an output.
@@ -108,8 +112,8 @@ pub(super) fn extra_definitions(sliding: &Sliding) -> Vec<&'static Definition> {
     if asks(SlidingColumns::FrictionParts) {
         definitions.extend(&FRICTION_PARTS);
     }
-    if asks(SlidingColumns::ElasticCompanion) {
-        if strength { definitions.extend(&COMPANION_STRENGTH) } else { definitions.extend(&COMPANION) }
+    if asks(SlidingColumns::ElasticReference) {
+        if strength { definitions.extend(&ELASTIC_REFERENCE_STRENGTH) } else { definitions.extend(&ELASTIC_REFERENCE) }
     }
     if asks(SlidingColumns::Sensitivities) {
         let (sets, shown) = if strength { (&OF_STRENGTH, outputs_of_strength(sliding)) } else { (&OF_STATE, outputs_of_state(sliding)) };

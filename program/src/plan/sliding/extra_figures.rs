@@ -53,8 +53,8 @@ impl SlidingPlan {
         figures
     }
 
-    /// A figure with the elastic companion of each adhesive curve, dashed, if it is asked for.
-    pub(super) fn beside_companion(&self, mut drawn: Figure, families: &[Family<'_>], name: &str, sign: f64) -> Figure {
+    /// A figure with the elastic reference contact of each adhesive curve, dashed, if it is asked for.
+    pub(super) fn beside_reference(&self, mut drawn: Figure, families: &[Family<'_>], name: &str, sign: f64) -> Figure {
         let column = place_of(&self.sliding, name);
         let word = SlidingContact::Adhesive.word();
         for (index, family) in families.iter().filter(|family| family.kind.word == word).enumerate() {

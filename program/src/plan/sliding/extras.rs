@@ -1,4 +1,4 @@
-//! The values of the columns on request: works, parts of the friction, the elastic companion, sensitivities; reduced, in the order of their definitions.
+//! The values of the columns on request: works, parts of the friction, the elastic reference contact, sensitivities; reduced, in the order of their definitions.
 
 use super::SlidingPlan;
 use super::extra_columns::{has_works, outputs_of_state, outputs_of_strength};
@@ -8,7 +8,7 @@ use crate::scene::typed::SlidingColumns;
 use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, Strength};
-use viscotack::sliding::companion::{companion_strength, elastic_companion};
+use viscotack::sliding::elastic_reference::{elastic_reference_contact, elastic_reference_strength};
 use viscotack::sliding::sensitivity::{Sensitivity, state_sensitivities, strength_sensitivities};
 use viscotack::sliding::steady::{PartialValues, SlidingOutcome, SlidingProblem};
 
@@ -36,7 +36,7 @@ impl Extras {
     }
 }
 
-/// A quantity of the companion in units of E0 instead of its own modulus.
+/// A quantity of the reference in units of E0 instead of its own modulus.
 fn stiffer(value: Estimate, modulus: Estimate) -> Estimate {
     let product = value.value * modulus.value;
     Estimate::new(product, value.error * modulus.value + value.value.abs() * modulus.error + f64::EPSILON * product.abs())
@@ -96,9 +96,9 @@ impl SlidingPlan {
         if self.asks(SlidingColumns::FrictionParts) {
             extras.values.extend(adhesive.map_or([None; 3], friction_parts));
         }
-        if self.asks(SlidingColumns::ElasticCompanion) {
+        if self.asks(SlidingColumns::ElasticReference) {
             if problem.adhesion.is_some() {
-                self.companion_of_state(problem, &mut extras)?;
+                self.reference_of_state(problem, &mut extras)?;
             } else {
                 extras.values.extend([None; 4]);
             }
@@ -123,12 +123,12 @@ impl SlidingPlan {
         Ok(extras)
     }
 
-    fn companion_of_state(&self, problem: &SlidingProblem<'_>, extras: &mut Extras) -> Result<(), Refusal> {
-        let modulus = viscotack::sliding::companion::companion_modulus(&self.material, problem.indenter, problem.rate)?;
+    fn reference_of_state(&self, problem: &SlidingProblem<'_>, extras: &mut Extras) -> Result<(), Refusal> {
+        let modulus = viscotack::sliding::elastic_reference::elastic_reference_modulus(&self.material, problem.indenter, problem.rate)?;
         let relaxed = self.material.relaxed_modulus();
         extras.values.push(Some(modulus.scaled(relaxed)));
-        match elastic_companion(&self.material, problem) {
-            Ok(companion) => match companion.twin {
+        match elastic_reference_contact(&self.material, problem) {
+            Ok(reference) => match reference.found {
                 SlidingOutcome::Partial(contact) => {
                     extras.balances(contact.work.closure_evaluations);
                     let values = contact.values;
@@ -136,7 +136,7 @@ impl SlidingPlan {
                 }
                 SlidingOutcome::Full(_) => {
                     extras.values.extend([None; 3]);
-                    extras.notes.push("the elastic companion is in full contact".into());
+                    extras.notes.push("the elastic reference contact is in full contact".into());
                 }
             },
             Err(refusal) => {
@@ -146,7 +146,7 @@ impl SlidingPlan {
                     Refusal::NoSuchState { reason, .. } => reason,
                     other => other.to_string(),
                 };
-                extras.notes.push(format!("no elastic companion: {reason}"));
+                extras.notes.push(format!("no elastic reference contact: {reason}"));
             }
         }
         Ok(())
@@ -157,22 +157,22 @@ impl SlidingPlan {
         let mut extras = Extras::new();
         let adhesion = problem.adhesion;
         extras.values = self.works_of([adhesion.trailing_work, adhesion.leading_work].map(Estimate::exact), false);
-        if self.asks(SlidingColumns::ElasticCompanion) {
-            match companion_strength(&self.material, problem) {
-                Ok(companion) => {
-                    let (modulus, twin) = (companion.modulus, companion.twin);
-                    extras.balances(twin.work.closure_evaluations);
+        if self.asks(SlidingColumns::ElasticReference) {
+            match elastic_reference_strength(&self.material, problem) {
+                Ok(reference) => {
+                    let (modulus, elastic) = (reference.modulus, reference.found);
+                    extras.balances(elastic.work.closure_evaluations);
                     let pressure = |fold: &Option<viscotack::sliding::branch::Fold>| fold.as_ref().map(|fold| stiffer(fold.value, modulus));
                     extras.values.extend([
                         Some(modulus.scaled(self.material.relaxed_modulus())),
-                        pressure(&twin.pull_off),
-                        twin.pull_off.as_ref().map(|fold| fold.contact.half_width),
-                        pressure(&twin.snap_in),
-                        twin.separation.as_ref().map(|fold| fold.value),
-                        twin.toughness.as_ref().ok().map(|toughness| stiffer(toughness.value, modulus)),
+                        pressure(&elastic.pull_off),
+                        elastic.pull_off.as_ref().map(|fold| fold.contact.half_width),
+                        pressure(&elastic.snap_in),
+                        elastic.separation.as_ref().map(|fold| fold.value),
+                        elastic.toughness.as_ref().ok().map(|toughness| stiffer(toughness.value, modulus)),
                     ]);
-                    extras.notes.extend(turns_missing(&twin, true, "elastic "));
-                    if let Err(refusal) = &twin.toughness {
+                    extras.notes.extend(turns_missing(&elastic, true, "elastic "));
+                    if let Err(refusal) = &elastic.toughness {
                         // Its limits are in units of its own modulus.
                         let reason = match refusal {
                             Refusal::NoSuchState { reason, .. } => reason.clone(),
@@ -183,7 +183,7 @@ impl SlidingPlan {
                 }
                 Err(refusal) => {
                     extras.values.extend([None; 6]);
-                    extras.notes.push(format!("no elastic companion: {refusal}"));
+                    extras.notes.push(format!("no elastic reference contact: {refusal}"));
                 }
             }
         }

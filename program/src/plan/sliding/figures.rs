@@ -41,7 +41,7 @@ impl SlidingPlan {
             figures.push((format!("friction_against_{against}"), friction));
             let half_width = over_sweep(self.label("contact half-width", "$a$", " (m)", "$ka$", "$a/L$"), at::HALF_WIDTH);
             figures
-                .push((format!("half_width_against_{against}"), self.beside_companion(half_width, &families, "elastic_half_width", 1.0)));
+                .push((format!("half_width_against_{against}"), self.beside_reference(half_width, &families, "elastic_half_width", 1.0)));
             figures.push((
                 format!("eccentricity_against_{against}"),
                 over_sweep(self.label("eccentricity", "$e$", " (m)", "$ke$", "$e/L$"), at::ECCENTRICITY),

@@ -59,7 +59,7 @@ pub(super) const KEYS: &[Key] = &[
         path: "sliding.columns",
         kind: Kind::Choices(&[
             Word {
-                word: "elastic_companion",
+                word: "elastic_reference_contact",
                 meaning: "wave: the elastic contact of the modulus |E*(ω)| at ω = kv with the same works, process zones and load, penetration or half-width; beside a strength its pull-off, snap-in, separation and toughness (thesis Fig 3.14c)",
             },
             Word {

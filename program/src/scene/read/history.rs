@@ -13,7 +13,7 @@ use viscotack::indentation::FrequencySweep;
 /// What a segment does, apart from going to a value of a quantity.
 const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];
 /// Keys that only some segments have, and which: `target` stands for a quantity.
-const COMPANIONS: [(&str, &[&str]); 12] = [
+const BELONGS_TO: [(&str, &[&str]); 12] = [
     ("duration", &["target"]),
     ("rate", &["target"]),
     ("quantity", &["table", "cycles"]),
@@ -86,9 +86,9 @@ fn segment(
     let forms: Vec<&'static str> = allowed.iter().map(|quantity| quantity.word()).chain(FORMS).collect();
     let form = item.exactly_one(&forms)?;
     let kind = if FORMS.contains(&form) { form } else { "target" };
-    if let Some((key, _)) = COMPANIONS.iter().find(|(key, kinds)| item.node().get(key).is_some() && !kinds.contains(&kind)) {
+    if let Some((key, _)) = BELONGS_TO.iter().find(|(key, kinds)| item.node().get(key).is_some() && !kinds.contains(&kind)) {
         let message = format!("`{}` does not belong to a segment with `{form}`", item.full(key));
-        let with: Vec<&str> = COMPANIONS.iter().filter(|(_, kinds)| kinds.contains(&kind)).map(|(key, _)| *key).collect();
+        let with: Vec<&str> = BELONGS_TO.iter().filter(|(_, kinds)| kinds.contains(&kind)).map(|(key, _)| *key).collect();
         let known = if with.is_empty() { "it stands alone".to_owned() } else { format!("it may have: {}", with.join(", ")) };
         return Err(SceneError::at(&item.key_place(key), message, "leave it out").help(format!("`{form}`: {known}")));
     }

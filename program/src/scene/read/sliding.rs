@@ -242,10 +242,10 @@ fn columns(
             return refused(word, "it is about adhesive contacts, but the scene has no [adhesion]");
         }
         match (word, task, indenter) {
-            ("elastic_companion", _, SlidingIndenter::Cylinder { .. }) => {
+            ("elastic_reference_contact", _, SlidingIndenter::Cylinder { .. }) => {
                 return refused(word, "its modulus is |E(ω)| at ω = kv, and a single cylinder has no wave number");
             }
-            ("elastic_companion" | "sensitivities", SlidingTask::Branch(_), _) => {
+            ("elastic_reference_contact" | "sensitivities", SlidingTask::Branch(_), _) => {
                 return refused(word, "a branch has no such columns; sweep its parameter instead");
             }
             ("friction_parts", SlidingTask::Strength, _) => return refused(word, "a strength has no friction"),

@@ -311,11 +311,14 @@ fn sliding() -> Vec<Effect> {
             costs: true,
         },
         Effect {
-            name: "elastic companion and sensitivities (sliding)",
+            name: "elastic reference contact and sensitivities (sliding)",
             neutral: "columns besides do not touch the others",
             tolerance: Tolerance::Exact,
             without: SLIDING.to_owned(),
-            with: changed(SLIDING, &[("speed = \"1 mm/s\"", "speed = \"1 mm/s\"\ncolumns = [\"elastic_companion\", \"sensitivities\"]")]),
+            with: changed(
+                SLIDING,
+                &[("speed = \"1 mm/s\"", "speed = \"1 mm/s\"\ncolumns = [\"elastic_reference_contact\", \"sensitivities\"]")],
+            ),
             columns: EDGES,
             costs: true,
         },

@@ -3,7 +3,7 @@
 use super::sliding::State;
 use super::{Diagram, Method, Sample};
 use crate::rivals::sliding_collocation::{Layout, SlidingCollocation};
-use crate::studies::honesty::strength::least_load;
+use crate::studies::calibration::strength::least_load;
 use crate::studies::section::{Check, Effort, Progress, Section};
 use crate::studies::timing::{Timed, timed};
 use viscotack::refusal::Refusal;

@@ -3,7 +3,7 @@
 //! Rows are the same state if their labels are, and, where both answers have another number of them, if their time is the same. Of a branch only turns are compared: its
 //! other points are spread along the curve, whose length is a result.
 
-use super::super::honesty::tally::Compared;
+use super::super::calibration::tally::Compared;
 use super::drawn::{Drawn, Problem, drawn};
 use std::collections::BTreeMap;
 use viscotack::estimate::Estimate;

@@ -181,7 +181,7 @@ const fn wide(problem: Problem) -> Option<&'static str> {
             Some("two runs may agree by chance: no difference counts as less than third order would make of the ones before")
         }
         Problem::Surface => Some(
-            "differences between grids may agree by chance: the largest of the last four counts, though errors fall to a quarter with each doubling",
+            "two differences between grids may agree by chance: the larger of the last two counts, though errors fall to a quarter with each doubling",
         ),
         Problem::SteadyCrack | Problem::Sliding => None,
     }

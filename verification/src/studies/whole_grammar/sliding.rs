@@ -125,7 +125,7 @@ pub(super) fn write(text: &mut Text) {
         (19, Some(_)) => {
             text.put("sliding.strength", "{}");
             text.put_number("sliding.speed", speed, scale.speed, SPEED);
-            columns(text, &["elastic_companion", "sensitivities"], scale.wave);
+            columns(text, &["elastic_reference_contact", "sensitivities"], scale.wave);
         }
         _ => state(text, &scale, sign * speed, found.map(|(work, ..)| work)),
     }
@@ -133,7 +133,8 @@ pub(super) fn write(text: &mut Text) {
 
 /// Some of the optional columns; those of the elastic contact are of a wave.
 fn columns(text: &mut Text, names: &[&str], wave: bool) {
-    let chosen: Vec<&str> = names.iter().copied().filter(|name| (wave || *name != "elastic_companion") && text.chance(0.3)).collect();
+    let chosen: Vec<&str> =
+        names.iter().copied().filter(|name| (wave || *name != "elastic_reference_contact") && text.chance(0.3)).collect();
     if !chosen.is_empty() {
         text.put("sliding.columns", format!("{chosen:?}"));
     }
@@ -185,7 +186,7 @@ fn state(text: &mut Text, scale: &Scale, speed: f64, work: Option<f64>) {
         text.put("sliding.contacts", format!("{contacts:?}"));
     }
     if adhesive {
-        columns(text, &["elastic_companion", "friction_parts", "sensitivities"], scale.wave);
+        columns(text, &["elastic_reference_contact", "friction_parts", "sensitivities"], scale.wave);
     }
     if text.chance(0.3) {
         let points = 24 + text.draw.below(16);

@@ -1,4 +1,4 @@
-//! Source: this crate's claim that every number carries an honest error bar; `studies::honesty`.
+//! Source: this crate's claim that every number carries an honest error bar; `studies::calibration`.
 //!
 //! Goal: the study sees dishonest bars: one that is too short, one that is a thousand times too wide, an answer that is lost; and it passes over honest ones.
 //!
@@ -11,8 +11,8 @@
 
 use rayon::prelude::*;
 use viscotack::Estimate;
-use viscotack_verification::studies::honesty::tally::{Compared, Judged, Tally, Truth};
-use viscotack_verification::studies::honesty::{crack, delayed, sliding, sphere, strength};
+use viscotack_verification::studies::calibration::tally::{Compared, Judged, Tally, Truth};
+use viscotack_verification::studies::calibration::{crack, delayed, sliding, sphere, strength};
 
 fn scenes() -> Vec<Judged> {
     let contacts = (0..40_u64).into_par_iter().map(sliding::judged);

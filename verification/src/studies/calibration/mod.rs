@@ -123,7 +123,7 @@ const JUDGES: [Judge; 6] = [
 pub fn study(effort: Effort, progress: &Progress) -> Section {
     let many = |pair: (u64, u64)| effort.choose(pair.0, pair.1);
     progress.expect(JUDGES.iter().map(|judge| many(judge.scenes) + many(judge.counted)).sum::<u64>());
-    let mut section = Section::new("honesty", "Honesty of error bars");
+    let mut section = Section::new("calibration", "Calibration of error bounds");
     section.say(
         "Random scenes, the same in every run. Each number is held against a truth: the same solver asked for a thousand times more accuracy (or for its floor), and for \
          every tenth scene a state that was drawn first and turned into a scene by another route. A bar misses where value and truth are further apart than both bars. \
