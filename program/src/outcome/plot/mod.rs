@@ -4,7 +4,7 @@
 //! it, both from one layout. The same figure always gives the same bytes: no dates, no random identifiers, no font looked up on the machine.
 //!
 //! ```
-//! use viscotack::outcome::plot::{self, Axis, Curve, Figure, Line, PlotError};
+//! use viscotack_program::outcome::plot::{self, Axis, Curve, Figure, Line, PlotError};
 //!
 //! let speeds = [1e-6, 1e-3, 1.0, 1e3, 1e6];
 //! let toughness = |speed: f64| 1.0 + 99.0 * speed / (1.0 + speed);
