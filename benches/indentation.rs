@@ -10,7 +10,7 @@ use std::time::Instant;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march, run};
 use viscotack::material::RelaxationTerm;
-use viscotack::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
+use viscotack_verification::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 
 const WORK: f64 = 1.6e-4 * PI;
 const ZONE: f64 = 0.013;

@@ -10,10 +10,10 @@ use std::hint::black_box;
 use std::time::Instant;
 use viscotack::Material;
 use viscotack::material::CreepTerm;
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::branch::{BranchProblem, BranchStart, Scan, every_branch, trace};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{SlidingControl, WaveAdhesion};
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 
 const ADHESION: WaveAdhesion = WaveAdhesion::even(0.003, 0.01);
 const RATE: f64 = 0.03;

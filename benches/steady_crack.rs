@@ -10,7 +10,7 @@ use viscotack::Material;
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, SteadyCurve, at_speed};
 use viscotack::material::{CreepTerm, RelaxationTerm};
-use viscotack::rivals::raw_crack_work::RawCrackWork;
+use viscotack_verification::rivals::raw_crack_work::RawCrackWork;
 
 const SPEEDS: usize = 100_000;
 const RAW_SPEEDS: usize = 9;

@@ -10,13 +10,13 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 use viscotack::material::CreepTerm;
-use viscotack::rivals::sliding_collocation::richardson::extrapolated;
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::contact::{ContactMemory, Prescribed, WaveContact};
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
 use viscotack::{Material, Refusal};
+use viscotack_verification::rivals::sliding_collocation::richardson::extrapolated;
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 
 const ADHESION: WaveAdhesion = WaveAdhesion::even(0.002, 1e-3);
 const BETAS: [f64; 2] = [5.0, 25.0];

@@ -2,7 +2,7 @@
 
 use std::{error::Error, fs, path::Path};
 
-use viscotack::outcome::plot::{self, Axis, Curve, Figure, Inset, LegendPlace, Line, Marker, Width};
+use viscotack_program::outcome::plot::{self, Axis, Curve, Figure, Inset, LegendPlace, Line, Marker, Width};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let directory = std::env::args().nth(1).unwrap_or_else(|| "plot_gallery".to_owned());

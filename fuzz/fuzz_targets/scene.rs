@@ -9,7 +9,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use viscotack::studies::scene_bytes::{Answer, answered};
+use viscotack_verification::studies::scene_bytes::{Answer, answered};
 
 fuzz_target!(|bytes: &[u8]| {
     if let Answer::Refused(sentence) | Answer::Wrong(sentence) = answered(bytes) {

@@ -4,7 +4,7 @@ use super::least_squares::{self, matrix, product};
 use faer::Mat;
 
 /// Numbers whose residuals are to be made small.
-pub(crate) trait Descent: Sized {
+pub trait Descent: Sized {
     /// The residuals.
     fn residuals(&self) -> Vec<f64>;
     /// A part of the sum of squares that no step changes.
@@ -24,7 +24,7 @@ fn squares(residuals: &[f64]) -> f64 {
 }
 
 /// The descent from here; at most so many steps.
-pub(crate) fn descended<M: Descent>(mut model: M, steps: usize) -> M {
+pub fn descended<M: Descent>(mut model: M, steps: usize) -> M {
     let mut residuals = model.residuals();
     let mut misfit = squares(&residuals);
     let mut damping = 1e-3;

@@ -33,7 +33,7 @@ mod quality;
 mod search;
 mod student;
 
-pub(crate) use descent::{Descent, descended};
+pub use descent::{Descent, descended};
 
 pub use criteria::akaike;
 pub use fitted::{Fitted, OtherMinimum};

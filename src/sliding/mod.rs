@@ -23,12 +23,12 @@
 //!
 //! # Contacts
 //! [`contact`] solves a contact with given edges and gives its fields and the work at its edges; [`edge_balance`] finds the edges, with adhesion and
-//! without; [`companion`] compares with an elastic solid, [`sensitivity`] tells what depends on what; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
+//! without; [`elastic_reference`] compares with an elastic solid, [`sensitivity`] tells what depends on what; [`steady`] reaches any speed from the slow or the fast contact, whose forms are known, and gives every number with its error.
 
 pub mod branch;
-pub mod companion;
 pub mod contact;
 pub mod edge_balance;
+pub mod elastic_reference;
 pub(in crate::sliding) mod equilibrium;
 pub mod green;
 pub mod layer;

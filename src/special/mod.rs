@@ -14,4 +14,4 @@ pub mod log_quadrature;
 pub mod log_sine;
 pub mod memory_clausen;
 pub mod normal;
-pub(crate) mod split_mix;
+pub mod split_mix;

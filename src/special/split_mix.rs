@@ -2,18 +2,18 @@
 
 /// A stream of 64-bit numbers.
 #[derive(Debug, Clone)]
-pub(crate) struct SplitMix(u64);
+pub struct SplitMix(u64);
 
 impl SplitMix {
     /// The stream of a number within a seed: any of them can be made alone, in any order, on any number of threads.
-    pub(crate) fn of(seed: u64, number: u64) -> Self {
+    pub fn of(seed: u64, number: u64) -> Self {
         let mut stream = Self(seed ^ number.wrapping_mul(0xd1b5_4a32_d192_ed03));
         stream.bits();
         stream
     }
 
     /// The next number.
-    pub(crate) fn bits(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.0;
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -210,7 +210,7 @@ pub fn shortened(path: &Path) -> &'static [&'static str] {
 /// Every shipped scene that `run` takes, the templates among them; files with materials only are none, and scenes with [fit] have their own tests.
 pub fn shipped_scenes() -> Vec<PathBuf> {
     let mut found = Vec::new();
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")];
+    let mut folders = vec![Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("scenes")];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(&folder).unwrap() {
             let path = entry.unwrap().path();

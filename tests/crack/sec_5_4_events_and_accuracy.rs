@@ -17,8 +17,8 @@ use viscotack::Material;
 use viscotack::crack::delayed::{EventKind, GrowthProblem, LoadHistory, LoadSegment, Resolution, Trajectory, Wave, trajectory};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
-use viscotack::studies::draw::Draw;
-use viscotack::studies::event_lists::{SEED, compared, drawn, scenes};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::event_lists::{SEED, compared, drawn, scenes};
 
 fn word(kind: EventKind) -> &'static str {
     match kind {
@@ -255,8 +255,8 @@ fn loads_at_events_are_known_as_well_as_their_times() {
 #[test]
 fn events_are_those_of_another_route() {
     use std::path::Path;
-    use viscotack::plan::Plan;
-    use viscotack::scene::{Document, read};
+    use viscotack_program::plan::Plan;
+    use viscotack_program::scene::{Document, read};
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let table = std::fs::read_to_string(folder.join("reference_data/delayed_events.csv")).unwrap();
     let rows: Vec<Vec<&str>> = table.lines().filter(|line| !line.starts_with('#')).skip(1).map(|line| line.split(',').collect()).collect();

@@ -22,8 +22,8 @@ use std::sync::Arc;
 use viscotack::Material;
 use viscotack::finite_range::law::{Attraction, Law};
 use viscotack::finite_range::line::{
-    Control, Direction, FoldKind, Harmonic, Modulus, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact, locate,
-    modulus_of, solve, trace,
+    Control, Direction, FoldKind, Harmonic, Modulus, Numbers, Problem, Profile, ReachedBy, Request, SteadyState, follow, full_contact,
+    locate, modulus_of, solve, trace,
 };
 use viscotack::material::CreepTerm;
 use viscotack::sliding::layer::{Backing, Layer};
@@ -95,7 +95,8 @@ fn assert_certified(what: &str, problem: &Problem, state: &SteadyState) {
     let c = &state.certificate;
     let scale = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure.abs();
     assert!((c.friction_by_loss - c.friction_by_surface).abs() <= 1e-9 * scale.max(1e-3), "{what}: {c:?}");
-    let discretisation = 2e-3 * scale + 10.0 * state.errors.friction_stress;
+    // The loss is a sum of squares; a product with the slope has the residual in it.
+    let discretisation = 2e-3 * scale + 10.0 * state.errors.friction_stress + 10.0 * c.residual;
     assert!((c.friction_by_profile - c.friction_by_surface).abs() <= discretisation, "{what}: {c:?}");
     assert!(c.least_contact_pressure >= -1e-6 && (c.least_gap >= 0.0 || problem.attraction.wall().is_none()), "{what}: {c:?}");
     let balance = state.numbers.repulsive_pressure + state.numbers.adhesive_pressure - state.numbers.mean_pressure;
@@ -111,7 +112,8 @@ fn fifteen_states_of_an_independent_program_are_met_within_their_bounds() {
     for state in reference()["states"].as_array().unwrap() {
         let name = state["name"].as_str().unwrap();
         let problem = of_state(state);
-        let solved = solve(&problem, &Request { accuracy: 2e-5, least_nodes: 1024, most_nodes: 1 << 15 }).unwrap();
+        // A contact edge lies between nodes: the half-width takes more of them than the other numbers.
+        let solved = solve(&problem, &Request { accuracy: 2e-5, least_nodes: 1 << 14, most_nodes: 1 << 15 }).unwrap();
         let (values, errors) = (&solved.numbers, &solved.errors);
         let own = |key: &str| Some((state["values"][key]["value"].as_f64()?, state["values"][key]["error"].as_f64()?));
         let meets = |key: &str, got: f64, bound: f64, largest: f64| {
@@ -164,7 +166,9 @@ fn slow_and_fast_sliding_are_elastic_and_elastic_sliding_has_no_friction() {
         let modulus: Modulus = Arc::new(move |w| Complex::new(if w > 0.0 { stiffness } else { 1.0 }, 0.0));
         let problem = Problem { modulus, ..usual(1.0, 0.008, 0.05, Control::MeanPressure(0.15)) };
         let solved = solve(&problem, &request).unwrap();
-        assert!(solved.numbers.friction_stress.abs() < 1e-12, "{:e}", solved.numbers.friction_stress);
+        // The loss of an elastic body is nothing, on any grid, and its bound says so.
+        assert!(solved.numbers.friction_stress.abs() < 1e-15, "{:e}", solved.numbers.friction_stress);
+        assert!(solved.errors.friction_stress < 1e-15, "{:e}", solved.errors.friction_stress);
         solved.numbers.mean_gap
     };
     assert_within("slow", at(1e-4).numbers.mean_gap, elastic(1.0), 2e-5);
@@ -281,7 +285,7 @@ impl Dice {
     }
 }
 
-/// Random scenes: whatever is returned agrees with a grid four times finer within the bounds, or the finer one refuses with a reason.
+/// Random scenes: whatever is returned agrees with a grid eight times finer within the bounds, or the finer one refuses with a reason.
 #[test]
 fn random_scenes_agree_with_finer_grids_or_are_refused() {
     let (mut compared, mut refused) = (0, 0);
@@ -312,24 +316,28 @@ fn random_scenes_agree_with_finer_grids_or_are_refused() {
             Ok(coarse) => {
                 assert!(coarse.numbers.friction_stress.is_finite() && coarse.numbers.mean_gap.is_finite(), "{what}");
                 assert_certified(&what, &problem, &coarse);
-                let nodes = 4 * coarse.fields.nx;
+                let nodes = 8 * coarse.fields.nx;
                 let Ok(fine) = solve(&problem, &Request { accuracy: 1e-9, least_nodes: nodes, most_nodes: nodes }) else { continue };
                 let same = |by: ReachedBy| by == ReachedBy::FullContact;
                 if same(coarse.reached_by) != same(fine.reached_by) {
                     continue;
                 }
                 compared += 1;
-                let pairs = [
-                    (
-                        coarse.numbers.friction_stress,
-                        fine.numbers.friction_stress,
-                        coarse.errors.friction_stress + fine.errors.friction_stress,
-                    ),
-                    (coarse.numbers.mean_gap, fine.numbers.mean_gap, coarse.errors.mean_gap + fine.errors.mean_gap),
-                    (coarse.numbers.mean_pressure, fine.numbers.mean_pressure, coarse.errors.mean_pressure + fine.errors.mean_pressure),
-                ];
-                for (a, b, bound) in pairs {
-                    assert_within(&what, a, b, bound + 1e-11);
+                let list = |n: &Numbers| {
+                    [
+                        n.friction_stress,
+                        n.mean_gap,
+                        n.mean_pressure,
+                        n.contact_fraction,
+                        n.adhesive_pressure,
+                        n.repulsive_pressure,
+                        n.interface_energy,
+                    ]
+                };
+                let (values, truths) = (list(&coarse.numbers), list(&fine.numbers));
+                let (bounds, unknown) = (list(&coarse.errors), list(&fine.errors));
+                for i in 0..values.len() {
+                    assert_within(&format!("{what}, number {i}"), values[i], truths[i], bounds[i] + unknown[i] + 1e-11);
                 }
             }
         }

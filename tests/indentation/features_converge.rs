@@ -15,9 +15,9 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, march, run};
-use viscotack::studies::draw::Draw;
-use viscotack::studies::honesty::{SEED, sphere};
-use viscotack::studies::known_states::sphere::known_sphere;
+use viscotack_verification::studies::calibration::{SEED, sphere};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::known_states::sphere::known_sphere;
 
 fn left(scene: u64, instant: usize, tolerance: f64, of: fn(&PathPoint) -> f64) -> f64 {
     let (material, problem) = sphere::problem(scene, 1e-3).unwrap();

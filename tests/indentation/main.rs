@@ -1,8 +1,6 @@
 //! Indentation in time.
 #![allow(missing_docs)]
 
-#[path = "../command_support/mod.rs"]
-mod command_support;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -29,7 +27,6 @@ mod periodic;
 mod prescribed_edge;
 mod profile_table;
 mod quick_edges;
-mod rate_after_another_control;
 mod reference_values;
 mod retraction;
 mod rim;

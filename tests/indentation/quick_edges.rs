@@ -12,7 +12,7 @@
 
 use std::f64::consts::PI;
 use viscotack::indentation::{Profile, march};
-use viscotack::studies::honesty::sphere::problem;
+use viscotack_verification::studies::calibration::sphere::problem;
 
 const TOLERANCE: f64 = 1e-11;
 

@@ -8,7 +8,7 @@
 //! ```
 //! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, β = 10, relaxed at Δ̃_B = 0.032 (Fig 4.5), speeds over three decades; approach and return (Fig 4.3).
 //!
-//! Oracle: [`viscotack::rivals::annulus_indentation`], which shares no line of code with the core.
+//! Oracle: [`viscotack_verification::rivals::annulus_indentation`], which shares no line of code with the core.
 //!
 //! Tolerance: the rival's own error: at its finest (16 annuli per process zone) 1e-2 of the largest force and of the first radius, at each
 //! instant; the largest difference of a history falls with the annuli.
@@ -17,7 +17,7 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Start, march};
-use viscotack::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
+use viscotack_verification::rivals::annulus_indentation::{AnnulusPath, AnnulusScheme, AnnulusStart};
 
 const WORK: f64 = 1.6e-4 * PI;
 const ZONE: f64 = 0.013;

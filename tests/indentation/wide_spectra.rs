@@ -4,7 +4,7 @@
 //! rounding, cost a march no more than its tolerance.
 //!
 //! Parameters: E0* = 1, spectra of 2, 5 and 20 equal terms with times spread evenly; γ̃ and δ̃ as in the thesis's Fig 4.3 unless said otherwise. Three
-//! scenes of the honesty study, in units of their own.
+//! scenes of the calibration study, in units of their own.
 //!
 //! Oracle: marches of other tolerances agree about the place of a fold to a millionth of the process zone, and to what each says of it; for K over ground that no edge has touched the closed form
 //! K = E∞*(f(a) − Δ)/√(πa), in which no panel and no memory stands: the surface there is flat.
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Profile, march, run};
 use viscotack::material::RelaxationTerm;
-use viscotack::studies::honesty::wide_spectrum;
+use viscotack_verification::studies::calibration::wide_spectrum;
 
 /// Terms of equal moduli whose times lie evenly over so many decades about the reference time.
 fn spectrum(terms: u32, beta: f64, decades: f64) -> Material {

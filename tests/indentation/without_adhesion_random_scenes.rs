@@ -8,9 +8,9 @@
 use std::path::Path;
 use viscotack::indentation::{Adhesion, Controlled, EventKind, History, IndentationProblem, Profile, Watch, run, run_watched};
 use viscotack::material::{CreepTerm, Material, RelaxationTerm};
-use viscotack::outcome::{Outcome, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 fn outcome(name: &str) -> Outcome {
     let path = Path::new("tests/scenes_without_adhesion").join(name).with_extension("toml");
@@ -87,7 +87,7 @@ fn what_a_panel_leaves_is_within_the_bound() {
     let column = |name: &str| found.columns.iter().position(|column| column.name == name).unwrap();
     let (time, penetration) = (column("time"), column("penetration"));
     for (at, right) in [(134.676_837, 7.869_287_532_429_1e-4), (135.246_08, 8.099_768_394_037_3e-4), (280.114_95, 5.761_631_727_418_8e-4)] {
-        let away = |row: &&viscotack::outcome::Row| (row.value(time).unwrap() - at).abs();
+        let away = |row: &&viscotack_program::outcome::Row| (row.value(time).unwrap() - at).abs();
         let instants = found.rows.iter().filter(|row| row.labels[0] == "instant");
         let row = instants.min_by(|one, other| away(one).total_cmp(&away(other))).unwrap();
         let reported = row.values[penetration].unwrap();

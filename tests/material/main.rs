@@ -1,8 +1,6 @@
 //! Materials: conversion, tables, fits.
 #![allow(missing_docs)]
 
-#[path = "../command_support/mod.rs"]
-mod command_support;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -10,5 +8,4 @@ mod conversion_mpmath;
 mod fit;
 mod fit_rest_and_rows;
 mod isotropic;
-mod tables;
 mod tables_mutated;

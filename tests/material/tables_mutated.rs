@@ -11,10 +11,10 @@
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use viscotack::scene::Document;
-use viscotack::scene::read::{read_material_table, resolve_material};
-use viscotack::scene::typed::MaterialData;
-use viscotack::studies::draw::Draw;
+use viscotack_program::scene::Document;
+use viscotack_program::scene::read::{read_material_table, resolve_material};
+use viscotack_program::scene::typed::MaterialData;
+use viscotack_verification::studies::draw::Draw;
 
 const MUTATIONS: u64 = 1500;
 
@@ -198,7 +198,7 @@ fn one_byte_changes_its_own_row_alone() {
             // The refused ones, and UTF-16, whose rows are no rows of bytes.
             let Some(whole) = read(&scene, file, &bytes).ok().filter(|_| !bytes.contains(&0)) else { return 0 };
             let known = notes(&whole);
-            let key = |row: &viscotack::scene::typed::MeasuredRow| {
+            let key = |row: &viscotack_program::scene::typed::MeasuredRow| {
                 [row.temperature.unwrap_or(0.0), row.at, row.value, row.loss.unwrap_or(0.0)].map(f64::to_bits)
             };
             let right: HashSet<_> = whole.rows.iter().map(key).collect();

@@ -1,12 +1,17 @@
-//! Source: `ARCHITECTURE.md`: physics knows nothing of files, scenes or plots, and no plan ever picks a rival.
+//! Source: `ARCHITECTURE.md`: the packages and what each may use.
 //!
-//! Goal: an arrow in the wrong direction is a failure here, not a habit. Oracle: the text of `src/`. Tolerance: none.
+//! Goal: an arrow in the wrong direction is a failure here, not a habit. Between packages the compiler keeps the walls, as long as the manifests are what is written
+//! here; within them the text of the sources is read. Oracle: `Cargo.toml` of each package and the sources. Tolerance: none.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::path::{Path, PathBuf};
 
-/// Every Rust file below a folder of `src`.
-fn sources(room: &str) -> Vec<(PathBuf, String)> {
+fn repository() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// Every Rust file below a folder.
+fn sources(folder: &str) -> Vec<(PathBuf, String)> {
     fn walk(folder: &Path, files: &mut Vec<(PathBuf, String)>) {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -19,69 +24,55 @@ fn sources(room: &str) -> Vec<(PathBuf, String)> {
         }
     }
     let mut files = Vec::new();
-    walk(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room), &mut files);
-    assert!(!files.is_empty(), "the room {room} is gone: update this test");
+    walk(&repository().join(folder), &mut files);
+    assert!(!files.is_empty(), "{folder} is gone: update this test");
     files
 }
 
-fn assert_free_of(rooms: &[&str], forbidden: &[&str]) {
-    for room in rooms {
-        for (path, text) in sources(room) {
-            for word in forbidden {
-                assert!(!text.contains(word), "{} names {word}", path.display());
-            }
+fn assert_free_of(folder: &str, forbidden: &[&str]) {
+    for (path, text) in sources(folder) {
+        for word in forbidden {
+            assert!(!text.contains(word), "{} names {word}", path.display());
         }
     }
 }
 
-const PHYSICS: [&str; 11] =
-    ["special", "fit", "material", "elastic", "closure", "continuation", "crack", "sliding", "indentation", "finite_range", "rivals"];
-
-#[test]
-fn physics_knows_nothing_of_files_scenes_or_plots() {
-    assert_free_of(
-        &PHYSICS,
-        &["crate::studies", "crate::scene", "crate::plan", "crate::outcome", "crate::cli", "std::fs", "std::path", "println!"],
-    );
+/// What a package depends on: all that is built with it but for its own tests.
+fn dependencies(folder: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(repository().join(folder).join("Cargo.toml")).unwrap();
+    let manifest: toml::Table = text.parse().unwrap();
+    manifest["dependencies"].as_table().unwrap().keys().cloned().collect()
 }
 
 #[test]
-fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_commands() {
-    assert_free_of(&["scene"], &["crate::plan", "crate::outcome", "crate::cli"]);
-    assert_free_of(&["outcome"], &["crate::plan", "crate::cli", "crate::scene"]);
-    assert_free_of(&["plan"], &["crate::cli"]);
-    assert_free_of(&["scene", "plan", "outcome"], &["crate::figures", "crate::studies"]);
-    assert_free_of(&["figures"], &["crate::cli", "crate::studies"]);
-    assert_free_of(&["studies"], &["crate::cli"]);
+fn each_package_uses_those_below_it() {
+    let ours = |folder: &str| -> Vec<String> { dependencies(folder).into_iter().filter(|name| name.starts_with("viscotack")).collect() };
+    assert!(ours(".").is_empty(), "the solver stands by itself");
+    assert_eq!(ours("program"), ["viscotack"], "no plan picks a rival, no scene knows a study");
+    assert_eq!(ours("verification"), ["viscotack", "viscotack-program"], "studies call no command");
+    for folder in [".", "program", "verification", "cli"] {
+        let python = dependencies(folder).into_iter().find(|name| name == "pyo3" || name == "viscotack-harness");
+        assert!(python.is_none(), "{folder} needs Python: {python:?}");
+    }
 }
 
 #[test]
-fn no_plan_picks_a_rival() {
-    assert_free_of(
-        &[
-            "special",
-            "fit",
-            "material",
-            "elastic",
-            "closure",
-            "continuation",
-            "crack",
-            "sliding",
-            "indentation",
-            "finite_range",
-            "scene",
-            "plan",
-            "outcome",
-            "figures",
-            "cli",
-        ],
-        &["crate::rivals"],
-    );
+fn the_solver_needs_no_command_line_and_no_files() {
+    let dependencies = dependencies(".");
+    for name in ["clap", "csv", "indicatif", "miette", "png", "serde_json", "tiny-skia", "toml"] {
+        assert!(!dependencies.iter().any(|dependency| dependency == name), "the solver depends on {name}");
+    }
+    assert_free_of("src", &["std::fs", "std::path", "println!", "env!"]);
 }
 
 #[test]
-fn the_solver_needs_no_python() {
-    let manifest = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).unwrap();
-    assert!(manifest.contains("default-members = [\".\"]"), "the harness is built by name only");
-    assert!(!manifest.contains("pyo3") && !manifest.contains("viscotack-harness ="), "nothing depends on the harness or on Python");
+fn scenes_know_nothing_of_plans_and_outcomes_nothing_of_scenes() {
+    assert_free_of("program/src/scene", &["crate::plan", "crate::outcome"]);
+    assert_free_of("program/src/outcome", &["crate::plan", "crate::scene"]);
+}
+
+#[test]
+fn figures_know_nothing_of_studies_and_neither_picks_a_rival_but_studies() {
+    assert_free_of("verification/src/figures", &["crate::studies", "crate::rivals"]);
+    assert_free_of("verification/src/rivals", &["crate::studies", "viscotack_program", "std::fs", "std::path", "println!"]);
 }

@@ -11,9 +11,9 @@ use crate::command_support;
 
 use command_support::{Folder, GOOD, SINGLE, SLIDING, answer, shipped_scenes, shortened};
 use serde_json::Value;
-use viscotack::scene::document::{Node, Value as Written};
-use viscotack::scene::template::TEMPLATES;
-use viscotack::scene::{Document, catalogue};
+use viscotack_program::scene::document::{Node, Value as Written};
+use viscotack_program::scene::template::TEMPLATES;
+use viscotack_program::scene::{Document, catalogue};
 
 fn single_under_load(load: &str) -> Folder {
     Folder::with(&SINGLE.replace("speed = \"1 mm/s\"", &format!("energy_release_rate = {load}")))

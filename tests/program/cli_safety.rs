@@ -1,6 +1,6 @@
 //! Nothing of the user's is lost, and nothing that is given commands the terminal or keeps the program waiting.
 //!
-//! Contract: `src/outcome/owned.rs` (folders with a mark), `src/outcome/journal.rs` (digests), `src/regular_file.rs`, `src/terminal_text.rs`, `src/threads.rs`.
+//! Contract: `program/src/outcome/owned.rs` (folders with a mark), `program/src/outcome/journal.rs` (digests), `program/src/regular_file.rs`, `program/src/terminal_text.rs`, `program/src/threads.rs`.
 //! Goal: files that the program has not written stay; flipped bits, foreign builds, full disks, refused threads, pipes and devices, Ctrl-C, escape sequences.
 //! Parameters: the faults themselves, made as they happen: bits flipped in files, a small tmpfs, a limit of the size of files, stacks too large to be
 //! given, FIFOs, signals.
@@ -22,11 +22,11 @@ use viscotack::Material;
 use viscotack::crack::delayed::{FinishedRuns, GrowthProblem, GrowthWatch, LoadHistory, Resolution, Trajectory, Unwatched, refined_from};
 use viscotack::crack::{CrackBody, Interface, ProcessZone};
 use viscotack::material::CreepTerm;
-use viscotack::outcome::Row;
-use viscotack::outcome::journal::{Found, Journal, JournalHeader, each, read};
-use viscotack::outcome::shard::Shard;
-use viscotack::scene::template::template;
-use viscotack::terminal_text::is_harmful;
+use viscotack_program::outcome::Row;
+use viscotack_program::outcome::journal::{Found, Journal, JournalHeader, each, read};
+use viscotack_program::outcome::shard::Shard;
+use viscotack_program::scene::template::template;
+use viscotack_program::terminal_text::is_harmful;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_viscotack");
 
@@ -278,7 +278,7 @@ fn another_build_of_the_same_commit_does_not_go_on() {
 #[test]
 fn a_tarball_inside_another_repository_reports_no_commit() {
     let folder = Folder::new();
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("build.rs");
+    let script = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("program/build.rs");
     let compiler = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     let compiled = Command::new(compiler).args(["--edition", "2024", "-o"]).arg(folder.path("script")).arg(script).status().unwrap();
     assert!(compiled.success());
@@ -286,11 +286,12 @@ fn a_tarball_inside_another_repository_reports_no_commit() {
         let user = ["-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "init.defaultBranch=main"];
         assert!(Command::new("git").current_dir(folder.path("outer")).args(user).args(arguments).output().unwrap().status.success());
     };
-    fs::create_dir_all(folder.path("outer/viscotack-0.1.0")).unwrap();
+    fs::create_dir_all(folder.path("outer/viscotack-0.1.0/program")).unwrap();
+    fs::create_dir_all(folder.path("outer/program")).unwrap();
     git(&["init"]);
     git(&["commit", "--allow-empty", "-m", "of another project"]);
     let commit = |place: &str| {
-        let path = folder.path(place);
+        let path = folder.path(place).join("program");
         let output = Command::new(folder.path("script"))
             .current_dir(&path)
             .env("CARGO_MANIFEST_DIR", &path)

@@ -13,7 +13,7 @@ use command_support::Folder;
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 fn markdown_below(folder: &Path, pages: &mut Vec<PathBuf>) {

@@ -12,9 +12,9 @@ use crate::command_support;
 
 use command_support::{DELAYED, GOOD, SINGLE, SLIDING, shipped_scenes, shortened};
 use std::path::Path;
-use viscotack::outcome::{Outcome, Work};
-use viscotack::plan::{self, Plan};
-use viscotack::scene::{Document, Scene, read};
+use viscotack_program::outcome::{Outcome, Work};
+use viscotack_program::plan::{self, Plan};
+use viscotack_program::scene::{Document, Scene, read};
 
 /// What a scene was predicted to cost, and its outcome.
 fn solved(mut document: Document, sets: &[&str]) -> (Work, Outcome) {

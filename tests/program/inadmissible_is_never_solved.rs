@@ -10,10 +10,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::outcome::tally::Tally;
-use viscotack::outcome::{Outcome, Row, Status, Witness, summary::summary};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::tally::Tally;
+use viscotack_program::outcome::{Outcome, Row, Status, Witness, summary::summary};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const SOLID: &str = "accuracy = 1e-3\n[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n[adhesion]\nwork_of_adhesion = 0.02\nprocess_zone = { length = 5e-7 }\n";
 const WAVE: &str = "[sliding]\nspeed = 1e-6\n[sliding.wave]\nwavelength = 1e-4\namplitude = 3e-6\n";
@@ -105,11 +105,12 @@ fn a_sweep_with_an_inadmissible_row_ends_with_4_and_settling_again_changes_nothi
 #[test]
 fn every_row_of_a_plan_is_settled() {
     // The one door through which rows of a problem leave its plan.
-    let source = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/plan/mod.rs")).unwrap();
+    let source = std::fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("program/src/plan/mod.rs")).unwrap();
     let (door, calls) = (source.matches("Row::settled").count(), source.matches("self.problem.solve(").count());
     assert_eq!((door, calls), (1, 1));
     for file in ["run.rs", "desk.rs"] {
-        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/plan").join(file)).unwrap();
+        let text =
+            std::fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("program/src/plan").join(file)).unwrap();
         assert!(!text.contains("problem.solve("), "{file}");
     }
 }

@@ -1,4 +1,4 @@
-//! Source: the contract of `viscotack::outcome::plot` (its module documentation).
+//! Source: the contract of `viscotack_program::outcome::plot` (its module documentation).
 //! Goal: a plot shows the data and nothing else: gaps are gaps, equal ratios are equal distances, the same figure gives the same bytes, odd input
 //! gives an honest picture or a typed error.
 //! Oracle: the SVG text itself, read back here: the strokes of the groups of class `curve`, in tenths of a point.
@@ -7,7 +7,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp)]
 
 use proptest::prelude::*;
-use viscotack::outcome::plot::{self, Axis, Colour, Curve, Figure, LegendPlace, Line, Map, Marker, PlotError, Scale, Width};
+use viscotack_program::outcome::plot::{self, Axis, Colour, Curve, Figure, LegendPlace, Line, Map, Marker, PlotError, Scale, Width};
 
 const ROUNDING: f64 = 0.02;
 

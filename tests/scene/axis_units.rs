@@ -6,10 +6,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::outcome::Outcome;
-use viscotack::outcome::plot::{Axis, Figure};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::Outcome;
+use viscotack_program::outcome::plot::{Axis, Figure};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 fn solved(text: &str) -> Outcome {
     let document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();

@@ -1,6 +1,6 @@
 //! Shipped scenes with spoilt bytes: the reader answers with a plan or with an error that names the file and the line.
 //!
-//! Contract: the scene module; `fuzz/fuzz_targets/scene.rs` takes the same way with a fuzzer's bytes (`viscotack::studies::scene_bytes`), and so does `viscotack verify`.
+//! Contract: the scene module; `fuzz/fuzz_targets/scene.rs` takes the same way with a fuzzer's bytes (`viscotack_verification::studies::scene_bytes`), and so does `viscotack verify`.
 //! Goal: bytes as a disk or an editor spoils them: flipped bits, lost and doubled pieces, pieces of other scenes, bytes that are no UTF-8. Spoilt words and numbers, which
 //! keep a scene well formed, are in `scene_reader_never_panics`.
 //! Parameters: every shipped scene, 60 000 mutations, seeded.
@@ -12,7 +12,7 @@
 use crate::command_support;
 
 use command_support::shipped_scenes;
-use viscotack::studies::scene_bytes::{Answer, answered, answers, fault};
+use viscotack_verification::studies::scene_bytes::{Answer, answered, answers, fault};
 
 const MUTATIONS: u64 = 60_000;
 

@@ -1,4 +1,4 @@
-//! Source: `viscotack fit` (`src/plan/fit`), `scenes/fits/`, `studies::fit_coverage`.
+//! Source: `viscotack fit` (`program/src/plan/fit`), `scenes/fits/`, `studies::fit_coverage`.
 //!
 //! Goal: the shipped scene gives its stated truth, and the scene that is written runs; every key of [fit] is heard or refused; bad data end in one clear error;
 //! what the data cannot separate is said; models and further tests are compared; a better minimum is never missed.
@@ -12,10 +12,10 @@ use crate::command_support;
 
 use command_support::Folder;
 use std::path::{Path, PathBuf};
-use viscotack::studies::fit_coverage::drawn;
+use viscotack_verification::studies::fit_coverage::drawn;
 
 fn repository(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join(name)
 }
 
 /// A pull-off of few rows, with its data; `{}` stands for what is free and what else [fit] holds.

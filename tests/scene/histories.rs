@@ -9,10 +9,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::scene::diagnostic::SourceText;
-use viscotack::scene::typed::{CycleWave, HistoryQuantity, HistorySegment, MeasuredTable, Pace};
-use viscotack::scene::units::Dimension;
-use viscotack::scene::{Document, SceneError, check::check, read};
+use viscotack_program::scene::diagnostic::SourceText;
+use viscotack_program::scene::typed::{CycleWave, HistoryQuantity, HistorySegment, MeasuredTable, Pace};
+use viscotack_program::scene::units::Dimension;
+use viscotack_program::scene::{Document, SceneError, check::check, read};
 
 const CRACK: &[HistoryQuantity] = &[HistoryQuantity::StressIntensity];
 const SPHERE: &[HistoryQuantity] =

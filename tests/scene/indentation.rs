@@ -11,10 +11,10 @@ use std::f64::consts::PI;
 use std::path::Path;
 use viscotack::Material;
 use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::diagnostic::SourceText;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::diagnostic::SourceText;
+use viscotack_program::scene::{Document, read};
 
 const REDUCED: &str =
     "units = \"reduced\"\naccuracy = 1e-4\n[material]\nglassy_modulus = 10\nrelaxation = [{ fraction = 1, relaxation_time = 1 }]\n

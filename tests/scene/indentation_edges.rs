@@ -7,9 +7,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const SPHERE: &str = r#"
 accuracy = 1e-4

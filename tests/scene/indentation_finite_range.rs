@@ -12,9 +12,9 @@ use serde_json::Value;
 use std::f64::consts::PI;
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 fn solved(text: &str) -> Outcome {
     let document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();
@@ -83,7 +83,7 @@ fn scene_of(input: &Value) -> String {
 
 #[test]
 fn the_states_of_an_independent_program_are_met_by_scenes() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reference_data/finite_sphere.json");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../reference_data/finite_sphere.json");
     let all: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
     for state in all["states"].as_array().unwrap() {
         let (input, result) = (&state["input"], &state["result"]);
@@ -241,7 +241,7 @@ fn the_pressure_carries_the_force_and_the_gap_is_that_of_both_surfaces() {
         let depth = value(&outcome, row, "penetration").value;
         let mut force = 0.0;
         for pair in row.fields.windows(2) {
-            let of = |point: &viscotack::outcome::FieldPoint| point.values[1].value * point.place;
+            let of = |point: &viscotack_program::outcome::FieldPoint| point.values[1].value * point.place;
             force += PI * (of(&pair[0]) + of(&pair[1])) * (pair[1].place - pair[0].place);
         }
         // Outside of 8 µm the gap is r²/2R: the attraction left there is less than 1e-3 of the force.

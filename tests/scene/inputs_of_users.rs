@@ -47,7 +47,7 @@ impl States {
 /// A folder with one scene of the inputs and the files that it may name.
 fn folder(input: &str) -> Folder {
     let folder = Folder::new();
-    for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap() {
+    for entry in std::fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/inputs")).unwrap() {
         let path = entry.unwrap().path();
         let (name, stem) = (path.file_name().unwrap().to_str().unwrap(), path.file_stem().unwrap().to_str().unwrap());
         // What a scene names has its own name, or is a table.
@@ -178,8 +178,10 @@ fn answered(case: &Value, folder: &Folder) -> Vec<String> {
 
 /// The cases of every `expected*.json`, in the order of their names.
 fn cases() -> Vec<Value> {
-    let mut files: Vec<std::path::PathBuf> =
-        std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut files: Vec<std::path::PathBuf> = std::fs::read_dir(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/inputs"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
     files.retain(|path| {
         path.file_name().unwrap().to_str().unwrap().starts_with("expected") && path.extension().is_some_and(|one| one == "json")
     });

@@ -8,9 +8,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use std::path::Path;
-use viscotack::outcome::Status;
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::Status;
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const REST: f64 = 1e4;
 const BODY: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.5\ncreep = [{ fraction = 1, retardation_time = 1 }]\n[adhesion]\nwork_of_adhesion = 0.05\n";

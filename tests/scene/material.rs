@@ -398,7 +398,7 @@ fn no_term_is_left_out_for_any_problem() {
 #[test]
 fn the_tread_is_its_truth_within_the_stated_error() {
     let folder = Folder::new();
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
     let tread = root.join("scenes/materials/tread.toml");
     folder.call(&["material", tread.to_str().unwrap(), "--out", "DIR"]).ended(0);
     let table = |text: &str| -> Vec<Vec<f64>> {

@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use std::fmt::Write as _;
 use support::random::Uniform;
 use viscotack::material::fit::Quantity;
-use viscotack::plan::Plan;
-use viscotack::scene::typed::MaterialOrigin;
-use viscotack::scene::{Document, read};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::typed::MaterialOrigin;
+use viscotack_program::scene::{Document, read};
 
 const RELAXED: f64 = 2.3e6;
 const TERMS: [(f64, f64); 3] = [(3e6, 10.0), (1.4e7, 0.3), (6.1e7, 1e-2)];

@@ -13,9 +13,9 @@ use std::path::Path;
 use viscotack::Material;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Cycle, FrequencySweep, History, IndentationProblem, Oscillation, Profile, run};
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const REDUCED: &str =
     "units = \"reduced\"\naccuracy = 1e-3\n[material]\nglassy_modulus = 10\nrelaxation = [{ fraction = 1, relaxation_time = 1 }]\n

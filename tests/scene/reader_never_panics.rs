@@ -17,10 +17,10 @@ use proptest::sample::{Index, select};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use viscotack::plan::Plan;
-use viscotack::scene::typed::{Problem, SlidingTask};
-use viscotack::scene::units::parse_quantity;
-use viscotack::scene::{Document, Scene, catalogue, read, sweep};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::typed::{Problem, SlidingTask};
+use viscotack_program::scene::units::parse_quantity;
+use viscotack_program::scene::{Document, Scene, catalogue, read, sweep};
 
 /// Values that have broken readers before, and pieces of scenes to put in wrong places.
 #[rustfmt::skip]

@@ -10,8 +10,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 
 use std::path::Path;
-use viscotack::scene::typed::{HistorySegment, IndentationShape, Problem};
-use viscotack::scene::{Document, read};
+use viscotack_program::scene::typed::{HistorySegment, IndentationShape, Problem};
+use viscotack_program::scene::{Document, read};
 
 const FILES: [(&str, &str); 9] = [
     ("26-line-scan-as-profile", "26-profile.csv"),
@@ -56,7 +56,7 @@ fn mutated(bytes: &[u8], random: &mut Random) -> Vec<u8> {
 
 #[test]
 fn changed_bytes_never_panic_and_give_no_number_that_is_none() {
-    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+    let inputs = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/inputs");
     let (mut accepted, mut refused) = (0, 0);
     for (scene, file) in FILES {
         let text = std::fs::read_to_string(inputs.join(format!("{scene}.toml"))).unwrap();
@@ -94,8 +94,8 @@ fn changed_bytes_never_panic_and_give_no_number_that_is_none() {
 }
 
 /// The scene of an input with a line added, read as users have it.
-fn read_with(input: &str, anchor: &str, added: &str) -> Result<viscotack::scene::typed::Scene, String> {
-    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+fn read_with(input: &str, anchor: &str, added: &str) -> Result<viscotack_program::scene::typed::Scene, String> {
+    let inputs = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/inputs");
     let text = std::fs::read_to_string(inputs.join(format!("{input}.toml"))).unwrap();
     let at = text.find(anchor).unwrap() + anchor.len();
     let text = format!("{}\n{added}\n{}", &text[..at], &text[at..]);
@@ -120,7 +120,7 @@ fn what_an_error_offers_works_when_pasted() {
         assert!(refused.contains(remedy), "{input}: {refused}");
         read_with(input, anchor, pasted).unwrap_or_else(|error| panic!("{input}: {error}"));
     }
-    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs");
+    let inputs = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("tests/inputs");
     let text = std::fs::read_to_string(inputs.join("records-tolerance-below-the-noise.toml")).unwrap();
     let mut document = Document::parse("scene.toml", text.replace("\"0.05 nm\"", "1.9e-9"), &inputs).unwrap();
     read::resolve_includes(&mut document).and_then(|()| read::read(&document)).unwrap();

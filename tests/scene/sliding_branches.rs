@@ -16,9 +16,9 @@ use std::f64::consts::PI;
 use std::path::Path;
 use viscotack::Estimate;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
-use viscotack::outcome::{Row, Status};
-use viscotack::plan::Plan;
-use viscotack::scene::{Document, Scene, read};
+use viscotack_program::outcome::{Row, Status};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, Scene, read};
 
 const WAVELENGTH: f64 = 7e-5;
 const AMPLITUDE: f64 = 2e-6;

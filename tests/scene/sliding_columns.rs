@@ -15,9 +15,9 @@ use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::outcome::{Row, Status};
-use viscotack::plan::Plan;
-use viscotack::scene::{Document, Scene, read};
+use viscotack_program::outcome::{Row, Status};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, Scene, read};
 
 const RELAXED: f64 = 1.3e6;
 const GLASSY: f64 = 1.56e7;

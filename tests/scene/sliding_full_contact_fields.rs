@@ -9,9 +9,9 @@
 
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::outcome::{Outcome, Row};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 fn solved(text: &str) -> Outcome {
     let document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();

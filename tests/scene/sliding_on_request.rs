@@ -13,9 +13,9 @@
 use std::collections::HashMap;
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::outcome::{Row, Status};
-use viscotack::plan::Plan;
-use viscotack::scene::{Document, Scene, read};
+use viscotack_program::outcome::{Row, Status};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, Scene, read};
 
 type Values = HashMap<&'static str, Estimate>;
 
@@ -112,7 +112,7 @@ fn columns_are_there_on_request_only() {
     assert_eq!(names(&plain("[sliding.branch]\nparameter = \"half_width\"")).len(), 21);
     for (asked, of_state, of_strength, of_branch) in [
         ("friction_parts", Some(3), None, Some(3)),
-        ("elastic_companion", Some(4), Some(6), None),
+        ("elastic_reference_contact", Some(4), Some(6), None),
         ("sensitivities", Some(15), Some(20), None),
     ] {
         let with = |rest: &str| plain(&format!("columns = [\"{asked}\"]\n{rest}"));
@@ -337,7 +337,7 @@ fn the_sensitivity_of_johnsons_pull_off_is_its_closed_form() {
 
 #[test]
 fn parts_of_friction_add_up() {
-    let found = solved(&state(INPUTS, "columns = [\"friction_parts\", \"elastic_companion\"]"));
+    let found = solved(&state(INPUTS, "columns = [\"friction_parts\", \"elastic_reference_contact\"]"));
     let (all, edges, bulk) = (found["friction_stress"], found["adhesive_friction_stress"], found["bulk_friction_stress"]);
     assert!((all.value - edges.value - bulk.value).abs() < 1e-14 * all.value.abs());
     let share = found["edge_share"];
@@ -409,7 +409,7 @@ fn wrong_works_are_refused_with_a_reason() {
     .replace("process_zone = { length = 1.7e-7 }", "process_zone = { cohesive_stress = 2e5 }")
     .replace("speed = 1e-4\nmean", "mean");
     assert!(refusal(&cohesive).contains("cohesive stress"), "{}", refusal(&cohesive));
-    let cylinder = state(INPUTS, "columns = [\"elastic_companion\"]")
+    let cylinder = state(INPUTS, "columns = [\"elastic_reference_contact\"]")
         .replace("wave = { wavelength = 7e-5, amplitude = 2e-6 }", "cylinder = { radius = 1e-3 }")
         .replace("mean_pressure", "load_per_width");
     assert!(refusal(&cylinder).contains("wave number"), "{}", refusal(&cylinder));

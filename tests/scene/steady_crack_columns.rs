@@ -14,8 +14,8 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 use viscotack::Estimate;
-use viscotack::plan::Plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, read};
 
 const RELAXED: f64 = 1.3e6;
 const GLASSY: f64 = 5.2e8;

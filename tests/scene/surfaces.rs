@@ -1,4 +1,4 @@
-//! Source: issue 41; `src/plan/surface`, `src/scene/read/surface.rs`.
+//! Source: issue 41; `program/src/plan/surface`, `program/src/scene/read/surface.rs`.
 //!
 //! Goal: a scene of a surface that attracts at a distance gives the numbers of the library's reference states, in both unit systems, whichever way the
 //! surface and the law are written; what contradicts is refused with file, line and remedy.
@@ -10,9 +10,9 @@
 
 use std::path::{Path, PathBuf};
 use viscotack::Estimate;
-use viscotack::outcome::{Outcome, Row, Status};
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::{Outcome, Row, Status};
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 const MATERIAL: &str =
     "units = \"reduced\"\n[material]\nrelaxed_modulus = 1.0\nglassy_modulus = 10.0\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n";
@@ -83,7 +83,7 @@ fn the_reference_states_come_out_of_scenes() {
         }
         let (adhesive, repulsive) = (first(&outcome, "adhesive_pressure"), first(&outcome, "repulsive_pressure"));
         agree(Estimate::new(adhesive.value + repulsive.value, adhesive.error + repulsive.error), first(&outcome, "mean_pressure"), "parts");
-        agree(first(&outcome, "friction_by_loss"), first(&outcome, "friction_by_surface"), "routes");
+        agree(first(&outcome, "friction_by_profile"), first(&outcome, "friction_by_surface"), "routes");
     }
 }
 

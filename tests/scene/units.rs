@@ -10,7 +10,7 @@
 use crate::command_support;
 
 use command_support::{Folder, SINGLE};
-use viscotack::scene::units::{Dimension, UnitError, groups, parse_quantity};
+use viscotack_program::scene::units::{Dimension, UnitError, groups, parse_quantity};
 
 /// Sizes in SI units, from the definitions: pound = 0.45359237 kg · 9.80665 m/s², inch = 25.4 mm.
 const POUND: f64 = 0.453_592_37 * 9.806_65;

@@ -9,8 +9,8 @@
 use crate::command_support;
 
 use command_support::{Folder, SINGLE};
-use viscotack::scene::catalogue;
-use viscotack::scene::suggest::for_key;
+use viscotack_program::scene::catalogue;
+use viscotack_program::scene::suggest::for_key;
 
 /// Table, unknown key, the path that it leads to ("" for none).
 #[rustfmt::skip]

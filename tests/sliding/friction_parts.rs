@@ -1,6 +1,6 @@
 //! Source: thesis Sec 3.6 (Eqs 3.37–3.40), Sec 3.7 and Fig 3.14c; issue "Sliding branches", part 3.
 //!
-//! Goal: where the power of friction goes, and the elastic companion of modulus |E(kv)|.
+//! Goal: where the power of friction goes, and the elastic reference contact of modulus |E(kv)|.
 //!
 //! ```text
 //! friction·v·λ = dissipation of the solid + (K₁² − K₂²)/2E∞* · v        tips as sharp as the model has them, per width and wavelength
@@ -20,7 +20,7 @@ use viscotack::Material;
 use viscotack::elastic::{Control, JohnsonWave, WestergaardWave};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::branch::BranchProblem;
-use viscotack::sliding::companion::{companion_strength, elastic_companion};
+use viscotack::sliding::elastic_reference::{elastic_reference_contact, elastic_reference_strength};
 use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
 const RELAXED: f64 = 0.7e6;
@@ -150,17 +150,18 @@ fn johnson(modulus: f64, work: f64) -> [f64; 2] {
 }
 
 #[test]
-fn the_companion_bears_what_johnsons_wave_of_its_modulus_does() {
+fn the_reference_contact_carries_what_johnsons_wave_of_its_modulus_does() {
     let material = solid(10.0, &ONE);
     for (rate, work) in [(0.0, 0.005), (0.3, 0.005), (2.0, 0.0025), (50.0, 0.005)] {
         // E(ω)/E0 = β(1 + iωρ)... of one retardation time: (1 + iζ)/(1 + iζ/β), ζ = kvτ.
         let (zeta, beta) = (rate, 10.0_f64);
         let modulus = ((1.0 + zeta * zeta) / (1.0 + (zeta / beta).powi(2))).sqrt();
         let of_zone = |zone: f64| {
-            let companion = companion_strength(&material, &BranchProblem::loads(rate, WaveAdhesion::even(work, zone), 1e-10)).unwrap();
-            assert!((companion.modulus.value - modulus).abs() <= companion.modulus.error + 1e-14 * modulus);
-            let pressure = |fold: &Option<viscotack::sliding::branch::Fold>| fold.as_ref().unwrap().value.value * companion.modulus.value;
-            [pressure(&companion.twin.pull_off), pressure(&companion.twin.snap_in)]
+            let reference =
+                elastic_reference_strength(&material, &BranchProblem::loads(rate, WaveAdhesion::even(work, zone), 1e-10)).unwrap();
+            assert!((reference.modulus.value - modulus).abs() <= reference.modulus.error + 1e-14 * modulus);
+            let pressure = |fold: &Option<viscotack::sliding::branch::Fold>| fold.as_ref().unwrap().value.value * reference.modulus.value;
+            [pressure(&reference.found.pull_off), pressure(&reference.found.snap_in)]
         };
         let [coarse, middle, fine] = [4e-4, 2e-4, 1e-4].map(of_zone);
         for (index, expected) in johnson(modulus, work).into_iter().enumerate() {
@@ -173,28 +174,28 @@ fn the_companion_bears_what_johnsons_wave_of_its_modulus_does() {
 }
 
 #[test]
-fn the_companion_of_a_contact_is_the_same_contact_of_a_stiffer_elastic_solid() {
+fn the_reference_of_a_contact_is_the_same_contact_of_a_stiffer_elastic_solid() {
     let material = solid(30.0, &THREE);
     for control in [SlidingControl::MeanPressure(0.15), SlidingControl::Penetration(0.3), SlidingControl::HalfWidth(0.8)] {
         let (_, base) = solved(&material, 0.5, WaveAdhesion { leading_work: 0.002, ..WaveAdhesion::even(0.004, 5e-3) }, 0.15);
         let problem = SlidingProblem { control, ..base };
-        let companion = elastic_companion(&material, &problem).unwrap();
-        let SlidingOutcome::Partial(twin) = companion.twin else { panic!("full contact") };
-        let modulus = companion.modulus.value;
+        let reference = elastic_reference_contact(&material, &problem).unwrap();
+        let SlidingOutcome::Partial(elastic) = reference.found else { panic!("full contact") };
+        let modulus = reference.modulus.value;
         // The same in pascals: a glassy modulus of m E0, far above all times, must be the same contact.
         let stiff = Material::standard_solid(1.0, modulus, 1.0).unwrap();
         let SlidingOutcome::Partial(glassy) = steady_sliding(&stiff, &SlidingProblem { rate: 1e13, ..problem }).unwrap() else {
             panic!("full contact")
         };
         for (one, two, unit) in [
-            (twin.values.half_width, glassy.values.half_width, 1.0),
-            (twin.values.eccentricity, glassy.values.eccentricity, 1.0),
-            (twin.values.penetration, glassy.values.penetration, 1.0),
-            (twin.values.mean_pressure, glassy.values.mean_pressure, modulus),
+            (elastic.values.half_width, glassy.values.half_width, 1.0),
+            (elastic.values.eccentricity, glassy.values.eccentricity, 1.0),
+            (elastic.values.penetration, glassy.values.penetration, 1.0),
+            (elastic.values.mean_pressure, glassy.values.mean_pressure, modulus),
         ] {
             assert!((one.value * unit - two.value).abs() < 1e-8 * (1.0 + two.value.abs()), "{control:?}: {one:?} {two:?}");
         }
     }
     let cylinder = SlidingProblem { indenter: Indenter::Parabola, ..solved(&material, 0.5, WaveAdhesion::even(0.004, 5e-3), 0.15).1 };
-    assert!(elastic_companion(&material, &cylinder).unwrap_err().to_string().contains("wave number"));
+    assert!(elastic_reference_contact(&material, &cylinder).unwrap_err().to_string().contains("wave number"));
 }

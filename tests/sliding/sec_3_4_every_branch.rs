@@ -25,7 +25,6 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use support::random::Uniform;
 use viscotack::Material;
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::branch::{
     BranchEnd, BranchPath, BranchProblem, BranchStart, ContactAt, FoldQuantity, Impossible, Scan, SecondVariations, Stability,
     beyond_both_ends, contacts_of_width, every_branch, speed_folds, trace,
@@ -35,6 +34,7 @@ use viscotack::sliding::edge_balance::EdgeBalance;
 use viscotack::sliding::steady::{
     Indenter, PartialValues, SlidingControl, SlidingOutcome, SlidingProblem, Start, WaveAdhesion, steady_sliding, steady_sliding_near,
 };
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 
 fn adhesion(reduced_work: f64, zone: f64) -> WaveAdhesion {
     WaveAdhesion::even(reduced_work, zone)

@@ -3,8 +3,8 @@
 //! Goal: half-widths, loads and process zones at which both edge conditions hold only with a pressed edge or with faces that meet outside the contact are no such state, and
 //! the limit that is named is one: contacts on its near side, none on its far side. What turns unlocated must say so.
 //!
-//! Parameters: the four scenes of the honesty study that were refused as not converged (cylinders, numbers as drawn, rounded); an elastic wave and cylinder with zones as long as the
-//! contact or works ten thousand times apart; the elastic companion of Γ = 0.002, ζ = 10, δ = 1e-3.
+//! Parameters: the four scenes of the calibration study that were refused as not converged (cylinders, numbers as drawn, rounded); an elastic wave and cylinder with zones as long as the
+//! contact or works ten thousand times apart; the elastic reference contact of Γ = 0.002, ζ = 10, δ = 1e-3.
 //!
 //! Oracle: every contact of a half-width by its quadratic forms, which needs no path (`contacts_of_width`); the gap on a fine grid; contacts beside the limit.
 //!
@@ -15,8 +15,8 @@ use std::sync::Arc;
 use viscotack::material::{CreepTerm, Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
 use viscotack::sliding::branch::{BranchProblem, contacts_of_width};
-use viscotack::sliding::companion::companion_strength;
 use viscotack::sliding::contact::{ContactMemory, ContactState, Prescribed, Resolution, WaveContact};
+use viscotack::sliding::elastic_reference::elastic_reference_strength;
 use viscotack::sliding::steady::{Indenter, PartialContact, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
 const BESIDE: f64 = 2e-3;
@@ -165,10 +165,10 @@ fn zones_too_long_for_their_work_are_refused_with_the_longest() {
 fn a_pull_off_at_the_rounding_of_its_equations_is_found() {
     let material = Material::from_creep(10.0, &[CreepTerm { compliance: 0.9, retardation_time: 1.0 }], None).unwrap();
     let problem = BranchProblem::loads(10.0, WaveAdhesion::even(0.002, 1e-3), 1e-4);
-    let companion = companion_strength(&material, &problem).unwrap();
-    let (work, twin) = (0.002 / companion.modulus.value, companion.twin);
-    let pull_off = twin.pull_off.unwrap().value.value;
-    assert!(twin.unlocated.is_empty());
+    let reference = elastic_reference_strength(&material, &problem).unwrap();
+    let (work, elastic) = (0.002 / reference.modulus.value, reference.found);
+    let pull_off = elastic.pull_off.unwrap().value.value;
+    assert!(elastic.unlocated.is_empty());
     // Johnson: the least p̄ = s² − 2√(Γ tan(a/2)) over a; a zone of 1e-3 shifts it by a few per cent.
     let johnson = (1..3000).map(|index| 1e-3 * f64::from(index)).map(|a| (0.5 * a).sin().powi(2) - 2.0 * (work * (0.5 * a).tan()).sqrt());
     let johnson = johnson.fold(f64::INFINITY, f64::min);

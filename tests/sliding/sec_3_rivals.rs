@@ -20,10 +20,10 @@ use std::f64::consts::PI;
 use support::sliding::contact_near;
 use viscotack::Material;
 use viscotack::material::CreepTerm;
-use viscotack::rivals::sliding_collocation::richardson::{extrapolated, observed_order};
-use viscotack::rivals::sliding_collocation::{Layout, SlidingCollocation};
 use viscotack::sliding::contact::{ArcPoint, ContactMemory, ContactState, Edge, Prescribed, WaveContact, edge_work};
 use viscotack::sliding::steady::WaveAdhesion;
+use viscotack_verification::rivals::sliding_collocation::richardson::{extrapolated, observed_order};
+use viscotack_verification::rivals::sliding_collocation::{Layout, SlidingCollocation};
 
 const COARSEST: usize = 100;
 const LEVELS: u32 = 4;

@@ -1,4 +1,4 @@
-//! Source: problem 197 of `src/studies/held_contacts`: a cylinder far ahead of its contact (e = 3a) on a solid that is 521 times stiffer there than at rest.
+//! Source: problem 197 of `verification/src/studies/held_contacts`: a cylinder far ahead of its contact (e = 3a) on a solid that is 521 times stiffer there than at rest.
 //!
 //! Goal: loads just below the largest one of a contact are solved, and loads above it are refused with that limit, however far above.
 //! Oracle: the scan of the study, which finds the last contact at a load of 790.49955.
@@ -7,8 +7,8 @@
 
 use viscotack::Refusal;
 use viscotack::sliding::steady::{ReachedBy, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding_reached_by};
-use viscotack::studies::draw::Draw;
-use viscotack::studies::held_contacts::{SEED, draws::drawn};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::held_contacts::{SEED, draws::drawn};
 
 const LIMIT: f64 = 790.499_55;
 

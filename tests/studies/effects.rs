@@ -10,8 +10,8 @@
 //! Tolerance: as each effect states.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::studies::effects::scenes::{Effect, effects};
-use viscotack::studies::effects::{cheaper, difference, equal, layer, solved};
+use viscotack_verification::studies::effects::scenes::{Effect, effects};
+use viscotack_verification::studies::effects::{cheaper, difference, equal, layer, solved};
 
 fn named(name: &str) -> Effect {
     effects().into_iter().find(|effect| effect.name == name).unwrap()

@@ -9,10 +9,10 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use viscotack::figures::{Manifest, Options, Report, Verdict, run};
+use viscotack_verification::figures::{Manifest, Options, Report, Verdict, run};
 
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 fn manifest_text() -> String {

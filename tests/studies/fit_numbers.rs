@@ -138,10 +138,10 @@ fn a_model_without_solutions_and_too_few_data_are_refused() {
 #[ignore = "minutes; the study has all families"]
 fn one_family_of_the_study_covers_the_truth() {
     let number = |name: &str, default: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default);
-    let found = viscotack::studies::fit_coverage::coverage(
+    let found = viscotack_verification::studies::fit_coverage::coverage(
         number("FAMILY", 0) as usize,
         number("DRAWS", 8),
-        &viscotack::studies::Progress::silent(),
+        &viscotack_verification::studies::Progress::silent(),
     );
     println!("{found:#?}");
     assert!(found.missed == 0 && found.refusals.is_empty());

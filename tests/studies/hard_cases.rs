@@ -12,10 +12,10 @@
 
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use viscotack::studies::Effort;
-use viscotack::studies::hard_cases::case::{Expected, Found, Kind, falsified, held};
-use viscotack::studies::hard_cases::{cases, complaints};
 use viscotack::{Estimate, Refusal};
+use viscotack_verification::studies::Effort;
+use viscotack_verification::studies::hard_cases::case::{Expected, Found, Kind, falsified, held};
+use viscotack_verification::studies::hard_cases::{cases, complaints};
 
 #[test]
 fn every_hard_case_comes_out_as_theory_says() {

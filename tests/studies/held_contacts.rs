@@ -1,4 +1,4 @@
-//! Source: `src/studies/held_contacts`, the judge of sliding states under a held load, penetration or half-width.
+//! Source: `verification/src/studies/held_contacts`, the judge of sliding states under a held load, penetration or half-width.
 //!
 //! Goal: the judge finds all contacts, and it notices a wrong answer.
 //! Oracle: pairs of conics made to pass through four drawn points; the contacts of `reference_data/sliding_held_loads.csv` (collocation, another program and another search);
@@ -16,15 +16,15 @@ use support::reference_rows;
 use viscotack::material::CreepTerm;
 use viscotack::sliding::contact::{ContactEdges, ContactMemory, Indenter, Resolution, WaveContact};
 use viscotack::sliding::steady::{PartialValues, WaveAdhesion};
-use viscotack::studies::draw::Draw;
-use viscotack::studies::held_contacts::answer::Answer;
-use viscotack::studies::held_contacts::conics::common_points;
-use viscotack::studies::held_contacts::draws::{Asked, Control};
-use viscotack::studies::held_contacts::stability::Held;
-use viscotack::studies::held_contacts::states::{Expected, Reached, Speed};
-use viscotack::studies::held_contacts::width::{Bodies, Equilibrium};
-use viscotack::studies::held_contacts::{Fault, against};
 use viscotack::{Estimate, Material};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::held_contacts::answer::Answer;
+use viscotack_verification::studies::held_contacts::conics::common_points;
+use viscotack_verification::studies::held_contacts::draws::{Asked, Control};
+use viscotack_verification::studies::held_contacts::stability::Held;
+use viscotack_verification::studies::held_contacts::states::{Expected, Reached, Speed};
+use viscotack_verification::studies::held_contacts::width::{Bodies, Equilibrium};
+use viscotack_verification::studies::held_contacts::{Fault, against};
 
 /// A conic through four points and a fifth one: the null vector of five rows.
 fn through(points: &[Vector3<f64>; 4], fifth: Vector3<f64>) -> Matrix3<f64> {

@@ -12,12 +12,12 @@
 //! Oracle: the order they were made with. Tolerance: rounding, 1e-9.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::studies::counters::{Counter, against};
-use viscotack::studies::order::{Convergence, Expectation, FINEST, fitted_digits, fitted_order};
-use viscotack::studies::precision::{Method, Sample, contest};
-use viscotack::studies::stored::parse;
-use viscotack::studies::timing::median;
-use viscotack::studies::{Cell, Verdict};
+use viscotack_verification::studies::counters::{Counter, against};
+use viscotack_verification::studies::order::{Convergence, Expectation, FINEST, fitted_digits, fitted_order};
+use viscotack_verification::studies::precision::{Method, Sample, contest};
+use viscotack_verification::studies::stored::parse;
+use viscotack_verification::studies::timing::median;
+use viscotack_verification::studies::{Cell, Verdict};
 
 fn errors(order: f64, floor: f64) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = (0..12).map(|k| 2f64.powi(k)).map(|n| (n, (3.0 * n.powf(-order)).max(floor))).collect();

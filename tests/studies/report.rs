@@ -6,8 +6,8 @@
 //! Parameters: a made-up section with everything in it, and a real study that takes no time. Oracle: the text of the page. Tolerance: none.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
-use viscotack::outcome::plot::{Axis, Figure};
-use viscotack::studies::{
+use viscotack_program::outcome::plot::{Axis, Figure};
+use viscotack_verification::studies::{
     Cell, Check, Column, Effort, PAGE, Plot, Progress, Report, STUDIES, Section, Study, Table, Verdict, chosen, failures, files, ours,
     rival, run, stored_curve,
 };

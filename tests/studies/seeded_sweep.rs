@@ -11,12 +11,12 @@
 
 use rayon::prelude::*;
 use viscotack::Estimate;
-use viscotack::studies::draw::Draw;
-use viscotack::studies::known_states::crack::known_crack;
-use viscotack::studies::known_states::delayed::{KnownTime, known_growth};
-use viscotack::studies::known_states::sliding::known_contact;
-use viscotack::studies::known_states::sphere::known_sphere;
-use viscotack::studies::seeded_sweep::{SEED, Verdict, crack, delayed, sliding, sphere};
+use viscotack_verification::studies::draw::Draw;
+use viscotack_verification::studies::known_states::crack::known_crack;
+use viscotack_verification::studies::known_states::delayed::{KnownTime, known_growth};
+use viscotack_verification::studies::known_states::sliding::known_contact;
+use viscotack_verification::studies::known_states::sphere::known_sphere;
+use viscotack_verification::studies::seeded_sweep::{SEED, Verdict, crack, delayed, sliding, sphere};
 
 fn is_right(verdict: &Verdict) -> bool {
     matches!(verdict, Verdict::Right(_) | Verdict::Another(_))
@@ -81,7 +81,7 @@ fn spheres_are_found_again_and_moved_ones_are_not() {
 #[test]
 fn pulled_spheres_with_short_zones_start() {
     use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, run};
-    use viscotack::studies::known_states::sphere::elastic_work;
+    use viscotack_verification::studies::known_states::sphere::elastic_work;
     let material = viscotack::Material::standard_solid(1.0, 10.0, 10.0).unwrap();
     for (part, by_force) in [(2.5, false), (3.5, false), (0.9, true), (1.25, true)] {
         let (a, zone): (f64, f64) = (0.1, 1e-4);

@@ -27,9 +27,14 @@ impl Row {
     }
 }
 
+/// The folder of the repository: the package under test is in it or below it.
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().find(|folder| folder.join("reference_data").is_dir()).expect("the repository")
+}
+
 /// The rows of `reference_data/NAME`, after checking that the content is what its header's hash says.
 pub fn reference_rows(name: &str) -> Vec<Row> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference_data").join(name);
+    let path = repository().join("reference_data").join(name);
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let header: Vec<&str> = text.lines().take_while(|line| line.starts_with('#')).collect();
     let content = &text[header.iter().map(|line| line.len() + 1).sum::<usize>()..];

@@ -67,8 +67,8 @@ def complaints(root=ROOT):
             yield f"{fault.name}: no solver is called {fault.solver}"
         if fault.find == fault.replace or not fault.why:
             yield f"{fault.name}: changes nothing, or says not why it is wrong"
-        if not fault.file.startswith("src/"):
-            yield f"{fault.name}: {fault.file} is no source of the solver"
+        if not fault.file.startswith(("src/", "program/src/", "cli/src/", "verification/src/")):
+            yield f"{fault.name}: {fault.file} is no source of the solver or of its program"
         count = text_of(fault.file, root).count(fault.find)
         if count != 1:
             yield f"{fault.name}: {count} places in {fault.file} read as the text to replace, not one"

@@ -77,7 +77,7 @@ def run_check(test, name):
     said = first(r"panicked at .*", done.stdout + done.stderr)
     # An assertion of a test: a panic in a file of tests, or in the tests inside a source.
     where = "src/" if test == "lib" else "tests/"
-    if "test result: FAILED" in done.stdout and f"panicked at {where}" in done.stdout + done.stderr:
+    if "test result: FAILED" in done.stdout and re.search(rf"panicked at (\S+/)?{where}", done.stdout + done.stderr):
         return "fails", said, seconds
     return "breaks", said or first(r"\S.*", done.stderr), seconds
 

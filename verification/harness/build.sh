@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the harness and puts it where Python finds it by name: target/harness/viscotack_harness.abi3.so.
 #   verification/harness/build.sh               by itself
-#   verification/harness/build.sh --with-tests  with the features of the Rust tests, so that after `cargo test -p viscotack -p viscotack-harness`
+#   verification/harness/build.sh --with-tests  with the features of the Rust tests, so that after `cargo test --workspace`
 #                                               the solver is not compiled again
 # One file serves every Python from 3.11 on. (`maturin build --release` in this folder makes a wheel of the same; nothing here needs that.)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 if [ "${1:-}" = --with-tests ]; then
-  cargo build --release --locked --lib --tests -p viscotack -p viscotack-harness
+  cargo build --release --locked --lib --tests --workspace
 else
   cargo build --release --locked -p viscotack-harness
 fi

@@ -4,7 +4,7 @@
     FOLDER/bin/python verification/peers/work_precision.py        one thread, some ten minutes
 
 FOLDER needs numpy, scipy and mpmath (verification/peers/setup.sh makes one). Tamaas, ContactMechanics and Adhesion: work_precision_peers.py. Seconds: median processor time of several solutions in one process, imports not counted. The same problems, truths and measures as
-in src/studies/precision:
+in verification/src/studies/precision:
 
 delayed_fracture    verification/references/delayed_fracture.py, the thesis's stepping in numpy: largest |place - closed form|/zone at 2 to 6 delays
 sphere_retraction   verification/references/sphere_annuli.py, dense annuli with exact memories: force at t = 10, 14 and 18 over the largest, against the extrapolated values
@@ -66,7 +66,7 @@ def timed(work, most=5, patience=2.0):
 # ---------------------------------------------------------------- growth of a crack
 
 def growth():
-    """The case of src/studies/convergence/crack.rs."""
+    """The case of verification/src/studies/convergence/crack.rs."""
     relaxed, beta, tau, work, zone, ratio, last = 1.1e6, 10.0, 0.37, 0.31, 2.3e-6, 3.0, 6
     c = (1.0 - 1.0 / ratio) / (1.0 - 1.0 / beta)
     delay = -tau * math.log(c)

@@ -3,7 +3,7 @@
     python3 verification/references/delayed_events.py            regenerate the file (needs numpy; minutes)
     python3 verification/references/delayed_events.py --check    recompute all, compare
 
-The scenes are those of delayed_scenes/, drawn by src/studies/event_lists/scenes.rs (seed and number in the name of a file), some of one constant load.
+The scenes are those of delayed_scenes/, drawn by verification/src/studies/event_lists/scenes.rs (seed and number in the name of a file), some of one constant load.
 Thesis (5.54) and (5.67) in collapsed form, w = (K/2) {K/E_glassy + int J'(t - t1) K(t1) [1 - (x - x(t1))/zone]_+ dt1}, as a sum over ALL earlier pieces
 of the history at each instant: loads and places are straight in each piece and the integral of a piece is exact. No window sums, no grid of lines, no
 parabola, no speed: the tip is where w is the work of adhesion, found by bisection, or where it was. Starts are bisected in time; stops are closed in on by

@@ -399,3 +399,19 @@ fn events(runs: &[Run; 4], lines: f64, zone: f64, until: f64) -> Vec<Event> {
         })
         .collect()
 }
+
+/// Where the tip is at some times (s, not decreasing), in lengths of a constant process zone, by one run with so many lines to a zone: no bound, for studies of
+/// convergence.
+///
+/// # Errors
+/// As [`trajectory`].
+pub fn places_of_one_run(
+    problem: &GrowthProblem<'_>,
+    history: &LoadHistory,
+    times: &[f64],
+    lines_per_zone: u32,
+) -> Result<Vec<f64>, Refusal> {
+    let until = times.last().copied().unwrap_or(0.0);
+    let found = run(problem, history, Asked { outputs: times, until, lines_per_zone, most_steps: u64::MAX }, None, &|_| ())?;
+    Ok(found.samples.iter().map(|sample| sample.place).collect())
+}

@@ -3,9 +3,10 @@
 //! A fold in the pressure is where contact is lost (or jumps to full contact) under a dead load; a fold in the gap is where it snaps
 //! under an imposed gap. Both are read off the branch and then located on three grids ([`super::fold`]).
 
+use super::bounds;
 use super::grid::{Equations, State};
 use super::newton;
-use super::problem::Problem;
+use super::problem::{Control, Problem};
 use super::reach::{self, Place};
 use super::solution::{self, Certificate, Numbers};
 use crate::refusal::{Refusal, require_positive};
@@ -89,7 +90,7 @@ pub struct Branch {
 pub struct Refined {
     /// The numbers.
     pub numbers: Numbers,
-    /// The larger of the last two differences between grids.
+    /// From the differences between grids.
     pub errors: Numbers,
     /// Patches of contact.
     pub patches: usize,
@@ -191,11 +192,15 @@ impl<'a> Tracer<'a> {
             let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
             history.push(numbers.list());
             patches = (patches.1, solution::patches(&fields));
-            last = Some((numbers, certificate, report.mean_residual));
+            last = Some((numbers, certificate, report.mean_residual, fields));
         }
-        let (numbers, certificate, residual) = last?;
-        let mut errors = super::steady::three_grids(&history, self.problem.attraction.wall().is_some(), residual);
-        errors[2] = errors[2].max((certificate.friction_by_profile - certificate.friction_by_surface).abs());
+        let (numbers, certificate, residual, fields) = last?;
+        let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
+        let scale = bounds::Scale::new(&equations, stress, self.units[0]);
+        // Across the branch neither load nor gap is imposed.
+        let free = Problem { control: Control::Frame { stiffness: 1.0, position: 0.0 }, ..self.problem.clone() };
+        let (errors, _) = bounds::of(&history, &free, &scale, residual);
+        let errors = bounds::with_edges(errors, self.problem, &fields);
         Some(Refined {
             numbers,
             errors: Numbers::from_list(errors),

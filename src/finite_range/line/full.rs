@@ -42,7 +42,8 @@ pub fn full_contact(problem: &Problem, request: &Request) -> Result<SteadyState,
     let report = Report { steps: 0, products: 1, residual: 0.0, mean_residual: 0.0, least_contact_pressure: state.mean_pressure - least };
     let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
     let rounding = 16.0 * f64::EPSILON * equations.stiffest * problem.profile.half_height();
-    let errors = Numbers::from_list(numbers.list().map(|v| 64.0 * f64::EPSILON * v.abs() + rounding));
+    let mut errors = Numbers::from_list(numbers.list().map(|v| 64.0 * f64::EPSILON * v.abs() + rounding));
+    errors.friction_stress = super::bounds::Scale::new(&equations, 1.0, 1.0).of_friction(numbers.friction_stress, rounding);
     Ok(SteadyState {
         numbers,
         errors,

@@ -8,7 +8,7 @@
 //! ```
 //! One state costs some ten to a hundred products with A, each two fast Fourier transforms, whatever the material.
 //!
-//! [`solve`] gives one state with error bounds from three grids, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
+//! [`solve`] gives one state with error bounds from three grids or more, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
 //! [`locate`] a fold with its error. Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came.
 //!
 //! | file | idea |
@@ -17,10 +17,12 @@
 //! | `fourier`, `gmres` | transforms; linear solver |
 //! | `grid`, `newton` | the equations on one grid; contact set and Newton |
 //! | `reach` | from nothing to the state: range, modulus, grid |
-//! | `solution`, `steady`, `full` | numbers and identities; error from three grids; full contact |
+//! | `solution`, `steady`, `full` | numbers and identities; states; full contact |
+//! | `bounds` | errors from the differences between grids |
 //! | `branch`, `fold` | pseudo-arclength; place of a fold |
 //! | `roughness`, `measured` | self-affine surfaces; levelling and periodic ends of measured ones |
 
+mod bounds;
 mod branch;
 mod fold;
 mod fourier;

@@ -11,7 +11,7 @@ pub struct Numbers {
     pub mean_pressure: f64,
     /// Mean gap.
     pub mean_gap: f64,
-    /// Mean of −p h′: the resistance per area to sliding, positive when it opposes the motion.
+    /// Mean of −p h′: the resistance per area to sliding, positive when it opposes the motion; taken as what the waves of the pressure lose in the body.
     pub friction_stress: f64,
     /// Part of the area in contact: with the hard wall, or under repulsion where the law has no wall. Edges lie between nodes (lines).
     pub contact_fraction: f64,
@@ -113,7 +113,11 @@ pub(super) fn evaluate(equations: &mut Equations, state: &State, report: Report)
         }
     }
     let bare = contact.iter().filter(|c| **c).count() as f64 / nodes;
-    numbers.contact_fraction = if ny == 1 && wall.is_finite() { line_contact(&excess, &contact) } else { bare };
+    numbers.contact_fraction = match (wall.is_finite(), ny) {
+        (true, 1) => line_contact(&excess, &contact),
+        (true, _) => bare,
+        (false, _) => part_below(&state.gap, [nx, ny], equations.law.equilibrium_gap()),
+    };
     let surface: Vec<f64> = {
         let mean_gap = numbers.mean_gap;
         state.gap.iter().zip(&equations.heights).map(|(g, h)| g + h - mean_gap).collect()
@@ -121,7 +125,8 @@ pub(super) fn evaluate(equations: &mut Equations, state: &State, report: Report)
     let friction_by_profile = -mean_product(&pressure, &derivative(equations, |e| e.heights.clone()));
     let friction_by_surface = -mean_product(&pressure, &derivative(equations, |_| surface.clone()));
     let friction_by_loss = loss(equations, &pressure);
-    numbers.friction_stress = friction_by_profile;
+    // A sum of losses: exact where the body is elastic, never negative, and mostly closer than the product with the slope.
+    numbers.friction_stress = friction_by_loss;
     let certificate = Certificate {
         friction_by_profile,
         friction_by_surface,
@@ -160,6 +165,50 @@ fn line_contact(push: &[f64], contact: &[bool]) -> f64 {
     (length / n as f64).clamp(0.0, 1.0)
 }
 
+/// The part of the area where a field lies below a level, linear between nodes (on triangles in two dimensions).
+fn part_below(field: &[f64], [nx, ny]: [usize; 2], level: f64) -> f64 {
+    let over = |x: usize, y: usize| field[y % ny * nx + x % nx] - level;
+    let mut sum = 0.0;
+    for y in 0..ny {
+        for x in 0..nx {
+            let here = over(x, y);
+            let right = over(x + 1, y);
+            if ny == 1 {
+                sum += below_on_segment(here, right);
+                continue;
+            }
+            let (up, across) = (over(x, y + 1), over(x + 1, y + 1));
+            sum += 0.5 * (below_on_triangle([here, right, across]) + below_on_triangle([here, up, across]));
+        }
+    }
+    (sum / (nx * ny) as f64).clamp(0.0, 1.0)
+}
+
+/// The part of a segment where a linear function with these ends is negative.
+fn below_on_segment(a: f64, b: f64) -> f64 {
+    match (a < 0.0, b < 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        (true, false) => a / (a - b),
+        (false, true) => b / (b - a),
+    }
+}
+
+/// The part of a triangle where a linear function with these corners is negative.
+fn below_on_triangle(mut corners: [f64; 3]) -> f64 {
+    corners.sort_by(f64::total_cmp);
+    let [a, b, c] = corners;
+    if a >= 0.0 {
+        0.0
+    } else if c < 0.0 {
+        1.0
+    } else if b >= 0.0 {
+        a * a / ((a - b) * (a - c))
+    } else {
+        1.0 - c * c / ((c - a) * (c - b))
+    }
+}
+
 fn mean_product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>() / a.len() as f64
 }
@@ -194,30 +243,61 @@ fn loss(equations: &mut Equations, pressure: &[f64]) -> f64 {
     sum
 }
 
-/// The errors of pressure and gap: at each node the largest difference from the coarser grid of the nodes around it that both have.
-pub(super) fn field_errors(coarse: Option<&Fields>, fine: &Fields) -> [Vec<f64>; 2] {
-    let n = fine.nx * fine.ny;
-    let Some(coarse) = coarse.filter(|coarse| coarse.nx * 2 == fine.nx && (coarse.ny == fine.ny || coarse.ny * 2 == fine.ny)) else {
-        return [vec![f64::INFINITY; n], vec![f64::INFINITY; n]];
-    };
-    let step_y = fine.ny / coarse.ny;
-    let around = |index: usize, count: usize, step: usize| {
-        let (low, high) = (index / step, index.div_ceil(step));
-        // One further on each side where the node is on both grids.
-        let widen = usize::from(low == high && step > 1);
-        [(low + count - widen) % count, low % count, high % count, (high + widen) % count]
-    };
-    let of = |a: &[f64], b: &[f64]| -> Vec<f64> {
-        let difference: Vec<f64> =
-            (0..a.len()).map(|c| (a[c] - b[(c / coarse.nx) * step_y * fine.nx + 2 * (c % coarse.nx)]).abs()).collect();
-        (0..n)
-            .map(|node| {
-                let (xs, ys) = (around(node % fine.nx, coarse.nx, 2), around(node / fine.nx, coarse.ny, step_y));
-                ys.iter().flat_map(|y| xs.iter().map(move |x| y * coarse.nx + x)).map(|c| difference[c]).fold(0.0, f64::max)
-            })
-            .collect()
-    };
-    [of(&coarse.pressure, &fine.pressure), of(&coarse.gap, &fine.gap)]
+/// What rounding and the residual leave of pressure and gap at a node.
+pub(super) fn field_floors(equations: &Equations, report: &Report) -> [f64; 2] {
+    let nodes = equations.len() as f64;
+    let height = equations.heights.iter().fold(0.0_f64, |m, h| m.max(h.abs()));
+    let rounding = 16.0 * f64::EPSILON * height;
+    let softest = equations.stiffness.iter().skip(1).map(|a| a.norm() * nodes).fold(f64::INFINITY, f64::min);
+    [2.0 * report.residual + rounding * equations.stiffest, 10.0 * report.mean_residual / softest + rounding]
+}
+
+/// The last differences of pressure and gap between grids, brought to the nodes of the finest one; the newest first.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Differences {
+    newest_first: Vec<[Vec<f64>; 2]>,
+}
+
+impl Differences {
+    /// With the difference between two more grids: at each node the largest of the nodes around it that both have.
+    pub(super) fn on_finer_grid(&self, coarse: &Fields, fine: &Fields, ages: usize) -> Self {
+        if coarse.nx * 2 != fine.nx || !(coarse.ny == fine.ny || coarse.ny * 2 == fine.ny) {
+            return Self::default();
+        }
+        let step_y = fine.ny / coarse.ny;
+        let around = |index: usize, count: usize, step: usize| {
+            let (low, high) = (index / step, index.div_ceil(step));
+            // One further on each side where the node is on both grids.
+            let widen = usize::from(low == high && step > 1);
+            [(low + count - widen) % count, low % count, high % count, (high + widen) % count]
+        };
+        let carried = |values: &[f64]| -> Vec<f64> {
+            (0..fine.nx * fine.ny)
+                .map(|node| {
+                    let (xs, ys) = (around(node % fine.nx, coarse.nx, 2), around(node / fine.nx, coarse.ny, step_y));
+                    ys.iter().flat_map(|y| xs.iter().map(move |x| y * coarse.nx + x)).map(|c| values[c]).fold(0.0, f64::max)
+                })
+                .collect()
+        };
+        let difference = |a: &[f64], b: &[f64]| -> Vec<f64> {
+            let at = |c: usize| (a[c] - b[(c / coarse.nx) * step_y * fine.nx + 2 * (c % coarse.nx)]).abs();
+            carried(&(0..a.len()).map(at).collect::<Vec<f64>>())
+        };
+        let newest = [difference(&coarse.pressure, &fine.pressure), difference(&coarse.gap, &fine.gap)];
+        let older = self.newest_first.iter().take(ages.saturating_sub(1)).map(|[pressure, gap]| [carried(pressure), carried(gap)]);
+        Self { newest_first: std::iter::once(newest).chain(older).collect() }
+    }
+
+    /// At each node the largest of the differences, each times the weight of its age.
+    pub(super) fn largest(&self, nodes: usize, weight: impl Fn(usize) -> f64) -> [Vec<f64>; 2] {
+        if self.newest_first.is_empty() {
+            return [vec![f64::INFINITY; nodes], vec![f64::INFINITY; nodes]];
+        }
+        let of = |which: usize, node: usize| {
+            self.newest_first.iter().enumerate().map(|(age, lists)| weight(age) * lists[which][node]).fold(0.0, f64::max)
+        };
+        [0, 1].map(|which| (0..nodes).map(|node| of(which, node)).collect())
+    }
 }
 
 /// Patches of contact: connected sets of nodes on the periodic grid (neighbours along x and y).

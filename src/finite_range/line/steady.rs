@@ -1,18 +1,22 @@
-//! A steady state with the error of every number from three grids.
+//! A steady state with the error of every number from three or more grids.
 //!
 //! A contact edge falls between nodes, so the error of a number changes sign from grid to grid and no extrapolation helps. The
-//! error is the larger of the last two differences between grids (N/4, N/2, N), plus the effect of the residual.
+//! bounds come from the last differences between grids ([`super::bounds`]), plus the effect of the residual.
 
+use super::bounds::{self, Convergence};
 use super::grid::{Equations, State};
 use super::newton;
-use super::problem::{Control, Problem};
+use super::problem::Problem;
 use super::reach::{self, Place, Reached};
-use super::solution::{self, Certificate, Fields, Numbers};
+use super::solution::{self, Certificate, Differences, Fields, Numbers};
 use crate::finite_range::law::Law;
 use crate::refusal::{Refusal, require_positive};
 
 /// Nodes in the relaxed zone of the law on the grid of the cold start; the finer ones are tried where the coarse one leads astray.
 const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
+
+/// Nodes along x of the coarsest grid that a neighbour is followed on.
+const COARSEST_OF_A_NEIGHBOUR: usize = 128;
 
 /// Friction below this part of pressure times slope is asked for absolutely.
 const SMALL_FRICTION: f64 = 1e-3;
@@ -61,7 +65,7 @@ pub struct SteadyState {
     pub certificate: Certificate,
     /// Pressure, gap, surface.
     pub fields: Fields,
-    /// The errors of the pressure and of the gap at each node: the largest difference from the grid before, of the nodes around it.
+    /// The errors of the pressure and of the gap at each node: the largest difference from the grid before, of the nodes around it, or what is left of the one before.
     pub field_errors: [Vec<f64>; 2],
     /// From where it was reached.
     pub reached_by: ReachedBy,
@@ -150,8 +154,20 @@ pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Resul
     problem.check()?;
     require_positive("accuracy", request.accuracy)?;
     let old = &from.fields;
+    if old.nx / 8 >= COARSEST_OF_A_NEIGHBOUR && old.ny == 1 {
+        // Three differences between grids bound the error better than two.
+        if let Ok(state) = follow_from(problem, from, request, 8) {
+            return Ok(state);
+        }
+    }
     // Two grids coarser, so that the given grid is the third one of the error; every fourth node is a node there.
     let stride = if old.nx >= 256 && (old.ny == 1 || old.ny.is_multiple_of(8)) { 4 } else { 1 };
+    follow_from(problem, from, request, stride)
+}
+
+/// The same from every so manyth node of the neighbour.
+fn follow_from(problem: &Problem, from: &SteadyState, request: &Request, stride: usize) -> Result<SteadyState, Refusal> {
+    let old = &from.fields;
     let mut equations = Equations::new(problem, old.nx / stride, 1.0, problem.attraction.range);
     let stride_y = if old.ny == 1 { 1 } else { stride };
     if equations.grid.ny() * stride_y != old.ny {
@@ -174,10 +190,13 @@ pub fn follow(problem: &Problem, from: &SteadyState, request: &Request) -> Resul
     refine(problem, request, reached, ReachedBy::Continuation)
 }
 
-/// Doubles the grid until the last three grids agree.
+/// Doubles the grid until enough grids agree.
 pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, reached_by: ReachedBy) -> Result<SteadyState, Refusal> {
     let Reached { mut equations, mut state, mut report, mut products, mut work, .. } = reached;
     let mut before: Option<Fields> = None;
+    let mut differences = Differences::default();
+    let convergence = Convergence::of(&problem.attraction);
+    let grids = convergence.grids(problem.profile.is_line());
     let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
@@ -188,11 +207,10 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         work += here * equations.len();
         history.push(numbers.list());
         let nx = equations.grid.nx();
-        let mut errors = three_grids(&history, problem.attraction.wall().is_some(), report.mean_residual);
         let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
-        share(&mut errors, problem.control, stress, half_height);
-        // Two routes to the friction differ by the discretisation alone.
-        errors[2] = errors[2].max((certificate.friction_by_profile - certificate.friction_by_surface).abs());
+        let scale = bounds::Scale::new(&equations, stress, half_height);
+        let (errors, factor) = bounds::of(&history, problem, &scale, report.mean_residual);
+        let errors = bounds::with_edges(errors, problem, &fields);
         let floor = SMALL_FRICTION * stress * half_height;
         let worst = [
             errors[2] / numbers.friction_stress.abs().max(floor),
@@ -202,14 +220,19 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         .into_iter()
         .fold(0.0, f64::max)
             / request.accuracy;
-        let met = history.len() >= 3 && worst <= 1.0 && nx >= request.least_nodes;
+        let met = history.len() >= grids && worst <= 1.0 && nx >= request.least_nodes;
         let growth = worst.max(1.0).powf(1.0 / 1.5).min(1e6);
+        if let Some(before) = &before {
+            differences = differences.on_finer_grid(before, &fields, bounds::AGES);
+        }
+        let last = |nodes: usize| differences.largest(nodes, |age| convergence.weight(age));
+        let floors = solution::field_floors(&equations, &report);
         let finish = |met: bool, fields: Fields, products: usize| SteadyState {
             numbers,
             errors: Numbers::from_list(errors),
             patches: solution::patches(&fields),
             patches_error: before.as_ref().map_or(0, |before| solution::patches(before).abs_diff(solution::patches(&fields))),
-            field_errors: solution::field_errors(before.as_ref(), &fields),
+            field_errors: with_floors(last(fields.gap.len()), &fields, factor, floors),
             node_products: work,
             certificate,
             fields,
@@ -245,8 +268,8 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
                     detail: format!("the state on {nx} nodes is not the one on {}: the grid was too coarse for this range", 2 * nx),
                 });
             }
-            // What three grids agree on is an answer with its error, if not the wanted one.
-            Err(_) if history.len() >= 3 && nx >= request.least_nodes => {
+            // What so many grids agree on is an answer with its error, if not the wanted one; fewer may agree on a state that the next grid has not.
+            Err(_) if history.len() >= grids && nx >= request.least_nodes => {
                 return Ok(finish(false, fields, products));
             }
             Err(stalled) => {
@@ -259,33 +282,15 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
     }
 }
 
-/// Pressure, gap and friction come from one discrete edge: where one of them differs little between three grids by chance, a quarter
-/// of the largest relative error of the three counts. What is imposed is exact.
-fn share(errors: &mut [f64; 7], control: Control, stress: f64, half_height: f64) {
-    let scales = [stress, half_height, stress * half_height];
-    let largest = (0..3).map(|i| errors[i] / scales[i]).fold(0.0, f64::max);
-    for (i, scale) in scales.into_iter().enumerate() {
-        let imposed = matches!((i, control), (0, Control::MeanPressure(_)) | (1, Control::MeanGap(_)));
-        if !imposed {
-            errors[i] = errors[i].max(0.25 * largest * scale);
-        }
-    }
-}
-
-/// The larger of the last two differences of each number, plus ten residuals. Where edges lie between nodes, two differences may be
-/// small by chance: then the earlier ones count too, with the decay N^−1.5 that such errors have.
-pub(super) fn three_grids(history: &[[f64; 7]], has_edges: bool, residual: f64) -> [f64; 7] {
-    if history.len() < 3 {
-        return [f64::INFINITY; 7];
-    }
-    std::array::from_fn(|i| {
-        let mut bound = 10.0 * residual;
-        for (age, pair) in history.windows(2).rev().enumerate() {
-            let decay = 2.0_f64.powf(-1.5 * age.saturating_sub(1) as f64);
-            if age < 2 || has_edges {
-                bound = bound.max(10.0 * residual + decay * (pair[1][i] - pair[0][i]).abs());
+/// The bounds of fields from their differences, with what rounding and the residual leave; a node in contact has the gap of the wall.
+fn with_floors(mut errors: [Vec<f64>; 2], fields: &Fields, factor: f64, floors: [f64; 2]) -> [Vec<f64>; 2] {
+    for (which, (errors, floor)) in errors.iter_mut().zip(floors).enumerate() {
+        for (error, contact) in errors.iter_mut().zip(&fields.contact) {
+            *error *= factor;
+            if which == 0 || !*contact || *error > 0.0 {
+                *error += floor;
             }
         }
-        bound
-    })
+    }
+    errors
 }

@@ -108,14 +108,26 @@ impl Book {
             && wanted <= time * (1.0 + LANDED)
         {
             self.wanted.pop();
-            self.surfaces.push(Surface::of(state, wanted, &solver.mesher.quadrature.rule, &solver.surface));
+            self.surfaces.push(Surface::of(
+                state,
+                wanted,
+                self.rows.len().saturating_sub(1),
+                &solver.mesher.quadrature.rule,
+                &solver.surface,
+            ));
         }
     }
 
     /// Keeps the last state as the surface of times that only the rounding of sums of durations puts behind the end.
     pub(super) fn keep_last(&mut self, solver: &Solver, state: &State) {
         while let Some(wanted) = self.wanted.pop_if(|wanted| *wanted <= state.time * (1.0 + SUM_OF_DURATIONS)) {
-            self.surfaces.push(Surface::of(state, wanted, &solver.mesher.quadrature.rule, &solver.surface));
+            self.surfaces.push(Surface::of(
+                state,
+                wanted,
+                self.rows.len().saturating_sub(1),
+                &solver.mesher.quadrature.rule,
+                &solver.surface,
+            ));
         }
     }
 

@@ -142,7 +142,15 @@ impl Solver<'_> {
         for growth in 0..20 {
             h = h.min(end - from.time);
             let z: Vec<f64> = self.chain.terms.iter().map(|&(_, tau)| self.creep_time(h) / tau).collect();
-            let landed = self.settle(from, &z, drive.row(from.time + h))?;
+            let row = drive.row(from.time + h);
+            let Some(landed) = self.settle(from, &z, row) else {
+                // Pulled by a force the surfaces have parted; else the step is too close to the fold, where the descent is endlessly slow.
+                if row.penetration == 0.0 && row.value < 0.0 || from.time + h >= end || self.too_fine.is_some() {
+                    return None;
+                }
+                h *= 3.0;
+                continue;
+            };
             let old = from.on(&landed.mesh, self.mesher, &self.surface);
             let change =
                 landed.u.iter().zip(&old.u).fold(0.0_f64, |most, (&u, &old)| most.max((self.surface.gap(u) - self.surface.gap(old)).abs()));

@@ -12,6 +12,8 @@ use super::surface;
 pub struct Surface {
     /// When it was.
     pub time: f64,
+    /// Its place in [`super::result::Run::rows`].
+    pub row: usize,
     /// Positive into the body.
     pub penetration: f64,
     /// Positive in compression.
@@ -36,9 +38,10 @@ pub struct Place {
 }
 
 impl Surface {
-    pub(super) fn of(state: &State, time: f64, rule: &Rule, law: &surface::Surface) -> Self {
+    pub(super) fn of(state: &State, time: f64, row: usize, rule: &Rule, law: &surface::Surface) -> Self {
         Self {
             time,
+            row,
             penetration: state.penetration,
             force: state.force,
             mesh: Arc::clone(&state.mesh),

@@ -17,9 +17,11 @@ const SAFETY: f64 = 0.85;
 const GROWTH: f64 = 2.5;
 const CAREFUL_GROWTH: f64 = 1.25;
 const CAREFUL_STEPS: usize = 6;
-/// Without a solution at this part of the usual step there is a fold (under force control: a smaller one).
-const FOLD: f64 = 1e-3;
-const FOLD_PER_ACCURACY: f64 = 100.0;
+/// Without a solution at this part of the usual step, over the tolerance of a step, there is a fold (under force control: at a smaller one). What a
+/// jump releases is wrong by that part, so that it must fall with the tolerance.
+const FOLD_PER_ACCURACY: f64 = 0.1;
+/// That part, at least and at most.
+const FOLD: [f64; 2] = [1e-7, 1e-3];
 const FOLD_OF_FORCE: f64 = 1e-7;
 /// The first jump step over the step that failed at last.
 const JUMP_STEP: f64 = 4.0;
@@ -120,14 +122,14 @@ impl March<'_> {
             let Some(trial) = self.solver.step_again(&self.state, &drive, step, known.take().as_ref()) else {
                 self.book.failed += 1;
                 (h, careful) = (0.25 * step, CAREFUL_STEPS);
-                let fold =
-                    if leg.control == Control::Force { FOLD_OF_FORCE } else { FOLD.min(FOLD_PER_ACCURACY * self.solver.accuracy.step) };
+                let part = (FOLD_PER_ACCURACY * self.solver.accuracy.step).clamp(FOLD[0], FOLD[1]);
+                let fold = if leg.control == Control::Force { FOLD_OF_FORCE } else { part };
                 if h < fold * usual || self.state.time + h <= self.state.time {
                     if !self.jump(&drive, JUMP_STEP * h, end, &mut window)? {
                         detached = true;
                         break;
                     }
-                    (h, usual) = (JUMP_STEP * FOLD * usual, 0.1 * usual);
+                    (h, usual) = (JUMP_STEP * FOLD[1] * usual, 0.1 * usual);
                 }
                 continue;
             };

@@ -15,8 +15,12 @@ use super::surface::Surface;
 const CONTRACTION: f64 = 0.3;
 /// Factorisations after which the stage is given up.
 const FACTORISATIONS: usize = 8;
-/// The same for a law with a hard wall.
-const WALL_FACTORISATIONS: usize = 30;
+/// The same for a law with a hard wall, where replacements of columns count as well.
+const WALL_FACTORISATIONS: usize = 32;
+/// Nodes that have changed sides of a hard wall since the factorisation, at most, over all: their columns are replaced in it.
+const FOLLOWED: f64 = 0.15;
+/// Corrections after such replacements that need not fall.
+const PATIENCE: usize = 25;
 /// Iterations after which the stage is given up.
 const ITERATIONS: usize = 80;
 /// A kept factorisation serves compliances within this ratio.
@@ -76,12 +80,38 @@ struct Factor {
     active: Vec<usize>,
     passive: Vec<usize>,
     lu: PartialPivLu<f64>,
-    /// −(rows of passive nodes, columns of active ones), by columns.
+    /// Influence of active nodes on passive ones, by columns.
     border: Vec<f64>,
+    /// Coupling times slope of the pressure, of active nodes.
+    strengths: Vec<f64>,
+    /// Which nodes touch a hard wall, at the factorisation.
+    touching: Vec<bool>,
+    /// Columns of nodes that have changed sides since.
+    replaced: Option<Replaced>,
     /// The response of u to Δ.
     unit: Vec<f64>,
     /// Area times slope of the pressure.
     force: Vec<f64>,
+}
+
+/// Columns replaced in a factorisation: (J + D Eᵀ)⁻¹ r = y − Z (1 + EᵀZ)⁻¹ Eᵀ y, with y = J⁻¹ r and Z = J⁻¹ D.
+struct Replaced {
+    /// Nodes.
+    nodes: Vec<usize>,
+    /// Their places among the active ones.
+    places: Vec<usize>,
+    /// Z, by columns.
+    responses: Vec<Vec<f64>>,
+    strengths: Vec<f64>,
+    small: PartialPivLu<f64>,
+}
+
+/// Whether a factorisation knows which nodes touch a hard wall.
+#[derive(PartialEq, Eq)]
+enum Sides {
+    Same,
+    Followed,
+    TooFar,
 }
 
 impl Newton {
@@ -94,7 +124,7 @@ impl Newton {
         if row.force == 0.0 {
             penetration = row.value / row.penetration;
         }
-        let (mut previous, mut made) = (f64::INFINITY, 0);
+        let (mut previous, mut made, mut followed) = (f64::INFINITY, 0, 0);
         let most = if surface.has_wall() { WALL_FACTORISATIONS } else { FACTORISATIONS };
         for _ in 0..ITERATIONS {
             self.iterations += 1;
@@ -108,16 +138,24 @@ impl Newton {
             let outside = surface.outside(mesh.radius(), penetration);
             let force = mesh.integral(|i| p[i]) + outside.0;
             let off = row.penetration * penetration + row.force * force - row.value;
-            let usable = self.kept.as_ref().is_some_and(|kept| kept.serves(equation, scale));
+            let mut usable = self.kept.as_ref().is_some_and(|kept| kept.serves(equation, scale));
+            let mut free = false;
+            if usable {
+                let sides = self.kept.as_mut().map_or(Sides::TooFar, |kept| kept.follow(surface, equation, &u));
+                usable = sides != Sides::TooFar;
+                followed += usize::from(sides == Sides::Followed);
+                free = sides == Sides::Followed && followed <= PATIENCE;
+            }
             if !usable {
                 self.renew(surface, equation, &u, scale)?;
                 made += 1;
             }
             let mut correction = self.correct(&residual, off, row, outside.1)?;
-            let size = |c: &(Vec<f64>, f64)| c.0.iter().fold(c.1.abs(), |most, value| most.max(value.abs()));
+            // Where the gap is wide its relative change counts: it is that of the pressure, and rounding is relative too.
+            let size = |c: &(Vec<f64>, f64)| c.0.iter().zip(&u).fold(c.1.abs(), |most, (value, u)| most.max(value.abs() / u.max(1.0)));
             let allowed = (CONTRACTION * previous).max(equation.tolerance);
-            if usable && (size(&correction) > allowed || !correction.1.is_finite()) {
-                if made >= most {
+            if usable && ((size(&correction) > allowed && !free) || !correction.1.is_finite()) {
+                if made + followed >= most {
                     return None;
                 }
                 self.renew(surface, equation, &u, scale)?;
@@ -133,7 +171,7 @@ impl Newton {
             (0..n).for_each(|i| u[i] += fraction * correction.0[i]);
             penetration += fraction * correction.1;
             if fraction < 1.0 {
-                if made >= most {
+                if made + followed >= most {
                     return None;
                 }
                 self.kept = None;
@@ -171,11 +209,24 @@ impl Newton {
             let (factor, influence) = column(j);
             active.iter().enumerate().for_each(|(l, &i)| jacobian[(l, k)] = -factor * influence[i]);
             jacobian[(k, k)] += scale * local[j].gap_slope;
-            border.extend(passive.iter().map(|&i| factor * influence[i] / scale));
+            border.extend(passive.iter().map(|&i| influence[i]));
         }
         let lu = jacobian.partial_piv_lu();
         let force = (0..n).map(|i| mesh.area[i] * local[i].pressure_slope).collect();
-        let mut factor = Factor { serial: mesh.serial, compliance: strength, scale, active, passive, lu, border, unit: Vec::new(), force };
+        let mut factor = Factor {
+            serial: mesh.serial,
+            compliance: strength,
+            scale,
+            strengths: active.iter().map(|&j| column(j).0).collect(),
+            touching: u.iter().map(|&u| surface.touches(u)).collect(),
+            active,
+            passive,
+            lu,
+            border,
+            replaced: None,
+            unit: Vec::new(),
+            force,
+        };
         let unit = factor.apply(&vec![1.0; n]);
         factor.unit = unit;
         self.kept = factor.unit.iter().all(|value| value.is_finite()).then_some(factor);
@@ -207,6 +258,56 @@ impl Factor {
             && (scale / self.scale - 1.0).abs() <= NEAR_COMPLIANCE
     }
 
+    /// Replaces the columns of nodes that have changed sides of a hard wall.
+    fn follow(&mut self, surface: &Surface, equation: &Equation, u: &[f64]) -> Sides {
+        if !surface.has_wall() {
+            return Sides::Same;
+        }
+        let touches = |i: usize| surface.touches(u[i]);
+        let nodes: Vec<usize> = (0..u.len()).filter(|&i| touches(i) != self.touching[i]).collect();
+        let known = self.replaced.as_ref().map_or(&[][..], |replaced| &replaced.nodes);
+        if nodes == known {
+            return Sides::Same;
+        }
+        if nodes.len() as f64 > FOLLOWED * u.len() as f64 {
+            return Sides::TooFar;
+        }
+        let Some(places) = nodes.iter().map(|node| self.active.binary_search(node).ok()).collect::<Option<Vec<usize>>>() else {
+            return Sides::TooFar;
+        };
+        let n = u.len();
+        let (count, earlier) = (nodes.len(), self.replaced.take());
+        let (mut responses, mut strengths) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for (&node, &place) in nodes.iter().zip(&places) {
+            let kept = earlier.as_ref().and_then(|earlier| Some((earlier, earlier.nodes.binary_search(&node).ok()?)));
+            if let Some((earlier, index)) = kept {
+                responses.push(earlier.responses[index].clone());
+                strengths.push(earlier.strengths[index]);
+                continue;
+            }
+            let local = surface.at(u[node]);
+            let strength = self.compliance * local.pressure_slope;
+            let influence = &equation.mesh.matrix[node * n..(node + 1) * n];
+            let mut column: Vec<f64> = self.active.iter().map(|&i| (self.strengths[place] - strength) * influence[i]).collect();
+            column[place] += if self.touching[node] { self.scale } else { -self.scale };
+            let length = column.len();
+            self.lu.solve_in_place(MatMut::from_column_major_slice_mut(&mut column, length, 1));
+            responses.push(column);
+            strengths.push(strength);
+        }
+        for &node in nodes.iter().chain(earlier.iter().flat_map(|earlier| &earlier.nodes)) {
+            self.force[node] = equation.mesh.area[node] * surface.at(u[node]).pressure_slope;
+        }
+        let mut small = Mat::<f64>::identity(count, count);
+        for (k, response) in responses.iter().enumerate() {
+            places.iter().enumerate().for_each(|(l, &place)| small[(l, k)] += response[place]);
+        }
+        let small = small.partial_piv_lu();
+        self.replaced = Some(Replaced { nodes, places, responses, strengths, small });
+        self.unit = self.apply(&vec![1.0; n]);
+        if self.unit.iter().all(|value| value.is_finite()) { Sides::Followed } else { Sides::TooFar }
+    }
+
     /// J⁻¹ r.
     fn apply(&self, right: &[f64]) -> Vec<f64> {
         let mut solution = vec![0.0; right.len()];
@@ -215,10 +316,22 @@ impl Factor {
         if count > 0 {
             self.lu.solve_in_place(MatMut::from_column_major_slice_mut(&mut active, count, 1));
         }
+        let mut strengths = std::borrow::Cow::Borrowed(&self.strengths);
+        if let Some(replaced) = self.replaced.as_ref().filter(|replaced| !replaced.nodes.is_empty()) {
+            let mut parts: Vec<f64> = replaced.places.iter().map(|&place| active[place]).collect();
+            let count = parts.len();
+            replaced.small.solve_in_place(MatMut::from_column_major_slice_mut(&mut parts, count, 1));
+            for (part, response) in parts.iter().zip(&replaced.responses) {
+                active.iter_mut().zip(response).for_each(|(value, response)| *value -= part * response);
+            }
+            let strengths = strengths.to_mut();
+            replaced.places.iter().zip(&replaced.strengths).for_each(|(&place, &strength)| strengths[place] = strength);
+        }
         let mut passive: Vec<f64> = self.passive.iter().map(|&i| right[i] / self.scale).collect();
         if !passive.is_empty() {
-            for (value, column) in active.iter().zip(self.border.chunks_exact(passive.len())) {
-                passive.iter_mut().zip(column).for_each(|(p, c)| *p += c * value);
+            for ((value, strength), column) in active.iter().zip(strengths.iter()).zip(self.border.chunks_exact(passive.len())) {
+                let moved = value * strength / self.scale;
+                passive.iter_mut().zip(column).for_each(|(p, c)| *p += c * moved);
             }
         }
         self.active.iter().zip(&active).for_each(|(&i, &value)| solution[i] = value);

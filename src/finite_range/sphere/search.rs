@@ -33,12 +33,13 @@ impl Solver<'_> {
         self.sharpness = SHARP;
         let mut force = |time: f64| {
             let from = if time <= middle.time { first } else { middle };
-            let state = self.advance(from, drive, time - from.time, HALVINGS)?;
+            // Where no step is found the search goes on at the other side.
+            let Some(state) = self.advance(from, drive, time - from.time, HALVINGS) else { return f64::INFINITY };
             let force = state.force;
             if force < best.force {
                 best = state;
             }
-            Some(force)
+            force
         };
         minimise(&mut force, states.map(|state| (state.time, state.force)));
         self.sharpness = 1.0;
@@ -95,7 +96,7 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// Brent's search for a minimum: parabolas, golden sections where they do not help.
-fn minimise(f: &mut impl FnMut(f64) -> Option<f64>, [first, middle, last]: [(f64, f64); 3]) {
+fn minimise(f: &mut impl FnMut(f64) -> f64, [first, middle, last]: [(f64, f64); 3]) {
     const GOLDEN: f64 = 0.381_966_011_250_105;
     let (mut a, mut b) = (first.0, last.0);
     let tolerance = WIDTH * (b - a);
@@ -126,7 +127,7 @@ fn minimise(f: &mut impl FnMut(f64) -> Option<f64>, [first, middle, last]: [(f64
             step = GOLDEN * before;
         }
         let at = if step.abs() >= tolerance { x + step } else { x + tolerance.copysign(step) };
-        let Some(value) = f(at) else { return };
+        let value = f(at);
         if value <= fx {
             if at < x {
                 b = x

@@ -16,11 +16,14 @@ use crate::refusal::Refusal;
 const FORCE_SCALE: f64 = 5.0;
 /// The work of a step may be wrong by this many tolerances of the step, times the force over its scale.
 const WORK_SCALE: f64 = 3.0;
-/// Part of the error of the gap and the force that an element at the edge of a hard wall may make.
-const EDGE_OF_WALL: f64 = 0.1;
-/// A correction of the gap that does not fall any more is rounding if it is smaller than this times the square of the outer radius,
-/// the scale of the gap there.
-const ROUNDING: f64 = 1e-13;
+/// Part of the error of the gap and the force that an element with a kink of the pressure may make.
+const AT_A_KINK: f64 = 0.1;
+/// A correction of the gap that does not fall any more is rounding if it is smaller than this times the scale of the displacements.
+const ROUNDING: f64 = 1e-11;
+/// The same of the scale of the gap at the outer radius, which is half its square.
+const ROUNDING_OF_GAPS: f64 = 1e-13;
+/// That scale is at least so many ranges.
+const DISPLACEMENT: f64 = 10.0;
 
 /// A step that was solved, with its errors over their tolerances (not yet accepted).
 pub(super) struct Trial {
@@ -95,7 +98,7 @@ impl<'m> Solver<'m> {
             compliance += j * z / (1.0 + z);
         }
         let (mesh, undeformed) = (&*state.mesh, &*state.undeformed);
-        let rounding = ROUNDING * state.mesh.radius().powi(2);
+        let rounding = (ROUNDING * state.penetration.abs().max(DISPLACEMENT)).max(ROUNDING_OF_GAPS * state.mesh.radius().powi(2));
         let tolerance = self.sharpness * self.accuracy.newton * self.accuracy.step;
         let equation =
             Equation { mesh, undeformed, coupling: self.coupling, compliance, history: &history, pseudo, row, tolerance, rounding };
@@ -241,9 +244,9 @@ impl<'m> Solver<'m> {
     fn watched<'a>(&self, state: &'a State) -> Vec<Watched<'a>> {
         let largest = state.p.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
         let of_integral = self.accuracy.mesh / self.coupling;
-        // The pressure at the edge of a hard wall is a square root, which no mesh follows: what it moves, and its force, count.
-        let at_edge = EDGE_OF_WALL * self.accuracy.mesh / self.coupling.max(state.tension_radius());
-        let at_edge = if self.surface.has_wall() { at_edge } else { 0.0 };
+        // No mesh follows the square root of the pressure at the edge of a hard wall, or a kink: what it moves, and its force, count.
+        let at_edge = AT_A_KINK * self.accuracy.mesh / self.coupling.max(state.tension_radius());
+        let at_edge = if self.surface.is_kinked() { at_edge } else { 0.0 };
         let tolerance = self.accuracy.mesh * (0.1 * largest).max(1.0);
         let mut fields = vec![Watched { values: &state.p, tolerance, of_integral: at_edge }];
         fields.extend(state.strains.iter().map(|values| Watched { values, tolerance: 0.0, of_integral }));

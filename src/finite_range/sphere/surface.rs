@@ -88,6 +88,16 @@ impl Surface {
         self.wall.is_some()
     }
 
+    /// Whether a node touches the hard wall.
+    pub(super) fn touches(&self, u: f64) -> bool {
+        self.wall.is_some_and(|wall| u < wall)
+    }
+
+    /// Whether the pressure has kinks: at the edge of a hard wall, or where the law has one.
+    pub(super) fn is_kinked(&self) -> bool {
+        self.wall.is_some() || !self.law.kinks().is_empty()
+    }
+
     /// The energy of the attraction per area at a gap: minus the work left.
     pub(super) fn interface(&self, u: f64) -> f64 {
         -self.law.work_left(self.gap(u))

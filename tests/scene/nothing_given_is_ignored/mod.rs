@@ -1,4 +1,4 @@
-//! Source: the key catalogue (`src/scene/catalogue`); style.md: "nothing asked for is silently ignored".
+//! Source: the key catalogue (`program/src/scene/catalogue`); style.md: "nothing asked for is silently ignored".
 //!
 //! Goal: every key of every problem, and of every variant of its shape, control and start, changes the result when it is changed or added, or is refused, or
 //! stands in [`NO_EFFECT`] with the reason. A new key fails until a scene below holds it.
@@ -22,13 +22,13 @@ use rayon::prelude::*;
 use scenes::scenes;
 use std::collections::BTreeSet;
 use viscotack::Estimate;
-use viscotack::outcome::csv_table::{self, Table};
-use viscotack::outcome::summary::summary;
-use viscotack::outcome::{FieldPoint, Row};
-use viscotack::plan;
-use viscotack::scene::catalogue::{Key, Kind, generic_path, keys};
-use viscotack::scene::document::{Document, Node, Value};
-use viscotack::scene::read;
+use viscotack_program::outcome::csv_table::{self, Table};
+use viscotack_program::outcome::summary::summary;
+use viscotack_program::outcome::{FieldPoint, Row};
+use viscotack_program::plan;
+use viscotack_program::scene::catalogue::{Key, Kind, generic_path, keys};
+use viscotack_program::scene::document::{Document, Node, Value};
+use viscotack_program::scene::read;
 
 /// A folder with the files that scenes name.
 fn folder() -> std::path::PathBuf {
@@ -104,7 +104,7 @@ fn trials(key: &Key, present: Option<&Node>) -> Vec<String> {
     if let Some((_, samples)) = SAMPLES.iter().find(|(path, _)| *path == key.path) {
         return samples.iter().map(|sample| (*sample).to_owned()).collect();
     }
-    let words = |words: &[viscotack::scene::catalogue::Word]| words.iter().map(|word| word.word.to_owned()).collect::<Vec<_>>();
+    let words = |words: &[viscotack_program::scene::catalogue::Word]| words.iter().map(|word| word.word.to_owned()).collect::<Vec<_>>();
     let written = present.map_or("", Node::written).trim_matches('"').to_owned();
     match key.kind {
         Kind::Number { .. } | Kind::NumberOfSweptKey => match present.map(|node| &node.value) {

@@ -3,15 +3,15 @@
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::Path;
-use viscotack::outcome::summary::summary;
-use viscotack::plan;
-use viscotack::scene::{Document, read};
+use viscotack_program::outcome::summary::summary;
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
 
 /// `summary.json` of a scene given as TOML, as a dictionary; files that it names are looked for in `folder`.
 #[pyfunction]
 #[pyo3(signature = (text, folder = "."))]
 fn run_scene<'py>(py: Python<'py>, text: String, folder: &str) -> PyResult<Bound<'py, PyAny>> {
-    let wrong = |error: viscotack::scene::SceneError| PyValueError::new_err(error.rendered());
+    let wrong = |error: viscotack_program::scene::SceneError| PyValueError::new_err(error.rendered());
     let mut document = Document::parse("scene", text, Path::new(folder)).map_err(wrong)?;
     read::resolve_includes(&mut document).map_err(wrong)?;
     let scene = read::read(&document).map_err(wrong)?;

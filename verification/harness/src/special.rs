@@ -5,12 +5,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyModule;
 use viscotack::Refusal;
 use viscotack::indentation::elliptic_k;
-use viscotack::rivals::annulus_indentation::complete_elliptic;
 use viscotack::special::angle::Angle;
 use viscotack::special::memory_clausen::MemoryClausen;
 use viscotack::special::{
     clausen, cohesive_kernel, dawson, dilogarithm_circle, exponential_integral, exponential_mean, harmonic_imaginary, log_sine,
 };
+use viscotack_verification::rivals::annulus_indentation::complete_elliptic;
 
 /// The value of a special function of one argument at a number; none for an unknown name.
 fn by_name(name: &str) -> Option<fn(f64) -> Result<f64, Refusal>> {

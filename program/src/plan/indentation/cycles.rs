@@ -1,0 +1,153 @@
+//! Rows of the cycles of an oscillation.
+
+use super::IndentationPlan;
+use super::columns::{COLUMNS, at};
+use super::rows::Values;
+use crate::plan::curves::thinned;
+use std::f64::consts::FRAC_PI_4;
+use viscotack::estimate::Estimate;
+use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
+
+/// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
+pub(super) const MOST_ROWS: usize = 2000;
+/// Fewer instants than these draw no cycle, and none is one.
+const INSTANTS_PER_CYCLE: f64 = 12.0;
+
+/// Last digits of the quantities of a cycle, which a difference of two keeps.
+const DIGITS: f64 = 1e-13;
+/// Rounding of the ends of a cycle, over the time.
+const END: f64 = 2.0 * f64::EPSILON;
+
+impl IndentationPlan {
+    /// The cycles that become rows.
+    pub(super) fn cycles_shown<'s>(&self, solution: &'s IndentationSolution) -> Vec<&'s Cycle<Estimate>> {
+        if solution.cycles.len() <= MOST_ROWS {
+            return solution.cycles.iter().collect();
+        }
+        let stretches: Vec<Vec<&Cycle<Estimate>>> =
+            solution.cycles.chunk_by(|one, other| one.segment == other.segment).map(|stretch| stretch.iter().collect()).collect();
+        // Short stretches leave their share to long ones.
+        let mut lengths: Vec<usize> = stretches.iter().map(Vec::len).collect();
+        lengths.sort_unstable();
+        let (mut left, mut share) = (MOST_ROWS, 0);
+        for (index, length) in lengths.iter().enumerate() {
+            share = left / (lengths.len() - index);
+            left -= share.min(*length);
+        }
+        stretches.into_iter().flat_map(|stretch| thinned(stretch, share.max(2))).collect()
+    }
+
+    /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its
+    /// last cycle.
+    pub(super) fn in_oscillations<'s>(&self, solution: &'s IndentationSolution) -> Vec<&'s PathPoint> {
+        let instants = f64::from(self.indentation.instants);
+        if instants < INSTANTS_PER_CYCLE {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for stretch in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
+            let (Some(first), Some(last)) = (stretch.first(), stretch.last()) else { continue };
+            let all = instants >= INSTANTS_PER_CYCLE * last.number as f64;
+            // What follows the last whole cycle belongs to all.
+            let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
+            let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
+            let mut next = from;
+            for point in solution.march.path.iter().filter(|point| point.time >= from && point.time < to) {
+                if point.time >= next {
+                    found.push(point);
+                    next = point.time.max(next + (to - from) / instants);
+                }
+            }
+        }
+        found
+    }
+
+    pub(super) fn of_cycle(&self, solution: &IndentationSolution, cycle: &Cycle<Estimate>, scales: &[f64]) -> Values {
+        let mut values: Values = vec![None; COLUMNS.len()];
+        let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
+        let exact = |value: f64| Some(Estimate::exact(value));
+        let spread = solution.march.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
+        // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
+        let unknown = solution.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
+        let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
+        let carried = 2.0 * DIGITS * (longest / (cycle.end - cycle.start)).max(1.0);
+        let cells = [
+            (at::TIME, exact(cycle.end)),
+            (at::SEGMENT, exact(segment as f64)),
+            (at::CYCLE, exact(cycle.number as f64)),
+            (at::CYCLE_START, exact(cycle.start)),
+            (at::FREQUENCY, Some(Estimate::relative((cycle.end - cycle.start).recip(), END * cycle.end / (cycle.end - cycle.start)))),
+            (at::WORK_PER_CYCLE, Some(cycle.work)),
+            (at::STORAGE_STIFFNESS, Some(cycle.storage_stiffness)),
+            (at::LOSS_STIFFNESS, Some(cycle.loss_stiffness)),
+            (at::PHASE, Some(cycle.phase)),
+            (at::SMALLEST_PENETRATION, Some(cycle.penetration[0])),
+            (at::LARGEST_PENETRATION, Some(cycle.penetration[1])),
+            (at::SMALLEST_FORCE, Some(cycle.force[0])),
+            (at::LARGEST_FORCE, Some(cycle.force[1])),
+            (at::SMALLEST_CONTACT_RADIUS, Some(cycle.contact_radius[0])),
+            (at::LARGEST_CONTACT_RADIUS, Some(cycle.contact_radius[1])),
+            // The first cycle has none before it.
+            (at::DRIFT, Some(Estimate::new(cycle.drift, cycle.drift_error + carried))),
+            (at::SPREAD, spread.map(|spread| Estimate::new(spread.largest(), 2.0 * unknown))),
+        ];
+        for (place, estimate) in cells {
+            if let Some(cell) = values.get_mut(place) {
+                // What does not exist, such as the stiffness of a contact that is open, is an empty cell. A cycle that one march has and the
+                // other has not is not known better than the whole.
+                let bound = |estimate: Estimate| estimate.value.abs().max(scales.get(place).copied().unwrap_or(0.0));
+                *cell = estimate
+                    .filter(|estimate| estimate.value.is_finite())
+                    .map(|estimate| Estimate::new(estimate.value, estimate.error.min(bound(estimate))));
+            }
+        }
+        values
+    }
+
+    /// What errors of cycles are relative to where a value passes through zero: the stiffness as a complex number, the work that cycles of these
+    /// widths could take at most, one radian.
+    pub(super) fn cycle_scales(&self, solution: &IndentationSolution) -> Vec<(usize, f64)> {
+        let largest = |of: &dyn Fn(&Cycle<Estimate>) -> f64| {
+            solution.cycles.iter().map(of).filter(|value| value.is_finite()).fold(0.0, |most: f64, value| most.max(value.abs()))
+        };
+        let stiffness = largest(&|cycle| cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value));
+        let width = |pair: &[Estimate; 2]| pair[1].value - pair[0].value;
+        let work = largest(&|cycle| FRAC_PI_4 * width(&cycle.penetration) * width(&cycle.force)).max(largest(&|cycle| cycle.work.value));
+        let extreme = |of: fn(&Cycle<Estimate>) -> &[Estimate; 2]| largest(&|cycle| of(cycle)[0].value.abs().max(of(cycle)[1].value.abs()));
+        let depth = extreme(|cycle| &cycle.penetration);
+        let force = extreme(|cycle| &cycle.force);
+        let radius = extreme(|cycle| &cycle.contact_radius);
+        vec![
+            (at::WORK_PER_CYCLE, work),
+            (at::STORAGE_STIFFNESS, stiffness),
+            (at::LOSS_STIFFNESS, stiffness),
+            (at::PHASE, 1.0),
+            (at::PENETRATION, depth),
+            (at::SMALLEST_PENETRATION, depth),
+            (at::LARGEST_PENETRATION, depth),
+            (at::FORCE, force),
+            (at::SMALLEST_FORCE, force),
+            (at::LARGEST_FORCE, force),
+            (at::CONTACT_RADIUS, radius),
+            (at::SMALLEST_CONTACT_RADIUS, radius),
+            (at::LARGEST_CONTACT_RADIUS, radius),
+        ]
+    }
+}
+
+/// The largest error of work and extremes of a cycle over what their changes are seen against.
+fn relative_error(cycle: &Cycle<Estimate>) -> f64 {
+    let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
+    let largest = |range: &[Estimate; 2]| range[0].value.abs().max(range[1].value.abs());
+    let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
+    let work = cycle.work.value.abs().max(0.25 * swing(&cycle.force) * swing(&cycle.penetration));
+    let pairs = [
+        (cycle.work.error, work),
+        (cycle.storage_stiffness.error, stiffness),
+        (cycle.loss_stiffness.error, stiffness),
+        (cycle.penetration[0].error.max(cycle.penetration[1].error), swing(&cycle.penetration)),
+        (cycle.force[0].error.max(cycle.force[1].error), largest(&cycle.force)),
+        (cycle.contact_radius[0].error.max(cycle.contact_radius[1].error), largest(&cycle.contact_radius)),
+    ];
+    pairs.into_iter().map(|(error, scale)| if error > 0.0 { error / scale } else { 0.0 }).fold(0.0, f64::max)
+}

@@ -1,0 +1,86 @@
+//! The runs of a state: one, and one with every tolerance tightened, until both agree as well as is wanted.
+
+use super::FiniteRangePlan;
+use super::history::tolerances;
+use crate::plan::desk::Desk;
+use viscotack::finite_range::sphere::{Mesher, Problem, Record, Run, row_at, run_watched};
+use viscotack::indentation::Watch;
+use viscotack::refusal::Refusal;
+
+/// Runs, at most.
+const RUNS: u32 = 4;
+
+/// Two runs of which the second is tighter, and what all took.
+pub(super) struct Runs {
+    pub(super) loose: Run,
+    pub(super) tight: Run,
+    /// Whether both have the same jumps and the same end.
+    pub(super) consistent: bool,
+    /// Linear systems of all runs.
+    pub(super) systems: u64,
+}
+
+impl FiniteRangePlan {
+    /// What the solver is asked.
+    pub(super) fn problem(&self) -> Result<Problem, Refusal> {
+        Ok(self.course.problem(&self.reduced))
+    }
+
+    /// The runs of the state.
+    pub(super) fn runs(&self, desk: &Desk<'_>) -> Result<Runs, Refusal> {
+        let problem = self.problem()?;
+        let mut accuracy = tolerances(self.accuracy, &self.reduced.law);
+        let mut mesher = Mesher::new(accuracy.order);
+        let watched = |number: u32| move |part: f64| desk.passed(number, part.min(1.0));
+        let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;
+        let mut systems = loose.certificate.iterations as u64;
+        for turn in 1..RUNS {
+            accuracy = accuracy.tightened();
+            let tight = run_watched(&problem, accuracy, &mut mesher, &mut watched(turn + 1))?;
+            systems += tight.certificate.iterations as u64;
+            let consistent = loose.jumps.len() == tight.jumps.len()
+                && loose.losses.len() == tight.losses.len()
+                && loose.detachment.is_some() == tight.detachment.is_some();
+            let runs = Runs { loose, tight, consistent, systems };
+            if turn + 1 == RUNS || (runs.consistent && self.agree(&runs)) {
+                return Ok(runs);
+            }
+            loose = runs.tight;
+        }
+        Err(Refusal::NotConverged { what: "the runs of a state", detail: "none was made".into() })
+    }
+
+    /// Whether every instant, and the largest tension, differ by less than the wanted accuracy.
+    fn agree(&self, runs: &Runs) -> bool {
+        let scale = |of: fn(&Record) -> f64| runs.tight.rows.iter().fold(0.0_f64, |most, row| most.max(of(row).abs()));
+        let near = |a: &Record, b: &Record, of: fn(&Record) -> f64, scale: f64| (of(a) - of(b)).abs() <= 0.5 * self.accuracy * scale;
+        let mut of: Vec<fn(&Record) -> f64> = vec![|row| row.force, |row| row.penetration, |row| row.contact_radius];
+        if self.indentation.energies {
+            of.extend([(|row: &Record| row.work) as fn(&Record) -> f64, |row| row.dissipated, |row| row.released]);
+        }
+        let scales: Vec<f64> = of.iter().map(|of| scale(*of)).collect();
+        // Energies turn into each other: the largest is the scale of each.
+        let largest = scales.iter().skip(3).copied().fold(0.0, f64::max);
+        let scales: Vec<f64> = scales.iter().enumerate().map(|(place, own)| if place < 3 { *own } else { largest }).collect();
+        let tension = |run: &Run| run.legs.iter().map(|leg| leg.largest_tension.force).fold(f64::INFINITY, f64::min);
+        let (one, other) = (tension(&runs.loose), tension(&runs.tight));
+        self.instants(runs).iter().all(|(a, b)| of.iter().zip(&scales).all(|(of, scale)| near(a, b, *of, *scale)))
+            && (one - other).abs() <= 0.5 * self.accuracy * other.abs()
+    }
+
+    /// The instants that become rows, of both runs.
+    pub(super) fn instants<'r>(&self, runs: &'r Runs) -> Vec<(&'r Record, &'r Record)> {
+        let of = |run: &'r Run| -> Vec<Option<&'r Record>> {
+            let mut all = vec![run.rows.first()];
+            for (index, piece) in self.course.pieces.iter().enumerate() {
+                for time in &piece.instants {
+                    all.push(row_at(&run.rows, *time));
+                }
+                all.push(run.legs.get(index).map(|leg| &leg.end));
+            }
+            all
+        };
+        let (loose, tight) = (of(&runs.loose), of(&runs.tight));
+        loose.into_iter().zip(tight).filter_map(|(a, b)| a.zip(b)).collect()
+    }
+}

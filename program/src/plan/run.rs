@@ -1,0 +1,290 @@
+//! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
+
+use super::Plan;
+use super::axis_units::WrittenUnits;
+use super::desk::{Desk, Progress, Stage};
+use super::kept::Kept;
+use crate::in_order::{in_order, together};
+use crate::outcome::build;
+use crate::outcome::checkpoints::Checkpoints;
+use crate::outcome::journal::{self, Journal, JournalHeader};
+use crate::outcome::shard::Shard;
+use crate::outcome::tally::Tally;
+use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn, is_state};
+use crate::scene::document::Document;
+use crate::scene::sweep::{indices, states};
+use crate::scene::typed::{Picture, Scene};
+use crate::scene::{SceneError, read};
+use std::ops::Range;
+use thiserror::Error;
+use viscotack::refusal::Refusal;
+
+/// Most states that are under way or wait for an earlier one: a kill loses at most these.
+const MOST_STATES: u64 = 128;
+/// Linear systems of such states, where each takes long.
+const MOST_SOLVES: u64 = 4000;
+
+/// Why a run ended without an outcome.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The scene is wrong.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// The physics refuses a number of the scene.
+    #[error("{0}")]
+    Refused(#[from] Refusal),
+    /// The journal, or a checkpoint, cannot be written.
+    #[error("{0}")]
+    Journal(#[from] std::io::Error),
+}
+
+/// What a journal of this scene and build is headed with, for a part of its states.
+#[must_use]
+pub fn journal_header(document: &Document, scene: &Scene, shard: Shard) -> JournalHeader {
+    JournalHeader { program: build::identity().to_owned(), scene: document.hash().to_owned(), states: states(&scene.sweeps), shard }
+}
+
+/// Where a run keeps what it must not lose.
+#[derive(Debug)]
+pub struct Safe<'a> {
+    /// Of finished states.
+    pub journal: &'a mut Journal,
+    /// Of states under way.
+    pub checkpoints: Checkpoints,
+}
+
+/// Receives the rows of each state, in order, as soon as they are there.
+pub type Sink<'a> = &'a mut dyn FnMut(&[Row]) -> std::io::Result<()>;
+
+/// Solves all states of a scene and keeps every row; those in `finished` are taken over.
+///
+/// # Errors
+/// [`RunError`]; a state that cannot be solved is no error, but a row with its reason.
+pub fn run(
+    document: &Document,
+    scene: &Scene,
+    finished: Vec<Vec<Row>>,
+    safe: Option<Safe<'_>>,
+    progress: Progress<'_>,
+) -> Result<Outcome, RunError> {
+    run_all(&Plan::new(scene)?, document, scene, Some(finished), safe, None, progress)
+}
+
+/// The same of a scene that has been planned. States that the journal holds are taken over, each state goes to the sink, and of a very long sweep
+/// the outcome holds only what is drawn and shown: its memory does not grow with the number of states.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_planned(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    safe: Option<Safe<'_>>,
+    sink: Option<Sink<'_>>,
+    progress: Progress<'_>,
+) -> Result<Outcome, RunError> {
+    run_all(plan, document, scene, None, safe, sink, progress)
+}
+
+fn run_all(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    finished: Option<Vec<Vec<Row>>>,
+    mut safe: Option<Safe<'_>>,
+    mut sink: Option<Sink<'_>>,
+    progress: Progress<'_>,
+) -> Result<Outcome, RunError> {
+    let total = plan.states();
+    let (columns, layout) = (plan.columns(), plan.layout());
+    let tally = Tally::new(scene.accuracy, columns.len());
+    let mut kept = Kept::new(&scene.sweeps, layout.as_ref(), tally, plan.rows_of_a_state(), finished.is_some());
+    let mut done = 0;
+    let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
+        if let Some(sink) = &mut sink {
+            sink(&rows)?;
+        }
+        kept.add(rows);
+        Ok(())
+    };
+    for rows in finished.into_iter().flatten().take(total) {
+        take(rows)?;
+        done += 1;
+    }
+    if let Some(safe) = safe.as_ref().filter(|safe| safe.journal.states() > done) {
+        journal::each(safe.journal.path(), Ok, &mut take)?;
+        done = safe.journal.states();
+    }
+    solve_states(plan, document, scene, (done..total, Shard::WHOLE), safe.as_mut(), &mut take, progress)?;
+    progress(Stage::States { finished: total, total });
+    let (mut rows, held, tally) = kept.into_parts();
+    let validity = plan.validity(&rows);
+    rows.truncate(held);
+    let mut figures = if scene.plots.is_empty() { Vec::new() } else { plan.figures(scene, &rows) };
+    if rows.len() < tally.rows {
+        let states = rows
+            .iter()
+            .map(|row| row.state)
+            .fold((0, None), |(count, last), state| (count + usize::from(last != Some(state)), Some(state)))
+            .0;
+        figures.iter_mut().for_each(|(_, figure)| figure.add_note(format!("{states} of {total} states are drawn")));
+    }
+    let units = WrittenUnits::of(document);
+    figures.iter_mut().for_each(|(_, figure)| units.put_on(figure));
+    Ok(Outcome {
+        figures,
+        validity,
+        stored: safe.map(|safe| safe.journal.path().to_owned()),
+        rows,
+        tally,
+        ..unsolved(plan, document, scene)
+    })
+}
+
+/// Solves a part of the states of a scene into the journal of a shard; no picture is made and no row is kept.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_shard(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    header: &JournalHeader,
+    mut safe: Safe<'_>,
+    progress: Progress<'_>,
+) -> Result<Tally, RunError> {
+    let mut tally = Tally::new(scene.accuracy, plan.columns().len());
+    let layout = plan.layout();
+    let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
+        rows.iter().for_each(|row| tally.add(row, is_state(layout.as_ref(), row)));
+        Ok(())
+    };
+    let done = safe.journal.states();
+    journal::each(safe.journal.path(), Ok, &mut take)?;
+    solve_states(plan, document, scene, (done..header.own_states(), header.shard), Some(&mut safe), &mut take, progress)?;
+    Ok(tally)
+}
+
+/// Solves a range of the states of a shard: side by side, journalled and taken in order.
+fn solve_states(
+    plan: &Plan,
+    document: &Document,
+    scene: &Scene,
+    (range, shard): (Range<usize>, Shard),
+    safe: Option<&mut Safe<'_>>,
+    take: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>,
+    progress: Progress<'_>,
+) -> std::io::Result<()> {
+    let (mut finished, total) = (range.start, range.end);
+    progress(Stage::States { finished, total });
+    let solves_a_state = plan.predicted_work().linear_solves / (plan.states() as u64).max(1);
+    let ahead = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
+    let alone = document.without_sweep();
+    let (mut journal, checkpoints) = match safe {
+        Some(safe) => (Some(&mut *safe.journal), Some(&safe.checkpoints)),
+        None => (None, None),
+    };
+    let is_journalled = journal.is_some();
+    let solve_one = |state: usize| -> std::io::Result<Solved> {
+        let desk = Desk::new(state, checkpoints, progress);
+        let rows = solve_state(plan, &alone, scene, &desk, state);
+        desk.failure().map_or(Ok(()), Err).or_else(gone)?;
+        // A text of many digits takes as long as some states.
+        let line = if is_journalled { journal::encoded(&rows)? } else { Vec::new() };
+        Ok(Solved { rows, line })
+    };
+    let solve = |states: Range<usize>| states.map(|index| solve_one(shard.state(index))).collect::<std::io::Result<Vec<_>>>();
+    let mut taken = |solved: Vec<Vec<Solved>>| -> std::io::Result<()> {
+        let solved: Vec<Solved> = solved.into_iter().flatten().collect();
+        if let (Some(journal), Some(checkpoints)) = (&mut journal, checkpoints) {
+            journal.append_encoded(solved.iter().map(|state| state.line.as_slice())).or_else(gone)?;
+            let ended = finished..finished + solved.len();
+            ended.map(|index| shard.state(index)).try_for_each(|state| checkpoints.remove(state)).or_else(gone)?;
+        }
+        finished += solved.len();
+        solved.into_iter().try_for_each(|state| take(state.rows))?;
+        progress(Stage::States { finished, total });
+        Ok(())
+    };
+    // One alone needs no threads.
+    if range.len() == 1 {
+        return solve(range).and_then(|solved| taken(vec![solved]));
+    }
+    let together = together(ahead);
+    let parts = range.clone().step_by(together).map(|start| Ok(start..range.end.min(start + together)));
+    in_order(parts, ahead / together, solve, taken)
+}
+
+/// A state that is solved.
+struct Solved {
+    rows: Vec<Row>,
+    /// Its rows as the journal holds them, if there is one.
+    line: Vec<u8>,
+}
+
+/// An outcome without rows: what a run of the scene will give, before anything is solved.
+#[must_use]
+pub fn unsolved(plan: &Plan, document: &Document, scene: &Scene) -> Outcome {
+    let columns = plan.columns();
+    Outcome {
+        title: scene.title.clone(),
+        scene_hash: document.hash().to_owned(),
+        problem: plan.problem(),
+        effects: plan.effects(),
+        method: plan.method(),
+        groups: plan.groups(),
+        validity: Vec::new(),
+        swept: swept_columns(scene),
+        tally: Tally::new(scene.accuracy, columns.len()),
+        columns,
+        headline: plan.headline(),
+        path_headline: plan.path_headline(),
+        layout: plan.layout(),
+        figures: Vec::new(),
+        pictures: Pictures { svg: scene.plots.contains(&Picture::Svg), png: scene.plots.contains(&Picture::Png) },
+        stored: None,
+        rows: Vec::new(),
+        accuracy: scene.accuracy,
+        labels: plan.labels(),
+        field_columns: plan.field_columns(),
+        draws: plan.draws(),
+    }
+}
+
+/// What the swept numbers of a scene are called.
+#[must_use]
+pub fn swept_columns(scene: &Scene) -> Vec<SweptColumn> {
+    let column =
+        |sweep: &crate::scene::sweep::Sweep| SweptColumn { key: sweep.key.clone(), unit: sweep.unit.clone(), values: sweep.values.len() };
+    scene.sweeps.iter().map(column).collect()
+}
+
+/// A folder that somebody has removed is no reason to stop: the results are there at the end all the same. A full disk is: what is finished is kept.
+fn gone(error: std::io::Error) -> std::io::Result<()> {
+    use std::io::ErrorKind::{NotADirectory, NotFound};
+    if matches!(error.kind(), NotFound | NotADirectory) { Ok(()) } else { Err(error) }
+}
+
+/// One state: its swept values put into the scene, read, planned, solved.
+fn solve_state(plan: &Plan, document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize) -> Vec<Row> {
+    let places = indices(&scene.sweeps, state);
+    let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
+    let solved = || -> Result<Vec<Row>, String> {
+        if scene.sweeps.is_empty() {
+            return Ok(plan.solve_at(desk, state, &swept));
+        }
+        let mut varied = document.clone();
+        for (sweep, &index) in scene.sweeps.iter().zip(&places) {
+            sweep.put(&mut varied, index).map_err(|error| error.to_string())?;
+        }
+        let varied = read::read_state(&varied).map_err(|error| error.to_string())?;
+        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept))
+    };
+    solved().unwrap_or_else(|reason| {
+        // The swept value contradicts the rest of the scene: one row that says so.
+        let mut row = Row::new(state, &swept, Vec::new(), 0);
+        row.status = Status::Invalid;
+        row.reason = Some(reason);
+        vec![row]
+    })
+}

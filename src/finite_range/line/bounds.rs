@@ -1,0 +1,139 @@
+//! Error bounds of the numbers of a state from its differences between grids.
+//!
+//! A contact edge or a kink of the law falls between nodes, so that the coefficient of the error changes its sign from grid to grid and
+//! one or two differences may be small by chance. The larger of the last two counts, and of the earlier ones what 2^−1.5 a doubling
+//! leaves of them: errors with edges fall like N^−1.5 to N^−2. A smooth law without a wall converges faster with every doubling: the last
+//! difference times a geometric series of the last ratio bounds what is left.
+
+use super::grid::Equations;
+use super::problem::{Control, Problem};
+use super::solution::Fields;
+use crate::finite_range::law::Attraction;
+
+/// What a doubling of the grid leaves of an error with edges: 2^−1.5.
+const DECAY: f64 = 0.353_553_390_593_273_8;
+/// Differences that count: the earliest grids of a search are too coarse to say anything.
+pub(super) const AGES: usize = 4;
+/// Safety factor of a geometric series.
+const SAFETY: f64 = 4.0;
+/// A number whose difference is small by chance takes this part of the largest relative difference.
+const SHARED: f64 = 0.25;
+/// Places of the numbers in a list.
+const PRESSURE: usize = 0;
+const GAP: usize = 1;
+const FRICTION: usize = 2;
+const CONTACT: usize = 3;
+const ADHESIVE: usize = 4;
+const ENERGY: usize = 6;
+
+/// How differences between grids fall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Convergence {
+    /// Contact edges, or kinks of the law.
+    Edges,
+    /// A smooth law without a wall.
+    Smooth,
+}
+
+impl Convergence {
+    pub(super) fn of(law: &Attraction) -> Self {
+        if law.wall().is_none() && law.kinks().is_empty() { Self::Smooth } else { Self::Edges }
+    }
+
+    /// Grids that an accuracy takes to be met. With edges two differences may both be small by chance; a surface costs too much for a fourth grid.
+    pub(super) const fn grids(self, is_line: bool) -> usize {
+        if is_line && matches!(self, Self::Edges) { 4 } else { 3 }
+    }
+
+    /// How much counts of a difference of a field of an age (0: the last).
+    pub(super) fn weight(self, age: usize) -> f64 {
+        match self {
+            Self::Edges => weight(age),
+            Self::Smooth => f64::from(u8::from(age == 0)),
+        }
+    }
+}
+
+/// The last two differences count as they are.
+fn weight(age: usize) -> f64 {
+    DECAY.powi(age.saturating_sub(1) as i32)
+}
+
+/// What numbers are compared with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scale {
+    /// The largest of the mean pressure and its two parts.
+    pub(super) stress: f64,
+    /// Half of the peak-to-valley height.
+    pub(super) half_height: f64,
+    /// The largest n Im K: the loss of a wave over the square of its pressure.
+    pub(super) loss: f64,
+}
+
+impl Scale {
+    pub(super) fn new(equations: &Equations, stress: f64, half_height: f64) -> Self {
+        let (nx, ny, nodes) = (equations.grid.nx(), equations.grid.ny(), equations.len() as f64);
+        let of_wave = |(entry, a): (usize, &rustfft::num_complex::Complex64)| {
+            let number = entry / ny;
+            if number == 0 || 2 * number >= nx { 0.0 } else { number as f64 * a.inv().im.abs() / nodes }
+        };
+        Self { stress, half_height, loss: equations.stiffness.iter().enumerate().map(of_wave).fold(0.0, f64::max) }
+    }
+
+    /// The error of the friction Σ n Im K |p|² from an error of the pressure.
+    pub(super) fn of_friction(&self, friction: f64, pressure: f64) -> f64 {
+        2.0 * (friction.abs() * self.loss).sqrt() * pressure + self.loss * pressure * pressure + 64.0 * f64::EPSILON * friction.abs()
+    }
+}
+
+/// The bound of each number, and the factor from the last differences of a field to its bounds.
+pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residual: f64) -> ([f64; 7], f64) {
+    let [.., before, last] = history else { return ([f64::INFINITY; 7], 1.0) };
+    if history.len() < 3 {
+        return ([f64::INFINITY; 7], 1.0);
+    }
+    let differences: Vec<[f64; 7]> =
+        history.windows(2).rev().take(AGES).map(|pair| std::array::from_fn(|i| (pair[1][i] - pair[0][i]).abs())).collect();
+    let envelope = |i: usize| differences.iter().enumerate().map(|(age, list)| weight(age) * list[i]).fold(0.0, f64::max);
+    let units = [scale.stress, scale.half_height, scale.stress * scale.half_height];
+    let convergence = Convergence::of(&problem.attraction);
+    let mut factor = 1.0;
+    let mut errors: [f64; 7] = match convergence {
+        Convergence::Edges => std::array::from_fn(envelope),
+        Convergence::Smooth => {
+            let size = |list: &[f64; 7]| (0..3).map(|i| list[i] / units[i]).fold(0.0, f64::max);
+            let ratio = size(&differences[0]) / size(&differences[1]);
+            factor = if ratio < 0.5 { (SAFETY * ratio / (1.0 - ratio)).min(SAFETY) } else { SAFETY };
+            std::array::from_fn(|i| if i == CONTACT { envelope(i) } else { factor * differences[0][i] })
+        }
+    };
+    // All numbers come from one discrete edge.
+    let largest = SHARED * (0..3).map(|i| errors[i] / units[i]).fold(0.0, f64::max);
+    let units = [scale.stress, scale.half_height, last[FRICTION].abs(), 0.0, last[ADHESIVE].abs(), scale.stress, last[ENERGY].abs()];
+    for (error, unit) in errors.iter_mut().zip(units) {
+        *error = error.max(largest * unit);
+    }
+    match problem.control {
+        Control::MeanPressure(_) => errors[PRESSURE] = (last[PRESSURE] - before[PRESSURE]).abs(),
+        Control::MeanGap(_) => errors[GAP] = (last[GAP] - before[GAP]).abs(),
+        Control::Frame { .. } => {}
+    }
+    for (i, error) in errors.iter_mut().enumerate() {
+        *error += if i == FRICTION { scale.of_friction(last[FRICTION], 10.0 * residual) } else { 10.0 * residual };
+    }
+    if !problem.attraction.attracts() {
+        errors[ADHESIVE] = 0.0;
+        errors[ENERGY] = 0.0;
+    }
+    (errors, factor)
+}
+
+/// The same, with what the places of contact edges between the nodes leave of the contact fraction: each lies anywhere in a cell, at random.
+pub(super) fn with_edges(mut errors: [f64; 7], problem: &Problem, fields: &Fields) -> [f64; 7] {
+    if problem.attraction.wall().is_some() {
+        let row = |row: &[bool]| row.iter().zip(row.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
+        let edges: usize = fields.contact.chunks(fields.nx).map(row).sum();
+        errors[CONTACT] += (edges as f64 / 12.0).sqrt() / fields.contact.len() as f64;
+    }
+    errors
+}

@@ -1,5 +1,0 @@
-//! The command line of viscotack.
-
-fn main() -> std::process::ExitCode {
-    viscotack::cli::main()
-}

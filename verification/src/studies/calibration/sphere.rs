@@ -1,0 +1,205 @@
+//! Bars of spheres under histories.
+
+use super::super::draw::Draw;
+use super::super::known_states::sphere::known_sphere;
+use super::tally::{Compared, Judged, Truth};
+use super::{ANOTHER_ROUTE, SEED};
+use std::f64::consts::PI;
+use viscotack::estimate::Estimate;
+use viscotack::indentation::{Adhesion, Controlled, Event, History, IndentationProblem, Instant, PathPoint, Profile, Trace, march, run};
+use viscotack::material::Material;
+use viscotack::refusal::Refusal;
+
+/// Accuracies asked for, in turn.
+const ACCURACIES: [f64; 3] = [1e-2, 1e-3, 1e-4];
+/// Tolerance of the truth over that of the march whose numbers are told: what would be told at a thousandth of the accuracy.
+const TIGHTER: f64 = 1e-3;
+/// The truth of the tightest accuracies: half of what the solver's own marches go down to, so that it is none of them.
+const TIGHTEST: f64 = 5e-10;
+/// Tolerance of a second march over that of the truth: √10. What they differ by is not known of the truth.
+const LOOSER: f64 = 3.162_277_660_168_379_5;
+/// What two tight marches have alike, over the scale: what the edge condition is solved to.
+const ALIKE: f64 = 1e-11;
+/// Part of the scenes whose energies are added up and judged too.
+pub(super) const WITH_ENERGIES: f64 = 0.25;
+/// Textbook fields by quadrature, over the scale.
+const BY_FIELDS: f64 = 1e-9;
+
+fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+    let (modulus, radius, time) = (draw.log_between(1e-2, 1e7), draw.log_between(1e-4, 1e2), draw.log_between(1e-3, 1e3));
+    let (beta, terms) = (draw.log_between(1.5, 300.0), 1 + draw.below(4));
+    let material = draw.solid(modulus, beta, time, terms, 1.3 * terms as f64)?;
+    let work_of_adhesion = modulus * radius * draw.log_between(1e-5, 3e-3);
+    let jkr = (9.0 * PI * work_of_adhesion * radius * radius / (2.0 * modulus)).cbrt();
+    let process_zone = jkr * draw.log_between(3e-3, 0.1);
+    let depth = jkr * jkr / radius * draw.between(0.1, 1.5);
+    let speed = depth / time * 10f64.powf(draw.between(-4.0, 4.0));
+    let hold = time * draw.between(0.1, 3.0);
+    let kind = draw.below(4);
+    let history = match kind {
+        0 => History::penetration(0.0).at_speed(depth, speed).hold(hold).at_speed(0.3 * depth, speed),
+        1 => History::penetration(depth).at_speed(0.5 * depth, speed).at_speed(0.8 * depth, 0.5 * speed),
+        2 => History::force(0.0).ramp(modulus * depth * jkr, depth / speed).ramp(0.0, 2.0 * depth / speed),
+        _ => History::frame(0.0).at_speed(2.0 * depth, speed).then(Controlled::Frame, 0.5 * depth, depth / speed),
+    };
+    let mut problem = IndentationProblem::new(Profile::Paraboloid { radius }, Some(Adhesion { work_of_adhesion, process_zone }), history);
+    problem.frame_stiffness = Some(modulus * jkr * draw.log_between(0.3, 30.0));
+    problem.instants_per_segment = 2;
+    problem.accuracy = accuracy;
+    problem.energies = draw.chance(WITH_ENERGIES);
+    Ok((material, if kind == 1 { problem.relaxed() } else { problem }))
+}
+
+/// Material and history of a scene whose truth is a tighter march.
+///
+/// # Errors
+/// A drawn number out of range; none is.
+pub fn problem(scene: u64, accuracy: f64) -> Result<(Material, IndentationProblem), Refusal> {
+    drawn(&mut Draw::of(SEED ^ 5, scene), accuracy)
+}
+
+/// A scene, judged.
+#[must_use]
+pub fn judged(scene: u64) -> Judged {
+    judged_of(Draw::of(SEED ^ 5, scene), scene, &ACCURACIES, drawn)
+}
+
+/// A way to draw a scene for an accuracy.
+pub(super) type Drawn = fn(&mut Draw, f64) -> Result<(Material, IndentationProblem), Refusal>;
+
+/// A scene from a stream, for one of some accuracies, drawn in a way unless its state is drawn first.
+pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: Drawn) -> Judged {
+    let accuracy = accuracies[(scene / ANOTHER_ROUTE + scene) as usize % accuracies.len()];
+    let another = scene.is_multiple_of(ANOTHER_ROUTE);
+    let truth = if another { Truth::Another } else { Truth::Tighter };
+    let mut judged = Judged { scene, accuracy, described: String::new(), compared: Vec::new(), truth, trouble: None };
+    let result = if another {
+        against_known(&mut draw, &mut judged)
+    } else {
+        drawn(&mut draw, accuracy).and_then(|scene| against_tighter(&scene, &mut judged))
+    };
+    match result {
+        Ok(compared) => judged.compared = compared,
+        Err(refusal) => judged.trouble = Some(refusal.to_string()),
+    }
+    judged
+}
+
+/// A number of an instant: in a march, as told, and what no march tells of it.
+struct OfInstants {
+    quantity: &'static str,
+    marched: fn(&PathPoint) -> Option<f64>,
+    told: fn(&Instant) -> Option<Estimate>,
+    floor: fn(&PathPoint) -> f64,
+}
+
+const fn of_instants(quantity: &'static str, marched: fn(&PathPoint) -> Option<f64>, told: fn(&Instant) -> Option<Estimate>) -> OfInstants {
+    OfInstants { quantity, marched, told, floor: |_| 0.0 }
+}
+
+const INSTANTS: [OfInstants; 10] = [
+    of_instants("penetration", |point| Some(point.penetration), |told| Some(told.penetration)),
+    of_instants("force", |point| Some(point.force), |told| Some(told.force)),
+    of_instants("contact radius", |point| Some(point.contact_radius), |told| Some(told.contact_radius)),
+    OfInstants {
+        floor: PathPoint::intensity_floor,
+        ..of_instants("stress intensity", |point| Some(point.stress_intensity_factor), |told| Some(told.stress_intensity_factor))
+    },
+    of_instants("stored energy", |point| Some(point.energies?.stored), |told| Some(told.energies?[0])),
+    of_instants("dissipated power", |point| Some(point.energies?.dissipated_power), |told| Some(told.energies?[1])),
+    of_instants("external work", |point| Some(point.energies?.external_work), |told| Some(told.energies?[2])),
+    of_instants("dissipated energy", |point| Some(point.energies?.dissipated), |told| Some(told.energies?[3])),
+    OfInstants {
+        floor: PathPoint::tip_release_rate_floor,
+        ..of_instants("tip release rate", |point| Some(point.energies?.tip_release_rate), |told| told.tip_release_rate)
+    },
+    OfInstants {
+        floor: PathPoint::tip_release_rate_floor,
+        ..of_instants("energy release rate", |point| point.energies?.energy_release_rate, |told| told.energy_release_rate)
+    },
+];
+
+/// The same of an event, and the scale that it is seen against: of |Δ|, |F|, a and time.
+type OfEvents = (&'static str, fn(&Event<f64>) -> f64, fn(&Event<Estimate>) -> Estimate, usize);
+const EVENTS: [OfEvents; 4] = [
+    ("depth of an event", |event| event.penetration, |event| event.penetration, 0),
+    ("force of an event", |event| event.force, |event| event.force, 1),
+    ("radius of an event", |event| event.contact_radius, |event| event.contact_radius, 2),
+    ("time of an event", |event| event.time, |event| event.time, 3),
+];
+
+fn against_tighter((material, problem): &(Material, IndentationProblem), judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+    judged.described = format!("{material:?} {problem:?}");
+    let found = run(material, problem)?;
+    let tolerance = (TIGHTER * found.march.tolerance).max(TIGHTEST);
+    let (exact, second) = (march(material, problem, tolerance)?, march(material, problem, LOOSER * tolerance)?);
+    if !found.reached {
+        judged.trouble = Some("accuracy not reached".into());
+    }
+    let truth = |exact: f64, second: Option<f64>, scale: f64| {
+        Estimate::new(exact, second.map_or(0.0, |second| (exact - second).abs()) + ALIKE * scale)
+    };
+    let kept = |trace: &Trace, index: usize| trace.kept.get(index).and_then(|place| trace.path.get(*place)).copied();
+    let mut compared = Vec::new();
+    for OfInstants { quantity, marched, told, floor } in INSTANTS {
+        let scale = exact.path.iter().filter_map(marched).fold(0.0_f64, |most, value| most.max(value.abs()));
+        for (index, instant) in found.instants.iter().enumerate().skip(1) {
+            let Some((point, exact)) = kept(&found.march, index).zip(kept(&exact, index)) else { continue };
+            let Some((found, exact)) = told(instant).zip(marched(&exact)) else { continue };
+            // What is imposed is exact on both sides.
+            if found.value.to_bits() != exact.to_bits() {
+                let truth = truth(exact, kept(&second, index).and_then(|point| marched(&point)), scale);
+                compared.push(Compared { quantity, found, truth, scale, floor: floor(&point) });
+            }
+        }
+    }
+    // Times and depths of an event are known as well as each other: to what the march knows of the path.
+    let [depth, force, radius, _] = exact.summary.scales;
+    let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+    for (index, event) in found.events.iter().enumerate() {
+        let same = |trace: &Trace| trace.events.get(index).filter(|other| other.kind == event.kind).copied();
+        let Some(exact) = same(&exact) else {
+            judged.trouble = Some(format!("{:?} is not there in a tighter march", event.kind));
+            continue;
+        };
+        for (quantity, marched, told, scale) in EVENTS {
+            let scale = [depth, force, radius, duration][scale];
+            let truth = truth(marched(&exact), same(&second).map(|event| marched(&event)), scale);
+            compared.push(Compared { quantity, found: told(event), truth, scale, floor: 0.0 });
+        }
+    }
+    if let (Some(found), Some(value)) = (found.largest_tension, exact.largest_tension()) {
+        let truth = truth(value, second.largest_tension(), force);
+        compared.push(Compared { quantity: "largest tension", found, truth, scale: force, floor: 0.0 });
+    }
+    Ok(compared)
+}
+
+fn against_known(draw: &mut Draw, judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
+    let known = known_sphere(draw)?;
+    judged.described = known.described();
+    let found = run(&known.material, &IndentationProblem { accuracy: judged.accuracy, ..known.problem.clone() })?;
+    let mut compared = Vec::new();
+    for (place, values) in &known.instants {
+        let Some(instant) = found.instants.get(*place) else {
+            judged.trouble = Some("an instant is missing".into());
+            continue;
+        };
+        let estimates = [instant.penetration, instant.force, instant.contact_radius];
+        let quantities = ["penetration", "force", "contact radius"].into_iter().zip(estimates);
+        for (((quantity, found), value), scale) in quantities.zip(values).zip(known.scales) {
+            compared.push(Compared { quantity, found, truth: Estimate::new(*value, BY_FIELDS * scale), scale, floor: 0.0 });
+        }
+    }
+    Ok(compared)
+}
+
+/// Evaluations of the edge condition at 1e-3 and at 1e-9.
+#[must_use]
+pub fn work(scene: u64) -> Option<[u64; 2]> {
+    let counted = |accuracy: f64| {
+        let (material, problem) = drawn(&mut Draw::of(SEED ^ 5, scene), accuracy).ok()?;
+        Some(run(&material, &problem).ok()?.work.closure_evaluations)
+    };
+    Some([counted(1e-3)?, counted(1e-9)?])
+}

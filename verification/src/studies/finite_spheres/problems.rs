@@ -1,0 +1,119 @@
+//! A random problem, and its runs against each other.
+
+use crate::studies::draw::Draw;
+use viscotack::finite_range::law::Law;
+use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
+use viscotack::refusal::Refusal;
+
+/// Tolerance of the first of both runs that give bounds; the second, and the one that they are compared with, are tightened from it as a scene does.
+const TOLERANCE: f64 = 1e-4;
+/// Attempted steps of the first run; the others may take more.
+pub const MOST_STEPS: usize = 1500;
+const MORE: [usize; 3] = [1, 4, 12];
+/// A bound is at least this part of the force of reference, 5RΔγ, or of the value.
+const FLOOR: f64 = 1e-8;
+
+/// What a problem came to.
+#[derive(Debug, Clone, Default)]
+pub struct Compared {
+    /// Values that were compared.
+    pub values: usize,
+    /// Those that differ by more than their bound, in words.
+    pub outside: Vec<String>,
+    /// Why it was not solved.
+    pub failed: Option<String>,
+    /// Whether it takes too many steps.
+    pub too_long: bool,
+    /// What the energy balance leaves, over the largest energy.
+    pub defect: f64,
+    /// Steps of the tighter of both runs.
+    pub steps: usize,
+}
+
+/// A problem of a seed.
+#[must_use]
+pub fn problem(seed: u64, number: u64) -> Problem {
+    let mut draw = Draw::of(seed, number);
+    let (tabor, stiffening) = (draw.log_between(0.05, 6.0), draw.log_between(2.0, 1000.0));
+    let terms = [1, 3, 12][draw.below(3)];
+    let weights: Vec<f64> = (0..terms).map(|_| draw.log_between(0.1, 1.0)).collect();
+    let total: f64 = weights.iter().sum();
+    let decades = if terms == 12 { 0.5 } else { 1.5 };
+    let times = (0..terms).map(|k| draw.log_between(0.5, 2.0) * 10_f64.powf(decades * (k as f64 - 0.5 * (terms - 1) as f64))).collect();
+    let creep = Creep { stiffening, fractions: weights.iter().map(|weight| weight / total).collect(), times };
+    let shape = match draw.below(5) {
+        0 => Shape::Power { coefficient: draw.log_between(0.5, 2.0), exponent: 1.0 },
+        1 => Shape::Power { coefficient: draw.log_between(0.1, 1.0), exponent: draw.between(1.3, 4.0) },
+        _ => Shape::Paraboloid,
+    };
+    let depth = draw.log_between(1.0, 30.0);
+    let end = -(4.0 + 3.0 * tabor * tabor.max(1.0).sqrt() + 0.3 * depth).min(60.0);
+    let leg = |motion| Leg { control: Control::Penetration, motion };
+    let (approach, retreat) = (draw.log_between(1e-3, 1e5), draw.log_between(1e-3, 1e5));
+    let mut history = Vec::new();
+    let start = if draw.chance(0.5) {
+        Start::Relaxed(depth)
+    } else {
+        history.push(leg(Motion::Ramp { to: depth, duration: (depth + 8.0) / approach }));
+        Start::Unstrained(-8.0)
+    };
+    match draw.below(4) {
+        0 => history.push(leg(Motion::Hold(draw.log_between(1e-3, 1e3)))),
+        1 => history.push(leg(Motion::Ramp { to: depth * draw.between(0.5, 1.2), duration: 0.0 })),
+        2 => history.push(leg(Motion::Oscillation {
+            amplitude: draw.log_between(0.1, 4.0),
+            period: draw.log_between(1e-2, 1e2),
+            cycles: draw.between(0.5, 3.0),
+        })),
+        _ => {}
+    }
+    let before: f64 = history.iter().map(|leg| leg.motion.duration()).sum();
+    let pull = (depth - end) / retreat;
+    history.push(leg(Motion::Ramp { to: end, duration: pull }));
+    let instants = (1..8).map(|k| before + pull * f64::from(k) / 8.0).collect();
+    Problem { law: Law::LennardJones, tabor, shape, creep, start, history, instants, surfaces: Vec::new() }
+}
+
+/// Draws a problem and compares its runs.
+#[must_use]
+pub fn compared(seed: u64, number: u64) -> Compared {
+    let problem = problem(seed, number);
+    let mut mesher = Mesher::new(Accuracy::new(TOLERANCE).order);
+    let mut runs: Vec<Run> = Vec::new();
+    let mut accuracy = Accuracy::new(TOLERANCE);
+    for (index, more) in MORE.into_iter().enumerate() {
+        if index > 0 {
+            accuracy = accuracy.tightened();
+        }
+        accuracy.budget = more * MOST_STEPS;
+        match run(&problem, accuracy, &mut mesher) {
+            Ok(run) => runs.push(run),
+            Err(Refusal::NotConverged { what: "the integration in time", .. }) => {
+                return Compared { too_long: true, ..Compared::default() };
+            }
+            Err(refusal) => return Compared { failed: Some(format!("problem {number}: {refusal}")), ..Compared::default() },
+        }
+    }
+    let mut compared = Compared::default();
+    let [loose, tight, truth] = runs.as_slice() else { return compared };
+    compared.steps = tight.certificate.steps;
+    compared.defect = tight.certificate.energy_residual / tight.certificate.energy_scale.max(1.0);
+    let forces = |run: &Run| -> Vec<Option<f64>> {
+        let at = |time: &f64| run.at(*time).map(|row| row.force);
+        problem.instants.iter().map(at).chain([Some(-run.pull_off_force())]).collect()
+    };
+    let all: Vec<[f64; 3]> =
+        forces(loose).into_iter().zip(forces(tight)).zip(forces(truth)).filter_map(|((a, b), c)| Some([a?, b?, c?])).collect();
+    // As the plan of a scene does: a bound is at least a part of the largest one, and those beside it.
+    let change = |index: usize| all.get(index).map_or(0.0, |[a, b, _]| (a - b).abs());
+    let largest = (0..all.len()).map(change).fold(0.0, f64::max);
+    for (index, [_, b, c]) in all.iter().enumerate() {
+        let beside = change(index).max(change(index + 1)).max(index.checked_sub(1).map_or(0.0, change));
+        let bound = beside.max(0.05 * largest).max(FLOOR * b.abs().max(5.0)) + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
+        compared.values += 1;
+        if (b - c).abs() > bound {
+            compared.outside.push(format!("problem {number}, value {index}: {b} ± {bound:.1e}, {c}"));
+        }
+    }
+    compared
+}
