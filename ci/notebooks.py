@@ -1,14 +1,15 @@
 """Executes the notebooks of python/notebooks, each in a kernel of its own: an error in a cell is a failure.
 
 python ci/notebooks.py                     all of them
-python ci/notebooks.py --render DIR        and writes them as HTML pages, with their plots, to a folder (needs nbconvert)
+python ci/notebooks.py --render            and writes each as a page of the documentation, docs/src/notebooks/NAME.md, with its plots beside it
 
-The package must be installed in this Python (`pip install ".[notebooks]"`).
+Without --render the pages must hold the cells of the notebooks as they are. The package must be installed in this Python (`pip install ".[notebooks]"`).
 """
 
 from __future__ import annotations
 
 import argparse
+import base64
 import os
 import sys
 import time
@@ -17,15 +18,45 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
+from nbformat import NotebookNode
 
 ROOT = Path(__file__).resolve().parents[1]
+PAGES = ROOT / "docs/src/notebooks"
+HEAD = "<!-- Made by `python ci/notebooks.py --render` from python/notebooks/{name}.ipynb: change that one. -->\n"
+
+
+def source(cell: NotebookNode) -> str:
+    """A cell as a page shows it."""
+    return f"```python\n{cell.source}\n```\n" if cell.cell_type == "code" else f"{cell.source}\n"
+
+
+def output(page: str, number: int, result: NotebookNode) -> str:
+    """What a cell gave: a plot as a file beside the page, a table as Markdown or text."""
+    data = result.get("data", {})
+    if "image/png" in data:
+        picture = f"{page}_{number}.png"
+        (PAGES / picture).write_bytes(base64.b64decode(data["image/png"]))
+        return f"![plot {number} of this notebook]({picture})\n"
+    text = data.get("text/plain", result.get("text", ""))
+    return f"```text\n{text.rstrip()}\n```\n" if text.strip() else ""
+
+
+def rendered(page: str, book: NotebookNode) -> str:
+    """A notebook that has been executed, as a page."""
+    parts, number = [HEAD.format(name=page)], 0
+    for cell in book.cells:
+        parts.append(source(cell))
+        for result in cell.get("outputs", []):
+            number += 1
+            parts.append(output(page, number, result))
+    return "\n".join(part for part in parts if part)
 
 
 def main() -> int:
     """Executes all notebooks."""
     parser = argparse.ArgumentParser()
     parser.add_argument("names", nargs="*", help="notebooks; without any, all")
-    parser.add_argument("--render", type=Path, metavar="DIR")
+    parser.add_argument("--render", action="store_true", help="write the pages")
     given = parser.parse_args()
     os.environ["VISCOTACK_SCENES"] = str(ROOT / "scenes")
     os.environ.setdefault("MPLBACKEND", "module://matplotlib_inline.backend_inline")
@@ -41,11 +72,16 @@ def main() -> int:
             print(f"{path.name}: FAILED\n{error}", file=sys.stderr)
             continue
         print(f"{path.name}: executed in {time.monotonic() - begun:.1f} s")
-        if given.render is not None:
-            from nbconvert import HTMLExporter
-
-            given.render.mkdir(parents=True, exist_ok=True)
-            (given.render / f"{path.stem}.html").write_text(HTMLExporter().from_notebook_node(book)[0], encoding="utf-8")
+        page = PAGES / f"{path.stem}.md"
+        if given.render:
+            PAGES.mkdir(exist_ok=True)
+            page.write_text(rendered(path.stem, book), encoding="utf-8")
+        else:
+            text = page.read_text(encoding="utf-8")
+            old = [cell for cell in book.cells if source(cell) not in text]
+            if old:
+                failed += 1
+                print(f"{page}: older than its notebook, run ci/notebooks.py --render; not in it:\n{old[0].source}", file=sys.stderr)
     return 1 if failed or not paths else 0
 
 

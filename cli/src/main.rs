@@ -313,11 +313,24 @@ pub fn main() -> ExitCode {
         Command::Completions { shell } => {
             let mut bytes = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "viscotack", &mut bytes);
-            print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
+            let values = if shell == clap_complete::Shell::Fish { values_for_fish() } else { String::new() };
+            print(&(String::from_utf8_lossy(&bytes).into_owned() + &values)).map(|()| 0)
         }
         Command::Man { command } => man(command.as_deref()),
     };
     ended(result, errors)
+}
+
+/// Values of the arguments of each command without a name, which the generator leaves out for fish.
+fn values_for_fish() -> String {
+    let mut lines = String::new();
+    for command in Arguments::command().get_subcommands() {
+        for value in command.get_positionals().flat_map(clap::Arg::get_possible_values).filter(|value| !value.is_hide_set()) {
+            let (name, value) = (command.get_name(), value.get_name());
+            lines += &format!("complete -c viscotack -n \"__fish_viscotack_using_subcommand {name}\" -f -a \"{value}\"\n");
+        }
+    }
+    lines
 }
 
 /// The manual page of the program, or of one command.

@@ -67,14 +67,22 @@ fn fish_completes_where_it_is_installed() {
     }
 }
 
-/// A terminal is needed to see what zsh offers; that it loads the function and registers it is seen without one.
+/// zsh completes at a terminal only: one of its own, in which another zsh runs. What is typed becomes the command line with the completed word.
 #[test]
-fn zsh_loads_the_function_where_it_is_installed() {
+fn zsh_completes_where_it_is_installed() {
     let folder = Folder::new();
     folder.write("_viscotack", folder.call(&["completions", "zsh"]).ended(0).stdout);
-    let script = "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -d ./dump; print ${_comps[viscotack]}; autoload +X _viscotack && print loaded";
-    if let Some(said) = shell("zsh", &folder, script) {
-        assert_eq!(said, "_viscotack\nloaded\n");
+    // What the zsh inside prints is gathered until it has the form that is waited for, for at most twenty seconds.
+    let start = "zmodload zsh/zpty; zpty -b Z zsh -f -i\n\
+        waits() { local all part; repeat 400; do while zpty -rt Z part; do all+=$part; done; [[ $all == $~1 ]] && return; sleep .05; done; return 1 }\n\
+        zpty -w Z 'PS1=; fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -d ./dump; unsetopt zle_bracketed_paste; print REA''DY'\n\
+        waits '*READY*' || exit 1\n";
+    for (typed, words) in TYPED {
+        let seen: String = words.iter().map(|word| format!("*{word}")).collect();
+        let script = format!("{start}zpty -n -w Z '{typed}'$'\\t'; waits '{seen}*' && print -r -- seen; zpty -d Z");
+        if let Some(said) = shell("zsh", &folder, &script) {
+            assert_eq!(said, "seen\n", "{typed:?}");
+        }
     }
 }
 
