@@ -128,12 +128,14 @@ pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residua
     (errors, factor)
 }
 
-/// The same, with what the places of contact edges between the nodes leave of the contact fraction: each lies anywhere in a cell, at random.
+/// The same, with what the places of contact edges between the nodes leave of the contact fraction: each of a line's few edges may be a cell off,
+/// the many of a surface lie at random in theirs.
 pub(super) fn with_edges(mut errors: [f64; 7], problem: &Problem, fields: &Fields) -> [f64; 7] {
     if problem.attraction.wall().is_some() {
         let row = |row: &[bool]| row.iter().zip(row.iter().cycle().skip(1)).filter(|(a, b)| a != b).count();
         let edges: usize = fields.contact.chunks(fields.nx).map(row).sum();
-        errors[CONTACT] += (edges as f64 / 12.0).sqrt() / fields.contact.len() as f64;
+        let cells = if fields.ny == 1 { edges as f64 } else { (edges as f64 / 12.0).sqrt() };
+        errors[CONTACT] += cells / fields.contact.len() as f64;
     }
     errors
 }
