@@ -75,6 +75,13 @@ RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
 step "tests"
 cargo test --release --locked --workspace
 
+step "examples of the library"
+for example in examples/*.rs; do
+  name=$(basename "$example" .rs)
+  # One draws pictures, and is compiled with the tests.
+  [ "$name" = plot_gallery ] || cargo run --release --locked --quiet -p viscotack --example "$name"
+done
+
 step "studies: convergence, cost, hard cases, effects (viscotack verify)"
 studies=$(mktemp -d)
 trap 'rm -rf "$studies"' EXIT
