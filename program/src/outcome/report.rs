@@ -57,7 +57,6 @@ pub fn page(outcome: &Outcome, pictures: &[Shown], files: &[String]) -> String {
 /// How it ended, before all else.
 fn head(text: &mut String, outcome: &Outcome) {
     let tally = &outcome.tally;
-    let count = |status: Status| tally.ended(status).rows;
     let states = if tally.states == 1 { "one state".to_owned() } else { format!("{} states", tally.states) };
     let _ = write!(
         text,
@@ -65,21 +64,26 @@ fn head(text: &mut String, outcome: &Outcome) {
         escaped(&outcome.problem.replace('_', " ")),
         escaped(&outcome.title)
     );
-    for status in Status::ALL.into_iter().filter(|status| count(*status) > 0) {
-        let class = match status {
-            Status::Solved => "passed",
-            Status::Inaccurate | Status::NoSuchState | Status::Undefined => "stated",
-            Status::Invalid | Status::NotConverged | Status::Inadmissible => "failed",
-        };
-        let rows = count(status);
-        let _ = writeln!(
-            text,
-            "<li class=\"{class}\"><b>{rows}</b> {} {}</li>",
-            if rows == 1 { "row" } else { "rows" },
-            status.word().replace('_', " ")
-        );
+    for status in Status::ALL {
+        let ended = tally.ended(status);
+        // What lies on the way is worth a word where it is not solved.
+        let on_the_way = if status == Status::Solved { 0 } else { ended.rows - ended.states };
+        for (count, one, many) in [(ended.states, "state", "states"), (on_the_way, "row on the way", "rows on the way")] {
+            if count > 0 {
+                let (noun, word) = (if count == 1 { one } else { many }, status.word().replace('_', " "));
+                let _ = writeln!(text, "<li class=\"{}\"><b>{count}</b> {noun} {word}</li>", class(status));
+            }
+        }
     }
     text.push_str("</ul>\n</header>\n");
+}
+
+const fn class(status: Status) -> &'static str {
+    match status {
+        Status::Solved => "passed",
+        Status::Inaccurate | Status::NoSuchState | Status::Undefined => "stated",
+        Status::Invalid | Status::NotConverged | Status::Inadmissible => "failed",
+    }
 }
 
 fn answer(text: &mut String, outcome: &Outcome) {
@@ -93,7 +97,9 @@ fn answer(text: &mut String, outcome: &Outcome) {
     text.push_str("<div class=\"wide\"><table>\n");
     for (index, line) in lines.iter().enumerate() {
         let cell = if index == 0 { "th" } else { "td" };
-        let cells = line.iter().fold(String::new(), |all, word| format!("{all}<{cell}>{}</{cell}>", escaped(word)));
+        // Long names may break after their words.
+        let shown = |word: &str| if index == 0 { escaped(word).replace('_', "_<wbr>").replace('.', ".<wbr>") } else { escaped(word) };
+        let cells = line.iter().fold(String::new(), |all, word| format!("{all}<{cell}>{}</{cell}>", shown(word)));
         let _ = writeln!(text, "<tr>{cells}</tr>");
     }
     text.push_str("</table></div>\n");

@@ -124,7 +124,7 @@ fn sliding() -> Section {
                 "With `columns = [\"sensitivities\"]` under a penetration",
                 &[SOLID, EDGE, WAVE, "penetration = 1e-7\ncolumns = [\"sensitivities\"]\n"],
             ),
-            scene("The same of a cylinder ", &[SOLID, EDGE, CYLINDER, LINE_LOAD, "columns = [\"sensitivities\"]\n"]),
+            scene("The same of a cylinder with sensitivities", &[SOLID, EDGE, CYLINDER, LINE_LOAD, "columns = [\"sensitivities\"]\n"]),
             scene(
                 "The same of a cylinder under a half-width",
                 &[SOLID, EDGE, CYLINDER, "half_width = 1e-4\ncolumns = [\"sensitivities\"]\n"],
