@@ -31,7 +31,6 @@ fn markdown_below(folder: &Path, pages: &mut Vec<PathBuf>) {
 fn pages() -> Vec<(PathBuf, String)> {
     let mut pages: Vec<PathBuf> = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md"].map(|name| root().join(name)).into();
     markdown_below(&root().join("docs"), &mut pages);
-    markdown_below(&root().join("verification/pages"), &mut pages);
     pages.sort();
     pages.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()
 }

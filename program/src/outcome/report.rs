@@ -100,9 +100,10 @@ fn answer(text: &mut String, outcome: &Outcome) {
         // Long names may break after their words.
         let shown = |word: &str| if index == 0 { escaped(word).replace('_', "_<wbr>").replace('.', ".<wbr>") } else { escaped(word) };
         let cells = line.iter().fold(String::new(), |all, word| format!("{all}<{cell}>{}</{cell}>", shown(word)));
-        let _ = writeln!(text, "<tr>{cells}</tr>");
+        let line = format!("<tr>{cells}</tr>\n");
+        text.push_str(&if index == 0 { format!("<thead>{line}</thead>\n<tbody>\n") } else { line });
     }
-    text.push_str("</table></div>\n");
+    text.push_str("</tbody></table></div>\n");
     let mut remarks = String::new();
     screen::remarks(&mut remarks, outcome, &states, &shown, true);
     for line in remarks.lines() {
