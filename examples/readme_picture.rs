@@ -21,20 +21,24 @@ fn main() -> Result<(), Box<dyn Error>> {
         .with_legend(LegendPlace::Below);
     let edge = solved(&root.join("scenes/published/edge.toml"), &[])?;
     figure.curves.push(Curve::new("theory of an edge, Tabor number 3.24", edge).with_line(Line::Dashed).with_colour(2));
+    let mut drawn: Vec<(f64, f64)> = Vec::new();
     for (index, (tabor, preload)) in CASES.into_iter().enumerate() {
         let colour = [0, 1, 3, 4, 6].get(index).copied().unwrap_or(0);
         let work = (tabor * RANGE).powf(1.5) / PI;
         let sets = [format!("adhesion.work_of_adhesion={work:e}"), format!("indentation.penetration={:e}", preload * RANGE)];
         let curve = solved(&root.join("scenes/published/finite_range.toml"), &sets)?;
-        figure.curves.push(Curve::new(format!("attraction with a range, Tabor number {tabor}"), curve).with_line(Line::Solid).with_colour(colour));
-        let runs: Vec<(f64, f64)> = published
+        figure
+            .curves
+            .push(Curve::new(format!("attraction with a range, Tabor number {tabor}"), curve).with_line(Line::Solid).with_colour(colour));
+        let runs = published
             .iter()
             .filter(|run| (run[2] / tabor - 1.0).abs() < 1e-3 && (run[1] / preload - 1.0).abs() < 1e-3)
-            .map(|run| (run[0], run[5]))
-            .collect();
-        let label = if index == 0 { "published boundary-element runs" } else { "" };
-        figure.curves.push(Curve::new(label, runs).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(2));
+            .map(|run| (run[0], run[5]));
+        drawn.extend(runs);
     }
+    figure
+        .curves
+        .push(Curve::new("published boundary-element runs", drawn).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(2));
     let file = root.join("docs/src/images/pull_off_against_rate");
     fs::write(file.with_extension("svg"), plot::svg(&figure)?)?;
     Ok(())

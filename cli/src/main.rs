@@ -310,10 +310,9 @@ pub fn main() -> ExitCode {
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })
         }
         Command::Units { json } => units::units(json),
-        Command::Schema { columns: true, .. } => viscotack_program::plan::column_reference::column_reference()
-            .map_err(Failure::from)
-            .and_then(|page| print(&page))
-            .map(|()| 0),
+        Command::Schema { columns: true, .. } => {
+            viscotack_program::plan::column_reference::column_reference().map_err(Failure::from).and_then(|page| print(&page)).map(|()| 0)
+        }
         Command::Schema { markdown: true, .. } => print(&viscotack_program::scene::key_reference::key_reference()).map(|()| 0),
         Command::Schema { .. } => print(&format!("{:#}\n", viscotack_program::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),

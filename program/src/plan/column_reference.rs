@@ -70,14 +70,7 @@ fn of_section(page: &mut String, section: &Section) -> Result<(), SceneError> {
 fn table(page: &mut String, heading: &str, columns: &Columns, places: &[usize]) {
     let _ = write!(page, "\n### {heading}\n\n| column | unit | reduced unit | meaning |\n|---|---|---|---|\n");
     for (si, reduced) in places.iter().filter_map(|&place| columns.si.get(place).zip(columns.reduced.get(place))) {
-        let _ = writeln!(
-            page,
-            "| `{}` | {} | {} | {} |",
-            si.name,
-            escaped(&si.unit),
-            escaped(&reduced.unit),
-            escaped(si.meaning)
-        );
+        let _ = writeln!(page, "| `{}` | {} | {} | {} |", si.name, escaped(&si.unit), escaped(&reduced.unit), escaped(si.meaning));
     }
 }
 
@@ -93,12 +86,7 @@ fn columns(variant: &Variant) -> Result<Columns, SceneError> {
     let si = plan(&scene)?;
     scene.units = Units::Reduced;
     let reduced = plan(&scene)?;
-    Ok(Columns {
-        layout: si.layout(),
-        fields: [si.field_columns(), reduced.field_columns()],
-        si: si.columns(),
-        reduced: reduced.columns(),
-    })
+    Ok(Columns { layout: si.layout(), fields: [si.field_columns(), reduced.field_columns()], si: si.columns(), reduced: reduced.columns() })
 }
 
 /// A text for a cell of a table.

@@ -19,7 +19,8 @@ pub(super) struct Section {
     pub(super) variants: Vec<Variant>,
 }
 
-const SOLID: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.49\ncreep = [{ fraction = 1, retardation_time = 0.01 }]\n";
+const SOLID: &str =
+    "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.49\ncreep = [{ fraction = 1, retardation_time = 0.01 }]\n";
 const EDGE: &str = "[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = { length = 1e-6 }\n";
 const LAW: &str = "[adhesion]\nwork_of_adhesion = 0.05\nlaw = \"lennard_jones\"\nrange = 6e-8\n";
 const PULL: &str = "[[history]]\npenetration = 4e-6\nrate = 2e-6\n[[history]]\npenetration = -1e-5\nrate = 2e-6\n";
@@ -111,10 +112,7 @@ fn sliding() -> Section {
         base: pressed("", &[]),
         variants: vec![
             scene("Of a cylinder, in place of the columns of a wave", &[SOLID, EDGE, CYLINDER, LINE_LOAD]),
-            scene(
-                "With `frame_stiffness`",
-                &[SOLID, EDGE, WAVE, "penetration = 1e-7\nframe_stiffness = 1e9\n"],
-            ),
+            scene("With `frame_stiffness`", &[SOLID, EDGE, WAVE, "penetration = 1e-7\nframe_stiffness = 1e9\n"]),
             scene("With works of adhesion that differ between the edges, or follow the speed", &[SOLID, TWO_EDGES, WAVE, LOAD]),
             pressed("With `columns = [\"friction_parts\"]`", &["columns = [\"friction_parts\"]\n"]),
             scene("The same of a cylinder", &[SOLID, EDGE, CYLINDER, LINE_LOAD, "columns = [\"friction_parts\"]\n"]),
@@ -160,7 +158,10 @@ fn strength() -> Section {
         base: scene("", &[SOLID, EDGE, WAVE, "[sliding.strength]\n"]),
         variants: vec![
             scene("Of a cylinder, in place of the columns of a wave", &[SOLID, EDGE, CYLINDER, "[sliding.strength]\n"]),
-            scene("With works of adhesion that differ between the edges, or follow the speed", &[SOLID, TWO_EDGES, WAVE, "[sliding.strength]\n"]),
+            scene(
+                "With works of adhesion that differ between the edges, or follow the speed",
+                &[SOLID, TWO_EDGES, WAVE, "[sliding.strength]\n"],
+            ),
             scene("With `columns = [\"elastic_reference_contact\"]`", &[SOLID, EDGE, WAVE, elastic]),
             scene("With `columns = [\"sensitivities\"]`", &[SOLID, EDGE, WAVE, sensitive]),
             scene("The same of a cylinder", &[SOLID, EDGE, CYLINDER, sensitive]),
