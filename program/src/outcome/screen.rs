@@ -232,7 +232,7 @@ fn effects(text: &mut String, outcome: &Outcome) {
 }
 
 fn validity(text: &mut String, outcome: &Outcome) {
-    let _ = writeln!(text, "\nvalidity of the model (apart from the error bounds)");
+    let _ = writeln!(text, "\nvalidity of the model (error bounds say nothing about it)");
     for entry in &outcome.validity {
         let mark = match entry.verdict {
             Verdict::Good => "good   ",
