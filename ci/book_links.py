@@ -41,7 +41,7 @@ def main() -> int:
                 continue
             checked += 1
             to = (path.parent / unquote(parts.path)).resolve() if parts.path else path
-            if not to.is_file():
+            if not to.is_file() or book not in to.parents:
                 dead.append(f"{path.relative_to(book)}: {target}: no such file in the book")
             elif parts.fragment and to in pages and unquote(parts.fragment) not in pages[to].places:
                 dead.append(f"{path.relative_to(book)}: {target}: no such place in that page")
