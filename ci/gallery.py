@@ -49,7 +49,7 @@ CHOSEN = {
     "sliding/isola": "half_width_against_speed",
     "sliding/negative_load": "surface",
     "sliding/regime_map": "regimes",
-    "sliding/sensitivities": "sensitivity_of_friction_stress",
+    "sliding/sensitivities": "sensitivity_of_friction_stress_against_speed",
     "surfaces/five_harmonics": "contact_fraction_against_mean_pressure",
     "surfaces/rough_surface": "pressure_map",
     "surfaces/wave_with_a_law": "surface",
@@ -77,6 +77,8 @@ def heading(text: str) -> str:
 
 def picture(name: str, folder: Path) -> Path | None:
     drawn = {path.stem: path for path in sorted(folder.glob("*.svg"))}
+    if name in CHOSEN and CHOSEN[name] not in drawn:
+        raise SystemExit(f"{name}: no picture {CHOSEN[name]}, but {', '.join(drawn)}")
     for stem in [CHOSEN.get(name, ""), *PREFERRED, *drawn]:
         if stem in drawn:
             return drawn[stem]
