@@ -1,4 +1,4 @@
-"""Checks the built book: python3 ci/book_links.py target/book
+"""Checks the built book: python3 ci/book_links.py target/book.
 
 Every link and picture of every page leads to a file of the book, every `#place` to an element there. Links to the net are not followed.
 """
