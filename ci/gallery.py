@@ -1,8 +1,8 @@
 """Makes the gallery of the book.
 
-python3 ci/gallery.py target/release/viscotack [FOLDER/NAME ...] solves every scene of `scenes/`, or those named. It writes docs/src/gallery.md with a picture, the
-command, the time and the sentence that heads the scene; the pictures go to docs/src/images/gallery. A scene that takes longer than LIMIT is listed without a picture.
-Of scenes that are not named, pictures and times stay as they are.
+python3 ci/gallery.py target/release/viscotack [FOLDER/NAME ...] solves every scene of `scenes/`, or those named. It writes docs/src/gallery.md with a picture,
+the command, the time and the sentence that heads the scene; the pictures go to docs/src/images/gallery. A scene that takes longer than LIMIT is listed without
+a picture. Of scenes that are not named, pictures and times stay as they are.
 """
 
 import re
