@@ -72,6 +72,8 @@ cargo clippy --release --locked --all-targets --workspace -- -D warnings
 cargo clippy --release --locked --no-default-features -- -D warnings
 step "documentation: warnings are errors"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps --quiet
+step "book: build, links, pictures, places"
+ci/book.sh
 step "tests"
 cargo test --release --locked --workspace
 

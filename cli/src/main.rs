@@ -178,6 +178,9 @@ enum Command {
         /// Print the page of all keys for people instead
         #[arg(long)]
         markdown: bool,
+        /// Print the page of all columns of results instead
+        #[arg(long, conflicts_with = "markdown")]
+        columns: bool,
     },
     /// Print the papers behind what a scene uses, as BibTeX
     Cite {
@@ -307,8 +310,11 @@ pub fn main() -> ExitCode {
             material::material(&material::Asked { file: &file, sets: &sets, accuracy, out: out.as_deref(), force, json })
         }
         Command::Units { json } => units::units(json),
-        Command::Schema { markdown: true } => print(&viscotack_program::scene::key_reference::key_reference()).map(|()| 0),
-        Command::Schema { markdown: false } => print(&format!("{:#}\n", viscotack_program::scene::schema::schema())).map(|()| 0),
+        Command::Schema { columns: true, .. } => {
+            viscotack_program::plan::column_reference::column_reference().map_err(Failure::from).and_then(|page| print(&page)).map(|()| 0)
+        }
+        Command::Schema { markdown: true, .. } => print(&viscotack_program::scene::key_reference::key_reference()).map(|()| 0),
+        Command::Schema { .. } => print(&format!("{:#}\n", viscotack_program::scene::schema::schema())).map(|()| 0),
         Command::Cite { scene } => cite::cite(scene),
         Command::Completions { shell } => {
             let mut bytes = Vec::new();

@@ -202,6 +202,7 @@ pub fn shortened(path: &Path) -> &'static [&'static str] {
         Some("vibrated_retraction") => &["history.0.oscillation.duration=100", "history.0.oscillation.to=4.7e-5", "sweep.values=[0.0557]"],
         Some("pull_off_at_five_ranges") => &["sweep.0.values=[1e-3, 5e-3]", "sweep.1.points=3"],
         Some("periodic_contact") => &["sweep.points=2"],
+        Some("finite_range" | "edge") => &["sweep.points=2"],
         Some("dynamic_stiffness") => &["sweep.points=3", "sweep.to=10"],
         _ => &[],
     }

@@ -130,7 +130,7 @@ fn files_are_the_same_bytes_whenever_and_however_parallel() {
         answer(folder.command(&["run", "scene.toml", "--out", name]).env("RAYON_NUM_THREADS", threads)).ended(0);
         assert!(folder.files(name) == first, "{name} differs");
     }
-    for name in ["summary.json", "states.csv", "fields.csv", "scene.toml"] {
+    for name in ["summary.json", "states.csv", "fields.csv", "scene.toml", "report.html"] {
         assert!(first.contains_key(name), "{name} is missing in {:?}", first.keys());
     }
     assert!(!first.contains_key("journal.jsonl"));

@@ -208,7 +208,7 @@ fn two_swept_numbers_are_a_map() {
     ));
     folder.call(&["run", "scene.toml", "--out", "DIR"]).ended(0);
     let map = folder.read("DIR/map_of_energy_release_rate.svg").replace('\u{a0}', " ");
-    let group = map.split("<g class=\"map\">").nth(1).unwrap().split("</g>").next().unwrap();
+    let group = map.split("<g class=\"map\"").nth(1).unwrap().split("</g>").next().unwrap();
     assert_eq!(group.matches("<path").count(), 13 * 7);
     assert!(map.contains("energy release rate"), "the scale of the colours has its quantity");
     let curves = folder.read("DIR/energy_release_rate_against_speed.svg").replace('\u{a0}', " ");

@@ -11,6 +11,8 @@ use crate::command_support;
 
 use command_support::Folder;
 use std::path::{Path, PathBuf};
+use viscotack_program::plan::Plan;
+use viscotack_program::scene::{Document, read};
 
 fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -31,7 +33,6 @@ fn markdown_below(folder: &Path, pages: &mut Vec<PathBuf>) {
 fn pages() -> Vec<(PathBuf, String)> {
     let mut pages: Vec<PathBuf> = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md"].map(|name| root().join(name)).into();
     markdown_below(&root().join("docs"), &mut pages);
-    markdown_below(&root().join("verification/pages"), &mut pages);
     pages.sort();
     pages.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect()
 }
@@ -189,4 +190,92 @@ fn the_page_of_keys_is_that_of_the_program() {
     let page = std::fs::read_to_string(root().join("docs/src/reference/keys.md")).unwrap();
     let answer = Folder::new().call(&["schema", "--markdown"]).ended(0);
     assert!(answer.stdout == page, "docs/src/reference/keys.md is old: viscotack schema --markdown > docs/src/reference/keys.md");
+}
+
+/// `viscotack schema --columns > docs/src/reference/columns.md` makes it anew.
+#[test]
+fn the_page_of_columns_is_that_of_the_program() {
+    let page = std::fs::read_to_string(root().join("docs/src/reference/columns.md")).unwrap();
+    let answer = Folder::new().call(&["schema", "--columns"]).ended(0);
+    assert!(answer.stdout == page, "docs/src/reference/columns.md is old: viscotack schema --columns > docs/src/reference/columns.md");
+}
+
+fn scenes() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for folder in ["cracks", "indentation", "published", "sliding", "surfaces"] {
+        for entry in std::fs::read_dir(root().join("scenes").join(folder)).unwrap() {
+            found.push(entry.unwrap().path());
+        }
+    }
+    found.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    found.sort();
+    found
+}
+
+/// The small scenes that the page is made from hold every column that a scene of the repository has.
+#[test]
+fn every_column_of_every_scene_is_on_the_page_of_columns() {
+    let page = std::fs::read_to_string(root().join("docs/src/reference/columns.md")).unwrap();
+    let mut checked = 0;
+    for path in scenes() {
+        let mut document = Document::load(&path).unwrap();
+        read::resolve_includes(&mut document).unwrap();
+        let plan = Plan::new(&read::read(&document).unwrap()).unwrap();
+        // A place alone makes no table of fields.
+        let fields = plan.field_columns();
+        for column in plan.columns().iter().chain(fields.iter().filter(|_| fields.len() > 1)) {
+            let meaning = column.meaning.replace('|', "\\|").replace('<', "&lt;");
+            let known = page.lines().any(|line| {
+                let cells: Vec<&str> = line.splitn(5, " | ").collect();
+                line.starts_with(&format!("| `{}` |", column.name))
+                    && line.contains(&meaning)
+                    && cells.iter().skip(1).take(2).any(|unit| *unit == column.unit)
+            });
+            assert!(known, "{}: {} [{}] {}", path.display(), column.name, column.unit, column.meaning);
+            checked += 1;
+        }
+    }
+    assert!(checked > 1000, "{checked}");
+}
+
+/// `python3 ci/gallery.py target/release/viscotack NAME` adds a scene, or draws it anew.
+#[test]
+fn every_scene_is_in_the_gallery_with_its_sentence() {
+    let page = std::fs::read_to_string(root().join("docs/src/gallery.md")).unwrap();
+    let mut pictures = 0;
+    for path in scenes() {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let name = format!("{}/{}", path.parent().unwrap().file_name().unwrap().display(), path.file_stem().unwrap().display());
+        assert!(page.contains(&format!("`viscotack run scenes/{name}.toml --out DIR` (")), "{name} is not in docs/src/gallery.md");
+        let heading: Vec<&str> =
+            text.lines().take_while(|line| line.starts_with('#')).map(|line| line.trim_start_matches(['#', ' '])).collect();
+        assert!(!heading.is_empty(), "{name}: the first line is no comment");
+        assert!(page.contains(heading.join(" ").trim()), "{name}: its comment in docs/src/gallery.md is old");
+        pictures += usize::from(root().join(format!("docs/src/images/gallery/{}.svg", name.replace('/', "_"))).exists());
+    }
+    assert!(pictures > 50, "{pictures}");
+}
+
+/// The report of a run begins with the answer, shows the pictures within it, needs nothing from the net, and is written without pictures, too.
+#[test]
+fn a_run_writes_a_report_that_stands_alone() {
+    let folder = Folder::new();
+    let scene = root().join("scenes/cracks/pure_shear_strip.toml").display().to_string();
+    let printed = folder.call(&["run", &scene, "--out", "DIR"]).ended(0).stdout;
+    assert!(printed.contains("report.html"), "{printed}");
+    let page = folder.read("DIR/report.html");
+    let place = |words: &str| page.find(words).unwrap_or_else(|| panic!("no {words}"));
+    let parts =
+        ["<h1>", "<h2>Answer</h2>", "<h2>Plots</h2>", "<h2>Whether the model holds</h2>", "<h2>Cost</h2>", "<h2>Where it comes from</h2>"];
+    assert!(parts.map(place).is_sorted());
+    assert!(page.contains("<svg class=\"plot\"") && page.contains("prefers-color-scheme:dark"));
+    assert!(!page.contains("<script") && !page.contains("src=\"http") && !page.contains("href=\"http"));
+    let summary: serde_json::Value = serde_json::from_str(&folder.read("DIR/summary.json")).unwrap();
+    assert!(page.contains(summary["provenance"]["scene_sha256"].as_str().unwrap()));
+    for entry in summary["validity"].as_array().unwrap() {
+        assert!(page.contains(&format!("<b>{}</b>", entry["name"].as_str().unwrap())), "{entry}");
+    }
+    folder.call(&["run", &scene, "--out", "BARE", "--no-plots"]).ended(0);
+    let bare = folder.read("BARE/report.html");
+    assert!(!bare.contains("<svg") && !bare.contains("<h2>Plots</h2>") && bare.contains("<h2>Answer</h2>"));
 }

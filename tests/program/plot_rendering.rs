@@ -13,7 +13,7 @@ const ROUNDING: f64 = 0.02;
 
 /// The inside of every group of this class.
 fn groups<'svg>(svg: &'svg str, class: &str) -> Vec<&'svg str> {
-    let opening = format!(r#"<g class="{class}">"#);
+    let opening = format!(r#"<g class="{class}""#);
     svg.split(opening.as_str()).skip(1).map(|rest| rest.split("</g>").next().unwrap()).collect()
 }
 

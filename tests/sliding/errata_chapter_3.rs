@@ -1,4 +1,4 @@
-//! Source: thesis chapter 3 (equation numbers in the names of the tests), our notes in `verification/pages/errata.md`.
+//! Source: thesis chapter 3 (equation numbers in the names of the tests), our notes in `docs/src/verification/errata.md`.
 //!
 //! Goal: each misprint and each claim of chapter 3 that does not hold, shown on contacts of this solver.
 //!

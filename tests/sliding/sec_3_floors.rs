@@ -1,4 +1,4 @@
-//! Source: thesis chapter 3, solved by `sliding::steady`; the table of `verification/pages/where_it_is_hard.md`.
+//! Source: thesis chapter 3, solved by `sliding::steady`; the table of `docs/src/verification/where_it_is_hard.md`.
 //!
 //! Goal: how accurate each number can get, where that is less than the 1e-10 that may be asked for: many terms at high speed (condition), vanishing
 //! eccentricity and friction at low speed, energy release rates at small process zones. The table is printed; its floors are pinned.

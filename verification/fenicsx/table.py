@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The tables of verification/pages/finite_elements.md, from fenicsx.csv and the solver: prints Markdown.
+"""The tables of docs/src/verification/finite_elements.md, from fenicsx.csv and the solver: prints Markdown.
 
     verification/harness/build.sh && /usr/bin/python3 verification/fenicsx/table.py
 """

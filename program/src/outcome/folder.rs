@@ -9,6 +9,7 @@ use super::csv_table::{Rows, Table};
 use super::gather::{Inputs, ShardFile};
 use super::journal::{Found, Journal, JournalHeader, read};
 use super::owned::OwnedFolder;
+use super::report::{self, Shown};
 use super::{Outcome, Row, plot, summary};
 use crate::terminal_text;
 use rayon::prelude::*;
@@ -187,9 +188,11 @@ impl RunFolder {
             Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
         };
         let pictures: Vec<_> = outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect();
+        let mut shown = Vec::new();
         for (stem, picture) in pictures {
             match picture {
                 Ok((svg, png)) => {
+                    shown.push(Shown::new(stem, svg.as_deref()));
                     if let Some(svg) = svg {
                         write(&format!("{stem}.svg"), svg.as_bytes())?;
                     }
@@ -201,6 +204,9 @@ impl RunFolder {
                 Err(error) => return Err(FolderError::Io { path: format!("{stem}.svg"), error: error.to_string() }),
             }
         }
+        let page = report::page(outcome, &shown, &names);
+        result.write(report::PAGE, page.as_bytes())?;
+        names.push(report::PAGE.to_owned());
         result.seal()?;
         // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a journal to spare.
         moved(result.path(), &target, force)?;

@@ -9,7 +9,7 @@ use viscotack::estimate::Estimate;
 const MOST_ROWS: usize = 24;
 
 /// Most rows of an unswept scene that are printed in blocks.
-const MOST_BLOCKS: usize = 4;
+pub(super) const MOST_BLOCKS: usize = 4;
 
 /// The whole screen output of a run.
 #[must_use]
@@ -82,8 +82,8 @@ fn single(text: &mut String, outcome: &Outcome, rows: &[&Row]) {
     }
 }
 
-/// A line a row, with the columns that vary or matter most: of states, or of what lies on the way of one.
-fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
+/// The cells of a table: a line a row, with the columns that vary or matter most, of states, or of what lies on the way of one. The first line names them.
+pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool) -> (Vec<usize>, Vec<Vec<String>>) {
     let headline = if of_states { outcome.headline } else { outcome.path_headline };
     let named = |index: &usize| outcome.columns.get(*index).is_some_and(|column| headline.contains(&column.name));
     let own =
@@ -101,8 +101,7 @@ fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
     header.extend(labels.iter().filter_map(|place| outcome.labels.get(*place)).map(|label| (*label).to_owned()));
     header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
     let mut lines = vec![header];
-    let tally = &outcome.tally;
-    let total = if of_states { tally.states } else { tally.rows - tally.states };
+    let total = total(outcome, of_states);
     for (index, row) in rows.iter().enumerate() {
         if total > MOST_ROWS && index >= MOST_ROWS / 2 && index + MOST_ROWS / 2 < rows.len() {
             if index == MOST_ROWS / 2 {
@@ -112,12 +111,28 @@ fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
         }
         lines.push(line(row, &labels, &shown));
     }
+    (shown, lines)
+}
+
+fn total(outcome: &Outcome, of_states: bool) -> usize {
+    let tally = &outcome.tally;
+    if of_states { tally.states } else { tally.rows - tally.states }
+}
+
+fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
+    let (shown, lines) = cells(outcome, rows, of_states);
     let _ = write!(text, "\n{}", aligned(&lines));
-    bounds(text, outcome, &shown, of_states);
+    remarks(text, outcome, rows, &shown, of_states);
+}
+
+/// Under a table: how well its values are known, and what ended otherwise.
+pub(super) fn remarks(text: &mut String, outcome: &Outcome, rows: &[&Row], shown: &[usize], of_states: bool) {
+    let (tally, total) = (&outcome.tally, total(outcome, of_states));
+    bounds(text, outcome, shown, of_states);
     if outcome.draws > 0 {
         let relative =
             |row: &Row, index: usize| row.material_deviation(index).zip(row.value(index)).map(|(deviation, value)| deviation / value.abs());
-        for index in &shown {
+        for index in shown {
             let all = rows.iter().filter_map(|row| relative(row, *index)).filter(|part| part.is_finite());
             let (low, high) = all.fold((f64::INFINITY, 0.0_f64), |(low, high), part| (low.min(part), high.max(part)));
             if let (Some(column), true) = (outcome.columns.get(*index), low.is_finite()) {
@@ -217,7 +232,7 @@ fn effects(text: &mut String, outcome: &Outcome) {
 }
 
 fn validity(text: &mut String, outcome: &Outcome) {
-    let _ = writeln!(text, "\nvalidity of the model (apart from the error bounds)");
+    let _ = writeln!(text, "\nvalidity of the model (error bounds say nothing about it)");
     for entry in &outcome.validity {
         let mark = match entry.verdict {
             Verdict::Good => "good   ",

@@ -1,8 +1,7 @@
 //! Axes of plots in the units that a scene writes: micrometres where it says `"3 µm"`, with a prefix for what it does not say.
 //!
 //! A label ends with the SI unit of its numbers, as in `contact radius $a$ (m)`. The axis takes a unit of the scene for the same dimension: of
-//! several the one in which its numbers are largest below a thousand. A linear axis of a dimension that the scene does not write takes a prefix.
-//! A scene that writes plain numbers keeps SI.
+//! several the largest that its numbers reach. A linear axis whose numbers suit no unit of the scene takes a prefix. A scene that writes plain numbers keeps SI.
 
 use crate::outcome::plot::{Axis, Figure, Scale};
 use crate::scene::document::{Document, Node, Value};
@@ -12,6 +11,8 @@ use crate::scene::units::{Dimension, parse_quantity, unit_of};
 const ONE_MEANING: [Dimension; 5] = [Dimension::LENGTH, Dimension::TIME, Dimension::SPEED, Dimension::PRESSURE, Dimension::FORCE];
 /// Prefixes of what a scene does not write, with their powers of ten; seconds and metres take small ones only.
 const PREFIXES: [(&str, i32); 7] = [("p", -12), ("n", -9), ("µ", -6), ("m", -3), ("k", 3), ("M", 6), ("G", 9)];
+/// Numbers on a linear axis stay below this, in a unit of the scene.
+const MOST_OF_A_UNIT: f64 = 2000.0;
 /// Numbers that need no prefix.
 const PLAIN: std::ops::Range<f64> = 0.1..1e4;
 
@@ -83,11 +84,24 @@ impl WrittenUnits {
             .map(|(unit, _, size)| (unit.clone(), *size))
             .collect();
         written.sort_by(|one, other| other.1.total_cmp(&one.1));
+        let logarithmic = axis.scale == Scale::Logarithmic;
+        // Over decades from far below to far above it, SI itself is read most easily.
+        let around = written.first().is_some_and(|largest| largest.1 > 1.0) && written.last().is_some_and(|least| least.1 < 1.0);
+        if logarithmic && around {
+            return None;
+        }
         // From the largest unit on: the first in which the numbers reach one.
         if let Some(last) = written.last().cloned() {
-            return Some(written.into_iter().find(|(_, size)| largest >= *size).unwrap_or(last));
+            let reached = written.into_iter().find(|(_, size)| largest >= *size);
+            if logarithmic {
+                return Some(reached.unwrap_or(last));
+            }
+            // A unit for atoms is none for the size of a sphere.
+            if let Some(fitting) = reached.filter(|(_, size)| largest / size < MOST_OF_A_UNIT) {
+                return Some(fitting);
+            }
         }
-        if axis.scale == Scale::Logarithmic || PLAIN.contains(&largest) {
+        if logarithmic || PLAIN.contains(&largest) {
             return None;
         }
         let small_only = matches!(base.chars().next(), Some('s' | 'm'));

@@ -8,6 +8,7 @@
 mod assumptions;
 mod axis_units;
 pub mod citations;
+pub mod column_reference;
 mod curves;
 mod delayed_fracture;
 mod desk;

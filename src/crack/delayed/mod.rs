@@ -55,7 +55,7 @@
 //! closed. What follows: the delay is untouched (at rest x = x₁, the bracket is 1 for any δ); the first speed takes δ(t_d); w still falls with x and now rises
 //! with K twice, through K and through δ, so growth is as well posed as before; a growing zone takes places back in that had left it, a
 //! shrinking one lets them go without motion; under a constant load nothing changes, so the late speed is the steady one with δ(K). A cohesive zone with
-//! a traction law would store and release work as it lengthens; this theory has none (see `verification/pages/named_gaps.md`).
+//! a traction law would store and release work as it lengthens; this theory has none (see `docs/src/verification/named_gaps.md`).
 //!
 //! **Choices.** [`GrowthProblem::new`] keeps one length for a history: the thesis's (5.69) with its constant K, or that at a stated intensity. Moduli are
 //! those of the plane problem, as in [`crate::crack`].

@@ -5,6 +5,7 @@
 //! | ink | `currentColor` |
 //! | paper, as inside open markers | `var(--paper)`; the page behind the picture shows through |
 //! | the colour of index n | `var(--curve-n)`, see [`palette`] |
+//! | a stroke of another colour | mixed with `var(--ink)` by `var(--lift)` |
 
 use super::{
     style,
@@ -38,5 +39,22 @@ pub(super) fn inline(document: &str, label: &str) -> String {
         let themed = if *colour == style::INK { "currentColor".to_owned() } else { format!("var(--curve-{index})") };
         text = text.replace(&format!("\"{}\"", hexadecimal(*colour)), &format!("\"{themed}\""));
     }
-    text
+    lifted(&text)
+}
+
+/// Strokes of other colours, as those of a sequence, are mixed with ink by the page's `--lift`: the darkest would be lost on a dark page.
+fn lifted(text: &str) -> String {
+    const STROKE: &str = " stroke=\"#";
+    let mut parts = text.split(STROKE);
+    let mut whole = parts.next().unwrap_or("").to_owned();
+    for part in parts {
+        whole.push_str(STROKE);
+        match part.split_once('"') {
+            Some((colour, rest)) => {
+                whole.push_str(&format!("{colour}\" style=\"stroke:color-mix(in srgb,#{colour},var(--ink) var(--lift))\"{rest}"));
+            }
+            None => whole.push_str(part),
+        }
+    }
+    whole
 }

@@ -35,6 +35,11 @@ impl Colours {
         Ok(Self { interval, measured: Measured::new(&map.colours, interval, height, Direction::Vertical) })
     }
 
+    /// Whether a factor of its numbers stands above it.
+    pub(super) const fn has_note(&self) -> bool {
+        self.measured.has_note()
+    }
+
     /// Room that it takes to the right of the frame.
     pub(super) fn width(&self) -> f64 {
         GAP + BAR + TICK_GAP + self.measured.widest_tick() + self.measured.label_depth()

@@ -121,6 +121,20 @@ pub fn png(figure: &Figure) -> Result<Vec<u8>, PlotError> {
     }
 }
 
+/// A document of [`svg()`] as a part of an HTML page, as [`inline_svg`] draws it.
+#[must_use]
+pub fn inlined(document: &str, label: &str) -> String {
+    #[cfg(feature = "plots")]
+    {
+        inline::inline(document, label)
+    }
+    #[cfg(not(feature = "plots"))]
+    {
+        let _ = label;
+        document.to_owned()
+    }
+}
+
 /// Draws the figure as a part of an HTML page: an `<svg>` element as wide as its place, described by `label`, whose ink is the colour of the text around it,
 /// whose paper is `var(--paper)` and whose curves take `var(--curve-0)` to `var(--curve-6)`, see [`curve_colours`].
 ///

@@ -87,12 +87,13 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
         .as_ref()
         .map_or_else(Vec::new, |title| label::wrap(&label::parse(title), style::LABEL_SIZE, page_width - 2.0 * style::PAGE_MARGIN));
     let title_height = if title.iter().all(Vec::is_empty) { 0.0 } else { title.len() as f64 * style::LEADING * style::LABEL_SIZE };
-    let note_height = if vertical.ticks.note.is_some() { 1.4 * style::TICK_SIZE } else { 0.0 };
+    let colours = figure.map.as_ref().map(|map| map::Colours::new(map, frame_height)).transpose()?;
+    let noted = vertical.has_note() || colours.as_ref().is_some_and(map::Colours::has_note);
+    let note_height = if noted { 1.4 * style::TICK_SIZE } else { 0.0 };
     let left = style::PAGE_MARGIN + vertical.label_depth() + vertical.widest_tick() + TICK_GAP;
     let top = style::PAGE_MARGIN + title_height + note_height + 0.5 * style::TICK_SIZE;
 
     let mut right = page_width - style::PAGE_MARGIN - 1.0;
-    let colours = figure.map.as_ref().map(|map| map::Colours::new(map, frame_height)).transpose()?;
     right -= colours.as_ref().map_or(0.0, map::Colours::width);
     let mut measured = Measured::new(&figure.horizontal, horizontal, right - left, Direction::Horizontal);
     let overhang = measured.overhang(right - left);
@@ -374,7 +375,7 @@ pub(super) fn draw_scale(canvas: &mut Canvas, bar: Area, axis: &Measured) {
         canvas.text(runs, (bar.right + TICK_GAP, y + 0.36 * style::TICK_SIZE), style::TICK_SIZE, Anchor::Start);
     }
     if let Some(note) = &axis.ticks.note {
-        canvas.text(note, (bar.left, bar.top - 0.5 * style::TICK_SIZE), style::TICK_SIZE, Anchor::Start);
+        canvas.text(note, (bar.right, bar.top - 0.5 * style::TICK_SIZE), style::TICK_SIZE, Anchor::End);
     }
     canvas.close_group();
 }

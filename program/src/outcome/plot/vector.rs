@@ -30,7 +30,9 @@ pub(super) fn svg(page: &Page, title: Option<&str>) -> String {
     for mark in &page.marks {
         match mark {
             Mark::GroupOpens(class) => {
-                line(&mut document, depth, &format!(r#"<g class="{class}">"#));
+                // Cells that touch are filled to whole pixels: softened edges would show as lines between them.
+                let crisp = if matches!(*class, "map" | "colours") { r#" shape-rendering="crispEdges""# } else { "" };
+                line(&mut document, depth, &format!(r#"<g class="{class}"{crisp}>"#));
                 depth += 1;
             }
             Mark::GroupCloses => {

@@ -189,6 +189,8 @@ impl SurfacePlan {
                 }
                 (format!("histogram_of_{name}"), drawn)
             })
+            // In full contact all gaps are one number.
+            .filter(|(_, drawn)| drawn.curves.iter().any(|curve| !curve.points.is_empty()))
             .collect()
     }
 

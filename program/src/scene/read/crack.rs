@@ -45,9 +45,10 @@ pub(super) fn plane(crack: &Section<'_>, top: &Section<'_>, material: &SceneMate
         };
     }
     match crack.required_text("plane")? {
-        "strain" if !material.has_plane_strain_modulus() => {
-            Err(top.required_table("material", "")?.missing("poisson_ratio").help("plane strain needs material.poisson_ratio"))
-        }
+        "strain" if !material.has_plane_strain_modulus() => Err(top
+            .required_table("material", "")?
+            .missing("poisson_ratio")
+            .help("plane strain needs material.poisson_ratio, of rubber poisson_ratio = 0.49 in [material]")),
         "strain" => Ok(PlaneState::Strain),
         _ => Ok(PlaneState::Stress),
     }

@@ -26,7 +26,7 @@ const DEFAULT_INSTANTS: f64 = 40.0;
 pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMaterial) -> Result<Indentation, SceneError> {
     let table = top.required_table("indentation", "it is the problem")?;
     if table.units() == Units::Si && !material.has_plane_strain_modulus() {
-        let help = "the half-space is deformed with E* = E/(1 − ν²): an indenter needs material.poisson_ratio";
+        let help = "the half-space is deformed with E* = E/(1 − ν²): an indenter needs material.poisson_ratio, of rubber poisson_ratio = 0.49 in [material]";
         return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
     }
     if top.node().get("fields").is_some() {

@@ -119,7 +119,7 @@ fn shifted(
             let message = format!("the data were measured at {} temperatures", temperatures.len());
             return Err(table
                 .wrong("data", message, "this file")
-                .help("write shift = \"automatic\" into [material] to find the shift factors from the data; or give material.shift and material.reference_temperature"));
+                .help("write shift = \"automatic\" into [material], or add --set material.shift=automatic to the command, to find the shift factors from the data; or give material.shift and material.reference_temperature"));
         }
         return Ok(None);
     };

@@ -19,7 +19,7 @@ const ALPHA_OF_EXPONENTIAL: f64 = 6.497;
 pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Sliding, SceneError> {
     let sliding = top.required_table("sliding", "it is the problem")?;
     if sliding.units() == Units::Si && !material.has_plane_strain_modulus() {
-        let help = "the half-plane is in plane strain, E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio";
+        let help = "the half-plane is in plane strain, E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio, of rubber poisson_ratio = 0.49 in [material]";
         return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
     }
     let indenter = indenter(&sliding)?;

@@ -33,7 +33,7 @@ pub(super) fn is_meant(top: &Section<'_>) -> bool {
 pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMaterial) -> Result<SurfaceSliding, SceneError> {
     let sliding = top.required_table("sliding", "it is the problem")?;
     if sliding.units() == Units::Si && !material.has_plane_strain_modulus() {
-        let help = "the half-space is deformed with E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio";
+        let help = "the half-space is deformed with E* = E/(1 − ν²): a sliding contact needs material.poisson_ratio, of rubber poisson_ratio = 0.49 in [material]";
         return Err(top.required_table("material", "")?.missing("poisson_ratio").help(help));
     }
     if let Some(key) = OF_AN_EDGE.into_iter().find(|key| sliding.node().get(key).is_some()) {

@@ -1,13 +1,12 @@
 //! The page: what passed and failed, the headline plots, then every section. No scripts, nothing from elsewhere.
 
-use super::format::{duration, escaped, number};
 use super::{plot_name, table_name};
 use crate::studies::run::Report;
 use crate::studies::section::{Cell, Check, Plot, Section, Table, Verdict};
 use std::fmt::Write as _;
+use viscotack_program::outcome::page::{closed, duration, escaped, number, opened};
 use viscotack_program::outcome::plot::{self, PlotError};
 
-const STYLE: &str = include_str!("style.css");
 /// More checks than this are folded away, but for those that failed or are stated.
 const MOST_OPEN: usize = 6;
 /// Words of a table longer than this are broken over lines.
@@ -15,17 +14,7 @@ const LONG_WORDS: usize = 36;
 
 /// The whole page.
 pub(super) fn page(report: &Report) -> String {
-    let mut text = String::new();
-    let title = format!("viscotack verify: {}", verdict(report).to_lowercase());
-    let colours: String = plot::curve_colours().iter().enumerate().fold(String::new(), |mut all, (index, colour)| {
-        let _ = write!(all, "--curve-{index}:{colour};");
-        all
-    });
-    let _ = write!(
-        text,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title}</title>\n<style>\n:root{{{colours}}}\n{STYLE}</style>\n</head>\n<body>\n"
-    );
+    let mut text = opened(&format!("viscotack verify: {}", verdict(report).to_lowercase()));
     text.push_str(&head(report));
     text.push_str(&loud(report));
     text.push_str(&headlines(report));
@@ -33,7 +22,7 @@ pub(super) fn page(report: &Report) -> String {
     for section in &report.sections {
         text.push_str(&of_section(section));
     }
-    let _ = write!(text, "<footer><p>{}</p></footer>\n</body>\n</html>\n", escaped(&stamp(report)));
+    text.push_str(&closed(&stamp(report)));
     text
 }
 
