@@ -5,11 +5,13 @@ use super::{Failure, SceneArguments, print, print_json};
 use serde_json::json;
 use std::fmt::Write as _;
 use viscotack_program::plan::Plan;
+use viscotack_program::scene::history_written_out;
 
 pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Failure> {
     let source = SceneSource::load(arguments)?;
     let plan = Plan::new(&source.scene)?;
     let work = plan.predicted_work();
+    let written_out = history_written_out(&source.scene, &source.document);
     if json {
         let value = json!({
             "title": source.scene.title,
@@ -18,6 +20,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "effects": plan.effects(),
             "method": plan.method(),
             "groups": plan.groups(),
+            "history": written_out,
             "predicted_work": work,
             "predicted_memory_bytes": plan.predicted_memory(),
             "predicted_seconds": plan.predicted_seconds(),
@@ -41,6 +44,13 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
     let _ = writeln!(text, "\nmethod");
     for sentence in plan.method() {
         let _ = writeln!(text, "  {sentence}");
+    }
+    if let Some(segments) = written_out {
+        let _ = writeln!(text, "\nhistory, written out ({})", counted(segments.len(), "segment"));
+        for segment in &segments {
+            let _ = writeln!(text, "  [[history]]");
+            segment.lines().for_each(|line| drop(writeln!(text, "  {line}")));
+        }
     }
     let _ = writeln!(text, "\ncharacteristic numbers");
     for group in plan.groups() {

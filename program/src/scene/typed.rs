@@ -22,7 +22,7 @@ pub use attraction::SceneAttraction;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
-    CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
+    Condition, CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
     RecordThinning,
 };
 pub use indentation::{
