@@ -49,7 +49,9 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         let _ = writeln!(text, "\nhistory, written out ({})", counted(segments.len(), "segment"));
         for segment in &segments {
             let _ = writeln!(text, "  [[history]]");
-            segment.lines().for_each(|line| drop(writeln!(text, "  {line}")));
+            for line in segment.lines() {
+                let _ = writeln!(text, "  {line}");
+            }
         }
     }
     let _ = writeln!(text, "\ncharacteristic numbers");

@@ -27,7 +27,9 @@ fn segment(segment: &HistorySegment) -> String {
             format!("quantity = \"{}\"\nby = {change:e}{}", quantity.word(), of_pace(*pace))
         }
         HistorySegment::Hold { duration, .. } => format!("hold = {duration:e}"),
-        HistorySegment::Table { quantity, table } => format!("quantity = \"{}\"\ntable = {:?}  # with the other keys of its table", quantity.word(), table.file),
+        HistorySegment::Table { quantity, table } => {
+            format!("quantity = \"{}\"\ntable = {:?}  # with the other keys of its table", quantity.word(), table.file)
+        }
         HistorySegment::Cycles { quantity, count, period, lower, upper, wave } => {
             let wave = if *wave == CycleWave::Square { "square" } else { "triangle" };
             let word = quantity.word();

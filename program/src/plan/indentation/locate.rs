@@ -211,9 +211,8 @@ impl<P: Followed> Search<'_, P> {
         if after.time - before.time <= same {
             return Ok(Some(Place::Jump(after.time)));
         }
-        let points: Vec<(f64, f64)> = (index.saturating_sub(1)..index + 3)
-            .filter_map(|place| Some((states.get(place)?.time, *distances.get(place)?)))
-            .collect();
+        let points: Vec<(f64, f64)> =
+            (index.saturating_sub(1)..index + 3).filter_map(|place| Some((states.get(place)?.time, *distances.get(place)?))).collect();
         let guess = root(&points, [before.time, after.time]);
         let rises = distances.get(index).is_some_and(|distance| *distance < 0.0);
         Ok(Some(Place::Between { from: before.time, to: after.time, guess, rises }))
@@ -242,7 +241,11 @@ impl<P: Followed> Search<'_, P> {
                 let duration = time - self.began;
                 return Ok(Stop { segment: self.segment, duration, met: true, sudden: false });
             }
-            if (here > 0.0) == rises { to = time } else { from = time }
+            if (here > 0.0) == rises {
+                to = time
+            } else {
+                from = time
+            }
             let slope = match last {
                 Some((before, there)) if there != here => (here - there) / (time - before),
                 _ => slope(&way, |state| self.distance(state).unwrap_or(0.0)),

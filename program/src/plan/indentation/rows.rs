@@ -158,12 +158,8 @@ impl IndentationPlan {
                 one.total_cmp(&other)
             });
             let Some(instant) = nearest else { continue };
-            let at_end = State {
-                time: ended.time,
-                penetration: instant.penetration,
-                force: instant.force,
-                contact_radius: instant.contact_radius,
-            };
+            let at_end =
+                State { time: ended.time, penetration: instant.penetration, force: instant.force, contact_radius: instant.contact_radius };
             let values = self.basic(Estimate::exact(ended.time), at_end.penetration, at_end.force, at_end.contact_radius);
             if !ended.met || ended.exact {
                 ends.push((if ended.met { CONDITION_MET } else { LIMIT_REACHED }, values, None));

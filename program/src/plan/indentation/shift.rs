@@ -40,8 +40,12 @@ impl Shift {
             (Condition::Reaches(quantity, value), false) => {
                 let of = |state: &State<f64>| quantity_of(quantity, state, compliance);
                 let speed = if here.time > last.time { (of(&here) - of(&last)) / (here.time - last.time) } else { 0.0 };
-                let errors =
-                    State { time: 0.0, penetration: at_end.penetration.error, force: at_end.force.error, contact_radius: at_end.contact_radius.error };
+                let errors = State {
+                    time: 0.0,
+                    penetration: at_end.penetration.error,
+                    force: at_end.force.error,
+                    contact_radius: at_end.contact_radius.error,
+                };
                 ((of(&here) - value).abs() + of(&errors)) / speed.abs()
             }
             _ => lost.map_or(length, |lost| ended.time - lost.value + lost.error),

@@ -73,7 +73,12 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Table,
         meaning: "What ends a segment of an indenter on its way: exactly one of its keys. The value to go to, or the length of a hold, is the limit: where the condition is not met by then, the segment ends there, and a row says so.",
     },
-    target(HistoryQuantity::Force, "history[].until.force", "πE0*R²", "The segment ends when the force comes to this value, from either side."),
+    target(
+        HistoryQuantity::Force,
+        "history[].until.force",
+        "πE0*R²",
+        "The segment ends when the force comes to this value, from either side.",
+    ),
     target(HistoryQuantity::Penetration, "history[].until.penetration", "the sphere's radius R", "The same of the penetration."),
     target(HistoryQuantity::ContactRadius, "history[].until.contact_radius", "the sphere's radius R", "The same of the contact radius."),
     target(
@@ -87,11 +92,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Choice(&[Word { word: "detachment", meaning: "the contact is lost; the segment ends right after it" }]),
         meaning: "The segment ends with this event.",
     },
-    Key {
-        path: "history[].until.time",
-        kind: TIME,
-        meaning: "The segment ends at this time of the history, counted from its start.",
-    },
+    Key { path: "history[].until.time", kind: TIME, meaning: "The segment ends at this time of the history, counted from its start." },
     Key {
         path: "history[].repeat",
         kind: Kind::Count { least: 2, most: 10_000 },

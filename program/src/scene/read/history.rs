@@ -106,7 +106,11 @@ fn segment(
         "repeat" => return Ok(None),
         "by" => {
             let quantity = quantity(item, allowed, owner)?;
-            HistorySegment::By { quantity, change: dependent(item, "by", quantity.dimension(), Range::Finite)?, pace: pace(item, quantity)? }
+            HistorySegment::By {
+                quantity,
+                change: dependent(item, "by", quantity.dimension(), Range::Finite)?,
+                pace: pace(item, quantity)?,
+            }
         }
         "hold" => HistorySegment::Hold { quantity: last, duration: item.required_number("hold")? },
         "table" => {

@@ -12,8 +12,8 @@ use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
 use crate::scene::typed::{
-    Condition, History, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields, IndentationShape,
-    IndentationStart, IndentationZone, Pace, SceneMaterial,
+    Condition, History, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields,
+    IndentationShape, IndentationStart, IndentationZone, Pace, SceneMaterial,
 };
 use crate::scene::units::Dimension;
 use viscotack::indentation::EdgeLaw;

@@ -73,10 +73,9 @@ pub(super) fn read(top: &Section<'_>, rig: &Rig<'_>) -> Result<Option<History>, 
                 dwell => dwell,
             }));
             match kind {
-                "pull_off" | "tack" => segments.push(HistorySegment::Until {
-                    segment: Box::new(test.retraction(None)?),
-                    condition: Condition::Detachment,
-                }),
+                "pull_off" | "tack" => {
+                    segments.push(HistorySegment::Until { segment: Box::new(test.retraction(None)?), condition: Condition::Detachment })
+                }
                 "dynamic" => test.oscillations(&mut segments)?,
                 _ => {}
             }
@@ -99,7 +98,8 @@ impl Test<'_> {
         let (quantity, pace) = (self.quantity, Pace::Rate(self.table.required_number("approach_speed")?));
         if given == "depth" {
             if self.table.node().get("approach_to").is_some() {
-                let message = format!("`{}` is the limit of an approach to `preload`, and a depth is given", self.table.full("approach_to"));
+                let message =
+                    format!("`{}` is the limit of an approach to `preload`, and a depth is given", self.table.full("approach_to"));
                 return Err(SceneError::at(&self.table.key_place("approach_to"), message, "leave it out"));
             }
             return Ok(HistorySegment::Ramp { quantity, value: self.table.required_number("depth")?, pace });
@@ -159,7 +159,8 @@ impl Test<'_> {
             }
             (None, None) => vec![first],
             (None, Some(_)) => {
-                let message = format!("`{}` are those from `frequency` to `to_frequency`, which is missing", self.table.full("frequencies"));
+                let message =
+                    format!("`{}` are those from `frequency` to `to_frequency`, which is missing", self.table.full("frequencies"));
                 return Err(self.table.wrong("frequencies", message, "leave it out, or give to_frequency"));
             }
         };

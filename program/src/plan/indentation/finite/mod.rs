@@ -70,7 +70,12 @@ impl FiniteRangePlan {
         material.solid_modulus("a contact with attraction of finite range")?;
         let scale = Scale::new(scene.units);
         let timeline = Timeline::new(indentation, &scale, &Known::default())?;
-        let mut wanted = indentation.fields.iter().filter(|_| timeline.open.is_empty()).flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
+        let mut wanted = indentation
+            .fields
+            .iter()
+            .filter(|_| timeline.open.is_empty())
+            .flat_map(|fields| &fields.times)
+            .map(|time| time / indentation.speed_factor);
         // What is open is known when it is solved: times beyond the end have no row.
         if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + SUM_OF_DURATIONS)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));

@@ -73,9 +73,6 @@ impl Followed for Part<'_> {
     fn end(&self) -> Result<State<Estimate>, Refusal> {
         let runs = self.plan.runs(self.desk)?;
         let last = self.plan.instants(&runs).last().map(|(loose, tight)| self.plan.of_record_state(loose, tight));
-        last.ok_or_else(|| Refusal::Undefined {
-            quantity: "the start of a segment",
-            reason: "the history before it has no instant".into(),
-        })
+        last.ok_or_else(|| Refusal::Undefined { quantity: "the start of a segment", reason: "the history before it has no instant".into() })
     }
 }

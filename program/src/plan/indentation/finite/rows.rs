@@ -153,8 +153,7 @@ impl FiniteRangePlan {
                 ends.push((if ended.met { CONDITION_MET } else { LIMIT_REACHED }, values, None));
                 continue;
             }
-            let states: Vec<State<f64>> =
-                runs.tight.rows.iter().filter(|row| row.time <= ended.time).map(|row| self.state(row)).collect();
+            let states: Vec<State<f64>> = runs.tight.rows.iter().filter(|row| row.time <= ended.time).map(|row| self.state(row)).collect();
             let within = |time: f64| time >= ended.began && time <= ended.time;
             let times: [Option<f64>; 2] = [&runs.loose, &runs.tight].map(|run| {
                 let losses = run.losses.iter().map(|loss| loss.time);
