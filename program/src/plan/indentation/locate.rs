@@ -23,7 +23,9 @@ const MET: f64 = 0.05;
 const MOST_STEPS: u32 = 12;
 /// Two times nearer than this part of a segment are one.
 const SAME_TIME: f64 = 1e-9;
-/// How long after a jump a segment ends, over the time of the jump and the tolerance.
+/// Of the time, what sums of durations leave.
+const SMALLEST: f64 = 1e-12;
+/// How long after a jump a segment ends, over the time of the jump since its beginning and the tolerance.
 const AFTER_A_JUMP: f64 = 1.0;
 
 /// Time, penetration, force and contact radius, coherent.
@@ -100,11 +102,16 @@ fn start_of(plan: &impl Followed, segment: usize, known: &Known) -> Result<Start
     };
     before.history.segments.truncate(segment);
     before.fields = None;
+    before.energies = false;
     if segment == 0 {
-        if indentation.start == IndentationStart::Untouched {
+        let (quantity, value) = indentation.at_start;
+        let touches = indentation.start == IndentationStart::Untouched;
+        if touches && value == 0.0 && indentation.adhesion.is_none() && indentation.attraction.is_none() {
             return Ok(Start { segment, value: 0.0, error: 0.0 });
         }
-        before.history.segments.push(HistorySegment::Hold { quantity: None, duration: AT_REST });
+        // At rest nothing moves; an untouched surface creeps as soon as it is touched.
+        let rest = HistorySegment::Hold { quantity: None, duration: AT_REST };
+        before.history.segments.push(if touches { HistorySegment::Step { quantity, value } } else { rest });
     }
     let last = plan.of_part(before, known, TIGHTER * accuracy)?.end()?;
     let found = |quantity: HistoryQuantity| match quantity {
@@ -226,7 +233,7 @@ impl<P: Followed> Search<'_, P> {
 
     /// Right after a jump: the segment goes on until it is behind it.
     fn after_jump(&self, time: f64, tolerance: f64) -> Result<Stop, Refusal> {
-        let duration = (time - self.began + AFTER_A_JUMP * tolerance * time).min(self.full);
+        let duration = ((time - self.began) * (1.0 + AFTER_A_JUMP * tolerance) + SMALLEST * time).min(self.full);
         Ok(Stop { segment: self.segment, duration, met: true, sudden: true })
     }
 
