@@ -18,7 +18,9 @@ const AT_REST: f64 = 1.0;
 /// Parts of a segment that are searched for its condition, one after the other: most limits are far beyond it.
 const PARTS: [f64; 4] = [1.0 / 32.0, 0.125, 0.5, 1.0];
 /// Deviation from a condition, over the tolerance and the scale of its quantity, with which it counts as met.
-const MET: f64 = 0.05;
+const MET: f64 = 0.005;
+/// The same where solutions scatter too much to come nearer.
+const NEARLY_MET: f64 = 5.0;
 /// Solutions, at most, between the first sight of a condition and its place.
 const MOST_STEPS: u32 = 12;
 /// Two times nearer than this part of a segment are one.
@@ -241,12 +243,17 @@ impl<P: Followed> Search<'_, P> {
     fn between(&self, [mut from, mut to]: [f64; 2], guess: f64, rises: bool, tolerance: f64) -> Result<Stop, Refusal> {
         let mut time = guess;
         let mut last: Option<(f64, f64)> = None;
+        let mut nearest: Option<(f64, f64)> = None;
+        let met = |time: f64| Stop { segment: self.segment, duration: time - self.began, met: true, sudden: false };
         for _ in 0..MOST_STEPS {
             let way = self.way(time - self.began, tolerance)?;
             let Some(here) = way.states.last().and_then(|state| self.distance(state)) else { break };
-            if here.abs() <= MET * tolerance * self.scale(&way.states) {
-                let duration = time - self.began;
-                return Ok(Stop { segment: self.segment, duration, met: true, sudden: false });
+            let part = here.abs() / (tolerance * self.scale(&way.states));
+            if part <= MET {
+                return Ok(met(time));
+            }
+            if nearest.is_none_or(|(_, best)| part < best) {
+                nearest = Some((time, part));
             }
             if (here > 0.0) == rises {
                 to = time
@@ -265,7 +272,10 @@ impl<P: Followed> Search<'_, P> {
             }
         }
         // What jumps between two steps has no root: it is met behind the jump.
-        self.after_jump(to, tolerance)
+        match nearest {
+            Some((time, part)) if part <= NEARLY_MET => Ok(met(time)),
+            _ => self.after_jump(to, tolerance),
+        }
     }
 }
 

@@ -26,27 +26,27 @@ pub(super) struct Shift {
 impl Shift {
     /// From the state at the end, with bounds, and the ways and losses of the solution: `states` up to the end, in the order of time.
     pub(super) fn of(ended: &Ended, at_end: &State<Estimate>, states: &[State<f64>], lost: Option<Estimate>, compliance: f64) -> Self {
-        let mut before = states.iter().rev().skip_while(|state| state.time >= ended.time);
         let here = State {
             time: ended.time,
             penetration: at_end.penetration.value,
             force: at_end.force.value,
             contact_radius: at_end.contact_radius.value,
         };
-        let last = before.next().copied().unwrap_or(here);
-        let rate = |of: fn(&State<f64>) -> f64| if here.time > last.time { (of(&here) - of(&last)) / (here.time - last.time) } else { 0.0 };
+        let mut before = states.iter().rev().skip_while(|state| state.time >= ended.time);
+        let [one, two] = [before.next(), before.next()];
+        let rates = |of: &dyn Fn(&State<f64>) -> f64| rates(of, &here, one, two);
         let length = ended.time - ended.began;
         let late = match (ended.condition, ended.sudden) {
             (Condition::Reaches(quantity, value), false) => {
                 let of = |state: &State<f64>| quantity_of(quantity, state, compliance);
-                let speed = if here.time > last.time { (of(&here) - of(&last)) / (here.time - last.time) } else { 0.0 };
+                let [speed, _] = rates(&of);
                 let errors = State {
                     time: 0.0,
                     penetration: at_end.penetration.error,
                     force: at_end.force.error,
                     contact_radius: at_end.contact_radius.error,
                 };
-                ((of(&here) - value).abs() + of(&errors)) / speed.abs()
+                ((of(&here) - value).abs() + of(&errors)) / speed
             }
             _ => lost.map_or(length, |lost| ended.time - lost.value + lost.error),
         };
@@ -56,11 +56,24 @@ impl Shift {
         let [penetration, force, contact_radius]: [fn(&State<f64>) -> f64; 3] =
             [|state| state.penetration, |state| state.force, |state| state.contact_radius];
         let parts = [penetration, force, contact_radius].map(|of: fn(&State<f64>) -> f64| {
-            let change = (rate(of) * late).abs();
+            let change = rates(&of)[1] * late;
             if change > 0.0 { change / scale(of) } else { 0.0 }
         });
         Self { time: ended.time, late, part: parts.into_iter().fold(0.0, f64::max) }
     }
+}
+
+/// The smallest and the largest magnitude of the rate of a quantity at a state, from one or two states before it: by the straight line, and by the parabola.
+fn rates(of: &dyn Fn(&State<f64>) -> f64, here: &State<f64>, one: Option<&State<f64>>, two: Option<&State<f64>>) -> [f64; 2] {
+    let slope = |from: &State<f64>, to: &State<f64>| (of(to) - of(from)) / (to.time - from.time);
+    let Some(one) = one else { return [0.0; 2] };
+    let chord = slope(one, here);
+    let curved = two.filter(|two| two.time < one.time).map(|two| {
+        let bend = (chord - slope(two, one)) / (here.time - two.time);
+        chord + bend * (here.time - one.time)
+    });
+    let all = [Some(chord), curved].into_iter().flatten().map(f64::abs);
+    [all.clone().fold(f64::INFINITY, f64::min), all.fold(0.0, f64::max)]
 }
 
 /// Adds to the bounds of the values of a row what the shifts before it may change; columns and scales in the order of the values.
