@@ -19,8 +19,8 @@ pub(super) struct Shift {
     pub(super) time: f64,
     /// The bound on its difference from the time of the condition.
     pub(super) late: f64,
-    /// What the contact changes by in that time, over the scale of each quantity.
-    pub(super) part: f64,
+    /// What penetration, force and contact radius change by in that time, over the scale of each.
+    pub(super) parts: [f64; 3],
 }
 
 impl Shift {
@@ -32,7 +32,8 @@ impl Shift {
             force: at_end.force.value,
             contact_radius: at_end.contact_radius.value,
         };
-        let mut before = states.iter().rev().skip_while(|state| state.time >= ended.time);
+        // The end itself, as its own time rounds it, is no other state.
+        let mut before = states.iter().rev().skip_while(|state| state.time >= ended.time * (1.0 - SAME_TIME));
         let [one, two] = [before.next(), before.next()];
         let rates = |of: &dyn Fn(&State<f64>) -> f64| rates(of, &here, one, two);
         let length = ended.time - ended.began;
@@ -59,7 +60,9 @@ impl Shift {
             let change = rates(&of)[1] * late;
             if change > 0.0 { change / scale(of) } else { 0.0 }
         });
-        Self { time: ended.time, late, part: parts.into_iter().fold(0.0, f64::max) }
+        // What has detached has no radius any more.
+        let gone = ended.condition == Condition::Detachment;
+        Self { time: ended.time, late, parts: [parts[0], parts[1], if gone { 0.0 } else { parts[2] }] }
     }
 }
 
@@ -92,15 +95,23 @@ pub(super) fn widened(values: &mut [Option<Estimate>], columns: &[(&str, Measure
             _ => of_row,
         };
         let time = time.unwrap_or(f64::INFINITY);
-        let (mut late, mut part) = (0.0, 0.0);
+        let (mut late, mut parts) = (0.0, [0.0; 3]);
         for shift in shifts.iter().filter(|shift| shift.time <= time * (1.0 + SAME_TIME)) {
             late += shift.late;
-            part += shift.part;
+            parts.iter_mut().zip(shift.parts).for_each(|(sum, part)| *sum += part);
         }
         if late == 0.0 {
             continue;
         }
-        let own = columns.iter().position(|other| other.0 == quantity_behind(name));
+        let behind = quantity_behind(name);
+        // What follows from all three changes by the largest part.
+        let part = match behind {
+            "penetration" => parts[0],
+            "force" => parts[1],
+            "contact_radius" => parts[2],
+            _ => parts.into_iter().fold(0.0, f64::max),
+        };
+        let own = columns.iter().position(|other| other.0 == behind);
         let scale = own.and_then(|place| scales.get(place)).copied().unwrap_or(0.0);
         let more = if *measure == Measure::Time { late } else { part * scale.max(estimate.value.abs()) };
         if *measure != Measure::Number || estimate.error > 0.0 {
