@@ -164,6 +164,7 @@ impl IndentationPlan {
             }
             .to_owned(),
         );
+        sentences.extend(super::locate::sentence(&self.timeline, 10));
         sentences.extend(self.called_for.clone());
         sentences
     }

@@ -89,6 +89,15 @@ pub(super) fn of_starts(rows: &mut [Row], known: &Known) {
     }
 }
 
+/// What `explain` says of a history that only a solution knows; none if it is known.
+pub(super) fn sentence(timeline: &Timeline, times: u32) -> Option<String> {
+    let searched = timeline.searches();
+    (searched || !timeline.open.is_empty()).then(|| {
+        let more = if searched { format!(", and it is solved {times} times as accurately as asked for") } else { String::new() };
+        format!("where segments start or end that only the way to them shows is found by following the history up to there{more}")
+    })
+}
+
 /// The displacement of the far end of a frame over the force, coherent; none without a frame.
 fn compliance(indentation: &Indentation, scale: &Scale) -> f64 {
     indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * scale.force))

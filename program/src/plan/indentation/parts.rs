@@ -12,7 +12,7 @@ use viscotack::indentation::{PathPoint, Trace, march, run_watched};
 use viscotack::refusal::Refusal;
 
 /// Accuracy of a history with conditions, over that of the scene: the time of a condition is known as well as the quantity is.
-const WITH_CONDITIONS: f64 = 0.1;
+pub(super) const WITH_CONDITIONS: f64 = 0.1;
 
 impl IndentationPlan {
     /// The same plan with all known that only a solution knows; none if nothing is open.
@@ -21,8 +21,7 @@ impl IndentationPlan {
             return Ok(None);
         }
         let found = known(self)?;
-        let accuracy = if found.stops.is_empty() { self.accuracy } else { WITH_CONDITIONS * self.accuracy };
-        let mut plan = self.of_part(self.indentation.clone(), &found, accuracy)?;
+        let mut plan = self.of_part(self.indentation.clone(), &found, self.solver_accuracy)?;
         plan.accuracy = self.accuracy;
         Ok(Some(plan))
     }

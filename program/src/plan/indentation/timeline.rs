@@ -137,6 +137,11 @@ impl Timeline {
         })
     }
 
+    /// Whether a condition ends a segment where only the way to it shows.
+    pub(super) fn searches(&self) -> bool {
+        self.ends.iter().any(|ended| !ended.exact)
+    }
+
     /// Whether anything oscillates.
     pub(super) fn oscillates(&self) -> bool {
         self.legs.iter().any(|leg| leg.oscillation.is_some())

@@ -91,11 +91,11 @@ impl FiniteRangePlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
-            timeline,
             reduced,
             course,
             known: Known::default(),
-            solver_accuracy: scene.accuracy,
+            solver_accuracy: scene.accuracy * if timeline.searches() { parts::WITH_CONDITIONS } else { 1.0 },
+            timeline,
             advice: Vec::new(),
         };
         plan.problem()?.check()?;

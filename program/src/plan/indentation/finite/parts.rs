@@ -14,7 +14,7 @@ use viscotack::indentation::Watch as _;
 use viscotack::refusal::Refusal;
 
 /// Accuracy of a history with conditions, over that of the scene: the time of a condition is known as well as the quantity is.
-const WITH_CONDITIONS: f64 = 0.3;
+pub(super) const WITH_CONDITIONS: f64 = 0.3;
 
 /// A part of a plan, and the desk that hears how far it is.
 struct Part<'d> {
@@ -30,8 +30,7 @@ impl FiniteRangePlan {
         }
         let part = Part { plan: self.clone(), desk };
         let found = known(&part)?;
-        let accuracy = if found.stops.is_empty() { self.accuracy } else { WITH_CONDITIONS * self.accuracy };
-        let mut plan = part.of_part(self.indentation.clone(), &found, accuracy)?.plan;
+        let mut plan = part.of_part(self.indentation.clone(), &found, self.solver_accuracy)?.plan;
         plan.accuracy = self.accuracy;
         Ok(Some(plan))
     }
