@@ -14,7 +14,7 @@ use crate::scene::units::Dimension;
 use viscotack::indentation::FrequencySweep;
 
 /// What a segment does, apart from going to a value of a quantity.
-const FORMS: [&str; 6] = ["by", "hold", "table", "cycles", "oscillation", "repeat"];
+const FORMS: [&str; 6] = ["by", "repeat", "hold", "table", "cycles", "oscillation"];
 /// Keys that only some segments have, and which: `target` stands for a quantity.
 const BELONGS_TO: [(&str, &[&str]); 14] = [
     ("duration", &["target", "by"]),
