@@ -64,7 +64,8 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
         until || segment.quantity() == Some(HistoryQuantity::Frame)
     };
     if let (None, Some(index)) = (frame_stiffness, history.segments.iter().position(framed)) {
-        let message = "the history controls `frame`, or ends a segment at it: the far end of a frame, but `indentation.frame_stiffness` is missing";
+        let message =
+            "the history controls `frame`, or ends a segment at it: the far end of a frame, but `indentation.frame_stiffness` is missing";
         let place = top.items("history").get(history.table(index)).map_or_else(|| table.header(), Section::header);
         return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or write `penetration`"));
     }
