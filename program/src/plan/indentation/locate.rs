@@ -270,7 +270,7 @@ impl<P: Followed> Search<'_, P> {
                 from = time
             }
             let slope = match last {
-                Some((before, there)) if there != here => (here - there) / (time - before),
+                Some((before, there)) if there.to_bits() != here.to_bits() => (here - there) / (time - before),
                 _ => slope(&way, |state| self.distance(state).unwrap_or(0.0)),
             };
             last = Some((time, here));

@@ -47,6 +47,9 @@ pub(super) const LARGEST_TENSION: &str = "largest_tension";
 /// Values of a row in the order of the columns, coherent.
 pub(super) type Values = Vec<Option<Estimate>>;
 
+/// The end of a segment with a condition: the word, the values there, and what follows from the bound on its time.
+type End = (&'static str, Values, Option<Shift>);
+
 impl IndentationPlan {
     pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
         let solved = self.solution(desk).and_then(|solution| {
@@ -148,7 +151,7 @@ impl IndentationPlan {
     }
 
     /// Where segments with a condition end: the word, the values there, and what follows from the bound on the time.
-    fn ends_of_segments(&self, solution: &IndentationSolution) -> Result<Vec<(&'static str, Values, Option<Shift>)>, Refusal> {
+    fn ends_of_segments(&self, solution: &IndentationSolution) -> Result<Vec<End>, Refusal> {
         let compliance = self.indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * self.scale.force));
         let mut ends = Vec::new();
         for ended in &self.timeline.ends {

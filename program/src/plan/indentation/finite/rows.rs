@@ -34,6 +34,9 @@ const ROUNDING: f64 = 1e-11;
 /// Values of a row in the order of the columns, coherent.
 pub(super) type Values = Vec<Option<Estimate>>;
 
+/// The end of a segment with a condition: the word, the values there, and what follows from the bound on its time.
+type End = (&'static str, Values, Option<Shift>);
+
 impl FiniteRangePlan {
     pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
         let solved = self.runs(desk).and_then(|runs| self.rows_of(&runs, state, swept));
@@ -140,7 +143,7 @@ impl FiniteRangePlan {
     }
 
     /// Where segments with a condition end: the word, the values there, and what follows from the bound on the time.
-    fn ends_of_segments(&self, runs: &Runs) -> Result<Vec<(&'static str, Values, Option<Shift>)>, Refusal> {
+    fn ends_of_segments(&self, runs: &Runs) -> Result<Vec<End>, Refusal> {
         let compliance = self.indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * self.scale.force));
         let mut ends = Vec::new();
         let instants = self.instants(runs);
