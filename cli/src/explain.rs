@@ -5,12 +5,14 @@ use super::{Failure, SceneArguments, print, print_json};
 use serde_json::json;
 use std::fmt::Write as _;
 use viscotack_program::plan::Plan;
+use viscotack_program::scene::history_written_out;
 
 pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Failure> {
     arguments.threads.start();
     let source = SceneSource::load(arguments)?;
     let plan = Plan::new(&source.scene)?;
     let work = plan.predicted_work();
+    let written_out = history_written_out(&source.scene, &source.document);
     if json {
         let value = json!({
             "title": source.scene.title,
@@ -19,6 +21,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "effects": plan.effects(),
             "method": plan.method(),
             "groups": plan.groups(),
+            "history": written_out,
             "predicted_work": work,
             "predicted_memory_bytes": plan.predicted_memory(),
             "predicted_seconds": plan.predicted_seconds(),
@@ -42,6 +45,15 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
     let _ = writeln!(text, "\nmethod");
     for sentence in plan.method() {
         let _ = writeln!(text, "  {sentence}");
+    }
+    if let Some(segments) = written_out {
+        let _ = writeln!(text, "\nhistory, written out ({})", counted(segments.len(), "segment"));
+        for segment in &segments {
+            let _ = writeln!(text, "  [[history]]");
+            for line in segment.lines() {
+                let _ = writeln!(text, "  {line}");
+            }
+        }
     }
     let _ = writeln!(text, "\ncharacteristic numbers");
     for group in plan.groups() {

@@ -9,7 +9,7 @@ use viscotack_program::scene::template::{TEMPLATES, template};
 use viscotack_program::terminal_text::name as shown;
 
 pub(super) fn new(problem: Option<&str>, out: Option<&Path>) -> Result<u8, Failure> {
-    let list = || TEMPLATES.iter().map(|template| format!("  {:14} {}\n", template.name, template.meaning)).collect::<String>();
+    let list = || TEMPLATES.iter().map(|template| format!("  {:16} {}\n", template.name, template.meaning)).collect::<String>();
     let Some(name) = problem else {
         print(&format!("viscotack new PROBLEM, with one of:\n{}", list()))?;
         return Ok(0);

@@ -105,7 +105,7 @@ const WRONG: &[(&str, &str, &str, &[&str])] = &[
     ("penetration = \"1 mN\"", "", "penetration = ", &["`history.0.penetration` = \"1 mN\"", "measured in N", "a length such as"]),
     ("contact_radius = -1", "", "contact_radius", &["`history.0.contact_radius` = -1", "0 or more"]),
     ("hold = -1", "", "hold = -1", &["`history.0.hold` = -1", "0 or more"]),
-    ("hold = 1\nduration = 1", "", "duration", &["`history.0.duration` does not belong to a segment with `hold`", "it stands alone"]),
+    ("hold = 1\nduration = 1", "", "duration", &["`history.0.duration` does not belong to a segment with `hold`", "it may have: until"]),
     ("cycles = 0", "", "cycles", &["`history.0.cycles` = 0", "a whole number from 1 to 1000000"]),
     ("cycles = 3", "", "[[history]]", &["`history.0.quantity` is missing", "\"penetration\""]),
     ("cycles = 3\nquantity = \"stress\"", "", "quantity", &["`history.0.quantity` = \"stress\" is not controlled in a sphere", "`penetration`, `force`"]),

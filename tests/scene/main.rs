@@ -22,6 +22,7 @@ mod material;
 mod material_uncertainty;
 mod nothing_given_is_ignored;
 mod oscillations;
+mod protocols;
 mod rate_after_another_control;
 mod reader_never_panics;
 mod record_thinning;

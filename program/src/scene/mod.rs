@@ -24,7 +24,9 @@ pub mod sweep;
 pub mod template;
 pub mod typed;
 pub mod units;
+mod written;
 
 pub use diagnostic::SceneError;
 pub use document::Document;
 pub use typed::Scene;
+pub use written::history_written_out;

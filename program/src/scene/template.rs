@@ -40,8 +40,33 @@ pub const TEMPLATES: &[Template] = &[
     },
     Template {
         name: "pull-off-test",
-        meaning: "a test as instruments run it: press to a force, hold, retract at a rate",
+        meaning: "a pull-off test: approach until a force, dwell, retract until the contact is lost",
         text: include_str!("../../../scenes/templates/pull_off_test.toml"),
+    },
+    Template {
+        name: "tack-test",
+        meaning: "a tack test: approach until a force, hold it, retract until the contact is lost",
+        text: include_str!("../../../scenes/templates/tack_test.toml"),
+    },
+    Template {
+        name: "creep-test",
+        meaning: "a creep test: a force put on and held",
+        text: include_str!("../../../scenes/templates/creep_test.toml"),
+    },
+    Template {
+        name: "relaxation-test",
+        meaning: "a relaxation test: a depth approached and held",
+        text: include_str!("../../../scenes/templates/relaxation_test.toml"),
+    },
+    Template {
+        name: "dynamic-test",
+        meaning: "a dynamic test: oscillations at one frequency after the other",
+        text: include_str!("../../../scenes/templates/dynamic_test.toml"),
+    },
+    Template {
+        name: "cyclic-test",
+        meaning: "a cyclic test: approach, dwell and retract, again and again",
+        text: include_str!("../../../scenes/templates/cyclic_test.toml"),
     },
 ];
 

@@ -22,8 +22,8 @@ pub use attraction::SceneAttraction;
 pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
-    CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent, Pace,
-    RecordThinning,
+    Condition, CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent,
+    Pace, RecordThinning,
 };
 pub use indentation::{
     CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape,

@@ -136,7 +136,7 @@ impl DelayedFracturePlan {
                     }
                     start += table.times.last().copied().unwrap_or(0.0);
                 }
-                other => start += super::history::segments(&crate::scene::typed::History { segments: vec![other.clone()] }).1,
+                other => start += super::history::segments(&crate::scene::typed::History::of(vec![other.clone()])).1,
             }
         }
         drawn

@@ -33,11 +33,15 @@ pub(super) fn examples(scene: &Scene, crack: &DelayedFracture) -> Vec<DelayedFra
         .filter_map(|example| {
             let chosen = values.get(example * last / count.saturating_sub(1).max(1))?;
             let mut crack = crack.clone();
-            match crack.history.segments.get_mut(index)? {
-                HistorySegment::Step { value, .. } | HistorySegment::Ramp { value, .. } => *value = chosen * unit,
-                _ => return None,
+            let mut any = false;
+            for segment in crack.history.of_table(index) {
+                any = true;
+                match segment {
+                    HistorySegment::Step { value, .. } | HistorySegment::Ramp { value, .. } => *value = chosen * unit,
+                    _ => return None,
+                }
             }
-            Some(crack)
+            any.then_some(crack)
         })
         .collect()
 }
@@ -63,8 +67,8 @@ pub(super) fn segments(history: &History) -> (Vec<LoadSegment>, f64) {
                 let last = table.values.last().copied().unwrap_or(load);
                 (table.times.last().copied().unwrap_or(0.0), Some((LoadSegment::Table { points }, last)))
             }
-            // A scene lets no crack oscillate.
-            HistorySegment::Oscillation(_) => (0.0, None),
+            // A scene lets no crack oscillate, writes relative values out, and has no conditions for cracks.
+            HistorySegment::Oscillation(_) | HistorySegment::By { .. } | HistorySegment::Until { .. } => (0.0, None),
             HistorySegment::Cycles { count, period, lower, upper, wave, .. } => {
                 let wave = match wave {
                     CycleWave::Triangle => Wave::Triangle,

@@ -32,7 +32,7 @@ pub(super) fn attracted(scene: &mut Scene, work: f64) -> Result<Attraction, Stri
     for segment in &mut indentation.history.segments {
         match segment {
             HistorySegment::Step { quantity, value } | HistorySegment::Ramp { quantity, value, .. } => *value += moved(*quantity),
-            HistorySegment::Hold { .. } => {}
+            HistorySegment::Hold { .. } | HistorySegment::By { .. } => {}
             HistorySegment::Table { quantity, .. } | HistorySegment::Cycles { quantity, .. } if moved(*quantity) == 0.0 => {}
             _ => return Err("this model takes ramps, steps and holds only".to_owned()),
         }

@@ -2,9 +2,9 @@
 
 use super::IndentationPlan;
 use super::columns::{COLUMNS, at};
-use super::rows::Values;
+use super::rows::{Values, is_loss};
 use viscotack::estimate::Estimate;
-use viscotack::indentation::{Cycle, EventKind, IndentationSolution, PathPoint};
+use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 
 impl IndentationPlan {
     /// The values of the state as a whole, coherent.
@@ -77,11 +77,6 @@ impl IndentationPlan {
         let cycles = solution.cycles.iter().filter_map(of_cycle).filter(|extreme| extreme.value.is_finite() && extreme.error.is_finite());
         instants.chain(cycles).chain(on_path).max_by(|one, other| one.value.total_cmp(&other.value))
     }
-}
-
-/// Whether an event ends the contact.
-const fn is_loss(kind: EventKind) -> bool {
-    matches!(kind, EventKind::Detachment | EventKind::ZoneReached)
 }
 
 /// ∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact after it (coherent); none without such a loss.

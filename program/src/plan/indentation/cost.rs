@@ -106,7 +106,7 @@ impl IndentationPlan {
             _ => leg.cycles(),
         };
         let cycles: f64 = self.timeline.legs.iter().map(expected).sum();
-        let finer = 1e-2 / self.accuracy;
+        let finer = 1e-2 / self.solver_accuracy;
         if matches!(self.indentation.shape, IndentationShape::FlatPunch { .. }) {
             let balances = cycles * HELD_CYCLE * finer.powf(HELD_CYCLE_ORDER);
             return (balances, balances * HELD_UPDATES);
@@ -163,7 +163,7 @@ impl IndentationPlan {
 
     /// Expected balances and updates of a periodic state, by panels.
     fn work_of_a_periodic_state(&self) -> (f64, f64) {
-        let balances = PERIODIC * (1e-4 / self.accuracy).powf(PERIODIC_ORDER);
+        let balances = PERIODIC * (1e-4 / self.solver_accuracy).powf(PERIODIC_ORDER);
         (balances, balances * PERIODIC_UPDATES)
     }
 
@@ -176,7 +176,7 @@ impl IndentationPlan {
         let (shortest, longest) = times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
         let decades = if longest > 0.0 { (longest / shortest).log10() } else { 0.0 };
         let balances =
-            (HISTORY + INSTANT * self.timeline.legs.len() as f64) * (1.0 + DECADE * decades) * (1e-3 / self.accuracy).powf(ORDER);
+            (HISTORY + INSTANT * self.timeline.legs.len() as f64) * (1.0 + DECADE * decades) * (1e-3 / self.solver_accuracy).powf(ORDER);
         // More than any march may do; a product with the states of a sweep must stay a number.
         let balances = balances.min(MOST);
         let by_load = self.timeline.legs.iter().any(|leg| matches!(leg.quantity, HistoryQuantity::Force | HistoryQuantity::Frame));

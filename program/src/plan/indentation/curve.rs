@@ -25,7 +25,7 @@ impl IndentationPlan {
                 reason: "it has no beginning to count time from".into(),
             });
         }
-        if let Some(resolved) = self.with_rates()? {
+        if let Some(resolved) = self.resolved()? {
             return resolved.way(tolerance);
         }
         let trace = march(&self.material, &self.problem()?, tolerance)?;

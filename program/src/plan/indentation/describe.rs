@@ -164,6 +164,7 @@ impl IndentationPlan {
             }
             .to_owned(),
         );
+        sentences.extend(super::locate::sentence(&self.timeline, 10));
         sentences.extend(self.called_for.clone());
         sentences
     }
@@ -214,8 +215,8 @@ impl IndentationPlan {
                 groups.push(group(&format!("cycles of history.{}", leg.segment), leg.cycles(), "1"));
             }
         }
-        // With a rate after another control it is known when the history is solved.
-        if self.timeline.open_rates.is_empty() {
+        // With a rate after another control, or a condition, it is known when the history is solved.
+        if self.timeline.open.is_empty() {
             groups.push(group("duration of the history", self.timeline.duration(), pick("s", "reference time")));
         }
         let way = self.timeline.way(HistoryQuantity::Penetration);

@@ -72,7 +72,7 @@ impl IndentationPlan {
             },
             instants_per_segment: 1,
             energies: self.indentation.energies,
-            accuracy: self.accuracy,
+            accuracy: self.solver_accuracy,
         };
         problem.checked()?;
         Ok(problem)

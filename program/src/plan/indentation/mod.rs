@@ -10,11 +10,14 @@ mod describe;
 mod fields;
 mod figures;
 mod finite;
+mod known;
+mod locate;
 mod march;
-mod rates;
+mod parts;
 mod rows;
 mod scale;
 mod scan;
+mod shift;
 mod timeline;
 mod validity;
 
@@ -28,8 +31,9 @@ use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
 pub(super) use finite::FiniteRangePlan;
+use known::Known;
 use scale::Scale;
-use timeline::{RateStart, Timeline};
+use timeline::Timeline;
 use viscotack::indentation::Profile;
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
@@ -51,8 +55,10 @@ pub(super) struct IndentationPlan {
     /// Whether a sweep follows.
     swept: bool,
     timeline: Timeline,
-    /// Where segments at a rate start, as far as they were found.
-    rate_starts: Vec<RateStart>,
+    /// What is known of the history that only a solution knows.
+    known: Known,
+    /// The accuracy that the solver is asked for: tighter where conditions end segments.
+    solver_accuracy: f64,
     /// The history at values all over the sweep of a frequency; none if no frequency is swept.
     examples: Vec<Timeline>,
     profile: Profile,
@@ -72,7 +78,7 @@ impl IndentationPlan {
             liquid_is_possible(indentation, adhesion.process_zone)?;
         }
         let scale = Scale::new(scene.units);
-        let timeline = Timeline::new(indentation, &scale, &[])?;
+        let timeline = Timeline::new(indentation, &scale, &Known::default())?;
         let mut plan = Self {
             indentation: indentation.clone(),
             relaxed: material.relaxed_modulus(),
@@ -83,8 +89,9 @@ impl IndentationPlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
+            known: Known::default(),
+            solver_accuracy: scene.accuracy * if timeline.searches() { parts::WITH_CONDITIONS } else { 1.0 },
             timeline,
-            rate_starts: Vec::new(),
             examples: examples(scene, indentation, &scale),
             profile: march::profile(indentation)?,
             without_steps: false,
@@ -138,9 +145,12 @@ fn examples(scene: &Scene, indentation: &Indentation, scale: &Scale) -> Vec<Time
     (0..count)
         .filter_map(|example| {
             let mut changed = indentation.clone();
-            let HistorySegment::Oscillation(oscillation) = changed.history.segments.get_mut(index)? else { return None };
-            oscillation.frequency = *values.get(example * last / count.saturating_sub(1).max(1))?;
-            Timeline::new(&changed, scale, &[]).ok()
+            let frequency = *values.get(example * last / count.saturating_sub(1).max(1))?;
+            for segment in changed.history.of_table(index) {
+                let HistorySegment::Oscillation(oscillation) = segment else { return None };
+                oscillation.frequency = frequency;
+            }
+            Timeline::new(&changed, scale, &Known::default()).ok()
         })
         .collect()
 }
@@ -232,17 +242,12 @@ impl ProblemPlan for IndentationPlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let mut rows = match self.with_rates() {
+        let mut rows = match self.resolved() {
             Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
             Ok(None) => self.rows(state, swept, desk),
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
-        let of_rates = self.rate_starts.iter().map(|start| start.error).sum::<f64>();
-        if of_rates > 0.0 {
-            // A rate that is off by a part moves what follows by at most that part.
-            let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten());
-            values.for_each(|estimate| estimate.error += of_rates * estimate.value.abs());
-        }
+        locate::of_starts(&mut rows, &self.known);
         if self.flow.is_some() && !self.without_steps {
             let values = rows
                 .iter_mut()

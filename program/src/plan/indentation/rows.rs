@@ -2,10 +2,13 @@
 
 use super::IndentationPlan;
 use super::columns::{COLUMNS, Measure, at, columns, present};
+use super::locate::State;
+use super::parts::state as state_of;
+use super::shift::{CONDITION_MET, LIMIT_REACHED, Shift, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::curves::thinned;
 use crate::plan::desk::Desk;
-use crate::scene::typed::IndentationShape;
+use crate::scene::typed::{Condition, IndentationShape};
 use viscotack::elastic::JkrSphere;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Cycle, Event, EventKind, IndentationSolution, Instant, PathPoint};
@@ -25,6 +28,11 @@ const fn word(kind: EventKind) -> &'static str {
     }
 }
 
+/// Whether an event ends the contact.
+pub(super) const fn is_loss(kind: EventKind) -> bool {
+    matches!(kind, EventKind::Detachment | EventKind::ZoneReached)
+}
+
 /// Overlap and pressed edges that rounding leaves, over the largest penetration and stress intensity.
 const ADMISSIBLE: f64 = 1e-7;
 
@@ -38,6 +46,9 @@ pub(super) const LARGEST_TENSION: &str = "largest_tension";
 
 /// Values of a row in the order of the columns, coherent.
 pub(super) type Values = Vec<Option<Estimate>>;
+
+/// The end of a segment with a condition: the word, the values there, and what follows from the bound on its time.
+type End = (&'static str, Values, Option<Shift>);
 
 impl IndentationPlan {
     pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
@@ -62,15 +73,21 @@ impl IndentationPlan {
     fn rows_of(&self, solution: &IndentationSolution, state: usize, swept: &[f64]) -> Result<Vec<Row>, Refusal> {
         let mut timed: Vec<(f64, Row)> = Vec::new();
         let scales = self.reference_scales(solution);
-        let mut add = |labels: [&str; 2], values: Values, residual: f64| -> Result<(), Refusal> {
+        let ends = self.ends_of_segments(solution)?;
+        let shifts: Vec<Shift> = ends.iter().filter_map(|end| end.2).collect();
+        let mut add = |labels: [&str; 2], mut values: Values, residual: f64| -> Result<(), Refusal> {
             let mut row = self.row(state, swept, labels);
             let time = values.get(at::TIME).copied().flatten().map_or(0.0, |time| time.value);
+            widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
             self.fill(&mut row, values, &scales, residual, solution)?;
             timed.push((time, row));
             Ok(())
         };
         for event in &solution.events {
             add(["event", word(event.kind)], self.of_event(event, &scales), 0.0)?;
+        }
+        for (word, values, _) in &ends {
+            add(["event", word], values.clone(), 0.0)?;
         }
         let last = solution.instants.len().saturating_sub(1);
         for (index, instant) in solution.instants.iter().enumerate() {
@@ -111,7 +128,9 @@ impl IndentationPlan {
         timed.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
         let mut answer = self.row(state, swept, [SUMMARY, ""]);
-        self.put(&mut answer, self.of_state(solution, &scales), solution.residual, &scales, solution);
+        let mut values = self.of_state(solution, &scales);
+        widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
+        self.put(&mut answer, values, solution.residual, &scales, solution);
         // A state is known as well as all that lies on its way.
         let inaccurate = || rows.iter().filter(|row| row.status == Status::Inaccurate);
         if let Some(first) = inaccurate().next() {
@@ -129,6 +148,45 @@ impl IndentationPlan {
             row.representable(&table)?;
         }
         Ok(rows)
+    }
+
+    /// Where segments with a condition end: the word, the values there, and what follows from the bound on the time.
+    fn ends_of_segments(&self, solution: &IndentationSolution) -> Result<Vec<End>, Refusal> {
+        let compliance = self.indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * self.scale.force));
+        let mut ends = Vec::new();
+        for ended in &self.timeline.ends {
+            // Of two instants at once the first: what is stepped to afterwards is another segment.
+            let nearest = solution.instants.iter().min_by(|one, other| {
+                let [one, other] = [one, other].map(|instant| (instant.time - ended.time).abs());
+                one.total_cmp(&other)
+            });
+            let Some(instant) = nearest else { continue };
+            let at_end =
+                State { time: ended.time, penetration: instant.penetration, force: instant.force, contact_radius: instant.contact_radius };
+            let values = self.basic(Estimate::exact(ended.time), at_end.penetration, at_end.force, at_end.contact_radius);
+            if !ended.met || ended.exact {
+                ends.push((if ended.met { CONDITION_MET } else { LIMIT_REACHED }, values, None));
+                continue;
+            }
+            let within = |time: f64| time >= ended.began && time <= ended.time;
+            let lost = solution.events.iter().rfind(|event| within(event.time.value)).map(|event| event.time);
+            let path = &solution.march.path;
+            let states: Vec<State<f64>> = path.iter().filter(|point| point.time <= ended.time).map(state_of).collect();
+            let closed = || {
+                let touches = states.iter().rposition(|state| state.contact_radius > 0.0)?;
+                let (last, first) = (states.get(touches)?, states.get(touches + 1)?);
+                Some(Estimate::new(first.time, first.time - last.time))
+            };
+            let lost = if ended.sudden { lost.or_else(closed) } else { None };
+            if ended.condition == Condition::Detachment && at_end.contact_radius.value > 0.0 {
+                return Err(Refusal::NotConverged {
+                    what: "the end of a segment by detachment",
+                    detail: "a tighter solution detaches later; ask for a higher accuracy".into(),
+                });
+            }
+            ends.push((CONDITION_MET, values, Some(Shift::of(ended, &at_end, &states, lost, compliance))));
+        }
+        Ok(ends)
     }
 
     /// The largest magnitude of each quantity in the history: what errors are relative to where it passes through zero.

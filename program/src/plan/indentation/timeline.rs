@@ -1,8 +1,9 @@
 //! A history as legs, straight or with an oscillation, each of which ends at an instant that becomes a row.
 
+use super::known::{Ended, Known, Open};
 use super::scale::Scale;
 use crate::scene::typed::{
-    CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
+    Condition, CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
 };
 use std::sync::Arc;
 use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
@@ -52,23 +53,14 @@ pub(super) struct Timeline {
     pub(super) overlays: Vec<Overlay>,
     /// Ramps that begin where only the march knows, in times: their instants are taken from its path.
     pub(super) open_ramps: Vec<(f64, f64)>,
-    /// Segments at a rate whose start only the solved history before them knows: until it is solved, their durations are guesses from zero.
-    pub(super) open_rates: Vec<usize>,
+    /// What only a solution knows, the first first: until it is known, durations are guesses.
+    pub(super) open: Vec<Open>,
+    /// Segments with a condition, and where they end.
+    pub(super) ends: Vec<Ended>,
     /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
     pub(super) in_time: bool,
     /// Whether it is one cycle that repeats itself for ever.
     pub(super) periodic: bool,
-}
-
-/// Where a segment at a rate starts: found by solving the history before it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct RateStart {
-    /// Which segment.
-    pub(super) segment: usize,
-    /// The value of its quantity there, coherent.
-    pub(super) value: f64,
-    /// The error of that value over the way of the segment: by so much its rate is off.
-    pub(super) error: f64,
 }
 
 struct Builder<'s> {
@@ -78,14 +70,21 @@ struct Builder<'s> {
     here: (HistoryQuantity, f64),
     time: f64,
     segment: usize,
-    /// Where segments at a rate start, as far as it is known.
-    starts: &'s [RateStart],
+    known: &'s Known,
     timeline: Timeline,
 }
 
+/// A straight way.
+struct Way {
+    /// None where only the solved history before it knows.
+    from: Option<f64>,
+    end: f64,
+    duration: f64,
+}
+
 impl Timeline {
-    /// The timeline of a history; `starts` of segments at a rate that are known.
-    pub(super) fn new(indentation: &Indentation, scale: &Scale, starts: &[RateStart]) -> Result<Self, Refusal> {
+    /// The timeline of a history, with what is known of its segments.
+    pub(super) fn new(indentation: &Indentation, scale: &Scale, known: &Known) -> Result<Self, Refusal> {
         let (quantity, value) = indentation.at_start;
         let start = (quantity, scale.coherent(quantity, value));
         let timeline = Self {
@@ -93,7 +92,8 @@ impl Timeline {
             legs: Vec::new(),
             overlays: Vec::new(),
             open_ramps: Vec::new(),
-            open_rates: Vec::new(),
+            open: Vec::new(),
+            ends: Vec::new(),
             in_time: false,
             periodic: false,
         };
@@ -104,7 +104,7 @@ impl Timeline {
             here: start,
             time: 0.0,
             segment: 0,
-            starts,
+            known,
             timeline,
         };
         for (index, segment) in indentation.history.segments.iter().enumerate() {
@@ -137,6 +137,11 @@ impl Timeline {
         })
     }
 
+    /// Whether a condition ends a segment where only the way to it shows.
+    pub(super) fn searches(&self) -> bool {
+        self.ends.iter().any(|ended| !ended.exact)
+    }
+
     /// Whether anything oscillates.
     pub(super) fn oscillates(&self) -> bool {
         self.legs.iter().any(|leg| leg.oscillation.is_some())
@@ -163,21 +168,11 @@ impl Builder<'_> {
     fn segment(&mut self, segment: &HistorySegment) -> Result<(), Refusal> {
         match segment {
             HistorySegment::Step { quantity, value } => self.leg(*quantity, 0.0, self.scale.coherent(*quantity, *value)),
-            HistorySegment::Ramp { quantity, value, pace } => {
-                let end = self.scale.coherent(*quantity, *value);
-                let duration = match pace {
-                    Pace::Duration(time) => *time,
-                    Pace::Rate(rate) if self.here.0 != *quantity => {
-                        let known = self.starts.iter().find(|start| start.segment == self.segment);
-                        if known.is_none() {
-                            self.timeline.open_rates.push(self.segment);
-                        }
-                        (end - known.map_or(0.0, |start| start.value)).abs() / self.scale.coherent(*quantity, *rate)
-                    }
-                    Pace::Rate(rate) => (end - self.here.1).abs() / self.scale.coherent(*quantity, *rate),
-                };
-                self.ramp(*quantity, duration / self.factor, end);
+            HistorySegment::Ramp { quantity, .. } | HistorySegment::By { quantity, .. } => {
+                let way = self.way(segment, false)?;
+                self.ramp(*quantity, way.duration, way.end);
             }
+            HistorySegment::Until { segment, condition } => self.until(segment, *condition)?,
             HistorySegment::Hold { duration, .. } => {
                 self.timeline.in_time = true;
                 self.hold(duration / self.factor);
@@ -214,6 +209,92 @@ impl Builder<'_> {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Where a straight segment goes, and how long it takes; its start is asked for where the way depends on it, or if it is `needed`.
+    fn way(&mut self, segment: &HistorySegment, needed: bool) -> Result<Way, Refusal> {
+        let (quantity, pace, relative) = match segment {
+            HistorySegment::Ramp { quantity, pace, .. } => (*quantity, Some(*pace), false),
+            HistorySegment::By { quantity, pace, .. } => (*quantity, *pace, true),
+            // Holds stay where they are; nothing else has a way.
+            _ => return Ok(Way { from: Some(self.here.1), end: self.here.1, duration: 0.0 }),
+        };
+        let found = self.known.starts.iter().find(|start| start.segment == self.segment).map(|start| start.value);
+        let from = if self.here.0 == quantity { Some(self.here.1) } else { found };
+        if from.is_none() && (needed || relative || matches!(pace, Some(Pace::Rate(_)))) {
+            self.timeline.open.push(Open::Start(self.segment));
+        }
+        let start = from.unwrap_or(0.0);
+        let end = match segment {
+            HistorySegment::By { change, .. } => start + self.scale.coherent(quantity, *change),
+            HistorySegment::Ramp { value, .. } => self.scale.coherent(quantity, *value),
+            _ => start,
+        };
+        if quantity == HistoryQuantity::ContactRadius && end < 0.0 {
+            return Err(Refusal::out_of_range("by", end, "no further down than to a contact radius of 0"));
+        }
+        let duration = match pace {
+            None => 0.0,
+            Some(Pace::Duration(time)) => time / self.factor,
+            Some(Pace::Rate(rate)) => (end - start).abs() / self.scale.coherent(quantity, rate) / self.factor,
+        };
+        Ok(Way { from, end, duration })
+    }
+
+    /// A segment that a condition ends. Times, and the quantity that it controls itself, need no solution.
+    fn until(&mut self, segment: &HistorySegment, condition: Condition) -> Result<(), Refusal> {
+        let began = self.time;
+        let held = matches!(segment, HistorySegment::Hold { .. });
+        let mut way = self.way(segment, true)?;
+        if let HistorySegment::Hold { duration, .. } = segment {
+            self.timeline.in_time = true;
+            way.duration = duration / self.factor;
+        }
+        let quantity = segment.quantity().unwrap_or(self.here.0);
+        let condition = match condition {
+            Condition::Reaches(of, value) => Condition::Reaches(of, self.scale.coherent(of, value)),
+            Condition::Time(time) => Condition::Time(time / self.factor),
+            Condition::Detachment => Condition::Detachment,
+        };
+        let mut ended = Ended { segment: self.segment, began, time: began, condition, met: true, exact: true, sudden: false };
+        let stop = match (condition, way.from) {
+            (Condition::Time(time), _) if time > began => time - began,
+            (Condition::Time(_), _) if !self.timeline.open.is_empty() => way.duration,
+            (Condition::Time(time), _) => {
+                return Err(Refusal::Undefined {
+                    quantity: "a time that ends a segment",
+                    reason: format!("{time:e} has gone by when the segment begins, at {began:e}: give a later `until.time`"),
+                });
+            }
+            (Condition::Reaches(of, value), Some(from)) if of == quantity => {
+                let share = (value - from) / (way.end - from);
+                if share > 0.0 && share <= 1.0 { share * way.duration } else { f64::INFINITY }
+            }
+            _ => {
+                ended.exact = false;
+                match self.known.stops.iter().find(|stop| stop.segment == self.segment) {
+                    Some(stop) => {
+                        ended.sudden = stop.sudden;
+                        if stop.met { stop.duration } else { f64::INFINITY }
+                    }
+                    None => {
+                        self.timeline.open.push(Open::Stop { segment: self.segment, began, full: way.duration, condition });
+                        f64::INFINITY
+                    }
+                }
+            }
+        };
+        ended.met = stop <= way.duration;
+        if held {
+            self.hold(stop.min(way.duration));
+        } else {
+            let (share, from) = (stop / way.duration, way.from.unwrap_or(0.0));
+            let end = if share < 1.0 { from + (way.end - from) * share } else { way.end };
+            self.ramp(quantity, stop.min(way.duration), end);
+        }
+        ended.time = self.time;
+        self.timeline.ends.push(ended);
         Ok(())
     }
 

@@ -19,7 +19,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history",
         kind: Kind::Tables,
-        meaning: "What is done to a crack or a sphere, one table a segment, in order, from an unloaded and rested body at time zero. A segment holds exactly one of: a quantity to go to, `hold`, `table`, `cycles`, `oscillation`.",
+        meaning: "What is done to a crack or a sphere, one table a segment, in order, from an unloaded and rested body at time zero. A segment holds exactly one of: a quantity to go to, `by`, `hold`, `table`, `cycles`, `oscillation`, `repeat`.",
     },
     target(
         HistoryQuantity::StressIntensity,
@@ -52,6 +52,11 @@ pub(super) const KEYS: &[Key] = &[
         "the sphere's radius R",
         "Go to this displacement of the far end of the frame that holds a sphere, in the same way.",
     ),
+    Key {
+        path: "history[].by",
+        kind: Kind::NumberOfSweptKey,
+        meaning: "Go so far from the present value of `quantity`, up or down, in its unit: straight, in `duration` or at `rate`; without either, at once.",
+    },
     Key { path: "history[].duration", kind: TIME, meaning: "How long the way to the value takes; excludes `rate`." },
     Key {
         path: "history[].rate",
@@ -62,6 +67,41 @@ pub(super) const KEYS: &[Key] = &[
         path: "history[].hold",
         kind: Kind::Number { dimension: Dimension::TIME, range: Range::NonNegative, reduced: "reference time" },
         meaning: "Hold the last controlled quantity for so long.",
+    },
+    Key {
+        path: "history[].until",
+        kind: Kind::Table,
+        meaning: "What ends a segment of an indenter on its way: exactly one of its keys. The value to go to, or the length of a hold, is the limit: where the condition is not met by then, the segment ends there, and a row says so.",
+    },
+    target(
+        HistoryQuantity::Force,
+        "history[].until.force",
+        "πE0*R²",
+        "The segment ends when the force comes to this value, from either side.",
+    ),
+    target(HistoryQuantity::Penetration, "history[].until.penetration", "the sphere's radius R", "The same of the penetration."),
+    target(HistoryQuantity::ContactRadius, "history[].until.contact_radius", "the sphere's radius R", "The same of the contact radius."),
+    target(
+        HistoryQuantity::Frame,
+        "history[].until.frame",
+        "the sphere's radius R",
+        "The same of the displacement of the far end of the frame.",
+    ),
+    Key {
+        path: "history[].until.event",
+        kind: Kind::Choice(&[Word { word: "detachment", meaning: "the contact is lost; the segment ends right after it" }]),
+        meaning: "The segment ends with this event.",
+    },
+    Key { path: "history[].until.time", kind: TIME, meaning: "The segment ends at this time of the history, counted from its start." },
+    Key {
+        path: "history[].repeat",
+        kind: Kind::Count { least: 2, most: 10_000 },
+        meaning: "Go through the tables before this one so many times in all, the first time included; `segments` says how many tables.",
+    },
+    Key {
+        path: "history[].segments",
+        kind: Kind::Count { least: 1, most: 1_000 },
+        meaning: "How many tables before this one `repeat` takes; default 1. A group may hold other `repeat` tables.",
     },
     Key {
         path: "history[].table",
@@ -110,7 +150,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history[].quantity",
         kind: Kind::Choice(HistoryQuantity::WORDS),
-        meaning: "What a table or cycles control; may be left out where the problem has only one such quantity.",
+        meaning: "What `by`, a table or cycles control; may be left out where the problem has only one such quantity.",
     },
     Key { path: "history[].cycles", kind: Kind::Count { least: 1, most: 1_000_000 }, meaning: "Go through so many cycles." },
     Key { path: "history[].period", kind: TIME, meaning: "How long one cycle takes." },

@@ -12,6 +12,7 @@ mod history;
 mod indentation;
 mod material;
 mod sliding;
+mod standard_test;
 mod surface;
 
 use super::units::Dimension;
@@ -126,6 +127,7 @@ pub fn keys() -> impl Iterator<Item = &'static Key> {
         crack::KEYS,
         indentation::KEYS,
         history::KEYS,
+        standard_test::KEYS,
         sliding::KEYS,
         surface::KEYS,
         fields::KEYS,

@@ -111,6 +111,8 @@ fn duration(history: &History) -> f64 {
             }
             // Cracks do not oscillate: the reader of segments has refused it.
             HistorySegment::Oscillation(oscillation) => oscillation.duration(),
+            // Values relative to others are written out, and conditions refused.
+            HistorySegment::By { .. } | HistorySegment::Until { .. } => 0.0,
             HistorySegment::Cycles { count, period, lower, .. } => {
                 present = *lower;
                 f64::from(*count) * period
@@ -128,7 +130,7 @@ fn scaled(mut history: History, unit: f64) -> History {
                 *value *= unit;
                 *rate *= unit;
             }
-            HistorySegment::Hold { .. } | HistorySegment::Oscillation(_) => {}
+            HistorySegment::Hold { .. } | HistorySegment::Oscillation(_) | HistorySegment::By { .. } | HistorySegment::Until { .. } => {}
             HistorySegment::Table { table, .. } => {
                 if unit.to_bits() != 1.0_f64.to_bits() {
                     std::sync::Arc::make_mut(table).values.iter_mut().for_each(|value| *value *= unit);

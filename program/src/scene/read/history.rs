@@ -1,7 +1,10 @@
 //! The `[[history]]` tables, one a segment.
 
 use super::record::record;
+use super::relative;
+use super::repeat::Tables;
 use super::section::Section;
+use super::until;
 use crate::scene::catalogue::{Key, Kind, Range};
 use crate::scene::check::{Units, check_range, number};
 use crate::scene::diagnostic::SceneError;
@@ -11,12 +14,14 @@ use crate::scene::units::Dimension;
 use viscotack::indentation::FrequencySweep;
 
 /// What a segment does, apart from going to a value of a quantity.
-const FORMS: [&str; 4] = ["hold", "table", "cycles", "oscillation"];
+const FORMS: [&str; 6] = ["by", "repeat", "hold", "table", "cycles", "oscillation"];
 /// Keys that only some segments have, and which: `target` stands for a quantity.
-const BELONGS_TO: [(&str, &[&str]); 12] = [
-    ("duration", &["target"]),
-    ("rate", &["target"]),
-    ("quantity", &["table", "cycles"]),
+const BELONGS_TO: [(&str, &[&str]); 14] = [
+    ("duration", &["target", "by"]),
+    ("rate", &["target", "by"]),
+    ("until", &["target", "by", "hold"]),
+    ("segments", &["repeat"]),
+    ("quantity", &["by", "table", "cycles"]),
     ("columns", &["table"]),
     ("contact_point", &["table"]),
     ("invert", &["table"]),
@@ -57,27 +62,32 @@ pub(super) fn read(
     } else {
         super::DELAYED_ACCURACY
     });
-    let mut segments: Vec<HistorySegment> = Vec::with_capacity(items.len());
-    let mut last = None;
+    let mut tables = Tables::default();
     for item in &items {
-        let segment = segment(item, document, (allowed, owner), last, accuracy)?;
-        last = segment.quantity().or(last);
-        segments.push(segment);
+        match segment(item, document, (allowed, owner), tables.last_quantity(), accuracy)? {
+            Some(segment) => tables.add(segment),
+            None => tables.repeat(item)?,
+        }
     }
-    Ok(Some(History { segments }))
+    let mut history = tables.written_out();
+    if !allowed.contains(&HistoryQuantity::Penetration) {
+        relative::absolute(&mut history, &items)?;
+    }
+    Ok(Some(history))
 }
 
 fn words(allowed: &[HistoryQuantity]) -> String {
     allowed.iter().map(|quantity| format!("`{}`", quantity.word())).collect::<Vec<_>>().join(", ")
 }
 
+/// A segment; none if the table repeats those before it.
 fn segment(
     item: &Section<'_>,
     document: &Document,
     (allowed, owner): (&[HistoryQuantity], &str),
     last: Option<HistoryQuantity>,
     accuracy: f64,
-) -> Result<HistorySegment, SceneError> {
+) -> Result<Option<HistorySegment>, SceneError> {
     let foreign = |quantity: &HistoryQuantity| !allowed.contains(quantity) && item.node().get(quantity.word()).is_some();
     if let Some(quantity) = HistoryQuantity::ALL.into_iter().find(foreign) {
         let message = format!("`{}` is not controlled in {owner}", item.full(quantity.word()));
@@ -92,7 +102,16 @@ fn segment(
         let known = if with.is_empty() { "it stands alone".to_owned() } else { format!("it may have: {}", with.join(", ")) };
         return Err(SceneError::at(&item.key_place(key), message, "leave it out").help(format!("`{form}`: {known}")));
     }
-    Ok(match form {
+    let segment = match form {
+        "repeat" => return Ok(None),
+        "by" => {
+            let quantity = quantity(item, allowed, owner)?;
+            HistorySegment::By {
+                quantity,
+                change: dependent(item, "by", quantity.dimension(), Range::Finite)?,
+                pace: pace(item, quantity)?,
+            }
+        }
         "hold" => HistorySegment::Hold { quantity: last, duration: item.required_number("hold")? },
         "table" => {
             let quantity = quantity(item, allowed, owner)?;
@@ -105,15 +124,21 @@ fn segment(
         target => {
             let Some(quantity) = HistoryQuantity::of_word(target) else { return Err(item.missing(target)) };
             let value = item.required_number(target)?;
-            match item.at_most_one(&["duration", "rate"])? {
+            match pace(item, quantity)? {
                 None => HistorySegment::Step { quantity, value },
-                Some("rate") => {
-                    let rate = dependent(item, "rate", quantity.rate_dimension(), Range::Positive)?;
-                    HistorySegment::Ramp { quantity, value, pace: Pace::Rate(rate) }
-                }
-                Some(_) => HistorySegment::Ramp { quantity, value, pace: Pace::Duration(item.required_number("duration")?) },
+                Some(pace) => HistorySegment::Ramp { quantity, value, pace },
             }
         }
+    };
+    until::ended(item, segment, allowed.contains(&HistoryQuantity::Penetration)).map(Some)
+}
+
+/// How fast a value is gone to; none for at once.
+fn pace(item: &Section<'_>, quantity: HistoryQuantity) -> Result<Option<Pace>, SceneError> {
+    Ok(match item.at_most_one(&["duration", "rate"])? {
+        None => None,
+        Some("rate") => Some(Pace::Rate(dependent(item, "rate", quantity.rate_dimension(), Range::Positive)?)),
+        Some(_) => Some(Pace::Duration(item.required_number("duration")?)),
     })
 }
 
@@ -213,7 +238,7 @@ pub(super) fn dependent(item: &Section<'_>, key: &str, dimension: Dimension, ran
     check_range(node, &path, value, range).map(|()| value)
 }
 
-/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude`, `tolerance`, `contact_point` or `to`, by the quantity of its segment.
+/// The dimension and range of a swept `rate`, `lower`, `upper`, `amplitude`, `tolerance`, `contact_point`, `by` or `to`, by the quantity of its segment.
 /// None for any other key.
 pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Option<(Dimension, Range)> {
     if !matches!(key.kind, Kind::NumberOfSweptKey) || !key.path.starts_with("history[].") {
@@ -231,7 +256,7 @@ pub(in crate::scene) fn dependent_kind(root: &Node, path: &str, key: &Key) -> Op
         Some("rate") => (quantity.rate_dimension(), Range::Positive),
         Some("amplitude") => (quantity.dimension(), Range::Positive),
         Some("tolerance") => (quantity.dimension(), Range::NonNegative),
-        Some("contact_point") => (quantity.dimension(), Range::Finite),
+        Some("contact_point" | "by") => (quantity.dimension(), Range::Finite),
         _ => (quantity.dimension(), quantity.range()),
     })
 }

@@ -5,14 +5,15 @@ use super::counter_body;
 use super::indentation_at_a_distance as at_a_distance;
 use super::section::Section;
 use super::shape_points::shape_points;
+use super::standard_test;
 use super::works;
 use super::{DEFAULT_FACTOR, DEFAULT_FIELD_POINTS, history, periodic, without_cohesive_stress};
 use crate::scene::check::{Units, number};
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
 use crate::scene::typed::{
-    History, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields, IndentationShape,
-    IndentationStart, IndentationZone, Pace, SceneMaterial,
+    Condition, History, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, IndentationAdhesion, IndentationFields,
+    IndentationShape, IndentationStart, IndentationZone, Pace, SceneMaterial,
 };
 use crate::scene::units::Dimension;
 use viscotack::indentation::EdgeLaw;
@@ -40,9 +41,13 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     // A law acts everywhere: there is no edge.
     let (adhesion, edge_law) = if attraction.is_some() { (None, None) } else { adhesion(top, &shape)?.unzip() };
     let edge_law = edge_law.unwrap_or_default();
-    let Some(history) = history::read(top, document, CONTROLLED, "an indentation")? else {
+    let frame_stiffness = table.number("frame_stiffness")?;
+    let rig = standard_test::Rig { shape: &shape, frame_stiffness, at_a_distance: attraction.is_some() };
+    let written_out = standard_test::read(top, &rig)?;
+    let Some(history) = written_out.map_or_else(|| history::read(top, document, CONTROLLED, "an indentation"), |test| Ok(Some(test)))?
+    else {
         return Err(SceneError::at(&top.end(), "the history is missing: it is what is done to the indenter", "the scene ends here")
-            .help("add [[history]] tables, such as: [[history]] penetration = \"2 µm\", rate = \"1 µm/s\""));
+            .help("add [[history]] tables, such as: [[history]] penetration = \"2 µm\", rate = \"1 µm/s\"; or [test] with its kind"));
     };
     let start = match table.text("start") {
         Some("relaxed") => IndentationStart::Relaxed,
@@ -54,13 +59,15 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let at_start = at_start(&table, start, adhesion.is_some(), &history)?;
     periodic::possible(top, &table, &history, &shape, (start, at_start.0, rim_radius, &edge_law))?;
     means_are_known(top, &history, at_start.0)?;
-    let frame_stiffness = table.number("frame_stiffness")?;
-    if let (None, Some(index)) =
-        (frame_stiffness, history.segments.iter().position(|segment| segment.quantity() == Some(HistoryQuantity::Frame)))
-    {
-        let message = "the history controls `frame`, the far end of a frame, but `indentation.frame_stiffness` is missing";
-        let place = top.items("history").get(index).map_or_else(|| table.header(), Section::header);
-        return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or control `penetration`"));
+    let framed = |segment: &HistorySegment| {
+        let until = matches!(segment, HistorySegment::Until { condition: Condition::Reaches(HistoryQuantity::Frame, _), .. });
+        until || segment.quantity() == Some(HistoryQuantity::Frame)
+    };
+    if let (None, Some(index)) = (frame_stiffness, history.segments.iter().position(framed)) {
+        let message =
+            "the history controls `frame`, or ends a segment at it: the far end of a frame, but `indentation.frame_stiffness` is missing";
+        let place = top.items("history").get(history.table(index)).map_or_else(|| table.header(), Section::header);
+        return Err(SceneError::at(&place, message, "in this segment").help("add indentation.frame_stiffness, or write `penetration`"));
     }
     let fields = fields(&table, &history)?;
     Ok(Indentation {
@@ -151,7 +158,9 @@ fn at_start(table: &Section<'_>, start: IndentationStart, adhesive: bool, histor
 /// An oscillation without `to` needs its mean.
 fn means_are_known(top: &Section<'_>, history: &History, first: HistoryQuantity) -> Result<(), SceneError> {
     let mut controlled = first;
-    for (segment, item) in history.segments.iter().zip(top.items("history")) {
+    let items = top.items("history");
+    for (index, segment) in history.segments.iter().enumerate() {
+        let Some(item) = items.get(history.table(index)) else { break };
         if let HistorySegment::Oscillation(HistoryOscillation { quantity, to: None, .. }) = segment
             && *quantity != controlled
         {
@@ -238,9 +247,12 @@ fn duration(history: &History) -> Option<f64> {
         Some(
             total
                 + match segment {
-                    HistorySegment::Step { .. } => 0.0,
-                    HistorySegment::Ramp { pace: Pace::Duration(time), .. } | HistorySegment::Hold { duration: time, .. } => *time,
-                    HistorySegment::Ramp { pace: Pace::Rate(_), .. } => return None,
+                    HistorySegment::Step { .. } | HistorySegment::By { pace: None, .. } => 0.0,
+                    HistorySegment::Ramp { pace: Pace::Duration(time), .. }
+                    | HistorySegment::By { pace: Some(Pace::Duration(time)), .. }
+                    | HistorySegment::Hold { duration: time, .. } => *time,
+                    HistorySegment::By { change, pace: Some(Pace::Rate(rate)), .. } => (change / rate).abs(),
+                    HistorySegment::Ramp { pace: Pace::Rate(_), .. } | HistorySegment::Until { .. } => return None,
                     HistorySegment::Table { table, .. } => table.times.last().copied().unwrap_or(0.0),
                     HistorySegment::Cycles { count, period, .. } => f64::from(*count) * period,
                     HistorySegment::Oscillation(oscillation) if oscillation.until_stationary => return None,

@@ -32,15 +32,19 @@ pub(super) mod memo;
 mod periodic;
 mod record;
 mod record_corners;
+mod relative;
+mod repeat;
 mod section;
 mod shape_points;
 mod shift_table;
 mod sliding;
 mod sliding_branch;
 mod speed_table;
+mod standard_test;
 mod surface;
 mod surface_points;
 mod table_columns;
+mod until;
 mod works;
 
 use super::catalogue::Range;
@@ -131,6 +135,10 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
         attraction::without(&top, "a scene without `adhesion.law` or `adhesion.table`")?;
     }
     let problem = match named {
+        "crack" | "sliding" if root.get("test").is_some() => {
+            top.without(&["test"], "an indenter")?;
+            return Err(top.missing("indentation"));
+        }
         "crack" if root.get("history").is_some() => Problem::DelayedFracture(crack_history::read(&top, document, &material)?),
         "crack" => Problem::SteadyCrack(crack::read(&top, &material)?),
         "indentation" => Problem::Indentation(indentation::read(document, &top, &material)?),

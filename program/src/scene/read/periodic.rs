@@ -21,8 +21,11 @@ pub(super) fn possible(
         HistorySegment::Oscillation(oscillation) if oscillation.is_periodic() => Some(oscillation.quantity),
         _ => None,
     };
-    let found =
-        history.segments.iter().zip(top.items("history")).find_map(|(segment, item)| periodic(segment).map(|quantity| (quantity, item)));
+    let items = top.items("history");
+    let found = history.segments.iter().enumerate().find_map(|(index, segment)| {
+        let quantity = periodic(segment)?;
+        items.get(history.table(index)).map(|item| (quantity, item))
+    });
     let Some((quantity, item)) = found else { return Ok(()) };
     let oscillation = item.required_table("oscillation", "it is the segment")?;
     let name = oscillation.full("periodic");

@@ -103,8 +103,30 @@ impl HistoryQuantity {
 /// A history: what is done, in order, from an unloaded, rested body at time zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
-    /// One after the other; at least one.
+    /// One after the other, groups that repeat written out; at least one.
     pub segments: Vec<HistorySegment>,
+    /// Which `[[history]]` table each segment is of, from 0; of a standard test, its own place.
+    pub tables: Vec<usize>,
+}
+
+impl History {
+    /// One segment a table.
+    #[must_use]
+    pub fn of(segments: Vec<HistorySegment>) -> Self {
+        let tables = (0..segments.len()).collect();
+        Self { segments, tables }
+    }
+
+    /// The segments of a `[[history]]` table.
+    pub fn of_table(&mut self, table: usize) -> impl Iterator<Item = &mut HistorySegment> {
+        self.segments.iter_mut().zip(&self.tables).filter(move |(_, of)| **of == table).map(|(segment, _)| segment)
+    }
+
+    /// The `[[history]]` table of a segment.
+    #[must_use]
+    pub fn table(&self, segment: usize) -> usize {
+        self.tables.get(segment).copied().unwrap_or(segment)
+    }
 }
 
 /// One part of a history; values in the unit of their quantity, times in s.
@@ -157,6 +179,33 @@ pub enum HistorySegment {
     },
     /// A sinus about a mean.
     Oscillation(HistoryOscillation),
+    /// Straight to a value that is so far from the present one.
+    By {
+        /// What is controlled.
+        quantity: HistoryQuantity,
+        /// The value at the end less the one at the start.
+        change: f64,
+        /// How fast; none for at once.
+        pace: Option<Pace>,
+    },
+    /// A ramp, a `By` that takes time, or a hold, ended by a condition.
+    Until {
+        /// What is done; it ends by itself where the condition is never met.
+        segment: Box<Self>,
+        /// What ends it.
+        condition: Condition,
+    },
+}
+
+/// What ends a segment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// A quantity reaches a value, from either side.
+    Reaches(HistoryQuantity, f64),
+    /// The contact is lost.
+    Detachment,
+    /// The time of the history (s).
+    Time(f64),
 }
 
 impl HistorySegment {
@@ -168,8 +217,10 @@ impl HistorySegment {
             | Self::Ramp { quantity, .. }
             | Self::Table { quantity, .. }
             | Self::Cycles { quantity, .. }
+            | Self::By { quantity, .. }
             | Self::Oscillation(HistoryOscillation { quantity, .. }) => Some(*quantity),
             Self::Hold { quantity, .. } => *quantity,
+            Self::Until { segment, .. } => segment.quantity(),
         }
     }
 }

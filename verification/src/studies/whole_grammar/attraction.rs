@@ -1,12 +1,15 @@
 //! Draws of laws by which an indenter attracts at a distance.
 
 use super::material::Scales;
-use super::text::{Accuracies, ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, TIME, Text, quoted};
+use super::text::{Accuracies, ENERGY_PER_AREA, LENGTH, NUMBER, PRESSURE, SPEED, TIME, Text, quoted};
 use std::f64::consts::PI;
 
 /// Of a smooth law, and of one with kinks or a hard wall, where each digit costs thirty times more.
 const SMOOTH: Accuracies = ([1e-2, 1e-3, 1e-4, 1e-5], 1e-6);
 const KINKED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-4);
+
+/// Scenes of which one follows a protocol.
+const PROTOCOLS: usize = 4;
 
 /// A reduced law of Lennard-Jones, for tables.
 fn stress(u: f64) -> f64 {
@@ -59,6 +62,24 @@ pub(super) fn indenter(text: &mut Text, scales: Scales) {
         }
     }
     text.put("indentation.instants", "3");
+    // One in so many is pressed and pulled as a protocol says: by digits that nothing else depends on.
+    if text.draw.clone().digits().is_multiple_of(PROTOCOLS) {
+        let depth = 4.0 * range;
+        let far = text.number(8.0 * depth, 1.0, LENGTH);
+        let speed = depth / (text_time(tabor) * scales.time);
+        let rate = text.number(speed, 1.0, SPEED);
+        let condition = if text.chance(0.5) {
+            format!("penetration = {}", text.number(0.8 * depth, 1.0, LENGTH))
+        } else {
+            format!("contact_radius = {}", text.number(3.0 * (size * range).sqrt(), 1.0, LENGTH))
+        };
+        let back = text.number(-depth, 1.0, LENGTH);
+        text.put(
+            "history",
+            format!("[{{ penetration = {far}, rate = {rate}, until = {{ {condition} }} }}, {{ quantity = \"penetration\", by = {back}, rate = {rate} }}]"),
+        );
+        return;
+    }
     text.put("indentation.start", quoted("relaxed"));
     text.put_number("indentation.penetration", 4.0 * range, 1.0, LENGTH);
     let (end, during) = (text.number(-6.0 * range, 1.0, LENGTH), text.number(text_time(tabor), scales.time, TIME));

@@ -88,7 +88,7 @@ fn compare(judged: &mut Judged, found: &Outcome, exact: &Outcome) {
         return;
     }
     // How many cycles it takes until they are stationary depends on the accuracy, and with it which one is the last.
-    let settles = judged.drawn.text.contains("until_stationary");
+    let settles = ["until_stationary", "\"dynamic\""].into_iter().any(|word| judged.drawn.text.contains(word));
     let rows = |outcome: &Outcome| {
         let mut groups: BTreeMap<(usize, Vec<String>), Vec<Row>> = BTreeMap::new();
         for row in outcome.rows.iter().filter(|row| !(is_spread(judged.drawn.problem, row) || settles && row.label(0) == SUMMARY)) {

@@ -14,6 +14,8 @@ const FOREIGN: &[(&str, &[Problem])] = &[
     ("sliding", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Indentation]),
     ("indentation", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding, Problem::Surface]),
     ("history", &[Problem::SteadyCrack, Problem::Sliding, Problem::Surface]),
+    ("test", &[Problem::SteadyCrack, Problem::DelayedFracture, Problem::Sliding, Problem::Surface]),
+    ("history[].until", &[Problem::DelayedFracture]),
     // A contact has edges, or acts at a distance.
     ("sliding.profile", &[Problem::Sliding]),
     ("sliding.surface", &[Problem::Sliding]),

@@ -64,6 +64,9 @@ pub(super) fn write(text: &mut Text) {
     }
 }
 
+/// Histories of which one goes up by steps.
+const STEPPED: usize = 8;
+
 fn history(text: &mut Text, controlled: &Controlled, span: f64) -> Vec<String> {
     let &Controlled { word, unit, units, rates, per_second } = controlled;
     let value = |text: &mut Text, part: f64| text.number(part, unit, units);
@@ -75,6 +78,16 @@ fn history(text: &mut Text, controlled: &Controlled, span: f64) -> Vec<String> {
     };
     let hold = |text: &mut Text, during: f64| format!("{{ hold = {} }}", time(text, during));
     let lower = text.draw.between(0.2, 0.8);
+    // One in so many goes up by steps that repeat: by digits that nothing else depends on.
+    if text.draw.clone().digits().is_multiple_of(STEPPED) {
+        let by = value(text, 0.3);
+        let pace = if text.chance(0.5) {
+            format!("rate = {}", text.number(2.0, per_second, rates))
+        } else {
+            format!("duration = {}", time(text, 0.1))
+        };
+        return vec![go(text, lower), format!("{{ by = {by}, {pace} }}"), hold(text, 0.3), "{ repeat = 2, segments = 2 }".to_owned()];
+    }
     match text.draw.below(6) {
         0 => vec![go(text, 1.0), hold(text, 1.0)],
         1 => vec![ramp(text, 1.0, 0.5), hold(text, 1.0)],

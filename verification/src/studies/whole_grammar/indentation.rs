@@ -3,6 +3,7 @@
 use super::adhesion::{by_speed, works_file};
 use super::attraction;
 use super::material::{Scales, Taken, write as material};
+use super::protocol::{self, Contact};
 use super::text::{ENERGY_PER_AREA, FORCE, FORCE_RATE, FREQUENCY, LENGTH, NUMBER, PRESSURE, SPEED, STIFFNESS, TIME, Text, Units, quoted};
 use std::f64::consts::PI;
 
@@ -21,6 +22,9 @@ enum Shape {
     Power,
     Profile,
 }
+
+/// Untouched scenes of which one follows a protocol.
+const PROTOCOLS: usize = 4;
 
 /// Sizes of the contact in SI: depth, radius, force.
 struct Size {
@@ -192,6 +196,13 @@ pub(super) fn write(text: &mut Text) {
     }
     let span = scales.time * text.draw.log_between(0.1, 10.0);
     let first = start(text, &size, adhesive);
+    // One scene in so many follows a protocol: by digits of the next number that nothing else depends on, so that the others stay as they were.
+    if first.is_empty() && text.draw.clone().digits().is_multiple_of(PROTOCOLS) {
+        let sized = !matches!(size.shape, Shape::Cone);
+        let contact = Contact { depth: size.depth, radius: size.radius, force: size.force, span, framed, sized };
+        protocol::write(text, &contact);
+        return;
+    }
     let segments = history(text, &size, (span, first), framed, adhesive);
     text.put("history", format!("[{}]", segments.join(", ")));
     if text.chance(0.2) {

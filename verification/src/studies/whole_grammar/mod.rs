@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`drawn`] | a scene of a problem, its text and its rows at an accuracy |
 //! | `crack`, `delayed`, `sliding`, `indentation` | draws of each problem |
+//! | `protocol` | standard tests and segments with conditions, of indenters |
 //! | `material`, `adhesion`, `sweep` | draws of what several have |
 //! | `text` | keys and numbers as they are written, in units that are drawn |
 //! | [`compared`] | every number beside its truth |
@@ -22,6 +23,7 @@ mod delayed;
 pub mod drawn;
 mod indentation;
 mod material;
+mod protocol;
 mod sliding;
 mod surface;
 mod sweep;

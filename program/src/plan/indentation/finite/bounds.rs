@@ -29,7 +29,7 @@ impl FiniteRangePlan {
     /// The runs of the state.
     pub(super) fn runs(&self, desk: &Desk<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
-        let mut accuracy = tolerances(self.accuracy, &self.reduced.law);
+        let mut accuracy = tolerances(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
         let watched = |number: u32| move |part: f64| desk.passed(number, part.min(1.0));
         let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;
@@ -53,7 +53,7 @@ impl FiniteRangePlan {
     /// Whether every instant, and the largest tension, differ by less than the wanted accuracy.
     fn agree(&self, runs: &Runs) -> bool {
         let scale = |of: fn(&Record) -> f64| runs.tight.rows.iter().fold(0.0_f64, |most, row| most.max(of(row).abs()));
-        let near = |a: &Record, b: &Record, of: fn(&Record) -> f64, scale: f64| (of(a) - of(b)).abs() <= 0.5 * self.accuracy * scale;
+        let near = |a: &Record, b: &Record, of: fn(&Record) -> f64, scale: f64| (of(a) - of(b)).abs() <= 0.5 * self.solver_accuracy * scale;
         let mut of: Vec<fn(&Record) -> f64> = vec![|row| row.force, |row| row.penetration, |row| row.contact_radius];
         if self.indentation.energies {
             of.extend([(|row: &Record| row.work) as fn(&Record) -> f64, |row| row.dissipated, |row| row.released]);
@@ -65,7 +65,7 @@ impl FiniteRangePlan {
         let tension = |run: &Run| run.legs.iter().map(|leg| leg.largest_tension.force).fold(f64::INFINITY, f64::min);
         let (one, other) = (tension(&runs.loose), tension(&runs.tight));
         self.instants(runs).iter().all(|(a, b)| of.iter().zip(&scales).all(|(of, scale)| near(a, b, *of, *scale)))
-            && (one - other).abs() <= 0.5 * self.accuracy * other.abs()
+            && (one - other).abs() <= 0.5 * self.solver_accuracy * other.abs()
     }
 
     /// The instants that become rows, of both runs.

@@ -41,13 +41,13 @@ impl FiniteRangePlan {
 
     /// Memory of a state besides its rows (bytes), at most.
     pub(super) fn most_memory(&self) -> u64 {
-        let nodes = tolerances(self.accuracy, &self.reduced.law).most_nodes as u64;
+        let nodes = tolerances(self.solver_accuracy, &self.reduced.law).most_nodes as u64;
         8 * MATRICES * nodes * nodes + BLOCKS + STEP * self.work_of_a_state().linear_solves / SYSTEMS_A_STEP
     }
 
     /// Expected work of one state.
     pub(super) fn work_of_a_state(&self) -> Work {
-        let finer = (1e-3 / self.accuracy).powf(ORDER);
+        let finer = (1e-3 / self.solver_accuracy).powf(ORDER);
         let mut begin = 0.0;
         let steps = |piece: &Piece| {
             let duration = piece.end - std::mem::replace(&mut begin, piece.end);

@@ -84,6 +84,7 @@ impl FiniteRangePlan {
         ]
         .map(str::to_owned)
         .to_vec();
+        sentences.extend(super::super::locate::sentence(&self.timeline, 3));
         sentences.extend(self.advice.iter().cloned());
         sentences
     }

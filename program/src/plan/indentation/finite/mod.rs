@@ -10,11 +10,13 @@ mod describe;
 mod drawings;
 mod fields;
 mod history;
+mod parts;
 mod rows;
 mod scales;
 mod validity;
 mod widened;
 
+use super::known::Known;
 use super::scale::Scale;
 use super::timeline::Timeline;
 use crate::outcome::plot::Figure;
@@ -48,6 +50,10 @@ pub(in crate::plan) struct FiniteRangePlan {
     timeline: Timeline,
     reduced: Reduced,
     course: Course,
+    /// What is known of the history that only a solution knows.
+    known: Known,
+    /// The accuracy that the solver is asked for: tighter where conditions end segments.
+    solver_accuracy: f64,
     /// What the scene calls for, and what the other theory would cost.
     advice: Vec<String>,
 }
@@ -63,14 +69,14 @@ impl FiniteRangePlan {
         let material = plane_material(scene, indentation.counter_body.and_then(|body| body.elastic))?;
         material.solid_modulus("a contact with attraction of finite range")?;
         let scale = Scale::new(scene.units);
-        let timeline = Timeline::new(indentation, &scale, &[])?;
-        if !timeline.open_rates.is_empty() {
-            return Err(Refusal::Undefined {
-                quantity: "a segment at a rate after another quantity was controlled",
-                reason: "with a law of attraction its start is not computed: give its `duration` in place of `rate`".into(),
-            });
-        }
-        let mut wanted = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
+        let timeline = Timeline::new(indentation, &scale, &Known::default())?;
+        let mut wanted = indentation
+            .fields
+            .iter()
+            .filter(|_| timeline.open.is_empty())
+            .flat_map(|fields| &fields.times)
+            .map(|time| time / indentation.speed_factor);
+        // What is open is known when it is solved: times beyond the end have no row.
         if let Some(late) = wanted.find(|time| *time > timeline.duration() * (1.0 + SUM_OF_DURATIONS)) {
             return Err(Refusal::out_of_range("fields.times", late, "within the history"));
         }
@@ -85,9 +91,11 @@ impl FiniteRangePlan {
             units: scene.units,
             accuracy: scene.accuracy,
             swept: !scene.sweeps.is_empty(),
-            timeline,
             reduced,
             course,
+            known: Known::default(),
+            solver_accuracy: scene.accuracy * if timeline.searches() { parts::WITH_CONDITIONS } else { 1.0 },
+            timeline,
             advice: Vec::new(),
         };
         plan.problem()?.check()?;
@@ -164,7 +172,13 @@ impl ProblemPlan for FiniteRangePlan {
     }
 
     fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        self.rows(state, swept, desk)
+        let mut rows = match self.resolved(desk) {
+            Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
+            Ok(None) => self.rows(state, swept, desk),
+            Err(refusal) => vec![self.refused(state, swept, &refusal)],
+        };
+        super::locate::of_starts(&mut rows, &self.known);
+        rows
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {

@@ -1,6 +1,8 @@
 //! One state as rows: its answer first, then instants, events, the largest tension and the instants of fields, in the order of time.
 
 use super::super::columns::Measure;
+use super::super::locate::State;
+use super::super::shift::{self, CONDITION_MET, LIMIT_REACHED, Shift};
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
@@ -8,7 +10,7 @@ use super::history::{is_kinked, tolerances};
 use super::widened::{Floors, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::desk::Desk;
-use crate::scene::typed::IndentationShape;
+use crate::scene::typed::{Condition, IndentationShape};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{BY_CHANCE, Jump, LegSummary, Record};
@@ -32,13 +34,20 @@ const ROUNDING: f64 = 1e-11;
 /// Values of a row in the order of the columns, coherent.
 pub(super) type Values = Vec<Option<Estimate>>;
 
+/// The end of a segment with a condition: the word, the values there, and what follows from the bound on its time.
+type End = (&'static str, Values, Option<Shift>);
+
 impl FiniteRangePlan {
     pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        self.runs(desk).and_then(|runs| self.rows_of(&runs, state, swept)).unwrap_or_else(|refusal| {
-            let mut row = self.row(state, swept, [SUMMARY, ""]);
-            row.refuse(&refusal);
-            vec![row]
-        })
+        let solved = self.runs(desk).and_then(|runs| self.rows_of(&runs, state, swept));
+        solved.unwrap_or_else(|refusal| vec![self.refused(state, swept, &refusal)])
+    }
+
+    /// The row of a state that is refused.
+    pub(super) fn refused(&self, state: usize, swept: &[f64], refusal: &Refusal) -> Row {
+        let mut row = self.row(state, swept, [SUMMARY, ""]);
+        row.refuse(refusal);
+        row
     }
 
     fn row(&self, state: usize, swept: &[f64], labels: [&str; 2]) -> Row {
@@ -62,6 +71,8 @@ impl FiniteRangePlan {
         if let Some(values) = self.of_largest_tension(runs, &floors) {
             all.push((["event", LARGEST_TENSION], values));
         }
+        let ends = self.ends_of_segments(runs)?;
+        all.extend(ends.iter().map(|(word, values, _)| (["event", *word], values.clone())));
         all.iter_mut().for_each(|(_, values)| floors.raise(values));
         let end = all.iter().rfind(|(labels, _)| labels[0] == INSTANT).map(|(_, values)| values.clone());
         let mut scales = vec![0.0_f64; COLUMNS.len()];
@@ -87,10 +98,12 @@ impl FiniteRangePlan {
                 *scale = scale.max(least);
             }
         }
+        let shifts: Vec<Shift> = ends.iter().filter_map(|end| end.2).collect();
         let mut timed: Vec<(f64, Row)> = Vec::new();
-        for (labels, values) in all {
+        for (labels, mut values) in all {
             let mut row = self.row(state, swept, labels);
             let time = values.first().copied().flatten().map_or(0.0, |time| time.value);
+            shift::widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
             self.fill(&mut row, values, &scales, runs);
             timed.push((time, row));
         }
@@ -98,6 +111,7 @@ impl FiniteRangePlan {
             floors.raise(&mut values);
             let mut row = self.row(state, swept, ["fields", ""]);
             let time = values.first().copied().flatten().map_or(0.0, |time| time.value);
+            shift::widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
             self.fill(&mut row, values, &scales, runs);
             row.work.field_evaluations = points.len() as u64;
             row.fields = points;
@@ -106,7 +120,9 @@ impl FiniteRangePlan {
         timed.sort_by(|first, second| first.0.total_cmp(&second.0));
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
         let mut answer = self.row(state, swept, [SUMMARY, ""]);
-        self.put(&mut answer, self.of_state(runs, &floors, end.as_ref()), runs);
+        let mut values = self.of_state(runs, &floors, end.as_ref());
+        shift::widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
+        self.put(&mut answer, values, runs);
         self.conclude(&mut answer, &rows, runs);
         rows.insert(0, answer);
         let table = columns(&self.indentation, self.units);
@@ -114,6 +130,51 @@ impl FiniteRangePlan {
             row.representable(&table)?;
         }
         Ok(rows)
+    }
+
+    /// A state with its bounds, coherent.
+    pub(super) fn of_record_state(&self, loose: &Record, tight: &Record) -> State<Estimate> {
+        State {
+            time: tight.time,
+            penetration: self.depth(loose.penetration, tight.penetration),
+            force: self.between(loose.force, tight.force, self.reduced.scales.force),
+            contact_radius: self.between(loose.contact_radius, tight.contact_radius, self.reduced.scales.radius),
+        }
+    }
+
+    /// Where segments with a condition end: the word, the values there, and what follows from the bound on the time.
+    fn ends_of_segments(&self, runs: &Runs) -> Result<Vec<End>, Refusal> {
+        let compliance = self.indentation.frame_stiffness.map_or(0.0, |stiffness| 1.0 / (stiffness * self.scale.force));
+        let mut ends = Vec::new();
+        let instants = self.instants(runs);
+        for ended in &self.timeline.ends {
+            let far = |record: &Record| (record.time - ended.time).abs();
+            let Some((loose, tight)) = instants.iter().min_by(|one, other| far(one.1).total_cmp(&far(other.1))) else { continue };
+            let at_end = self.of_record_state(loose, tight);
+            let values = self.basic(Estimate::exact(ended.time), at_end.penetration, at_end.force, at_end.contact_radius);
+            if !ended.met || ended.exact {
+                ends.push((if ended.met { CONDITION_MET } else { LIMIT_REACHED }, values, None));
+                continue;
+            }
+            let states: Vec<State<f64>> = runs.tight.rows.iter().filter(|row| row.time <= ended.time).map(|row| self.state(row)).collect();
+            let within = |time: f64| time >= ended.began && time <= ended.time;
+            let times: [Option<f64>; 2] = [&runs.loose, &runs.tight].map(|run| {
+                let losses = run.losses.iter().map(|loss| loss.time);
+                losses.chain(run.jumps.iter().map(|jump| jump.time)).filter(|time| within(*time)).reduce(f64::max)
+            });
+            let lost = match times {
+                [Some(loose), Some(tight)] => Some(Estimate::new(tight, (loose - tight).abs())),
+                _ => None,
+            };
+            if ended.condition == Condition::Detachment && lost.is_none() {
+                return Err(Refusal::NotConverged {
+                    what: "the end of a segment by detachment",
+                    detail: "a tighter solution detaches later; ask for a higher accuracy".into(),
+                });
+            }
+            ends.push((CONDITION_MET, values, Some(Shift::of(ended, &at_end, &states, lost, compliance))));
+        }
+        Ok(ends)
     }
 
     /// A state is known as well as all that lies on its way.
@@ -143,7 +204,7 @@ impl FiniteRangePlan {
     /// The bound of a tighter value.
     fn change(&self, loose: f64, tight: f64) -> f64 {
         let factor = if is_kinked(&self.reduced.law) { KINKED } else { 1.0 };
-        let by_chance = BY_CHANCE * tolerances(self.accuracy, &self.reduced.law).tightened().step;
+        let by_chance = BY_CHANCE * tolerances(self.solver_accuracy, &self.reduced.law).tightened().step;
         factor * (loose - tight).abs() + (by_chance + ROUNDING) * tight.abs()
     }
 

@@ -1,0 +1,252 @@
+//! Source: `program/src/scene/read/{until,repeat,relative,standard_test}.rs`, `program/src/plan/indentation/{locate,shift}.rs`.
+//!
+//! Goal: a condition ends a segment where its quantity comes to the value, within the bounds; standard tests, groups that repeat and relative values are the
+//! segments that they stand for, to the last bit; what cannot be is refused with what to type.
+//!
+//! Parameters: a sphere with an edge, without adhesion, with a law of attraction, and through a frame; forces, radii and depths as conditions, on ramps and on a hold.
+//!
+//! Oracle: the same history whose segment ends at a chosen place, a hundred times as accurate, gives the value that the condition then names; Hertz's closed forms.
+//!
+//! Tolerance: the sum of both bounds.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs)]
+
+use crate::command_support;
+
+use command_support::Folder;
+use serde_json::Value;
+
+const MATERIAL: &str =
+    "[material]\nrelaxed_modulus = \"1 MPa\"\npoisson_ratio = 0.49\nrelaxation = [{ modulus = \"4 MPa\", relaxation_time = \"0.5 s\" }]\n";
+const ELASTIC: &str = "[material]\nrelaxed_modulus = \"1 MPa\"\npoisson_ratio = 0.5\n";
+const STICKY: &str = "[adhesion]\nwork_of_adhesion = \"50 mJ/m²\"\nprocess_zone = { length = \"1 µm\" }\n";
+const DISTANT: &str = "[adhesion]\nwork_of_adhesion = \"50 mJ/m²\"\nlaw = \"lennard_jones\"\nrange = \"2 µm\"\n";
+const SPHERE: &str = "[indentation]\nsphere = { radius = \"1 mm\" }\ninstants = 4\n";
+const FRAME: &str = "frame_stiffness = \"500 N/m\"\n";
+
+fn results(text: &str) -> Value {
+    Folder::with(text).call(&["run", "scene.toml", "--json"]).ended(0).json()
+}
+
+/// The same of a truth, whose bounds count, not its accuracy.
+fn truth_of(text: &str) -> Value {
+    Folder::with(text).call(&["run", "scene.toml", "--json"]).json()
+}
+
+/// A number of the row of the state, and its bound.
+fn of_state(summary: &Value, name: &str) -> (f64, f64) {
+    of_row(&summary["results"][0], name)
+}
+
+fn of_row(row: &Value, name: &str) -> (f64, f64) {
+    let value = &row["values"][name];
+    (value["value"].as_f64().unwrap(), value["error"].as_f64().unwrap())
+}
+
+/// The rows of an event.
+fn events<'s>(summary: &'s Value, word: &str) -> Vec<&'s Value> {
+    summary["results"].as_array().unwrap().iter().filter(|row| row["event"] == word).collect()
+}
+
+fn near((one, error): (f64, f64), (other, bound): (f64, f64), what: &str) {
+    println!("{what}: {one:e} ± {error:.1e}, {other:e} ± {bound:.1e}");
+    assert!((one - other).abs() <= error + bound, "{what}: {one:e} ± {error:e} and {other:e} ± {bound:e}");
+}
+
+/// The numbers of all rows.
+fn values(summary: &Value) -> Vec<Value> {
+    summary["results"].as_array().unwrap().iter().map(|row| row["values"].clone()).collect()
+}
+
+#[test]
+fn a_condition_is_met_where_a_finer_history_has_its_value() {
+    let cases = [
+        ("without adhesion", format!("{MATERIAL}{SPHERE}"), "penetration", 1e-4, 1e-6),
+        ("an edge", format!("{MATERIAL}{STICKY}{SPHERE}"), "penetration", 1e-4, 1e-6),
+        ("an edge in a frame", format!("{MATERIAL}{STICKY}{SPHERE}{FRAME}"), "frame", 1e-4, 1e-6),
+        ("at a distance", format!("{MATERIAL}{DISTANT}{SPHERE}"), "penetration", 1e-3, 1e-5),
+        ("at a distance in a frame", format!("{MATERIAL}{DISTANT}{SPHERE}{FRAME}"), "frame", 1e-3, 1e-5),
+    ];
+    for (name, head, moved, accuracy, finer) in cases {
+        // The sides of both ways: down until something, a rest, and back until something.
+        let down = "[[history]]\npenetration = 5e-6\nduration = 2\n".replace("penetration", moved);
+        let truth = truth_of(&format!("accuracy = {finer:e}\n{head}{down}"));
+        for quantity in ["force", "contact_radius", "penetration"] {
+            let (value, bound) = of_state(&truth, &format!("end_{}", quantity.trim_start_matches("contact_")));
+            let until = format!("[[history]]\n{moved} = 50e-6\nrate = 2.5e-6\nuntil = {{ {quantity} = {value:e} }}\n");
+            let found = results(&format!("accuracy = {accuracy:e}\n{head}{until}"));
+            let met = events(&found, "condition_met");
+            assert_eq!(met.len(), 1, "{name} {quantity}");
+            // The bound of the truth moves its place by as much as the value goes in that time, or less.
+            let of_truth = 2.0 * 2.0 * bound / value.abs();
+            near(of_row(met[0], "time"), (2.0, of_truth), &format!("{name} until {quantity}: time"));
+            for end in ["end_penetration", "end_force", "end_radius"] {
+                let (exact, error) = of_state(&truth, end);
+                near(of_state(&found, end), (exact, error + of_truth * exact.abs()), &format!("{name} until {quantity}: {end}"));
+            }
+            let (time, error) = of_row(met[0], "time");
+            assert!(error <= accuracy * time, "{name} {quantity}: the time is known to {error:e} s");
+        }
+        let hold = "[[history]]\nhold = 0.4\n";
+        let truth = truth_of(&format!("accuracy = {finer:e}\n{head}{down}{hold}"));
+        let (force, bound) = of_state(&truth, "end_force");
+        let found = results(&format!(
+            "accuracy = {accuracy:e}\n{head}{down}[[history]]\nhold = 9\nuntil = {{ force = {force:e} }}\n[[history]]\nquantity = {moved:?}\nby = -1e-6\nrate = 1e-6\n"
+        ));
+        let time = of_row(events(&found, "condition_met")[0], "time");
+        near(time, (2.4, 4.0 * bound / force), &format!("{name}: hold until"));
+        // What is controlled after a hold goes on from where it was held: 1 µm at 1 µm/s.
+        let truth = truth_of(&format!("accuracy = {finer:e}\n{head}{down}{hold}[[history]]\n{moved} = 4e-6\nrate = 1e-6\n"));
+        for end in ["end_penetration", "end_force"] {
+            let (exact, error) = of_state(&truth, end);
+            near(of_state(&found, end), (exact, error + 4.0 * bound / force * exact.abs()), &format!("{name} after the hold: {end}"));
+        }
+    }
+}
+
+#[test]
+fn an_elastic_sphere_stops_at_the_depth_of_hertz() {
+    let (modulus, radius, force) = (1e6 / 0.75, 1e-3_f64, 1e-3);
+    let depth = (0.75 * force / (modulus * radius.sqrt())).powf(2.0 / 3.0);
+    for condition in [format!("force = {force:e}"), format!("contact_radius = {:e}", (radius * depth).sqrt())] {
+        let found = results(&format!(
+            "accuracy = 1e-6\n{ELASTIC}{SPHERE}[[history]]\npenetration = 1e-3\nrate = 1e-6\nuntil = {{ {condition} }}\n"
+        ));
+        near(of_state(&found, "end_penetration"), (depth, 1e-15 * depth), &condition);
+        near(of_row(events(&found, "condition_met")[0], "time"), (depth / 1e-6, 0.0), &condition);
+    }
+}
+
+#[test]
+fn a_segment_ends_right_after_the_contact_is_lost() {
+    for (name, head, accuracy) in [
+        ("without adhesion", format!("{MATERIAL}{SPHERE}"), 1e-4),
+        ("an edge", format!("{MATERIAL}{STICKY}{SPHERE}"), 1e-4),
+        ("at a distance", format!("{MATERIAL}{DISTANT}{SPHERE}"), 1e-3),
+    ] {
+        let head = format!("accuracy = {accuracy:e}\n{head}[[history]]\npenetration = 4e-6\nrate = 2e-6\n");
+        let whole = results(&format!("{head}[[history]]\npenetration = -2e-5\nrate = 2e-6\n"));
+        let found = results(&format!("{head}[[history]]\npenetration = -2e-5\nrate = 2e-6\nuntil = {{ event = \"detachment\" }}\n"));
+        let stopped = of_row(events(&found, "condition_met")[0], "time");
+        for name in ["detachment_time", "detachment_penetration"] {
+            near(of_state(&found, name), of_state(&whole, name), name);
+        }
+        let detached = of_state(&found, "detachment_time");
+        assert!(stopped.0 >= detached.0 && stopped.0 - detached.0 <= stopped.1, "{name}: {stopped:?} after {detached:?}");
+        assert!(of_state(&found, "end_radius").0 == 0.0, "{name}");
+    }
+}
+
+#[test]
+fn a_condition_that_is_never_met_leaves_the_segment_as_it_is() {
+    for head in [format!("{MATERIAL}{STICKY}{SPHERE}"), format!("{MATERIAL}{DISTANT}{SPHERE}")] {
+        let ramp = "[[history]]\npenetration = 4e-6\nrate = 2e-6\n";
+        let found = results(&format!("accuracy = 1e-3\n{head}{ramp}until = {{ force = 1 }}\n"));
+        let plain = results(&format!("accuracy = 1e-4\n{head}{ramp}"));
+        let limit = events(&found, "limit_reached");
+        assert_eq!((limit.len(), of_row(limit[0], "time")), (1, (2.0, 0.0)));
+        assert!(events(&found, "condition_met").is_empty());
+        for name in ["end_force", "end_radius"] {
+            near(of_state(&found, name), of_state(&plain, name), name);
+        }
+    }
+}
+
+#[test]
+fn times_and_controlled_quantities_need_no_search() {
+    let head = format!("accuracy = 1e-4\n{MATERIAL}{STICKY}{SPHERE}");
+    let plain = results(&format!("{head}[[history]]\npenetration = 3e-6\nduration = 1.5\n"));
+    for condition in ["penetration = 3e-6", "time = 1.5"] {
+        let found = results(&format!("{head}[[history]]\npenetration = 8e-6\nduration = 4\nuntil = {{ {condition} }}\n"));
+        for name in ["end_penetration", "end_force", "end_radius"] {
+            near(of_state(&found, name), of_state(&plain, name), name);
+        }
+        assert_eq!(of_row(events(&found, "condition_met")[0], "time"), (1.5, 0.0));
+    }
+}
+
+#[test]
+fn a_group_that_repeats_is_its_segments_written_out() {
+    let group = "[[history]]\npenetration = 4e-6\nrate = 4e-6\nuntil = { force = 5e-4 }\n[[history]]\nquantity = \"penetration\"\nby = -1e-6\nrate = 4e-6\n[[history]]\nhold = 0.1\n";
+    let head = format!("accuracy = 1e-3\n{MATERIAL}{SPHERE}");
+    let short = results(&format!("{head}{group}[[history]]\nrepeat = 3\nsegments = 3\n"));
+    let long = results(&format!("{head}{}", group.repeat(3)));
+    assert_eq!(values(&short), values(&long));
+    // A group of a group: the hold twice, and all of it twice.
+    let nested = format!("{head}{group}[[history]]\nrepeat = 2\n[[history]]\nrepeat = 2\nsegments = 4\n");
+    let hold = "[[history]]\nhold = 0.1\n";
+    assert_eq!(values(&results(&nested)), values(&results(&format!("{head}{group}{hold}{group}{hold}"))));
+    let crack = |history: &str| {
+        let head = command_support::DELAYED.split("[[history]]").next().unwrap().to_owned();
+        values(&results(&format!("{head}{history}")))
+    };
+    let steps = "[[history]]\nstress_intensity = \"2 kPa √m\"\n[[history]]\nby = \"0.5 kPa √m\"\nrate = \"1 kPa √m/s\"\n[[history]]\nhold = \"1 s\"\n[[history]]\nrepeat = 2\nsegments = 2\n";
+    let plain = "[[history]]\nstress_intensity = 2e3\n[[history]]\nstress_intensity = 2.5e3\nrate = 1e3\n[[history]]\nhold = 1\n[[history]]\nstress_intensity = 3e3\nrate = 1e3\n[[history]]\nhold = 1\n";
+    assert_eq!(crack(steps), crack(plain));
+}
+
+#[test]
+fn a_standard_test_is_the_segments_that_explain_prints() {
+    let tests = [
+        "kind = \"pull_off\"\napproach_speed = 5e-6\npreload = 5e-4\ndwell = 0.5\nretraction_speed = 1e-5",
+        "kind = \"tack\"\napproach_speed = 5e-6\npreload = 5e-4\ndwell = 0.5",
+        "kind = \"creep\"\npreload = 5e-4\nrise = 0.1\ndwell = 0.5",
+        "kind = \"relaxation\"\napproach_speed = 5e-6\ndepth = 4e-6\ndwell = 0.5",
+        "kind = \"dynamic\"\napproach_speed = 5e-6\npreload = 5e-4\namplitude = 1e-7\nfrequency = 1\nto_frequency = 10\nfrequencies = 3\ncycles = 3",
+        "kind = \"cyclic\"\napproach_speed = 5e-6\ndepth = 4e-6\nretract_to = 1e-6\ncycles = 2",
+    ];
+    let heads = [format!("{MATERIAL}{SPHERE}"), format!("{MATERIAL}{STICKY}{SPHERE}{FRAME}"), format!("{MATERIAL}{DISTANT}{SPHERE}")];
+    for head in heads {
+        for test in tests {
+            let head = format!("accuracy = 1e-2\n{head}");
+            let scene = format!("{head}[test]\n{test}\n");
+            let explained = Folder::with(&scene).call(&["explain", "scene.toml", "--json"]).ended(0).json();
+            let segments: Vec<String> = explained["history"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|segment| format!("[[history]]\n{}\n", segment.as_str().unwrap()))
+                .collect();
+            let written = format!("{head}{}", segments.concat());
+            let run = |text: &str| Folder::with(text).call(&["run", "scene.toml", "--json"]).json();
+            let (short, long) = (run(&scene), run(&written));
+            assert!(short["results"].as_array().unwrap().len() > 4, "{test}");
+            assert_eq!(short["results"], long["results"], "{head}{test}");
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_says_what_to_type() {
+    let head = format!("{MATERIAL}{SPHERE}");
+    let crack = command_support::DELAYED.replace("hold = \"2 s\"", "hold = \"2 s\"\nuntil = { time = \"1 s\" }");
+    let cases = [
+        (format!("{head}[[history]]\npenetration = 1e-6\nuntil = {{ force = 1 }}\n"), "add rate = \"1 µm/s\", or a duration"),
+        (format!("{head}[[history]]\npenetration = 1e-6\nrate = 1\nuntil = {{}}\n"), "give exactly one of them"),
+        (format!("{head}[[history]]\npenetration = 1e-6\nrate = 1\nuntil = {{ force = 1, time = 1 }}\n"), "exclude each other"),
+        (format!("{head}[[history]]\npenetration = 1e-6\nrate = 1\nuntil = {{ frame = 1 }}\n"), "add indentation.frame_stiffness"),
+        (format!("{head}[[history]]\nby = 1e-6\nrate = 1\n"), "history.0.quantity"),
+        (format!("{head}[[history]]\nrepeat = 2\n"), "put it behind the tables"),
+        (format!("{head}[[history]]\nhold = 1\n[[history]]\nrepeat = 2\nsegments = 3\n"), "only 1 [[history]] tables"),
+        (
+            format!("{head}[[history]]\nhold = 1\n[[history]]\nrepeat = 10000\n[[history]]\nrepeat = 10000\nsegments = 2\n"),
+            "at most 20000 segments",
+        ),
+        (format!("{head}[test]\nkind = \"creep\"\npreload = 1e-3\ndwell = 1\ndepth = 1e-6\n"), "does not belong to a test of the kind"),
+        (format!("{head}[test]\nkind = \"relaxation\"\napproach_speed = 1\ndepth = 1e-6\n"), "test.dwell"),
+        (format!("{head}[test]\nkind = \"tack\"\napproach_speed = 1\npreload = 1\n[[history]]\nhold = 1\n"), "leave one of the two out"),
+        (crack, "only the history of an indenter has conditions"),
+        (command_support::SLIDING.to_owned() + "\n[test]\nkind = \"creep\"\n", "belongs to an indenter"),
+    ];
+    for (text, wanted) in cases {
+        let answer = Folder::with(&text).call(&["run", "scene.toml"]).ended(2);
+        assert!(answer.stderr.contains(wanted), "{wanted}\n{text}\n{}", answer.stderr);
+    }
+    // A cone has no size to go to.
+    let cone = format!("{MATERIAL}[indentation]\ncone = {{ slope = 0.2 }}\n[test]\nkind = \"tack\"\napproach_speed = 1\npreload = 1\n");
+    let answer = Folder::with(&cone).call(&["run", "scene.toml"]).ended(2);
+    assert!(answer.stderr.contains("test.approach_to"), "{}", answer.stderr);
+    // What only a solution shows is a row with its reason.
+    let late = format!("{head}[[history]]\npenetration = 1e-6\nduration = 2\n[[history]]\nhold = 1\nuntil = {{ time = 1 }}\n");
+    let answer = Folder::with(&late).call(&["run", "scene.toml"]);
+    assert!(format!("{}{}", answer.stdout, answer.stderr).contains("give a later `until.time`"), "{}{}", answer.stdout, answer.stderr);
+}
