@@ -209,7 +209,9 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     for cycle in &mut solution.cycles {
         // Fundamental amplitudes are sums over the time as well, of depth and of force.
         let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
-        let of_work = not_known.sums * swing(&cycle.penetration) * swing(&cycle.force);
+        // The mean of the force does no work in the end, but goes into the sums.
+        let largest_force = cycle.force[0].value.abs().max(cycle.force[1].value.abs());
+        let of_work = not_known.sums * swing(&cycle.penetration) * largest_force;
         let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
         wider(&mut cycle.work, of_work);
         wider(&mut cycle.storage_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);
