@@ -209,9 +209,10 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     for cycle in &mut solution.cycles {
         // Fundamental amplitudes are sums over the time as well, of depth and of force.
         let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
-        // The mean of the force does no work in the end, but goes into the sums.
-        let largest_force = cycle.force[0].value.abs().max(cycle.force[1].value.abs());
-        let of_work = not_known.sums * swing(&cycle.penetration) * largest_force;
+        // The mean of the force does no work in the end, but goes into the sums; what is not known of the force does work there and back.
+        let largest = |range: &[Estimate; 2]| range[0].value.abs().max(range[1].value.abs());
+        let unknown_force = of_force(largest(&cycle.contact_radius));
+        let of_work = swing(&cycle.penetration) * (not_known.sums * largest(&cycle.force) + 2.0 * unknown_force);
         let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
         wider(&mut cycle.work, of_work);
         wider(&mut cycle.storage_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);

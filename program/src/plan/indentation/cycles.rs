@@ -13,8 +13,8 @@ pub(super) const MOST_ROWS: usize = 2000;
 /// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
 
-/// Last digits of the quantities of a cycle, which a difference of two keeps: extremes and means of the same cycle by finer courses differ by up to 6e-12.
-const DIGITS: f64 = 1e-11;
+/// Last digits of the quantities of a cycle, which a difference of two keeps.
+const DIGITS: f64 = 1e-13;
 /// Rounding of the ends of a cycle, over the time.
 const END: f64 = 2.0 * f64::EPSILON;
 
@@ -70,7 +70,7 @@ impl IndentationPlan {
         // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
         let unknown = solution.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
-        let carried = 2.0 * DIGITS * (longest / (cycle.end - cycle.start)).max(1.0);
+        let carried = 2.0 * (DIGITS + unknown) * (longest / (cycle.end - cycle.start)).max(1.0);
         let cells = [
             (at::TIME, exact(cycle.end)),
             (at::SEGMENT, exact(segment as f64)),
