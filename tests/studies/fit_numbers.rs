@@ -132,17 +132,3 @@ fn a_model_without_solutions_and_too_few_data_are_refused() {
     let few = Problem { data: vec![1.0; 2], groups: group(2, 1.0), ..problem };
     assert!(fit(&few).unwrap_err().to_string().contains("2 data cannot fix 1 parameters"));
 }
-
-/// `FAMILY=0 DRAWS=90 cargo test --release --test studies -- --ignored --nocapture one_family`: what a family of `verify fit_coverage` gives.
-#[test]
-#[ignore = "minutes; the study has all families"]
-fn one_family_of_the_study_covers_the_truth() {
-    let number = |name: &str, default: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default);
-    let found = viscotack_verification::studies::fit_coverage::coverage(
-        number("FAMILY", 0) as usize,
-        number("DRAWS", 8),
-        &viscotack_verification::studies::Progress::silent(),
-    );
-    println!("{found:#?}");
-    assert!(found.missed == 0 && found.refusals.is_empty());
-}

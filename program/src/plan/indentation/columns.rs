@@ -191,7 +191,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         "Of the state, and in the last instant's row: most panels of the line at once, which a run's memory goes with.",
     ),
     column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
-    column("pull_off_time", Measure::Time, "When the tension is largest: known as well as tensions can be told from each other there."),
+    column("pull_off_time", Measure::Time, "When the tension is largest: known as well as two tensions near it can be distinguished."),
     column("pull_off_penetration", Measure::Length, "Δ where the tension is largest, known as well as its time."),
     column("pull_off_radius", Measure::Length, "Contact radius where the tension is largest, known as well as its time."),
     column(
