@@ -5,6 +5,7 @@ use super::cycles::MOST_ROWS as MOST_CYCLE_ROWS;
 use super::timeline::Leg;
 use crate::outcome::Work;
 use crate::scene::typed::{HistoryQuantity, IndentationShape};
+use viscotack::material::RelaxationTerm;
 
 /// Balances of a history without instants to land on, and of each such instant, at an accuracy of 1e-3.
 const HISTORY: f64 = 1220.0;
@@ -31,9 +32,9 @@ const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 32.0;
 /// The same outside cycles, where the edge may leave the rim.
 const HELD_HISTORY_UPDATES: f64 = 110.0;
-/// Cycles until they are stationary: the first few, and what the longest memory asks for.
+/// Cycles until they are stationary: the first few, and those in which what the slower terms still change, over the modulus, falls to the accuracy.
 const STATIONARY: f64 = 3.0;
-const SETTLING: f64 = 2.0;
+const SETTLING: f64 = 0.06;
 
 /// Balances of a periodic state at an accuracy of 1e-4, power of the accuracy they grow with, and points of the line for each.
 const PERIODIC: f64 = 60_000.0;
@@ -98,11 +99,8 @@ impl IndentationPlan {
 
     /// Expected balances and updates of all cycles.
     fn work_of_cycles(&self) -> (f64, f64) {
-        let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
         let expected = |leg: &Leg| match leg.oscillation {
-            Some(oscillation) if oscillation.until_stationary => {
-                leg.cycles().min(STATIONARY + SETTLING * (oscillation.frequency * longest).sqrt())
-            }
+            Some(oscillation) if oscillation.until_stationary => leg.cycles().min(self.cycles_until_stationary(oscillation.frequency)),
             _ => leg.cycles(),
         };
         let cycles: f64 = self.timeline.legs.iter().map(expected).sum();
@@ -113,6 +111,15 @@ impl IndentationPlan {
         }
         let balances = cycles * CYCLE * finer.powf(CYCLE_ORDER);
         (balances, balances * CYCLE_UPDATES * cycles.sqrt())
+    }
+
+    /// Expected cycles until they are stationary: each term settles by its own memory, and a slow one changes little in a cycle.
+    fn cycles_until_stationary(&self, frequency: f64) -> f64 {
+        let of_term = |term: &RelaxationTerm| {
+            let (share, memory) = (term.modulus / self.material.glassy_modulus(), frequency * term.relaxation_time);
+            memory * (SETTLING * share / (memory * self.solver_accuracy)).ln()
+        };
+        STATIONARY + self.material.relaxation_terms().iter().map(of_term).fold(0.0, f64::max)
     }
 
     /// Expected moves and updates without steps in time.
@@ -131,7 +138,11 @@ impl IndentationPlan {
             .map(|leg| match leg.oscillation {
                 Some(oscillation) => {
                     let memory = oscillation.frequency * longest;
-                    let repeated = STATIONARY + if oscillation.until_stationary { SETTLING * memory.sqrt() } else { REPEATING * memory };
+                    let repeated = if oscillation.until_stationary {
+                        self.cycles_until_stationary(oscillation.frequency)
+                    } else {
+                        STATIONARY + REPEATING * memory
+                    };
                     let cycle = match leg.quantity {
                         _ if held => HELD_CYCLE_MOVES,
                         HistoryQuantity::Penetration => CYCLE_MOVES,

@@ -105,10 +105,17 @@ impl Test<'_> {
             return Ok(HistorySegment::Ramp { quantity, value: self.table.required_number("depth")?, pace });
         }
         let preload = self.table.required_number("preload")?;
-        let bent = self.rig.frame_stiffness.map_or(0.0, |stiffness| (preload / stiffness).abs());
         let value = match self.table.number("approach_to")? {
             Some(limit) => limit,
-            None => self.size("approach_to")? + bent,
+            None => {
+                let bent = self.rig.frame_stiffness.map_or(0.0, |stiffness| (preload / stiffness).abs());
+                let limit = self.size("approach_to")? + bent;
+                if !limit.is_finite() {
+                    let message = format!("`{}` bends the frame by more than a number holds", self.table.full("preload"));
+                    return Err(self.table.wrong("preload", message, "lower it, or give a stiffer frame_stiffness"));
+                }
+                limit
+            }
         };
         let segment = Box::new(HistorySegment::Ramp { quantity, value, pace });
         Ok(HistorySegment::Until { segment, condition: Condition::Reaches(HistoryQuantity::Force, preload) })

@@ -199,7 +199,7 @@ pub(super) fn write(text: &mut Text) {
     // One scene in so many follows a protocol: by digits of the next number that nothing else depends on, so that the others stay as they were.
     if first.is_empty() && text.draw.clone().digits().is_multiple_of(PROTOCOLS) {
         let sized = !matches!(size.shape, Shape::Cone);
-        let contact = Contact { depth: size.depth, radius: size.radius, force: size.force, span, framed, sized };
+        let contact = Contact { depth: size.depth, radius: size.radius, force: size.force, span, framed, sized, adhesive };
         protocol::write(text, &contact);
         return;
     }

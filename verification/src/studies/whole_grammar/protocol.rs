@@ -1,6 +1,9 @@
 //! Draws of protocols: standard tests, segments that a condition ends, values relative to the present one, groups that repeat.
 
-use super::text::{FORCE, FREQUENCY, LENGTH, SPEED, TIME, Text, quoted};
+use super::text::{Accuracies, FORCE, FREQUENCY, LENGTH, SPEED, TIME, Text, quoted};
+
+/// Of an edge that adheres: what only the way shows is found by integrating the way several times, at a tenth of the accuracy.
+const SEARCHED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-5);
 
 /// Sizes of a contact in SI, and how long its history takes.
 pub(super) struct Contact {
@@ -11,10 +14,14 @@ pub(super) struct Contact {
     pub(super) framed: bool,
     /// Whether its shape has a size of its own.
     pub(super) sized: bool,
+    pub(super) adhesive: bool,
 }
 
 /// Writes a standard test, or segments with conditions.
 pub(super) fn write(text: &mut Text, contact: &Contact) {
+    if contact.adhesive {
+        text.accuracies = Some(SEARCHED);
+    }
     if text.chance(0.6) {
         test(text, contact);
     } else {
