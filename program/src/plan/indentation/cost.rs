@@ -32,9 +32,11 @@ const HELD_CYCLE_ORDER: f64 = 0.4;
 const HELD_UPDATES: f64 = 32.0;
 /// The same outside cycles, where the edge may leave the rim.
 const HELD_HISTORY_UPDATES: f64 = 110.0;
-/// Cycles until they are stationary: the first few, and those in which what the slower terms still change, over the modulus, falls to the accuracy.
+/// Cycles until they are stationary: the first few, and those in which what a slow term still changes, over the modulus, falls to the accuracy; with many terms the
+/// root of the longest memory counts if it is more.
 const STATIONARY: f64 = 3.0;
 const SETTLING: f64 = 0.06;
+const MANY_TERMS: f64 = 2.0;
 
 /// Balances of a periodic state at an accuracy of 1e-4, power of the accuracy they grow with, and points of the line for each.
 const PERIODIC: f64 = 60_000.0;
@@ -117,7 +119,8 @@ impl IndentationPlan {
     fn cycles_until_stationary(&self, frequency: f64) -> f64 {
         let of_term = |term: &RelaxationTerm| {
             let (share, memory) = (term.modulus / self.material.glassy_modulus(), frequency * term.relaxation_time);
-            memory * (SETTLING * share / (memory * self.solver_accuracy)).ln()
+            let settling = memory * (SETTLING * share / (memory * self.solver_accuracy)).ln();
+            settling.max(MANY_TERMS * memory.sqrt())
         };
         STATIONARY + self.material.relaxation_terms().iter().map(of_term).fold(0.0, f64::max)
     }
