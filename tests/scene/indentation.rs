@@ -21,9 +21,12 @@ const REDUCED: &str =
 [adhesion]\nwork_of_adhesion = 1.6e-4\nprocess_zone = { length = 0.013 }\n";
 
 fn solved(text: &str) -> Outcome {
+    solved_with(text, [("measured.csv", "time,penetration,force\n0,0.032,0.5\n1,0.030,0.1\n2,0.029,\n".to_owned())])
+}
+
+fn solved_with(text: &str, [(name, table)]: [(&str, String); 1]) -> Outcome {
     let mut document = Document::parse("scene.toml", text.to_owned(), Path::new(".")).unwrap();
-    document
-        .attach("measured.csv", SourceText::new("measured.csv", "time,penetration,force\n0,0.032,0.5\n1,0.030,0.1\n2,0.029,\n".to_owned()));
+    document.attach(name, SourceText::new(name, table));
     let scene = read::read(&document).unwrap_or_else(|error| panic!("{}", error.rendered()));
     plan::run(&document, &scene, Vec::new(), None, &|_| {}).unwrap()
 }
@@ -212,6 +215,49 @@ fn a_measured_force_is_overlaid() {
     }
     assert!(outcome.effects.iter().any(|effect| effect.name == "measured force" && effect.on));
     assert!(outcome.figures.iter().any(|(name, _)| name == "force_against_time"));
+    assert!(outcome.figures.iter().any(|(name, _)| name == "force_deviation_against_time"));
+}
+
+/// An elastic sphere against forces that are off Hertz's F = (4/3)E*√R Δ^{3/2} by known amounts: deviations, their root mean square and R² follow by hand.
+#[test]
+fn deviations_from_a_measured_force_are_those_that_were_put_in() {
+    let (modulus, radius): (f64, f64) = (3.2e5, 2e-3);
+    let hertz = |depth: f64| 4.0 / 3.0 * modulus / (1.0 - 0.49 * 0.49) * radius.sqrt() * depth.powf(1.5);
+    let depths = [1e-6, 2e-6, 4e-6, 7e-6];
+    let off = [3e-6, -4e-6, 1e-6, 2e-6];
+    let measured: Vec<f64> = depths.iter().zip(off).map(|(depth, off)| hertz(*depth) - off).collect();
+    let lines: String =
+        depths.iter().zip(&measured).enumerate().map(|(second, (depth, force))| format!("{second},{depth:e},{force:e}\n")).collect();
+    let table = format!("time [s],penetration [m],force [N]\n{lines}");
+    // The attraction pulls by 2πRΔγ at most.
+    let attraction = "[adhesion]\nwork_of_adhesion = 1e-9\nlaw = \"exponential\"\nrange = 1e-7\n";
+    for (adhesion, pull) in [("", 0.0), (attraction, 2.0 * PI * radius * 1e-9)] {
+        let outcome = solved_with(
+            &format!(
+                "accuracy = 1e-4\n[material]\nrelaxed_modulus = {modulus:e}\npoisson_ratio = 0.49\n{adhesion}[indentation]\nsphere = {{ radius = {radius:e} }}\n[[history]]\ntable = \"pressed.csv\"\nquantity = \"penetration\"\ntolerance = 0\n"
+            ),
+            [("pressed.csv", table.clone())],
+        );
+        let estimate = |row: &Row, name: &str| row.values[column(&outcome, name)].unwrap();
+        let rows: Vec<&Row> =
+            instants(&outcome).into_iter().filter(|row| row.value(column(&outcome, "measured_force")).is_some()).collect();
+        assert_eq!(rows.len(), 4, "{adhesion}");
+        for (row, expected) in rows.iter().zip(off) {
+            let found = estimate(row, "force_deviation");
+            assert!(
+                (found.value - expected).abs() <= found.error + pull + 1e-15 && found.error < 1e-7,
+                "{adhesion} {found:?} {expected:e}"
+            );
+        }
+        let mean_square = |of: &dyn Fn(usize) -> f64| (0..4).map(|index| of(index).powi(2)).sum::<f64>() / 4.0;
+        let mean = measured.iter().sum::<f64>() / 4.0;
+        let (rms, spread) = (mean_square(&|index| off[index]).sqrt(), mean_square(&|index| measured[index] - mean).sqrt());
+        let found = estimate(&outcome.rows[0], "rms_deviation");
+        assert!((found.value - rms).abs() <= found.error + pull + 1e-15 && found.error < 1e-7, "{adhesion} {found:?} {rms:e}");
+        let (found, expected) = (estimate(&outcome.rows[0], "coefficient_of_determination"), 1.0 - (rms / spread).powi(2));
+        let more = 3.0 * pull * rms / spread.powi(2) + 1e-9;
+        assert!((found.value - expected).abs() <= found.error + more && found.error < 1e-3, "{adhesion} {found:?} {expected:e}");
+    }
 }
 
 /// The speed factor divides every time.

@@ -43,43 +43,46 @@ pub(super) mod at {
     pub(crate) const BALANCE_DEFECT: usize = 11;
     pub(crate) const FRAME: usize = 12;
     pub(crate) const MEASURED_FORCE: usize = 13;
-    pub(crate) const TIP_RELEASE_RATE: usize = 14;
-    pub(crate) const ENERGY_RELEASE_RATE: usize = 15;
-    pub(crate) const SEGMENT: usize = 16;
-    pub(crate) const CYCLE: usize = 17;
-    pub(crate) const CYCLE_START: usize = 18;
-    pub(crate) const FREQUENCY: usize = 19;
-    pub(crate) const WORK_PER_CYCLE: usize = 20;
-    pub(crate) const STORAGE_STIFFNESS: usize = 21;
-    pub(crate) const LOSS_STIFFNESS: usize = 22;
-    pub(crate) const PHASE: usize = 23;
-    pub(crate) const SMALLEST_PENETRATION: usize = 24;
-    pub(crate) const LARGEST_PENETRATION: usize = 25;
-    pub(crate) const SMALLEST_FORCE: usize = 26;
-    pub(crate) const LARGEST_FORCE: usize = 27;
-    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 28;
-    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 29;
-    pub(crate) const DRIFT: usize = 30;
-    pub(crate) const SPREAD: usize = 31;
-    pub(crate) const STEPS: usize = 32;
-    pub(crate) const PANELS: usize = 33;
-    pub(crate) const PULL_OFF_FORCE: usize = 34;
-    pub(crate) const PULL_OFF_TIME: usize = 35;
-    pub(crate) const PULL_OFF_PENETRATION: usize = 36;
-    pub(crate) const PULL_OFF_RADIUS: usize = 37;
-    pub(crate) const WORK_OF_SEPARATION: usize = 38;
-    pub(crate) const DETACHMENT_TIME: usize = 39;
-    pub(crate) const DETACHMENT_PENETRATION: usize = 40;
-    pub(crate) const LARGEST_RADIUS: usize = 41;
-    pub(crate) const LARGEST_COMPRESSION: usize = 42;
-    pub(crate) const END_PENETRATION: usize = 43;
-    pub(crate) const END_FORCE: usize = 44;
-    pub(crate) const END_RADIUS: usize = 45;
+    pub(crate) const FORCE_DEVIATION: usize = 14;
+    pub(crate) const TIP_RELEASE_RATE: usize = 15;
+    pub(crate) const ENERGY_RELEASE_RATE: usize = 16;
+    pub(crate) const SEGMENT: usize = 17;
+    pub(crate) const CYCLE: usize = 18;
+    pub(crate) const CYCLE_START: usize = 19;
+    pub(crate) const FREQUENCY: usize = 20;
+    pub(crate) const WORK_PER_CYCLE: usize = 21;
+    pub(crate) const STORAGE_STIFFNESS: usize = 22;
+    pub(crate) const LOSS_STIFFNESS: usize = 23;
+    pub(crate) const PHASE: usize = 24;
+    pub(crate) const SMALLEST_PENETRATION: usize = 25;
+    pub(crate) const LARGEST_PENETRATION: usize = 26;
+    pub(crate) const SMALLEST_FORCE: usize = 27;
+    pub(crate) const LARGEST_FORCE: usize = 28;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 29;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 30;
+    pub(crate) const DRIFT: usize = 31;
+    pub(crate) const SPREAD: usize = 32;
+    pub(crate) const STEPS: usize = 33;
+    pub(crate) const PANELS: usize = 34;
+    pub(crate) const PULL_OFF_FORCE: usize = 35;
+    pub(crate) const PULL_OFF_TIME: usize = 36;
+    pub(crate) const PULL_OFF_PENETRATION: usize = 37;
+    pub(crate) const PULL_OFF_RADIUS: usize = 38;
+    pub(crate) const WORK_OF_SEPARATION: usize = 39;
+    pub(crate) const DETACHMENT_TIME: usize = 40;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 41;
+    pub(crate) const LARGEST_RADIUS: usize = 42;
+    pub(crate) const LARGEST_COMPRESSION: usize = 43;
+    pub(crate) const END_PENETRATION: usize = 44;
+    pub(crate) const END_FORCE: usize = 45;
+    pub(crate) const END_RADIUS: usize = 46;
+    pub(crate) const RMS_DEVIATION: usize = 47;
+    pub(crate) const DETERMINATION: usize = 48;
     /// How many there are.
-    pub(crate) const ALL: usize = 46;
+    pub(crate) const ALL: usize = 49;
 
     /// Of the state as a whole, in the order of its table.
-    pub(crate) const OF_A_STATE: [usize; 23] = [
+    pub(crate) const OF_A_STATE: [usize; 25] = [
         PULL_OFF_FORCE,
         PULL_OFF_RATIO,
         PULL_OFF_TIME,
@@ -93,6 +96,8 @@ pub(super) mod at {
         END_PENETRATION,
         END_FORCE,
         END_RADIUS,
+        RMS_DEVIATION,
+        DETERMINATION,
         FREQUENCY,
         STORAGE_STIFFNESS,
         LOSS_STIFFNESS,
@@ -142,6 +147,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
+    column("force_deviation", Measure::Force, "The computed force less the measured one."),
     column(
         "tip_release_rate",
         Measure::EnergyPerArea,
@@ -210,6 +216,16 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("end_penetration", Measure::Length, "Δ at the end of the history."),
     column("end_force", Measure::Force, "F at the end of the history."),
     column("end_radius", Measure::Length, "Contact radius at the end of the history."),
+    column(
+        "rms_deviation",
+        Measure::Force,
+        "Root of the mean square of the deviations from the measured force, over the instants that have one.",
+    ),
+    column(
+        "coefficient_of_determination",
+        Measure::Number,
+        "One less the sum of squared deviations over that of the measured forces from their mean: 1 where both curves are one, negative where the mean fits better.",
+    ),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.
@@ -229,7 +245,7 @@ pub(super) fn oscillates(indentation: &Indentation) -> bool {
 pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
-        at::MEASURED_FORCE => has_measured_force(indentation),
+        at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
         at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
         place if place >= at::PULL_OFF_FORCE => true,
         place => place < at::SEGMENT || oscillates(indentation),

@@ -1,8 +1,8 @@
 //! The plots of an indentation: a curve for every state, elastic limits, measured forces, fields.
 
-use super::IndentationPlan;
 use super::columns::{at, field, position};
-use super::rows::{CYCLE, INSTANT, LARGEST_TENSION, SUMMARY};
+use super::rows::{CYCLE, LARGEST_TENSION, SUMMARY};
+use super::{IndentationPlan, agreement};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
 use crate::plan::curves::{axis_of, innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
@@ -47,6 +47,8 @@ impl IndentationPlan {
                 ("penetration_against_time", at::PENETRATION),
             ] {
                 figures.push((name.to_owned(), self.time_figure(&states, column)));
+                // The deviations follow the force that they are of.
+                figures.extend((column == at::FORCE).then(|| self.deviation_figure(&states)).flatten());
             }
         }
         let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
@@ -196,18 +198,25 @@ impl IndentationPlan {
 
     /// The measured force of the first state, as marks.
     fn with_measured(&self, figure: Figure, states: &[State<'_>], horizontal: usize) -> Figure {
-        let Some(measured) = position(&self.indentation, at::MEASURED_FORCE) else { return figure };
-        let points: Vec<(f64, f64)> = states
-            .first()
-            .into_iter()
-            .flat_map(|state| &state.rows)
-            .filter(|row| row.label(0) == INSTANT)
-            .filter_map(|row| Some((row.value(horizontal)?, row.value(measured)?)))
-            .collect();
-        if points.is_empty() {
-            return figure;
+        let marks = position(&self.indentation, at::MEASURED_FORCE)
+            .and_then(|measured| agreement::marks(states.first()?.rows.iter().copied(), [horizontal, measured]));
+        match marks {
+            Some(marks) => figure.with_curve(marks),
+            None => figure,
         }
-        figure.with_curve(Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1))
+    }
+
+    /// How far the computed force of the first state is from the measured one.
+    fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
+        let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
+        let vertical = Axis::linear(self.label(
+            "computed less measured force",
+            r"$F - F_\mathrm{meas}$",
+            " (N)",
+            r"$(F - F_\mathrm{meas})/\pi E_0^* R^2$",
+        ));
+        let figure = agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), vertical)?;
+        Some(("force_deviation_against_time".to_owned(), figure))
     }
 
     /// Loss of an oscillation; else the pull-off force, or without adhesion the largest force.

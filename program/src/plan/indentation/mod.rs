@@ -1,5 +1,6 @@
 //! The plan of an indenter in time: which shape and material, which history, which instants and fields.
 
+mod agreement;
 mod answer;
 mod columns;
 mod cost;
@@ -254,6 +255,7 @@ impl ProblemPlan for IndentationPlan {
                 .flat_map(|row| row.values.iter_mut().flatten().chain(row.fields.iter_mut().flat_map(|point| &mut point.values)));
             values.filter(|estimate| estimate.error > 0.0).for_each(|estimate| estimate.error += OF_FLOW * estimate.value.abs());
         }
+        agreement::put_into(&mut rows, &columns::columns(&self.indentation, self.units));
         rows
     }
 

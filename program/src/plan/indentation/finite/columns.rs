@@ -27,28 +27,31 @@ pub(super) mod at {
     pub(crate) const RESIDUAL: usize = 10;
     pub(crate) const FRAME: usize = 11;
     pub(crate) const MEASURED_FORCE: usize = 12;
-    pub(crate) const PULL_OFF_FORCE: usize = 13;
-    pub(crate) const PULL_OFF_TIME: usize = 14;
-    pub(crate) const PULL_OFF_PENETRATION: usize = 15;
-    pub(crate) const PULL_OFF_RADIUS: usize = 16;
-    pub(crate) const WORK_OF_SEPARATION: usize = 17;
-    pub(crate) const WORK_TO_PULL_OFF: usize = 18;
-    pub(crate) const DETACHMENT_TIME: usize = 19;
-    pub(crate) const DETACHMENT_PENETRATION: usize = 20;
-    pub(crate) const LARGEST_RADIUS: usize = 21;
-    pub(crate) const LARGEST_COMPRESSION: usize = 22;
-    pub(crate) const END_PENETRATION: usize = 23;
-    pub(crate) const END_FORCE: usize = 24;
-    pub(crate) const END_RADIUS: usize = 25;
-    pub(crate) const JUMPS: usize = 26;
-    pub(crate) const JUMP_LOSS: usize = 27;
-    pub(crate) const TABOR: usize = 28;
-    pub(crate) const GLASSY_TABOR: usize = 29;
-    pub(crate) const ENERGY_DEFECT: usize = 30;
-    pub(crate) const STEPS: usize = 31;
-    pub(crate) const NODES: usize = 32;
+    pub(crate) const FORCE_DEVIATION: usize = 13;
+    pub(crate) const PULL_OFF_FORCE: usize = 14;
+    pub(crate) const PULL_OFF_TIME: usize = 15;
+    pub(crate) const PULL_OFF_PENETRATION: usize = 16;
+    pub(crate) const PULL_OFF_RADIUS: usize = 17;
+    pub(crate) const WORK_OF_SEPARATION: usize = 18;
+    pub(crate) const WORK_TO_PULL_OFF: usize = 19;
+    pub(crate) const DETACHMENT_TIME: usize = 20;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 21;
+    pub(crate) const LARGEST_RADIUS: usize = 22;
+    pub(crate) const LARGEST_COMPRESSION: usize = 23;
+    pub(crate) const END_PENETRATION: usize = 24;
+    pub(crate) const END_FORCE: usize = 25;
+    pub(crate) const END_RADIUS: usize = 26;
+    pub(crate) const RMS_DEVIATION: usize = 27;
+    pub(crate) const DETERMINATION: usize = 28;
+    pub(crate) const JUMPS: usize = 29;
+    pub(crate) const JUMP_LOSS: usize = 30;
+    pub(crate) const TABOR: usize = 31;
+    pub(crate) const GLASSY_TABOR: usize = 32;
+    pub(crate) const ENERGY_DEFECT: usize = 33;
+    pub(crate) const STEPS: usize = 34;
+    pub(crate) const NODES: usize = 35;
     /// How many there are.
-    pub(crate) const ALL: usize = 33;
+    pub(crate) const ALL: usize = 36;
 
     /// Energies, which turn into each other.
     pub(crate) const ENERGIES: [usize; 5] = [STORED_ENERGY, INTERFACE_ENERGY, EXTERNAL_WORK, DISSIPATED_ENERGY, RELEASED_ENERGY];
@@ -89,6 +92,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
+    column("force_deviation", Measure::Force, "The computed force less the measured one."),
     column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
     column("pull_off_time", Measure::Time, "When the tension is largest; soft where the maximum is flat."),
     column("pull_off_penetration", Measure::Length, "Δ where the tension is largest; soft where the maximum is flat."),
@@ -114,6 +118,16 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("end_penetration", Measure::Length, "Δ at the end of the history."),
     column("end_force", Measure::Force, "F at the end of the history."),
     column("end_radius", Measure::Length, "Contact radius at the end of the history."),
+    column(
+        "rms_deviation",
+        Measure::Force,
+        "Root of the mean square of the deviations from the measured force, over the instants that have one.",
+    ),
+    column(
+        "coefficient_of_determination",
+        Measure::Number,
+        "One less the sum of squared deviations over that of the measured forces from their mean: 1 where both curves are one, negative where the mean fits better.",
+    ),
     column("jumps", Measure::Number, "Sudden changes of the surface to another equilibrium; each is an event."),
     column("jump_loss", Measure::Energy, "What all of them set free."),
     column("tabor_number", Measure::Number, "(RΔγ²/(E0*²r³))^{1/3} with the relaxed modulus, r the range of the law."),
@@ -127,7 +141,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
 pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
-        at::MEASURED_FORCE => has_measured_force(indentation),
+        at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
         place => indentation.energies || !at::ENERGIES.contains(&place),
     };
     (0..at::ALL).filter(has).collect()

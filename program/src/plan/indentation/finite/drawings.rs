@@ -1,5 +1,6 @@
 //! The plots of an indenter that attracts at a distance: curves of every state, pull-off against what is swept, surfaces.
 
+use super::super::agreement;
 use super::FiniteRangePlan;
 use super::columns::{at, field, position};
 use super::rows::{DETACHMENT, LARGEST_TENSION, SUMMARY};
@@ -49,6 +50,8 @@ impl FiniteRangePlan {
                 ("penetration_against_time", at::PENETRATION),
             ] {
                 figures.push((name.to_owned(), self.figure(&states, at::TIME, column)));
+                // The deviations follow the force that they are of.
+                figures.extend((column == at::FORCE).then(|| self.deviation_figure(&states)).flatten());
             }
         }
         figures = noted(figures, thinning(numbers.len(), MOST_STATES, "states"));
@@ -81,6 +84,9 @@ impl FiniteRangePlan {
             }
             figure = figure.with_curve(Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid));
         }
+        let measured = position(&self.indentation, at::MEASURED_FORCE).filter(|_| vertical == at::FORCE);
+        let measured = measured.and_then(|measured| agreement::marks(states.first()?.rows.iter().copied(), [horizontal, measured]));
+        figure = measured.into_iter().fold(figure, Figure::with_curve);
         let marked = |word: &str| -> Vec<(f64, f64)> {
             let rows = states.iter().flat_map(|state| &state.rows).filter(|row| row.label(1) == word);
             rows.map(|row| (value(row, horizontal), value(row, vertical))).collect()
@@ -94,6 +100,19 @@ impl FiniteRangePlan {
             }
         }
         figure
+    }
+
+    /// How far the computed force of the first state is from the measured one.
+    fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
+        let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
+        let vertical = Axis::linear(self.label(
+            "computed less measured force",
+            r"$F - F_\mathrm{meas}$",
+            " (N)",
+            r"$(F - F_\mathrm{meas})/\pi E_0^* R^2$",
+        ));
+        let figure = agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), vertical)?;
+        Some(("force_deviation_against_time".to_owned(), figure))
     }
 
     /// Pull-off, or of what has no unit for it the largest force.

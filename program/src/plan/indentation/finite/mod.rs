@@ -178,6 +178,7 @@ impl ProblemPlan for FiniteRangePlan {
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
         super::locate::of_starts(&mut rows, &self.known);
+        super::agreement::put_into(&mut rows, &columns::columns(&self.indentation, self.units));
         rows
     }
 
