@@ -4,9 +4,11 @@ use super::curve::Curve;
 use super::manifest::{FeatureEntry, ManifestError, Order};
 use super::measure::{Scales, Where, measured};
 use super::mutation::Mutation;
+use serde::{Deserialize, Serialize};
 
 /// How a feature ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// It holds.
     Passed,
