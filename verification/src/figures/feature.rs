@@ -154,7 +154,7 @@ fn expectation(entry: &FeatureEntry) -> Option<String> {
     let mut words = Vec::new();
     words.extend(entry.equals.map(|value| match (entry.within, value == 0.0) {
         (Some(within), true) => format!("{value} ± {within}"),
-        (Some(within), false) => format!("{value} ± {} %", 100.0 * within),
+        (Some(within), false) => format!("{value} ± {} %", (1e11 * within).round() / 1e9),
         (None, _) => format!("{value}"),
     }));
     words.extend(entry.above.map(|bound| format!("above {bound}")));

@@ -94,7 +94,7 @@ fn when(panel: &ShownPanel) -> String {
     }
     let digits: String = panel.digest.chars().take(12).collect();
     let now = if panel.altered { ", which was altered since" } else { "" };
-    format!(" <small>Of {}, by {}; SHA-256 of its table {digits}…{now}.</small>", escaped(&panel.date), escaped(&panel.program))
+    format!(" <small>Of {}, by {}; the SHA-256 of its table begins {digits}{now}.</small>", escaped(&panel.date), escaped(&panel.program))
 }
 
 fn of_feature(feature: &ShownFeature) -> String {
