@@ -126,6 +126,9 @@ enum Command {
         /// Write tables, plots and a contact sheet to this folder; what it holds already is not computed again
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
+        /// Compute nothing: write the scenes behind the figures to this folder, for `viscotack run`
+        #[arg(long, value_name = "DIR", conflicts_with = "out")]
+        scenes: Option<PathBuf>,
         /// Only the figures that take little time
         #[arg(long)]
         reduced: bool,
@@ -301,8 +304,8 @@ pub fn main() -> ExitCode {
             fit::fit(&scene, &fit::Asked { out: out.as_deref(), force, models, plan, json })
         }
         Command::Explain { scene, json } => explain::explain(&scene, json),
-        Command::Figures { ids, out, reduced, manifest } => {
-            figures::figures(&viscotack_verification::figures::Options { ids, out, reduced }, manifest.as_deref())
+        Command::Figures { ids, out, scenes, reduced, manifest } => {
+            figures::figures(&viscotack_verification::figures::Options { ids, out, reduced }, scenes.as_deref(), manifest.as_deref())
         }
         Command::Verify { studies, full, out, force } => verify::verify(&studies, full, &out, force),
         Command::Material { file, sets, accuracy, out, force, json } => {

@@ -29,7 +29,11 @@ pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
     } else {
         print(&screen(&report)).and_then(|()| match &written {
             Ok(Some((target, names))) => {
-                print(&format!("\nwrote      {}: {}\n", viscotack_program::terminal_text::name(target), names.join(", ")))
+                let folder = viscotack_program::terminal_text::name(target);
+                print(&format!(
+                    "\nwrote      {folder}: {}\nto use it  [material] file = \"{folder}/material.toml\" in a scene, with poisson_ratio unless the file has it\n",
+                    names.join(", ")
+                ))
             }
             Ok(None) => print("\n(nothing written; add --out DIR for material.toml, tables and plots)\n"),
             Err(_) => Ok(()),

@@ -9,7 +9,11 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use viscotack_verification::figures::{Manifest, Options, Report, Verdict, run};
+use viscotack_program::outcome::Row;
+use viscotack_program::outcome::owned::digest;
+use viscotack_program::plan;
+use viscotack_program::scene::{Document, read};
+use viscotack_verification::figures::{Manifest, Options, Report, Verdict, run, write_scenes};
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -211,4 +215,115 @@ fn the_command_names_what_is_not_there_and_fails_with_a_feature() {
     std::fs::write(&path, "figure = 3").unwrap();
     let (code, _) = command(&["figures", "--manifest", path.to_str().unwrap()]);
     assert_eq!(code, Some(2));
+}
+
+/// Points of a panel's table by curve.
+fn points_of(path: &Path) -> Vec<(String, f64, f64)> {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let number = |text: &str| text.parse().unwrap_or(f64::NAN);
+    let records = reader.records().map(|record| record.unwrap());
+    records.map(|record| (record[0].to_owned(), number(&record[1]), number(&record[3]))).collect()
+}
+
+/// A scene as written, read and solved: the pairs of two columns, or swept values, of its rows.
+fn solved_pairs(path: &Path, x: &str, y: &str) -> Vec<(f64, f64)> {
+    let document = Document::load(path).unwrap();
+    let scene = read::read(&document).unwrap();
+    let outcome = plan::run(&document, &scene, Vec::new(), None, &|_| ()).unwrap();
+    let of = |row: &Row, name: &str| {
+        let swept = outcome.swept.iter().position(|swept| swept.key == name).and_then(|place| row.swept.get(place).copied());
+        let column = || outcome.columns.iter().position(|column| column.name == name);
+        swept.or_else(|| row.values.get(column()?).copied().flatten().map(|estimate| estimate.value))
+    };
+    outcome.rows.iter().filter_map(|row| Some((of(row, x)?, of(row, y)?))).collect()
+}
+
+#[test]
+fn a_scene_of_a_panel_gives_its_curve() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, scenes) = (folder.path().join("figures"), folder.path().join("scenes"));
+    let manifest = Manifest::embedded().unwrap();
+    let ids = ["3.2a", "3.9", "5.7a"];
+    made(&manifest, &ids, Some(out.clone()), false);
+    let options = Options { ids: ids.map(str::to_owned).to_vec(), ..Options::default() };
+    let panels = write_scenes(&manifest, &options, &scenes).unwrap();
+    assert_eq!(panels.iter().map(|panel| panel.id.as_str()).collect::<Vec<_>>(), ids);
+    let line = panels[0].line();
+    assert!(line.starts_with("3.2a") && line.contains("3.2_loads.toml") && line.contains("no scene for E0, Einf: elastic wave"), "{line}");
+    let compared = [
+        // Panel, scene, column of x with the factor that the panel draws it with, column of y, curves of the scene, points that there must be.
+        ("3.2a", "3.2_loads.toml", ("speed", 1.0), "half_width", "p ", 150),
+        ("5.7a", "5.7_delay.toml", ("energy_release_rate_ratio", 1.0), "delay_time", "delay", 20),
+        // The glassy modulus of this one is set, not written in the beginning of its scene.
+        ("3.9", "3.9_crack.toml", ("speed", 0.001), "energy_release_rate_ratio", "crack", 80),
+    ];
+    for (panel, scene, (x, factor), y, curves, least) in compared {
+        let pairs = solved_pairs(&scenes.join(scene), x, y);
+        let points = points_of(&out.join(format!("{panel}.csv")));
+        let mut count = 0;
+        for (curve, x, y) in points.iter().filter(|(curve, x, y)| curve.starts_with(curves) && x.is_finite() && y.is_finite()) {
+            let near = |one: f64, other: f64| (one - other).abs() <= 1e-9 * one.abs().max(other.abs());
+            assert!(
+                pairs.iter().any(|pair| near(factor * pair.0, *x) && near(pair.1, *y)),
+                "{panel}: {scene} has not ({x}, {y}) of `{curve}`"
+            );
+            count += 1;
+        }
+        assert!(count >= least, "{panel}: {count} points");
+    }
+}
+
+#[test]
+fn every_panel_has_scenes_that_can_be_read_or_a_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let manifest = Manifest::embedded().unwrap();
+    let panels = write_scenes(&manifest, &Options::default(), folder.path()).unwrap();
+    assert_eq!(panels.iter().map(|panel| panel.id.clone()).collect::<Vec<_>>(), manifest.panel_ids());
+    assert!(panels.iter().all(|panel| !panel.files.is_empty() || !panel.no_scene.is_empty()));
+    assert!(panels.iter().filter(|panel| !panel.files.is_empty()).count() >= 60);
+    for entry in std::fs::read_dir(folder.path()).unwrap() {
+        let path = entry.unwrap().path();
+        let scene = read::read(&Document::load(&path).unwrap()).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        plan::Plan::new(&scene).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
+    // What is written is not written again; what somebody changed is not replaced.
+    write_scenes(&manifest, &Options::default(), folder.path()).unwrap();
+    let changed = folder.path().join("3.2_loads.toml");
+    std::fs::write(&changed, "title = \"mine\"\n").unwrap();
+    let error = write_scenes(&manifest, &Options::default(), folder.path()).unwrap_err().to_string();
+    assert!(error.contains("3.2_loads.toml") && error.contains("--scenes"), "{error}");
+    assert_eq!(std::fs::read_to_string(&changed).unwrap(), "title = \"mine\"\n");
+}
+
+#[test]
+fn the_index_keeps_panels_of_earlier_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("figures");
+    let manifest = Manifest::embedded().unwrap();
+    let page = || std::fs::read_to_string(out.join("index.html")).unwrap();
+    made(&manifest, &["2.2a", "1.2b"], Some(out.clone()), false);
+    assert!(!page().contains("earlier run"));
+    made(&manifest, &["2.2b"], Some(out.clone()), false);
+    let now = page();
+    for panel in ["1.2b", "2.2a", "2.2b"] {
+        assert!(now.contains(&format!("src=\"{panel}.svg\"")), "{panel} is not in the index");
+    }
+    let digits = &digest(&std::fs::read(out.join("1.2b.csv")).unwrap())[..12];
+    assert!(now.contains("2 panels are of earlier runs") && now.contains(digits) && !now.contains("altered since"));
+    // In the order of the figures; the features of all panels are in the table.
+    let at = |panel: &str| now.find(&format!("src=\"{panel}.svg\"")).unwrap();
+    assert!(at("1.2b") < at("2.2a") && at("2.2a") < at("2.2b"));
+    let features = std::fs::read_to_string(out.join("features.csv")).unwrap();
+    assert!(["1.2,1.2b,", "2.2,2.2a,", "2.2,2.2b,"].iter().all(|start| features.contains(start)));
+    // A table that was changed is reported, one that is gone is left out, one that is made again is of this run.
+    std::fs::write(out.join("1.2b.csv"), "mine").unwrap();
+    std::fs::remove_file(out.join("2.2a.csv")).unwrap();
+    made(&manifest, &["2.2b"], Some(out.clone()), false);
+    assert!(page().contains("One panel is of an earlier run") && page().contains("altered since") && !page().contains("2.2a.svg"));
+    made(&manifest, &["1.2b", "2.2a", "2.2b"], Some(out.clone()), false);
+    assert!(!page().contains("earlier run") && page().contains("2.2a.svg"));
+    // An index that cannot be read counts as none.
+    std::fs::write(out.join("panels.json"), "[{").unwrap();
+    made(&manifest, &["1.2b"], Some(out.clone()), false);
+    assert!(!page().contains("earlier run") && page().contains("1.2b.svg"));
 }

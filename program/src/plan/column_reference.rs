@@ -3,6 +3,7 @@
 use super::Plan;
 use crate::outcome::{Column, Layout};
 use crate::scene::diagnostic::SourceText;
+use crate::scene::key_reference::escaped;
 use crate::scene::typed::Units;
 use crate::scene::{Document, SceneError, read};
 use std::fmt::Write as _;
@@ -87,9 +88,4 @@ fn columns(variant: &Variant) -> Result<Columns, SceneError> {
     scene.units = Units::Reduced;
     let reduced = plan(&scene)?;
     Ok(Columns { layout: si.layout(), fields: [si.field_columns(), reduced.field_columns()], si: si.columns(), reduced: reduced.columns() })
-}
-
-/// A text for a cell of a table.
-fn escaped(text: &str) -> String {
-    text.replace('|', "\\|").replace('<', "&lt;")
 }

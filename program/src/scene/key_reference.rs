@@ -66,7 +66,9 @@ fn list(words: &[Word]) -> String {
     words.iter().map(|word| format!("`\"{}\"` ({})", word.word, word.meaning)).collect::<Vec<_>>().join(", ")
 }
 
-/// A text for a cell of a table: a bar would end it, and `<` would begin a tag.
-fn escaped(text: &str) -> String {
-    text.replace('|', "\\|").replace('<', "&lt;")
+/// A text for a cell of a table: a bar would end it, `<` would begin a tag, and the stars of two moduli would make what is between them slanted.
+pub(crate) fn escaped(text: &str) -> String {
+    let in_text = |part: &str| part.replace('*', "\\*").replace('<', "&lt;");
+    let parts = text.split('`').enumerate().map(|(place, part)| if place % 2 == 0 { in_text(part) } else { part.to_owned() });
+    parts.collect::<Vec<_>>().join("`").replace('|', "\\|")
 }

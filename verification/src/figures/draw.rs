@@ -4,14 +4,18 @@ use super::curve::{Curve, Point};
 use super::manifest::{AxisEntry, Corner};
 use super::report::{PanelReport, Report};
 use super::run::FiguresError;
+use std::collections::BTreeMap;
 use viscotack_program::outcome::csv_table::{self, Cell};
-use viscotack_program::outcome::owned::OwnedFolder;
+use viscotack_program::outcome::owned::{OwnedFolder, digest};
 use viscotack_program::outcome::plot::{self, Axis, Figure, Inset, LegendPlace, Line, Marker, PlotError};
 
-/// Writes `ID.csv` and `ID.svg` of every panel, and `features.csv`.
-pub(super) fn write(report: &Report, out: &mut OwnedFolder) -> Result<(), FiguresError> {
+/// Writes `ID.csv` and `ID.svg` of every panel; gives the digest of each table by the panel's name.
+pub(super) fn write(report: &Report, out: &mut OwnedFolder) -> Result<BTreeMap<String, String>, FiguresError> {
+    let mut digests = BTreeMap::new();
     for panel in report.figures.iter().flat_map(|figure| &figure.panels) {
-        out.replace(&format!("{}.csv", panel.id), &table(panel)?)?;
+        let table = table(panel)?;
+        out.replace(&format!("{}.csv", panel.id), &table)?;
+        digests.insert(panel.id.clone(), digest(&table));
         match plot::svg(&figure(panel)) {
             Ok(text) => out.replace(&format!("{}.svg", panel.id), text.as_bytes())?,
             // A build without plots still writes the tables.
@@ -19,8 +23,7 @@ pub(super) fn write(report: &Report, out: &mut OwnedFolder) -> Result<(), Figure
             Err(error) => return Err(FiguresError::Plot { panel: panel.id.clone(), error }),
         }
     }
-    out.replace("features.csv", &features(report)?)?;
-    Ok(())
+    Ok(digests)
 }
 
 /// The curves of a panel, one point a row.
@@ -42,31 +45,6 @@ fn table(panel: &PanelReport) -> Result<Vec<u8>, csv::Error> {
 /// A label without its mathematics.
 fn plain(label: &str) -> String {
     label.replace(['$', '\\', '{', '}'], "")
-}
-
-/// Every feature with what was measured.
-fn features(report: &Report) -> Result<Vec<u8>, csv::Error> {
-    let header = ["figure", "panel", "claim", "source", "verdict", "measured", "expected", "broken_by", "why"].map(str::to_owned);
-    let mut rows = Vec::new();
-    for figure in &report.figures {
-        for panel in &figure.panels {
-            for feature in &panel.features {
-                let words = [
-                    figure.id.clone(),
-                    panel.id.clone(),
-                    feature.claim.clone(),
-                    feature.source.clone(),
-                    feature.verdict.word().to_owned(),
-                    feature.measured.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join(" "),
-                    feature.expected.clone(),
-                    feature.broken_by.iter().map(|mutation| mutation.word()).collect::<Vec<_>>().join(" "),
-                    feature.why.clone(),
-                ];
-                rows.push(words.into_iter().map(Cell::Word).collect());
-            }
-        }
-    }
-    csv_table::records(&header, &rows)
 }
 
 /// The plot of a panel.

@@ -4,9 +4,11 @@ use super::curve::Curve;
 use super::manifest::{FeatureEntry, ManifestError, Order};
 use super::measure::{Scales, Where, measured};
 use super::mutation::Mutation;
+use serde::{Deserialize, Serialize};
 
 /// How a feature ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// It holds.
     Passed,
@@ -152,7 +154,7 @@ fn expectation(entry: &FeatureEntry) -> Option<String> {
     let mut words = Vec::new();
     words.extend(entry.equals.map(|value| match (entry.within, value == 0.0) {
         (Some(within), true) => format!("{value} ± {within}"),
-        (Some(within), false) => format!("{value} ± {} %", 100.0 * within),
+        (Some(within), false) => format!("{value} ± {} %", (1e11 * within).round() / 1e9),
         (None, _) => format!("{value}"),
     }));
     words.extend(entry.above.map(|bound| format!("above {bound}")));

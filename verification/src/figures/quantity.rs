@@ -52,6 +52,39 @@ impl Quantity {
         }
     }
 
+    /// Its formula in the names of columns.
+    pub(super) fn words(&self) -> String {
+        match self {
+            Self::Column(name) => name.clone(),
+            Self::Form(form) => {
+                let is_one = |value: f64| value.to_bits() == 1.0_f64.to_bits();
+                let mut text =
+                    std::iter::once(form.column.as_str()).chain(form.minus.iter().map(String::as_str)).collect::<Vec<_>>().join(" - ");
+                if !form.minus.is_empty() {
+                    text = format!("({text})");
+                }
+                for (sign, other) in [(" * ", &form.by), (" / ", &form.per)] {
+                    if let Some(other) = other {
+                        text = format!("{text}{sign}{other}");
+                    }
+                }
+                if !is_one(form.power) {
+                    text = format!("({text})^{}", form.power);
+                }
+                if !is_one(form.times) {
+                    text = format!("{} * {text}", form.times);
+                }
+                if form.absolute {
+                    text = format!("|{text}|");
+                }
+                if form.plus != 0.0 {
+                    text = format!("{text} + {}", form.plus);
+                }
+                text
+            }
+        }
+    }
+
     /// Its value and error bound in a row.
     pub(super) fn at(&self, table: &Table, row: usize) -> Option<(f64, f64)> {
         match self {

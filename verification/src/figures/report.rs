@@ -52,6 +52,11 @@ impl FigureReport {
 }
 
 impl Report {
+    /// Whether the run made this panel.
+    pub(super) fn has_panel(&self, id: &str) -> bool {
+        self.figures.iter().flat_map(|figure| &figure.panels).any(|panel| panel.id == id)
+    }
+
     /// Number of features that ended in a way.
     #[must_use]
     pub fn count(&self, verdict: Verdict) -> usize {

@@ -9,7 +9,7 @@ use super::quantity::Quantity;
 use super::report::{FigureReport, PanelReport, Report};
 use super::source::{Source, SourceError};
 use super::store::Store;
-use super::{draw, sheet};
+use super::{draw, sheet, shown};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -51,6 +51,14 @@ pub enum FiguresError {
     /// A file cannot be written.
     #[error("{0}")]
     Folder(#[from] viscotack_program::outcome::folder::FolderError),
+    /// A scene that somebody changed would be lost.
+    #[error("`{path}` is not replaced: {why}; move it away, or choose another --scenes")]
+    Scenes {
+        /// The file.
+        path: String,
+        /// What it is.
+        why: String,
+    },
     /// A plot cannot be drawn.
     #[error("panel {panel}: {error}")]
     Plot {
@@ -95,19 +103,21 @@ pub fn run(manifest: &Manifest, options: &Options, progress: &(dyn Fn(usize, usi
     };
     let report = Report { figures, not_reproduced, program };
     if let Some(mut out) = store.map(Store::into_folder) {
-        draw::write(&report, &mut out)?;
-        sheet::write(&report, &mut out)?;
+        let digests = draw::write(&report, &mut out)?;
+        let figures = shown::merged(&report, &digests, &mut out)?;
+        out.replace("features.csv", &shown::features(&figures)?)?;
+        sheet::write(&report, &figures, &mut out)?;
     }
     Ok(report)
 }
 
-fn uses(panel: &PanelEntry, source: &str) -> bool {
+pub(super) fn uses(panel: &PanelEntry, source: &str) -> bool {
     let inset = panel.inset.iter().flat_map(|inset| &inset.curves);
     panel.curves.iter().chain(inset).any(|curve| curve.source == source || curve.also.iter().any(|also| also == source))
 }
 
 /// The figures asked for, each with its panels.
-fn selected<'a>(manifest: &'a Manifest, options: &Options) -> Result<Vec<(&'a FigureEntry, Vec<&'a PanelEntry>)>, FiguresError> {
+pub(super) fn selected<'a>(manifest: &'a Manifest, options: &Options) -> Result<Vec<(&'a FigureEntry, Vec<&'a PanelEntry>)>, FiguresError> {
     let name = |figure: &FigureEntry, panel: &PanelEntry| format!("{}{}", figure.id, panel.id);
     let matches = |id: &str, figure: &FigureEntry, panel: &PanelEntry| {
         id == figure.id || id == name(figure, panel) || figure.id.split('.').next() == Some(id)

@@ -70,6 +70,22 @@ impl Source {
         Ok((document, scene))
     }
 
+    /// The text of the scene, with the values of `set` in their places.
+    pub(super) fn scene_text(&self) -> Result<String, ManifestError> {
+        let wrong = |problem: String| ManifestError::Contradiction { place: self.place.clone(), problem };
+        let mut text = self.text.clone();
+        for set in &self.entry.set {
+            let (key, value) = set.split_once('=').ok_or_else(|| wrong(format!("`{set}` has no `=`")))?;
+            let (key, value) = (key.trim(), value.trim());
+            let document = Document::parse(&self.place, text.clone(), Path::new(".")).map_err(|error| wrong(error.to_string()))?;
+            match document.root.at(key) {
+                Some(node) => text.replace_range(node.place.span.clone(), value),
+                None => return Err(wrong(format!("`{set}` sets a key that the scene does not write"))),
+            }
+        }
+        Ok(text)
+    }
+
     /// What it will cost, to start the longest first: predicted linear systems and balances.
     pub(super) fn cost(&self) -> u64 {
         let planned = self.scene().ok().and_then(|(_, scene)| Plan::new(&scene).ok());

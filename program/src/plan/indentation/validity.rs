@@ -108,7 +108,7 @@ impl IndentationPlan {
     pub(super) fn verdicts(&self, rows: &[Row]) -> Vec<Validity> {
         let mut entries = judged(&ASSUMPTIONS, rows);
         if self.indentation.adhesion.is_some_and(|adhesion| adhesion.interaction_range.is_none()) {
-            entries.push(not_judged("Tabor number", None, "give adhesion.interaction_range to have it judged"));
+            entries.push(not_judged("Tabor number", None, "give adhesion.interaction_range to have it assessed"));
         }
         if self.indentation.edge_law.by_speed.as_ref().is_some_and(|law| law.ends().is_some()) {
             entries.push(not_judged(

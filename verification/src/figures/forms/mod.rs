@@ -42,6 +42,24 @@ impl Form {
     }
 }
 
+impl Form {
+    /// Why no scene stands for it.
+    pub(super) const fn no_scene(&self) -> &'static str {
+        match self {
+            Self::Jkr(_) => "elastic sphere (JKR), a closed form",
+            Self::ComplexModulus(_) => "modulus of the material, a closed form (`viscotack material` draws that of yours)",
+            Self::Green(_) => "surface under a line load, a closed form",
+            Self::JohnsonWave(_) => "elastic wave (Johnson), a closed form",
+            Self::FastRetraction(_) => "retraction faster than the memory, a closed form",
+            Self::Line(_) => "power law, a closed form",
+            Self::SphereOscillation(_) => {
+                "oscillation computed by the library (`scenes/indentation/frequency_sweep.toml` is a scene of this kind)"
+            }
+            Self::SphereRelease(_) => "energy release rate from the energies of many runs of the library",
+        }
+    }
+}
+
 /// Numbers from `from` to `to` at equal differences, or equal ratios.
 fn spaced([from, to]: [f64; 2], points: usize, logarithmic: bool) -> Vec<f64> {
     let last = points.saturating_sub(1).max(1) as f64;
