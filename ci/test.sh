@@ -90,7 +90,7 @@ trap 'rm -rf "$studies"' EXIT
 if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
 
 step "cargo install: the installed program solves a scene"
-# The same profile and features as the run before, so that nothing is compiled again.
+# The same profile and features as the run before, so that nothing is compiled again: about a second.
 cargo install --path cli --locked --quiet --root "$studies/installed"
 "$studies/installed/bin/viscotack" run scenes/sliding/equilibrium_diagram.toml --out "$studies/result" > "$studies/log" || { cat "$studies/log"; exit 1; }
 grep -q ',solved,' "$studies/result/states.csv"

@@ -301,7 +301,7 @@ mod tests {
         let header = JournalHeader { program: "viscotack 0".into(), scene: "a".into(), states: 2 * states, shard };
         let rows = |index: usize| {
             let mut row = Row::new(shard.state(index), &[index as f64], vec!["x".repeat(if index < 5 { 2 * PART } else { 1 })], 2);
-            row.reason = (index % 7 == 0).then(|| "why".to_owned());
+            row.reason = index.is_multiple_of(7).then(|| "why".to_owned());
             vec![row.clone(), row]
         };
         let mut journal = Journal::open(&path, &header, 0).unwrap();
