@@ -89,6 +89,13 @@ trap 'rm -rf "$studies"' EXIT
 # Fails if an order, a counter or a hard case gets worse; times are printed, never judged.
 if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
 
+step "cargo install: the installed program solves a scene"
+# The same profile and features as the run before, so that nothing is compiled again: about a second.
+cargo install --path cli --locked --quiet --root "$studies/installed"
+"$studies/installed/bin/viscotack" run scenes/sliding/equilibrium_diagram.toml --out "$studies/result" > "$studies/log" || { cat "$studies/log"; exit 1; }
+grep -q ',solved,' "$studies/result/states.csv"
+echo "installed: $("$studies/installed/bin/viscotack" --version); $(ls "$studies/result" | tr '\n' ' ')"
+
 if [ -z "$environments" ]; then
   step "sweeps in shards, Python package"
   echo "SKIPPED: no python3 with venv; to install: apt-get install python3-venv"

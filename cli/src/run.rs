@@ -80,7 +80,10 @@ pub(super) fn carry_out(mut source: SceneSource, shards: Option<&Shards>, wanted
     files?;
     printed?;
     say_what_is_missing(&outcome);
-    Ok(outcome.exit_code())
+    let code = outcome.exit_code();
+    // The process ends: giving back the memory of many rows one by one would only take time.
+    std::mem::forget(outcome);
+    Ok(code)
 }
 
 /// Of a run that was interrupted before, how much of it is there.

@@ -63,10 +63,12 @@ fn take_some<R, E>(results: Vec<Result<R, E>>, take: &mut impl FnMut(Vec<R>) -> 
     error.map_or(Ok(()), Err)
 }
 
-/// How many quick items are best given to a thread at once, where so many may be under way: handing one over takes some microseconds.
+/// How many of so many quick items are best given to a thread at once, where so many may be under way: handing one over takes some microseconds, and wakes
+/// the thread that takes the results. A short list is still cut into some parts for each thread.
 #[must_use]
-pub fn together(ahead: usize) -> usize {
-    (ahead / (2 * LEAST * rayon::current_num_threads())).max(1)
+pub fn together(items: usize, ahead: usize) -> usize {
+    let parts = LEAST * rayon::current_num_threads();
+    (ahead / (2 * parts)).min(items / parts).max(1)
 }
 
 /// Items for each thread that may be under way, at least.
@@ -148,7 +150,7 @@ impl<R> Waiting<R> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
-    use super::in_order;
+    use super::{in_order, together};
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::time::Duration;
 
@@ -184,6 +186,15 @@ mod tests {
             let room = ahead.max(super::LEAST * rayon::current_num_threads());
             assert!(most <= room, "{most} were under way, {room} are allowed");
         }
+    }
+
+    #[test]
+    fn quick_items_are_handed_over_together_and_every_thread_gets_some() {
+        let threads = rayon::current_num_threads();
+        assert_eq!(together(1_000_000, 80 * threads), 10);
+        // Fewer items than that: some parts for each thread.
+        assert_eq!(together(3 * super::LEAST * threads, 1_000_000), 3);
+        assert_eq!((together(1, 1_000_000), together(1_000_000, 1)), (1, 1));
     }
 
     #[test]

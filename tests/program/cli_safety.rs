@@ -203,8 +203,8 @@ fn every_flipped_bit_of_a_journal_is_seen() {
     let kept = |found: Found| match found {
         Found::States(states) => {
             let mut rows = Vec::new();
-            let visited = each(&path, Ok, |state| {
-                rows.push(state);
+            let visited = each(&path, Ok, |states| {
+                rows.extend(states);
                 Ok(())
             });
             // Where a line is altered both stop before it.

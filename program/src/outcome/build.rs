@@ -1,6 +1,6 @@
 //! Which build of the program this is. Two builds may round differently, so that neither goes on where the other was interrupted.
 
-use super::owned::digest;
+use super::owned::{digest, digest_of_read};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -28,9 +28,7 @@ fn digest_of_parts(path: &Path) -> std::io::Result<String> {
     let of_part = |part: u64| -> std::io::Result<String> {
         let mut file = File::open(path)?;
         file.seek(SeekFrom::Start(part * PART))?;
-        let mut bytes = Vec::with_capacity(PART as usize);
-        file.take(PART).read_to_end(&mut bytes)?;
-        Ok(digest(&bytes))
+        digest_of_read(file.take(PART))
     };
     let digests = (0..parts).into_par_iter().map(of_part).collect::<std::io::Result<Vec<_>>>()?;
     Ok(digest(digests.concat().as_bytes()))

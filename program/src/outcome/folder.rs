@@ -8,13 +8,13 @@ use super::checkpoints::Checkpoints;
 use super::csv_table::{Rows, Table};
 use super::gather::{Inputs, ShardFile};
 use super::journal::{Found, Journal, JournalHeader, read};
-use super::owned::OwnedFolder;
+use super::owned::{DigestedFile, OwnedFolder};
 use super::report::{self, Shown};
 use super::{Outcome, Row, plot, summary};
 use crate::terminal_text;
 use rayon::prelude::*;
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -171,9 +171,9 @@ impl RunFolder {
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, RUN, &[])?;
         let mut names = vec![SUMMARY.to_owned()];
-        let path = result.file(SUMMARY)?;
-        let mut file = BufWriter::new(File::create(&path).map_err(io(&path))?);
-        summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).and_then(|()| file.flush()).map_err(io(&path))?;
+        let mut file = result.create(SUMMARY)?;
+        summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).map_err(io(&path.join(SUMMARY)))?;
+        result.finish(SUMMARY, file)?;
         names.extend(write_tables(outcome, &mut result)?);
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             result.write(name, bytes)?;
@@ -251,13 +251,12 @@ fn remove_result(partial: &Path) -> Result<PathBuf, FolderError> {
 fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<String>, FolderError> {
     let folder = result.path().to_owned();
     let mut create = |table: Table| {
-        let path = result.file(table.file())?;
-        let file = BufWriter::new(File::create(&path).map_err(io(&path))?);
-        Rows::new(outcome, table, file).and_then(Rows::finish).map_err(|error| io(&path)(error.into()))
+        let file = result.create(table.file())?;
+        Rows::new(outcome, table, file).and_then(Rows::finish).map_err(|error| io(&folder.join(table.file()))(error.into()))
     };
     let kinds: &[Table] =
         if outcome.layout.is_some() { &[Table::States, Table::Path, Table::Fields] } else { &[Table::States, Table::Fields] };
-    let mut tables: Vec<(Table, Option<BufWriter<File>>)> = Vec::new();
+    let mut tables: Vec<(Table, Option<DigestedFile>)> = Vec::new();
     for &table in kinds {
         // Most runs have no fields.
         tables.push((table, if table == Table::Fields { None } else { Some(create(table)?) }));
@@ -292,8 +291,8 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
     visited.map_err(io(&folder))?;
     let mut names = Vec::new();
     for (table, file) in tables {
-        if let Some(mut file) = file {
-            file.flush().map_err(io(&folder.join(table.file())))?;
+        if let Some(file) = file {
+            result.finish(table.file(), file)?;
             names.push(table.file().to_owned());
         }
     }

@@ -6,7 +6,7 @@
 //! A digest is the SHA-256 of the digest of the line before and of the content. From the first line on that was cut short by a kill, or altered in any bit,
 //! the journal counts as not written, and these states are solved again.
 
-use super::owned::digest;
+use super::owned::digest_of_parts;
 use super::row::Row;
 use super::shard::Shard;
 use crate::in_order::in_order;
@@ -50,8 +50,11 @@ pub struct Journal {
     states: usize,
 }
 
-/// States that are read ahead of those that are wanted.
-const AHEAD: usize = 256;
+/// Text that a thread reads at once (bytes; at least one state), and such parts that are read ahead of those that are wanted.
+const PART: usize = 64 << 10;
+const AHEAD: usize = 16;
+/// Text that is handed to the system, or asked from it, at once (bytes).
+const BUFFER: usize = 256 << 10;
 
 /// What an existing journal held.
 #[derive(Debug)]
@@ -86,35 +89,48 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
     Ok(Found::States(states))
 }
 
-/// Does work on the rows of each state of a journal, side by side, and hands the results over in the order of the states.
+/// Does work on parts of a journal, each the rows of some states, side by side, and hands the results over in the order of the states.
 ///
 /// # Errors
 /// A file that cannot be read, and what the caller reports.
 pub fn each<R: Send>(
     path: &Path,
-    work: impl Fn(Vec<Row>) -> std::io::Result<R> + Sync,
+    work: impl Fn(Vec<Vec<Row>>) -> std::io::Result<R> + Sync,
     mut take: impl FnMut(R) -> std::io::Result<()>,
 ) -> std::io::Result<()> {
     let mut lines = Lines::open(path)?;
     let header = lines.next()?.and_then(|content| serde_json::from_slice::<JournalHeader>(content).ok());
     let shard = header.ok_or_else(|| std::io::Error::other("the head of the journal cannot be read"))?.shard;
-    let mut states = 0;
-    let cut = |state: usize| std::io::Error::other(format!("state {} of the journal cannot be read", state + 1));
-    let contents = std::iter::from_fn(|| {
-        let state = shard.state(states);
-        states += 1;
-        match lines.at_end() {
-            Ok(true) => None,
-            Ok(false) => Some(lines.next().and_then(|content| Ok((state, content.ok_or_else(|| cut(state))?.to_vec())))),
-            Err(error) => Some(Err(error)),
+    let mut read = 0;
+    let cut = |index: usize| std::io::Error::other(format!("state {} of the journal cannot be read", shard.state(index) + 1));
+    let mut next = |index: usize| -> std::io::Result<Option<Vec<u8>>> {
+        if lines.at_end()? {
+            return Ok(None);
         }
+        Ok(Some(lines.next()?.ok_or_else(|| cut(index))?.to_vec()))
+    };
+    let mut failed = None;
+    let parts = std::iter::from_fn(|| {
+        let (first, mut contents, mut bytes) = (read, Vec::new(), 0);
+        while bytes < PART && failed.is_none() {
+            match next(first + contents.len()) {
+                Ok(Some(content)) => {
+                    bytes += content.len();
+                    contents.push(content);
+                }
+                Ok(None) => break,
+                Err(error) => failed = Some(error),
+            }
+        }
+        read += contents.len();
+        // What comes before an error is handed over.
+        if contents.is_empty() { failed.take().map(Err) } else { Some(Ok((first, contents))) }
     });
-    in_order(
-        contents,
-        AHEAD,
-        |(state, content)| work(rows_of(&content, state).ok_or_else(|| cut(state))?),
-        |results| results.into_iter().try_for_each(&mut take),
-    )
+    let rows = |(first, contents): (usize, Vec<Vec<u8>>)| -> std::io::Result<R> {
+        let states = (first..).zip(&contents).map(|(index, content)| rows_of(content, shard.state(index)).ok_or_else(|| cut(index)));
+        work(states.collect::<std::io::Result<_>>()?)
+    };
+    in_order(parts, AHEAD, rows, |results| results.into_iter().try_for_each(&mut take))
 }
 
 /// The rows of a state as the journal holds them.
@@ -135,7 +151,7 @@ pub(super) struct Lines {
 
 impl Lines {
     fn open(path: &Path) -> std::io::Result<Self> {
-        Ok(Self::of(BufReader::new(Box::new(regular_file::open(path)?))))
+        Ok(Self::of(BufReader::with_capacity(BUFFER, Box::new(regular_file::open(path)?))))
     }
 
     /// The same of a file that is open only while a piece of so many bytes is read: thousands of them need no more than one at a time.
@@ -189,7 +205,7 @@ fn content<'l>(line: &'l [u8], before: &mut String) -> Option<&'l [u8]> {
 }
 
 fn chained(before: &str, content: &[u8]) -> String {
-    digest(&[before.as_bytes(), content].concat())
+    digest_of_parts(&[before.as_bytes(), content])
 }
 
 /// The rows of a state, if they are of that state.
@@ -207,7 +223,7 @@ impl Journal {
     /// A folder that cannot be written.
     pub fn open(path: &Path, header: &JournalHeader, finished: usize) -> std::io::Result<Self> {
         let fresh = path.with_extension("new");
-        let file = BufWriter::new(File::create(&fresh)?);
+        let file = BufWriter::with_capacity(BUFFER, File::create(&fresh)?);
         let mut journal = Self { path: path.to_owned(), file, digest: FORMAT.to_owned(), states: finished };
         journal.write_line(&serde_json::to_vec(header)?)?;
         if finished > 0 {
@@ -220,7 +236,7 @@ impl Journal {
         }
         journal.file.flush()?;
         std::fs::rename(&fresh, path)?;
-        journal.file = BufWriter::new(OpenOptions::new().append(true).open(path)?);
+        journal.file = BufWriter::with_capacity(BUFFER, OpenOptions::new().append(true).open(path)?);
         Ok(journal)
     }
 
@@ -262,8 +278,71 @@ impl Journal {
 
     fn write_line(&mut self, content: &[u8]) -> std::io::Result<()> {
         self.digest = chained(&self.digest, content);
-        write!(self.file, "[\"{}\",", self.digest)?;
-        self.file.write_all(content)?;
-        self.file.write_all(b"]\n")
+        for text in [b"[\"", self.digest.as_bytes(), b"\",", content, b"]\n"] {
+            self.file.write_all(text)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Short rows are handed to the threads many at a time, long ones one by one; all come in order, also where the journal was opened again.
+    #[test]
+    fn a_journal_is_read_in_parts() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("journal.jsonl");
+        let states = 3000;
+        let shard = Shard::new(1, 2).unwrap();
+        let header = JournalHeader { program: "viscotack 0".into(), scene: "a".into(), states: 2 * states, shard };
+        let rows = |index: usize| {
+            let mut row = Row::new(shard.state(index), &[index as f64], vec!["x".repeat(if index < 5 { 2 * PART } else { 1 })], 2);
+            row.reason = index.is_multiple_of(7).then(|| "why".to_owned());
+            vec![row.clone(), row]
+        };
+        let mut journal = Journal::open(&path, &header, 0).unwrap();
+        (0..1000).for_each(|index| journal.append(&[rows(index)]).unwrap());
+        let mut journal = Journal::open(&path, &header, 1000).unwrap();
+        journal.append(&(1000..states).map(rows).collect::<Vec<_>>()).unwrap();
+        assert!(matches!(read(&path, &header).unwrap(), Found::States(found) if found == states));
+        let (parts, mut found) = (AtomicUsize::new(0), Vec::new());
+        let work = |states: Vec<Vec<Row>>| {
+            parts.fetch_add(1, Ordering::Relaxed);
+            Ok(states)
+        };
+        each(&path, work, |states| {
+            found.extend(states);
+            Ok(())
+        })
+        .unwrap();
+        assert!(found.len() == states && found.iter().enumerate().all(|(index, state)| *state == rows(index)));
+        // Five long ones, and the bytes of the others by those of a part.
+        let bytes: usize = (5..states).map(|index| encoded(&rows(index)).unwrap().len()).sum();
+        let parts = parts.into_inner();
+        assert!(parts > 5 && parts <= 6 + bytes.div_ceil(PART), "{parts} parts");
+    }
+
+    #[test]
+    fn a_journal_that_is_cut_or_altered_is_not_read_further() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("journal.jsonl");
+        let header = JournalHeader { program: "viscotack 0".into(), scene: "a".into(), states: 3, shard: Shard::WHOLE };
+        let mut journal = Journal::open(&path, &header, 0).unwrap();
+        journal.append(&[0, 1, 2].map(|state| vec![Row::new(state, &[], Vec::new(), 1)])).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, text.replacen("\"state\":1", "\"state\":2", 1)).unwrap();
+        assert!(matches!(read(&path, &header).unwrap(), Found::States(1)));
+        let mut found = 0;
+        let error = each(&path, Ok, |states| {
+            found += states.len();
+            Ok(())
+        });
+        let error = error.unwrap_err();
+        assert_eq!(found, 1);
+        assert_eq!(error.to_string(), "state 2 of the journal cannot be read");
     }
 }

@@ -180,7 +180,9 @@ impl Outcome {
         mut take: impl FnMut(R) -> std::io::Result<()>,
     ) -> std::io::Result<()> {
         match &self.stored {
-            Some(journal) if !self.holds_all_rows() => journal::each(journal, |rows| work(&rows), take),
+            Some(journal) if !self.holds_all_rows() => {
+                journal::each(journal, |states| work(&states.into_iter().flatten().collect::<Vec<_>>()), take)
+            }
             _ => {
                 in_order(self.rows.chunks(ROWS_OF_A_PART).map(Ok), PARTS_AHEAD, work, |results| results.into_iter().try_for_each(&mut take))
             }

@@ -17,6 +17,7 @@ use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs::{self, File};
+use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Name of the mark.
@@ -27,6 +28,9 @@ const FRESH: &str = ".viscotack.new";
 const FORMAT: &str = "viscotack folder 1";
 /// No mark is larger (bytes).
 const LARGEST: u64 = 16 << 20;
+/// What is written, and read, at once (bytes): a piece that is read stays in the cache of a core.
+const BUFFER: usize = 256 << 10;
+const READ: usize = 64 << 10;
 
 /// A folder with its mark.
 #[derive(Debug)]
@@ -35,14 +39,27 @@ pub struct OwnedFolder {
     kind: String,
     /// The digest of each file; none while it may change.
     files: BTreeMap<String, Option<String>>,
+    /// Digests of files that were taken while the files were written: they need not be read again.
+    written: BTreeMap<String, String>,
 }
 
 /// SHA-256 of some bytes in hexadecimal digits.
 #[must_use]
 pub fn digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{byte:02x}");
+    digest_of_parts(&[bytes])
+}
+
+/// The same of bytes that lie in several places.
+pub(super) fn digest_of_parts(parts: &[&[u8]]) -> String {
+    hexadecimal(parts.iter().fold(Sha256::new(), |hasher, part| hasher.chain_update(part)))
+}
+
+/// Digit by digit: the formatting machinery would take longer than the digest of a short text.
+fn hexadecimal(hasher: Sha256) -> String {
+    let digit = |value: u8| char::from(if value < 10 { b'0' + value } else { b'a' + value - 10 });
+    hasher.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
+        text.push(digit(byte >> 4));
+        text.push(digit(byte & 0xf));
         text
     })
 }
@@ -63,7 +80,7 @@ impl OwnedFolder {
             return Err(FolderError::NotOwned { path: shown(path), why: holds(&entry) });
         }
         let files = open.iter().map(|name| ((*name).to_owned(), None)).collect();
-        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files };
+        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files, written: BTreeMap::new() };
         if let Err(error) = folder.write_mark() {
             // Nothing of it is of use to anybody; the reason is the one before.
             drop(fs::remove_file(path.join(FRESH)).and_then(|()| fs::remove_dir(path)));
@@ -139,7 +156,29 @@ impl OwnedFolder {
     /// As [`OwnedFolder::file`].
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let path = self.file(name)?;
-        fs::write(&path, bytes).map_err(io(&path))
+        fs::write(&path, bytes).map_err(io(&path))?;
+        self.written.insert(name.to_owned(), digest(bytes));
+        Ok(())
+    }
+
+    /// A file that was [created](OwnedFolder::create) is written to its end.
+    ///
+    /// # Errors
+    /// A full disk.
+    pub fn finish(&mut self, name: &str, file: DigestedFile) -> Result<(), FolderError> {
+        let digest = file.finish().map_err(io(&self.path.join(name)))?;
+        self.written.insert(name.to_owned(), digest);
+        Ok(())
+    }
+
+    /// Begins a file that is written piece by piece.
+    ///
+    /// # Errors
+    /// As [`OwnedFolder::file`].
+    pub fn create(&mut self, name: &str) -> Result<DigestedFile, FolderError> {
+        let path = self.file(name)?;
+        let file = BufWriter::with_capacity(BUFFER, File::create(&path).map_err(io(&path))?);
+        Ok(DigestedFile { file, hasher: Sha256::new() })
     }
 
     /// Writes a file beside its place, then renames it: a kill leaves the old one or the new one.
@@ -148,6 +187,7 @@ impl OwnedFolder {
     /// As [`OwnedFolder::file`].
     pub fn replace(&mut self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let (path, fresh) = (self.file(name)?, self.path.join(FRESH));
+        self.written.remove(name);
         fs::write(&fresh, bytes).and_then(|()| fs::rename(&fresh, &path)).map_err(io(&path))
     }
 
@@ -158,7 +198,10 @@ impl OwnedFolder {
     pub fn seal(&mut self) -> Result<(), FolderError> {
         for (name, sealed) in &mut self.files {
             let path = self.path.join(name);
-            *sealed = Some(digest_of(&path).map_err(io(&path))?);
+            *sealed = Some(match self.written.remove(name) {
+                Some(digest) => digest,
+                None => digest_of(&path).map_err(io(&path))?,
+            });
         }
         self.write_mark()
     }
@@ -265,7 +308,7 @@ fn parsed(path: &Path, bytes: &[u8]) -> Option<OwnedFolder> {
         Some(name) => Some((name.to_owned(), None)),
         None => line.split_once("  ").map(|(digest, name)| (name.to_owned(), Some(digest.to_owned()))),
     });
-    Some(OwnedFolder { path: path.to_owned(), kind, files: files.collect::<Option<_>>()? })
+    Some(OwnedFolder { path: path.to_owned(), kind, files: files.collect::<Option<_>>()?, written: BTreeMap::new() })
 }
 
 /// Whether a listed name, in which `*` stands for hexadecimal digits, is this one.
@@ -279,26 +322,51 @@ fn matches(listed: &str, name: &str) -> bool {
     }
 }
 
-/// SHA-256 of a file, read piece by piece.
+/// SHA-256 of a file.
 pub(super) fn digest_of(path: &Path) -> std::io::Result<String> {
     if !fs::symlink_metadata(path)?.is_file() {
         return Err(std::io::Error::other("it is no regular file any more"));
     }
-    let mut hasher = Sha256::new();
-    std::io::copy(&mut File::open(path)?, &mut HashWriter(&mut hasher))?;
-    Ok(hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+    digest_of_read(File::open(path)?)
 }
 
-struct HashWriter<'h>(&'h mut Sha256);
+/// SHA-256 of all that can be read, piece by piece.
+pub(super) fn digest_of_read(mut file: impl Read) -> std::io::Result<String> {
+    let (mut hasher, mut bytes) = (Sha256::new(), vec![0; READ]);
+    loop {
+        match file.read(&mut bytes) {
+            Ok(0) => return Ok(hexadecimal(hasher)),
+            Ok(count) => hasher.update(bytes.get(..count).unwrap_or(&[])),
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+}
 
-impl std::io::Write for HashWriter<'_> {
+/// A file whose digest is taken while it is written.
+#[derive(Debug)]
+pub struct DigestedFile {
+    file: BufWriter<File>,
+    hasher: Sha256,
+}
+
+impl DigestedFile {
+    fn finish(mut self) -> std::io::Result<String> {
+        self.file.flush()?;
+        Ok(hexadecimal(self.hasher))
+    }
+}
+
+impl Write for DigestedFile {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.update(bytes);
+        // All of it is taken, or the file is at an end.
+        self.file.write_all(bytes)?;
+        self.hasher.update(bytes);
         Ok(bytes.len())
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
+        self.file.flush()
     }
 }
 
@@ -351,6 +419,35 @@ mod tests {
         fs::write(path.join(MARK), mark).unwrap();
         assert!(OwnedFolder::open(&path, Some("run")).unwrap().remove().unwrap());
         assert!(!path.exists());
+    }
+
+    /// The digest is taken while a file is written, whole or piece by piece: sealing reads no file again, and what somebody alters before it is found.
+    #[test]
+    fn a_file_altered_before_the_seal_counts_as_altered() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("DIR");
+        let mut owned = OwnedFolder::make(&path, "run", &[]).unwrap();
+        owned.write("scene.toml", b"a scene").unwrap();
+        let mut table = owned.create("states.csv").unwrap();
+        (0..3).for_each(|row| writeln!(table, "{row},{row}").unwrap());
+        owned.finish("states.csv", table).unwrap();
+        owned.seal().unwrap();
+        assert_eq!(owned.foreign().unwrap(), None);
+        let sealed = |name: &str| owned.files.get(name).cloned().flatten();
+        assert_eq!(sealed("states.csv"), Some(digest(b"0,0\n1,1\n2,2\n")));
+        assert_eq!(sealed("scene.toml"), Some(digest_of(&path.join("scene.toml")).unwrap()));
+        let mut again = OwnedFolder::open(&path, None).unwrap();
+        again.write("scene.toml", b"a scene").unwrap();
+        fs::write(path.join("scene.toml"), "another").unwrap();
+        again.seal().unwrap();
+        assert!(again.foreign().unwrap().is_some_and(|why| why.contains("scene.toml")));
+    }
+
+    #[test]
+    fn a_digest_is_that_of_the_standard() {
+        // FIPS 180-2, example B.1.
+        assert_eq!(digest(b"abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+        assert_eq!(digest_of_parts(&[b"a", b"", b"bc"]), digest(b"abc"));
     }
 
     #[test]

@@ -258,14 +258,20 @@ impl Plan {
     /// machines of 2020 to 2024.
     #[must_use]
     pub fn predicted_seconds(&self) -> f64 {
-        let (work, threads) = (self.predicted_work(), rayon::current_num_threads().min(self.states).max(1) as f64);
-        let rows = (self.states as u64).saturating_mul(self.rows_of_a_state()) as f64;
+        let states = self.states as u64;
+        let threads = rayon::current_num_threads().min(self.states).max(1) as f64;
+        let rows = states.saturating_mul(self.rows_of_a_state()) as f64;
+        self.predicted_seconds_of_a_state() * states as f64 / threads + SECONDS_A_ROW * rows
+    }
+
+    /// The same of reading and solving one of its states, on one core.
+    fn predicted_seconds_of_a_state(&self) -> f64 {
+        let work = self.predicted_work();
         let solving = SECONDS_A_KERNEL * work.kernel_evaluations as f64
             + SECONDS_A_BALANCE * work.closure_evaluations as f64
             + SECONDS_A_SYSTEM * work.linear_solves as f64
             + SECONDS_A_POINT * work.field_evaluations as f64;
-        let reading = if self.states > 1 { SECONDS_A_STATE * self.states as f64 } else { 0.0 };
-        (solving + reading) / threads + SECONDS_A_ROW * rows
+        solving / self.states.max(1) as f64 + if self.states > 1 { SECONDS_A_STATE } else { 0.0 }
     }
 
     /// Predicted size of the files of a run with `--out` (bytes), and of the journal while it is under way, at most.

@@ -21,6 +21,9 @@ use viscotack::refusal::Refusal;
 
 /// Most states that are under way or wait for an earlier one: a kill loses at most these.
 const MOST_STATES: u64 = 128;
+/// More of them where they are quick: so many, and so much work (s of one core).
+const MOST_QUICK_STATES: u64 = 1024;
+const SECONDS_UNDER_WAY: f64 = 0.05;
 /// Linear systems of such states, where each takes long.
 const MOST_SOLVES: u64 = 4000;
 
@@ -112,7 +115,7 @@ fn run_all(
         done += 1;
     }
     if let Some(safe) = safe.as_ref().filter(|safe| safe.journal.states() > done) {
-        journal::each(safe.journal.path(), Ok, &mut take)?;
+        journal::each(safe.journal.path(), Ok, |states| states.into_iter().try_for_each(&mut take))?;
         done = safe.journal.states();
     }
     solve_states(plan, document, scene, (done..total, Shard::WHOLE), safe.as_mut(), &mut take, progress)?;
@@ -160,7 +163,7 @@ pub fn run_shard(
         Ok(())
     };
     let done = safe.journal.states();
-    journal::each(safe.journal.path(), Ok, &mut take)?;
+    journal::each(safe.journal.path(), Ok, |states| states.into_iter().try_for_each(&mut take))?;
     solve_states(plan, document, scene, (done..header.own_states(), header.shard), Some(&mut safe), &mut take, progress)?;
     Ok(tally)
 }
@@ -177,8 +180,7 @@ fn solve_states(
 ) -> std::io::Result<()> {
     let (mut finished, total) = (range.start, range.end);
     progress(Stage::States { finished, total });
-    let solves_a_state = plan.predicted_work().linear_solves / (plan.states() as u64).max(1);
-    let ahead = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES) as usize;
+    let ahead = states_under_way(plan);
     let alone = document.without_sweep();
     let (mut journal, checkpoints) = match safe {
         Some(safe) => (Some(&mut *safe.journal), Some(&safe.checkpoints)),
@@ -210,9 +212,17 @@ fn solve_states(
     if range.len() == 1 {
         return solve(range).and_then(|solved| taken(vec![solved]));
     }
-    let together = together(ahead);
+    let together = together(range.len(), ahead);
     let parts = range.clone().step_by(together).map(|start| Ok(start..range.end.min(start + together)));
     in_order(parts, ahead / together, solve, taken)
+}
+
+/// How many states may be under way or wait: a kill loses them.
+fn states_under_way(plan: &Plan) -> usize {
+    let solves_a_state = plan.predicted_work().linear_solves / (plan.states() as u64).max(1);
+    let few = (MOST_SOLVES / solves_a_state.max(1)).clamp(4, MOST_STATES);
+    let quick = (SECONDS_UNDER_WAY / plan.predicted_seconds_of_a_state()) as u64;
+    few.max(quick.min(MOST_QUICK_STATES)) as usize
 }
 
 /// A state that is solved.
@@ -273,11 +283,7 @@ fn solve_state(plan: &Plan, document: &Document, scene: &Scene, desk: &Desk<'_>,
         if scene.sweeps.is_empty() {
             return Ok(plan.solve_at(desk, state, &swept));
         }
-        let mut varied = document.clone();
-        for (sweep, &index) in scene.sweeps.iter().zip(&places) {
-            sweep.put(&mut varied, index).map_err(|error| error.to_string())?;
-        }
-        let varied = read::read_state(&varied).map_err(|error| error.to_string())?;
+        let varied = read::read_varied(document.clone(), &scene.sweeps, state).map_err(|error| error.to_string())?;
         Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept))
     };
     solved().unwrap_or_else(|reason| {

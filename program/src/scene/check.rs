@@ -19,6 +19,20 @@ pub fn check(root: &Node) -> Result<(), SceneError> {
     check_table(root, "", "", Units::of(root))
 }
 
+/// Checks a scene that was checked before some of its keys were given other values: only those are checked again.
+///
+/// # Errors
+/// As [`check`].
+pub(super) fn check_changed<'k>(root: &Node, keys: impl IntoIterator<Item = &'k str>) -> Result<(), SceneError> {
+    let units = Units::of(root);
+    let is_right = |path: &str| {
+        let found = root.at(path).zip(catalogue::key(&catalogue::generic_path(path)));
+        found.is_some_and(|(node, key)| check_value(node, key, path, units).is_ok())
+    };
+    // The whole check gives the first error in the order of the text.
+    if keys.into_iter().all(is_right) { Ok(()) } else { check(root) }
+}
+
 /// How numbers are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Units {

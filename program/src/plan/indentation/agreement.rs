@@ -8,15 +8,23 @@ use viscotack::estimate::Estimate;
 /// Fills the columns of deviations in the rows of a state, the answer first: the bound of a deviation is that of the force.
 pub(super) fn put_into(rows: &mut [Row], columns: &[Column]) {
     let place = |name: &str| columns.iter().position(|column| column.name == name);
+    let time = place("time");
     let (Some(force), Some(measured), Some(deviation)) = (place("force"), place("measured_force"), place("force_deviation")) else {
         return;
     };
-    let mut pairs = Vec::new();
+    let mut pairs: Vec<(Estimate, f64)> = Vec::new();
+    let mut last_time = None;
     for row in rows.iter_mut() {
         let of = |place: usize| row.values.get(place).copied().flatten();
         let (Some(computed), Some(measured)) = (of(force), of(measured)) else { continue };
         let deviates = Estimate::new(computed.value - measured.value, computed.error);
         if row.label(0) == INSTANT {
+            // Before and after a sudden start there are two rows of one time: the table holds for the second.
+            let at = time.and_then(&of);
+            if !pairs.is_empty() && at == last_time {
+                pairs.pop();
+            }
+            last_time = at;
             pairs.push((deviates, measured.value));
         }
         put(row, deviation, Some(deviates));

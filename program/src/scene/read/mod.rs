@@ -48,7 +48,7 @@ mod until;
 mod works;
 
 use super::catalogue::Range;
-use super::check::{Units, check};
+use super::check::{Units, check, check_changed};
 use super::diagnostic::{Place, SceneError, nearest};
 use super::document::{Document, Value};
 use super::sweep;
@@ -102,13 +102,7 @@ pub fn read(document: &Document) -> Result<Scene, SceneError> {
     }
     let units = Units::of(&document.root);
     let sweeps = sweep::read(&document.root, units)?;
-    let state = |number: usize| {
-        let mut varied = document.clone();
-        for (swept, index) in sweeps.iter().zip(sweep::indices(&sweeps, number)) {
-            swept.put(&mut varied, index)?;
-        }
-        read_state(&varied)
-    };
+    let state = |number: usize| read_varied(document.clone(), &sweeps, number);
     // A value that contradicts the scene is a row that says so, wherever in the sweep it stands; a scene without any state is wrong.
     let mut scene = state(0).or_else(|wrong| (1..sweep::states(&sweeps).min(MOST_TRIES)).find_map(|n| state(n).ok()).ok_or(wrong))?;
     scene.sweeps = sweeps;
@@ -120,8 +114,24 @@ pub fn read(document: &Document) -> Result<Scene, SceneError> {
 /// # Errors
 /// The first thing that is wrong.
 pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
+    check(&document.root)?;
+    read_checked(document)
+}
+
+/// Puts the values of one state of a sweep into a document whose scene was read before, and reads that state: nothing but these values is checked again.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn read_varied(mut document: Document, sweeps: &[sweep::Sweep], state: usize) -> Result<Scene, SceneError> {
+    for (swept, index) in sweeps.iter().zip(sweep::indices(sweeps, state)) {
+        swept.put(&mut document, index)?;
+    }
+    check_changed(&document.root, sweeps.iter().map(|sweep| sweep.key.as_str()))?;
+    read_checked(&document)
+}
+
+fn read_checked(document: &Document) -> Result<Scene, SceneError> {
     let root = &document.root;
-    check(root)?;
     let units = Units::of(root);
     let top = Section::top(root, units);
     let file = std::path::Path::new(root.place.source.name());

@@ -3,7 +3,7 @@
 use super::text::{Accuracies, FORCE, FREQUENCY, LENGTH, SPEED, TIME, Text, quoted};
 
 /// Of an edge that adheres: what only the way shows is found by integrating the way several times, at a tenth of the accuracy.
-const SEARCHED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-5);
+const SEARCHED: Accuracies = ([1e-2, 1e-3, 1e-2, 1e-3], 1e-4);
 
 /// Sizes of a contact in SI, and how long its history takes.
 pub(super) struct Contact {
