@@ -12,19 +12,18 @@ pub(super) fn put_into(rows: &mut [Row], columns: &[Column]) {
     let (Some(force), Some(measured), Some(deviation)) = (place("force"), place("measured_force"), place("force_deviation")) else {
         return;
     };
-    let mut pairs: Vec<(Estimate, f64)> = Vec::new();
-    let mut last_time = None;
-    for row in rows.iter_mut() {
+    let instants = rows.iter().map(|row| (row.label(0) == INSTANT).then(|| time.and_then(|time| row.value(time)))).collect::<Vec<_>>();
+    let mut pairs = Vec::new();
+    for (index, row) in rows.iter_mut().enumerate() {
         let of = |place: usize| row.values.get(place).copied().flatten();
         let (Some(computed), Some(measured)) = (of(force), of(measured)) else { continue };
+        // Before and after a sudden start there are two instants of one time: the table is of the second.
+        let here = instants.get(index).copied().flatten();
+        if here.is_some() && instants.get(index + 1).copied().flatten() == here {
+            continue;
+        }
         let deviates = Estimate::new(computed.value - measured.value, computed.error);
-        if row.label(0) == INSTANT {
-            // Before and after a sudden start there are two rows of one time: the table holds for the second.
-            let at = time.and_then(&of);
-            if !pairs.is_empty() && at == last_time {
-                pairs.pop();
-            }
-            last_time = at;
+        if here.is_some() {
             pairs.push((deviates, measured.value));
         }
         put(row, deviation, Some(deviates));
