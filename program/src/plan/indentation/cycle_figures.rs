@@ -12,6 +12,8 @@ use crate::scene::typed::{Scene, Units};
 /// Frequencies that differ more than this make an axis; more than the second a logarithmic one.
 const DIFFERENT: f64 = 1.1;
 const DECADE: f64 = 10.0;
+/// Frequencies of one segment that differ by less are one, as the times of its cycles round them.
+const ROUNDED: f64 = 1e-6;
 /// Points fewer than these are marked.
 const FEW: usize = 60;
 
@@ -67,8 +69,10 @@ impl IndentationPlan {
         let last_cycles = Self::last_cycles(rows);
         let across = spread(last_cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
         if let Some(ratio) = states.iter().map(within).reduce(f64::max).filter(|ratio| *ratio > DIFFERENT) {
-            let sets: Vec<Set<'_>> =
-                states.iter().map(|state| Set { label: state.label.clone(), colour: state.colour, rows: state.cycles.clone() }).collect();
+            let sets: Vec<Set<'_>> = states
+                .iter()
+                .map(|state| Set { label: state.label.clone(), colour: state.colour, rows: self.settled(&state.cycles) })
+                .collect();
             figures.extend(self.against(&self.frequency_axis(ratio), "frequency", at::FREQUENCY, &sets));
         } else {
             if across > DIFFERENT && scene.sweeps.len() == 1 {
@@ -87,6 +91,16 @@ impl IndentationPlan {
         figures.extend(self.last_cycle_figure(states));
         whole.extend(noted(figures, note.cloned()));
         whole
+    }
+
+    /// Of each segment at one frequency the last cycle; of a sweep all.
+    fn settled<'r>(&self, cycles: &[&'r Row]) -> Vec<&'r Row> {
+        let segments = cycles.chunk_by(|one, other| self.of(one, at::SEGMENT).total_cmp(&self.of(other, at::SEGMENT)).is_eq());
+        let own = segments.map(|segment| {
+            let one_frequency = spread(segment.iter().map(|row| self.of(row, at::FREQUENCY))) < 1.0 + ROUNDED;
+            if one_frequency { segment.get(segment.len() - 1..).unwrap_or_default() } else { segment }
+        });
+        own.flatten().copied().collect()
     }
 
     /// The last cycle of every state.
