@@ -136,6 +136,36 @@ fn a_segment_ends_right_after_the_contact_is_lost() {
     }
 }
 
+/// A recorded curve after a segment with a condition begins where and when that segment has ended: an elastic stop is exact, so both histories are one.
+#[test]
+fn a_table_follows_the_end_of_a_condition() {
+    let (modulus, radius, force): (f64, f64, f64) = (1e6 / 0.75, 1e-3, 1e-3);
+    let depth = (0.75 * force / (modulus * radius.sqrt())).powf(2.0 / 3.0);
+    let measured = |step: f64| (4.0 / 3.0 * modulus * radius.sqrt() * (depth - step).powf(1.5), depth - step);
+    let lines: Vec<String> = [0.0, 1e-6, 5e-7]
+        .into_iter()
+        .zip(0..)
+        .map(|(step, second)| format!("{second},{:e},{:e}", measured(step).1, measured(step).0))
+        .collect();
+    let table = "[[history]]\ntable = \"after.csv\"\nquantity = \"penetration\"\ntolerance = 0\n";
+    for press in
+        [format!("penetration = 1e-3\nrate = 1e-6\nuntil = {{ force = {force:e} }}"), format!("penetration = {depth:e}\nrate = 1e-6")]
+    {
+        let folder = Folder::with(&format!("accuracy = 1e-6\n{ELASTIC}{SPHERE}[[history]]\n{press}\n{table}"));
+        folder.write("after.csv", format!("time [s],penetration [m],force [N]\n{}\n", lines.join("\n")));
+        let found = folder.call(&["run", "scene.toml", "--json"]).ended(0).json();
+        let results = found["results"].as_array().unwrap();
+        let with_force: Vec<&Value> = results.iter().filter(|row| row["values"]["force_deviation"]["value"].is_f64()).collect();
+        for second in [1.0, 2.0] {
+            let time = depth / 1e-6 + second;
+            let row = with_force.iter().find(|row| (of_row(row, "time").0 - time).abs() < 1e-6 * time).unwrap();
+            let (deviation, error) = of_row(row, "force_deviation");
+            assert!(deviation.abs() <= error + 1e-9 * force && error < 1e-5 * force, "{press} at {second}: {deviation:e} ± {error:e}");
+        }
+        assert!(of_state(&found, "coefficient_of_determination").0 > 1.0 - 1e-9, "{press}");
+    }
+}
+
 #[test]
 fn a_condition_that_is_never_met_leaves_the_segment_as_it_is() {
     for head in [format!("{MATERIAL}{STICKY}{SPHERE}"), format!("{MATERIAL}{DISTANT}{SPHERE}")] {
