@@ -162,7 +162,9 @@ impl Test<'_> {
             (Some(last), count) => {
                 let count = count.unwrap_or(DEFAULT_FREQUENCIES) as u32;
                 let share = |k: u32| f64::from(k) / f64::from(count.saturating_sub(1).max(1));
-                (0..count).map(|k| if k + 1 == count { last } else { first * (last / first).powf(share(k)) }).collect()
+                // By powers of each: their ratio may be more than a number holds.
+                let between = |share: f64| first.powf(1.0 - share) * last.powf(share);
+                (0..count).map(|k| if k + 1 == count { last } else { between(share(k)) }).collect()
             }
             (None, None) => vec![first],
             (None, Some(_)) => {
