@@ -255,17 +255,17 @@ fn assert_deviations(head: &str, (modulus, radius): (f64, f64), depths: [f64; 4]
     for (index, row) in rows.iter().enumerate() {
         let (found, force) = (estimate(row, "force_deviation"), estimate(row, "force"));
         let expected = truth.map_or(force.value - measured[index], |_| off[index]);
-        assert!((found.value - expected).abs() <= found.error + 1e-15, "{found:?} {expected:e}");
-        assert_eq!(found.error.to_bits(), force.error.to_bits());
+        assert!((found.value - expected).abs() <= found.error, "{found:?} {expected:e}");
+        assert!(found.error >= force.error && found.error - force.error < 1e-14 * force.value.abs(), "{found:?} {force:?}");
         deviations.push(expected);
     }
     let root_mean_square = |of: &dyn Fn(usize) -> f64| ((0..4).map(|index| of(index).powi(2)).sum::<f64>() / 4.0).sqrt();
     let mean = measured.iter().sum::<f64>() / 4.0;
     let (rms, spread) = (root_mean_square(&|index| deviations[index]), root_mean_square(&|index| measured[index] - mean));
     let found = estimate(&outcome.rows[0], "rms_deviation");
-    assert!((found.value - rms).abs() <= found.error + 1e-15 && found.error < 0.1 * rms, "{found:?} {rms:e}");
+    assert!((found.value - rms).abs() <= found.error && found.error < 0.1 * rms, "{found:?} {rms:e}");
     let (found, expected) = (estimate(&outcome.rows[0], "coefficient_of_determination"), 1.0 - (rms / spread).powi(2));
-    assert!((found.value - expected).abs() <= found.error + 1e-9 && found.error < 1e-2, "{found:?} {expected:e}");
+    assert!((found.value - expected).abs() <= found.error && found.error < 1e-2, "{found:?} {expected:e}");
 }
 
 /// The speed factor divides every time.

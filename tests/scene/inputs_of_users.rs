@@ -213,3 +213,28 @@ fn tables_of_materials_are_read_right() {
 fn is_table(case: &Value) -> bool {
     case["input"].as_str().unwrap().starts_with("table_")
 }
+
+/// A crack that does not grow says by how much more load it would: a little less leaves it, a little more does not, whatever the load is.
+#[test]
+fn a_crack_that_does_not_grow_says_which_load_would_make_it() {
+    let material = "[material]\nrelaxed_modulus = 2.3e6\npoisson_ratio = 0.45\nrelaxation = [{ modulus = 7e6, relaxation_time = 0.3 }]\n";
+    let adhesion = "[adhesion]\nwork_of_adhesion = 37.0\nprocess_zone = { length = 2e-6 }\n";
+    let bodies = [
+        ("[crack]\nbody = \"two_halves\"\nplane = \"strain\"\n", "stress_intensity", 6e3),
+        ("[crack]\nbody = \"two_halves\"\nplane = \"strain\"\n[crack.strip]\nhalf_height = 5e-3\n", "stress", 3e4),
+    ];
+    for (crack, quantity, load) in bodies {
+        let answer = |load: f64| {
+            let text = format!("{material}{adhesion}{crack}[[history]]\n{quantity} = {load:e}\n[[history]]\nhold = 1.0\n");
+            let found = Folder::with(&text).call(&["run", "scene.toml", "--json"]).json();
+            let row = found["results"][0].clone();
+            (row["state"].as_str().unwrap().to_owned(), row["reason"].as_str().unwrap_or_default().to_owned())
+        };
+        let (state, reason) = answer(load);
+        assert_eq!(state, "no_growth", "{reason}");
+        let factor: f64 = reason.split("a load more than ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        assert!(factor > 1.0, "{reason}");
+        assert_eq!(answer(load * factor * (1.0 - 1e-4)).0, "no_growth", "{quantity}");
+        assert_eq!(answer(load * factor * (1.0 + 1e-4)).0, "delayed", "{quantity}");
+    }
+}

@@ -125,7 +125,10 @@ impl DelayedFracturePlan {
         // K and the release go as the load and its square.
         let more = (right / left).sqrt();
         if report.regime == Regime::NoGrowth && more.is_finite() {
-            row.reason = row.reason.take().map(|reason| format!("{reason}; a load more than {more:.5} times as large makes it grow"));
+            row.reason = row
+                .reason
+                .take()
+                .map(|reason| format!("{reason}; held for long enough, a load more than {more:.5} times as large makes it grow"));
         }
         if let Some(state) = row.labels.get_mut(1) {
             *state = word.into();

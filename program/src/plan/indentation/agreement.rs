@@ -3,7 +3,16 @@
 use super::rows::INSTANT;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
 use crate::outcome::{Column, Row};
+use crate::scene::typed::Units;
 use viscotack::estimate::Estimate;
+
+/// What differences and sums of numbers are rounded by, relative.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Of the columns.
+pub(super) const DEVIATION: &str = "The computed force less the measured one.";
+pub(super) const RMS: &str = "Root of the mean square of the deviations from the measured force, over the instants that have one.";
+pub(super) const DETERMINATION: &str = "One less the sum of squared deviations over that of the measured forces from their mean: 1 where both curves are one, negative where the mean fits better.";
 
 /// Fills the columns of deviations in the rows of a state, the answer first: the bound of a deviation is that of the force.
 pub(super) fn put_into(rows: &mut [Row], columns: &[Column]) {
@@ -22,26 +31,36 @@ pub(super) fn put_into(rows: &mut [Row], columns: &[Column]) {
         if here.is_some() && instants.get(index + 1).copied().flatten() == here {
             continue;
         }
-        let deviates = Estimate::new(computed.value - measured.value, computed.error);
+        let rounding = ROUNDING * (computed.value.abs() + measured.value.abs());
+        let deviates = Estimate::new(computed.value - measured.value, computed.error + rounding);
         if here.is_some() {
             pairs.push((deviates, measured.value));
         }
         put(row, deviation, Some(deviates));
     }
     let Some(answer) = rows.first_mut() else { return };
-    let count = pairs.len() as f64;
-    let mean = pairs.iter().map(|(_, measured)| measured).sum::<f64>() / count;
-    let root_mean_square = |of: &dyn Fn(&(Estimate, f64)) -> f64| (pairs.iter().map(|pair| of(pair).powi(2)).sum::<f64>() / count).sqrt();
+    let mean = pairs.iter().map(|(_, measured)| measured / pairs.len() as f64).sum::<f64>();
+    let root_mean_square = |of: &dyn Fn(&(Estimate, f64)) -> f64| root_mean_square(&pairs.iter().map(of).collect::<Vec<_>>());
     // The root of a mean square is a norm: errors change it by their own at most.
     let (rms, error) = (root_mean_square(&|(deviates, _)| deviates.value), root_mean_square(&|(deviates, _)| deviates.error));
     let spread = root_mean_square(&|(_, measured)| measured - mean);
-    let determination = Estimate::new(1.0 - (rms / spread).powi(2), error * (2.0 * rms + error) / (spread * spread));
+    let determination = Estimate::new(1.0 - (rms / spread).powi(2), error / spread * ((2.0 * rms + error) / spread) + ROUNDING);
     if let Some(place) = place("rms_deviation") {
-        put(answer, place, (count > 0.0).then_some(Estimate::new(rms, error)));
+        put(answer, place, (!pairs.is_empty()).then_some(Estimate::new(rms, error)));
     }
     if let Some(place) = place("coefficient_of_determination") {
-        put(answer, place, (spread > 0.0 && determination.value.is_finite()).then_some(determination));
+        let finite = spread > 0.0 && determination.value.is_finite() && determination.error.is_finite();
+        put(answer, place, finite.then_some(determination));
     }
+}
+
+/// Over the largest of them, whose square may be no number.
+fn root_mean_square(values: &[f64]) -> f64 {
+    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    largest * (values.iter().map(|value| (value / largest).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
 }
 
 fn put(row: &mut Row, place: usize, value: Option<Estimate>) {
@@ -56,16 +75,35 @@ pub(super) fn marks<'r>(rows: impl Iterator<Item = &'r Row>, [horizontal, measur
     (!points.is_empty()).then(|| Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1))
 }
 
-/// The deviations of one state over a quantity, with a line where there is none; no figure without any.
-pub(super) fn figure<'r>(rows: impl Iterator<Item = &'r Row>, places: [usize; 2], horizontal: Axis, vertical: Axis) -> Option<Figure> {
+/// The deviations of one state over the time, with a line where there is none; no figure without any.
+pub(super) fn figure<'r>(rows: impl Iterator<Item = &'r Row>, places: [usize; 2], time: Axis, units: Units) -> Option<(String, Figure)> {
     let points = points(rows, places);
     let (first, last) = (points.first()?.0, points.last()?.0);
+    let label = match units {
+        Units::Si => r"computed less measured force $F - F_\mathrm{meas}$ (N)",
+        Units::Reduced => r"computed less measured force $(F - F_\mathrm{meas})/\pi E_0^* R^2$",
+    };
     let none = Curve::new("", vec![(first, 0.0), (last, 0.0)]).with_line(Line::Dotted).with_colour(2);
     let deviations = Curve::new("", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1);
-    Some(Figure::new(horizontal, vertical).with_curve(none).with_curve(deviations))
+    let figure = Figure::new(time, Axis::linear(label)).with_curve(none).with_curve(deviations);
+    Some(("force_deviation_against_time".to_owned(), figure))
 }
 
 fn points<'r>(rows: impl Iterator<Item = &'r Row>, [horizontal, vertical]: [usize; 2]) -> Vec<(f64, f64)> {
     let instants = rows.filter(|row| row.label(0) == INSTANT);
     instants.filter_map(|row| Some((row.value(horizontal)?, row.value(vertical)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root_mean_square;
+
+    #[test]
+    fn a_root_mean_square_needs_no_squares_that_are_numbers() {
+        for unit in [1.0, 1e-200, 1e200] {
+            let found = root_mean_square(&[3.0 * unit, -4.0 * unit]) / unit;
+            assert!((found - 12.5_f64.sqrt()).abs() < 1e-14, "{found}");
+        }
+        assert!(root_mean_square(&[0.0, 0.0]).abs() < f64::MIN_POSITIVE && root_mean_square(&[]).abs() < f64::MIN_POSITIVE);
+    }
 }

@@ -1,5 +1,6 @@
 //! The columns of an indentation's table, and what each is measured in.
 
+use super::agreement;
 use crate::outcome::{Column, Layout};
 use crate::scene::typed::{HistorySegment, Indentation, Units};
 
@@ -147,7 +148,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
-    column("force_deviation", Measure::Force, "The computed force less the measured one."),
+    column("force_deviation", Measure::Force, agreement::DEVIATION),
     column(
         "tip_release_rate",
         Measure::EnergyPerArea,
@@ -216,16 +217,8 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("end_penetration", Measure::Length, "Δ at the end of the history."),
     column("end_force", Measure::Force, "F at the end of the history."),
     column("end_radius", Measure::Length, "Contact radius at the end of the history."),
-    column(
-        "rms_deviation",
-        Measure::Force,
-        "Root of the mean square of the deviations from the measured force, over the instants that have one.",
-    ),
-    column(
-        "coefficient_of_determination",
-        Measure::Number,
-        "One less the sum of squared deviations over that of the measured forces from their mean: 1 where both curves are one, negative where the mean fits better.",
-    ),
+    column("rms_deviation", Measure::Force, agreement::RMS),
+    column("coefficient_of_determination", Measure::Number, agreement::DETERMINATION),
 ];
 
 /// Whether a table of the history has a measured force beside what it controls.

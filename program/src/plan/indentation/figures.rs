@@ -209,14 +209,7 @@ impl IndentationPlan {
     /// How far the computed force of the first state is from the measured one.
     fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
         let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
-        let vertical = Axis::linear(self.label(
-            "computed less measured force",
-            r"$F - F_\mathrm{meas}$",
-            " (N)",
-            r"$(F - F_\mathrm{meas})/\pi E_0^* R^2$",
-        ));
-        let figure = agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), vertical)?;
-        Some(("force_deviation_against_time".to_owned(), figure))
+        agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), self.units)
     }
 
     /// Loss of an oscillation; else the pull-off force, or without adhesion the largest force.

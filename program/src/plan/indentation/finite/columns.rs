@@ -1,5 +1,6 @@
 //! The columns of an indenter that attracts at a distance.
 
+use super::super::agreement;
 use super::super::columns::{Measure, has_measured_force, unit};
 use crate::outcome::{Column, Layout};
 use crate::scene::typed::{Indentation, Units};
@@ -92,7 +93,7 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Force,
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
-    column("force_deviation", Measure::Force, "The computed force less the measured one."),
+    column("force_deviation", Measure::Force, agreement::DEVIATION),
     column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
     column("pull_off_time", Measure::Time, "When the tension is largest; soft where the maximum is flat."),
     column("pull_off_penetration", Measure::Length, "Δ where the tension is largest; soft where the maximum is flat."),
@@ -118,16 +119,8 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     column("end_penetration", Measure::Length, "Δ at the end of the history."),
     column("end_force", Measure::Force, "F at the end of the history."),
     column("end_radius", Measure::Length, "Contact radius at the end of the history."),
-    column(
-        "rms_deviation",
-        Measure::Force,
-        "Root of the mean square of the deviations from the measured force, over the instants that have one.",
-    ),
-    column(
-        "coefficient_of_determination",
-        Measure::Number,
-        "One less the sum of squared deviations over that of the measured forces from their mean: 1 where both curves are one, negative where the mean fits better.",
-    ),
+    column("rms_deviation", Measure::Force, agreement::RMS),
+    column("coefficient_of_determination", Measure::Number, agreement::DETERMINATION),
     column("jumps", Measure::Number, "Sudden changes of the surface to another equilibrium; each is an event."),
     column("jump_loss", Measure::Energy, "What all of them set free."),
     column("tabor_number", Measure::Number, "(RΔγ²/(E0*²r³))^{1/3} with the relaxed modulus, r the range of the law."),

@@ -105,14 +105,7 @@ impl FiniteRangePlan {
     /// How far the computed force of the first state is from the measured one.
     fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
         let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
-        let vertical = Axis::linear(self.label(
-            "computed less measured force",
-            r"$F - F_\mathrm{meas}$",
-            " (N)",
-            r"$(F - F_\mathrm{meas})/\pi E_0^* R^2$",
-        ));
-        let figure = agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), vertical)?;
-        Some(("force_deviation_against_time".to_owned(), figure))
+        agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), self.units)
     }
 
     /// Pull-off, or of what has no unit for it the largest force.
