@@ -114,7 +114,7 @@
 //! let history = History::penetration(2e-6).at_speed(-20e-6, 1e-6);
 //! let problem = IndentationProblem::new(sphere, Some(adhesion), history).relaxed();
 //! let solution = run(&plane, &problem)?;
-//! let pull_off = solution.largest_tension.unwrap();
+//! let pull_off = solution.pull_off_force().unwrap();
 //! // Above the elastic limit 1.5πRΔγ.
 //! assert!(pull_off.value > 1.5 * std::f64::consts::PI * 1e-3 * 0.05 && pull_off.error < 1e-3 * pull_off.value);
 //! # Ok::<(), viscotack::Refusal>(())

@@ -3,7 +3,7 @@
 use super::convergence::{Heard, Ladder};
 use super::cycle::Cycle;
 use super::problem::IndentationProblem;
-use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+use super::solution::{Energies, Event, IndentationSolution, IndentationWork, Instant, NUMBERS, PathPoint, Trace};
 use crate::estimate::Estimate;
 use std::f64::consts::PI;
 
@@ -12,6 +12,8 @@ const AT_FOLDS: f64 = 12.0;
 /// The place of K among the quantities: what panels leave unknown of it all marches have alike.
 const INTENSITY: usize = 3;
 const DISSIPATED: usize = 7;
+/// The place of ∫P_d dt among the numbers of an event.
+const LOST: usize = NUMBERS - 1;
 /// What the tolerance of the edge condition leaves.
 const ROUNDING: f64 = 1e-10;
 /// Last digits of the largest value of a quantity: what a sum of parts, some of them larger, leaves where it vanishes.
@@ -74,7 +76,7 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
         }
         let heard = heard.map(|march| march.and_then(|march| march.path.get(*march.kept.get(index)?)));
         // An indenter that flies is where its contact let go.
-        let flies = |(event, _): &(&Event<f64>, &[f64; 4])| event.penetration.to_bits() == point.penetration.to_bits();
+        let flies = |(event, _): &(&Event<f64>, &[f64; NUMBERS])| event.penetration.to_bits() == point.penetration.to_bits();
         let let_go = march.events.iter().zip(&march.unknown_of_events).find(flies).filter(|_| point.contact_radius == 0.0);
         let of_its_place = let_go.map_or(0.0, |(_, unknown)| unknown[1]);
         let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64| {
@@ -117,36 +119,32 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
             residual: point.residual,
         });
     }
+    let on_the_way = OnTheWay { ladder: &ladder, march, scales, by_panels: reduction.is_some() };
     let events: Vec<Event<Estimate>> = march
         .events
         .iter()
         .enumerate()
         .map(|(index, event)| {
             let heard = heard.map(|march| march.and_then(|march| march.events.get(index)).filter(|other| other.kind == event.kind));
-            let unknown = march.unknown_of_events.get(index).copied().unwrap_or_default();
-            let estimate = |quantity: usize, of: fn(&Event<f64>) -> f64| {
-                let error = ladder.error(heard.map(|event| event.map(of)));
-                Estimate::new(of(event), error + unknown[quantity] + ROUNDING * of(event).abs())
-            };
-            Event {
-                kind: event.kind,
-                time: estimate(0, |event| event.time),
-                penetration: estimate(1, |event| event.penetration),
-                force: estimate(2, |event| event.force),
-                contact_radius: estimate(3, |event| event.contact_radius),
-            }
+            on_the_way.estimated(event, heard, march.unknown_of_events.get(index).copied().unwrap_or_default())
         })
         .collect();
-    let largest_tension = march.largest_tension().filter(|tension| *tension > NO_FORCE * scales[1]).map(|value| {
-        let error = ladder.error(heard.map(|march| march.map(|march| march.largest_tension().unwrap_or(0.0))));
-        Estimate::new(value, error + ROUNDING * value)
+    let largest_tension = march.summary.peak().filter(|peak| -peak.force > NO_FORCE * scales[1]).map(|peak| {
+        let peaks = heard.map(|march| march.map(|march| march.summary.peak()));
+        let mut unknown = [0.0; NUMBERS];
+        unknown[4] = march.summary.intensity_floor_of_peak();
+        let found = on_the_way.estimated(&peak, peaks.each_ref().map(|peak| peak.as_ref()?.as_ref()), unknown);
+        // One that does not pull has the tension zero.
+        let error = ladder.error(peaks.map(|peak| peak.map(|peak| peak.map_or(0.0, |peak| peak.force))));
+        Event { force: Estimate::new(peak.force, error + ROUNDING * peak.force.abs()), ..found }
     });
     if let Some(tension) = largest_tension {
-        excess.hear(tension.error, problem.accuracy * scales[1]);
+        excess.hear(tension.force.error, problem.accuracy * scales[1]);
     }
     for event in &events {
         let radius_scale = AT_FOLDS * scales[2];
-        for (estimate, scale) in [(event.penetration, scales[0]), (event.force, scales[1]), (event.contact_radius, radius_scale)] {
+        let intensity = (event.stress_intensity_factor, AT_FOLDS * scales[3]);
+        for (estimate, scale) in [(event.penetration, scales[0]), (event.force, scales[1]), (event.contact_radius, radius_scale), intensity] {
             excess.hear(estimate.error, problem.accuracy * scale);
         }
     }
@@ -169,6 +167,37 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
         work: IndentationWork::default(),
     };
     Some(Verdict { solution, excess: excess.0 })
+}
+
+/// Events and other states between the kept instants of a march.
+struct OnTheWay<'a> {
+    ladder: &'a Ladder,
+    march: &'a Trace,
+    scales: [f64; 4],
+    by_panels: bool,
+}
+
+impl OnTheWay<'_> {
+    /// With errors by the same event of other marches, and by what none of them tells.
+    fn estimated(&self, event: &Event<f64>, heard: Heard<&Event<f64>>, unknown: [f64; NUMBERS]) -> Event<Estimate> {
+        let passed = self.march.path.iter().take_while(|point| self.by_panels && point.time <= event.time);
+        let unbalanced: f64 = passed.filter_map(|point| point.energies).map(|energies| energies.balance_defect.abs()).sum();
+        let estimate = |number: usize, value: f64| {
+            let error = self.ladder.error(heard.map(|event| event?.number(number)));
+            let digits = LAST_DIGITS * number.checked_sub(1).and_then(|place| self.scales.get(place)).copied().unwrap_or(0.0);
+            let lost = if number == LOST { unbalanced } else { 0.0 };
+            Estimate::new(value, error + unknown[number] + lost + ROUNDING * value.abs() + digits)
+        };
+        // G_tip goes with K².
+        let intensity = unknown[4] / event.stress_intensity_factor.abs();
+        let rate = |of: fn(&Event<f64>) -> Option<f64>, value: f64| {
+            let error = self.ladder.error(heard.map(|event| of(event?))) + ROUNDING * value.abs();
+            let tip = event.tip_release_rate.unwrap_or(0.0);
+            let error = if tip > 0.0 { error + 2.0 * intensity * tip } else { error };
+            (error <= value.abs()).then(|| Estimate::new(value, error))
+        };
+        event.with(estimate, rate)
+    }
 }
 
 /// A release rate with its error; none where nothing of it is known.
@@ -256,8 +285,8 @@ mod tests {
             trace.summary.add(point, k.checked_sub(1).and_then(|before| path.get(before)));
         }
         trace.path = path;
-        trace.events = vec![Event { kind: EventKind::Detachment, time: 1.5, penetration: 0.5, force: -0.5, contact_radius: 0.6 }];
-        trace.unknown_of_events = vec![[0.0, unknown_depth, 0.0, 0.0]];
+        trace.events = vec![Event::at(EventKind::Detachment, &PathPoint { force: -0.5, ..point(1.5, 0.6, 0.0) })];
+        trace.unknown_of_events = vec![[0.0, unknown_depth, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]];
         trace
     }
 

@@ -65,14 +65,14 @@ impl Marcher<'_> {
         };
         match found {
             Some(place) => {
-                self.record.happened_at_fold(kind, self.now(), &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.past.nodes(), fold);
                 self.record.sudden();
                 self.jump(place, imposed)?;
                 self.restart();
                 Ok(())
             }
             None => {
-                self.record.happened_at_fold(kind, self.now(), &self.contact, self.past.nodes(), fold);
+                self.record.happened_at_fold(kind, self.past.nodes(), fold);
                 self.opened(imposed)
             }
         }
@@ -80,7 +80,7 @@ impl Marcher<'_> {
 
     /// An adhesive indenter touches a surface that it left before: the edge jumps out to the first stable place.
     pub(super) fn touch_again(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
-        self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
+        self.record.happened(EventKind::JumpIn);
         let profile = self.contact.profile();
         let found = if profile.is_flat() { Some(profile.rim()) } else { self.elsewhere(self.smallest(), false, imposed)? };
         match found {
@@ -103,7 +103,7 @@ impl Marcher<'_> {
 
     /// The contact opens.
     pub(super) fn detach(&mut self, kind: EventKind, imposed: &Imposed<'_>) -> Result<(), Refusal> {
-        self.record.happened(kind, self.now(), &self.contact);
+        self.record.happened(kind);
         self.opened(imposed)
     }
 

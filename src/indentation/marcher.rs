@@ -196,10 +196,10 @@ impl<'a> Marcher<'a> {
         } else {
             0.0
         };
-        if self.problem.start == Start::Untouched {
-            self.record.happened(EventKind::JumpIn, self.now(), &self.contact);
-        }
         self.record.point(self.now(), &self.contact, residual);
+        if self.problem.start == Start::Untouched {
+            self.record.happened(EventKind::JumpIn);
+        }
         self.record.keep();
         Ok(())
     }

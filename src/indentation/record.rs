@@ -274,34 +274,50 @@ impl<'a> Record<'a> {
 
     pub(super) fn event(&mut self, event: Event<f64>) {
         self.trace.events.push(event);
-        self.trace.unknown_of_events.push([0.0; 4]);
+        let floor = self.trace.path.last().map_or(0.0, PathPoint::intensity_floor);
+        self.trace.unknown_of_events.push([0.0, 0.0, 0.0, 0.0, floor, 0.0, 0.0, 0.0, 0.0]);
     }
 
-    pub(super) fn happened(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>) {
-        self.event(Event { kind, time, penetration: contact.penetration(), force: contact.force(), contact_radius: contact.radius() });
+    /// An event in the state of the last point.
+    pub(super) fn happened(&mut self, kind: EventKind) {
+        if let Some(point) = self.trace.path.last() {
+            self.event(Event::at(kind, point));
+        }
     }
 
-    /// An event at a fold of t(a) a little ahead of the last point: values continued to it.
-    pub(super) fn happened_at_fold(&mut self, kind: EventKind, time: f64, contact: &Contact<'_>, nodes: &[Node], fold: Option<Fold>) {
-        self.happened(kind, time, contact);
+    /// An event at a fold of t(a) a little ahead of the last point: values continued to it, over the radius, in which all go on smoothly.
+    pub(super) fn happened_at_fold(&mut self, kind: EventKind, nodes: &[Node], fold: Option<Fold>) {
+        self.happened(kind);
         let (Some(Fold { distance, unknown }), Some([now, one, two])) = (fold, nodes.get(..3)) else { return };
+        let (Some(last), Some(event)) = (self.trace.path.last_chunk::<3>(), self.trace.events.last().copied()) else { return };
+        let [first, second, third] = last.each_ref().map(|point| Event::at(kind, point));
+        let newest_first = [(now, third), (one, second), (two, first)];
         let place = now.radius + distance * (now.radius - one.radius).signum();
-        let at = |of: fn(&Node) -> f64| {
-            let points = [now, one, two];
-            points
-                .iter()
-                .enumerate()
-                .map(|(k, point)| {
-                    let others = points.iter().enumerate().filter(|(l, _)| *l != k);
-                    of(point) * others.map(|(_, other)| (place - other.radius) / (point.radius - other.radius)).product::<f64>()
-                })
-                .sum::<f64>()
+        let weights = newest_first.map(|(node, _)| {
+            let others = newest_first.iter().map(|(other, _)| other.radius).filter(|other| other.to_bits() != node.radius.to_bits());
+            others.map(|other| (place - other) / (node.radius - other)).product::<f64>()
+        });
+        let sum = |values: [f64; 3]| values.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>();
+        // A node has more digits of the time between points.
+        let of_nodes = |of: fn(&Node) -> f64| sum(newest_first.map(|(node, _)| of(node)));
+        let continued = |number: usize, own: f64| match number {
+            0 => event.time + of_nodes(|node| node.time),
+            1 => of_nodes(|node| node.penetration),
+            2 => of_nodes(|node| node.force),
+            3 => place,
+            _ => sum(newest_first.map(|(_, point)| point.number(number).unwrap_or(own))),
         };
-        let (later, penetration, force) = (at(|node| node.time), at(|node| node.penetration), at(|node| node.force));
-        if let (Some(event), Some(left)) = (self.trace.events.last_mut(), self.trace.unknown_of_events.last_mut()) {
-            let continued = [later, penetration - event.penetration, force - event.force, place - event.contact_radius];
-            *left = continued.map(|change| unknown * change.abs());
-            *event = Event { kind, time: time + later, penetration, force, contact_radius: place };
+        let mut at_fold = event.with(continued, |_, own| Some(own));
+        // The edge runs away: no time is left to dissipate anything. G_tip goes with K².
+        let growth = at_fold.stress_intensity_factor / event.stress_intensity_factor;
+        at_fold.tip_release_rate = event.tip_release_rate.map(|rate| if rate > 0.0 { rate * growth * growth } else { rate });
+        at_fold.energy_release_rate = at_fold.tip_release_rate;
+        if let (Some(newest), Some(left)) = (self.trace.events.last_mut(), self.trace.unknown_of_events.last_mut()) {
+            for (number, left) in left.iter_mut().enumerate() {
+                let change = at_fold.number(number).zip(event.number(number)).map_or(0.0, |(then, now)| then - now);
+                *left += unknown * change.abs();
+            }
+            *newest = at_fold;
         }
     }
 

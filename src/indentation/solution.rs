@@ -82,6 +82,8 @@ pub enum EventKind {
     Detachment,
     /// The contact shrank to 1.05 process zones; at one the closure has no meaning. The march treats it as open from here.
     ZoneReached,
+    /// Nothing happened: the force pulls most.
+    LargestTension,
 }
 
 /// When, and in which state it began.
@@ -97,6 +99,64 @@ pub struct Event<T> {
     pub force: T,
     /// a (m) just before.
     pub contact_radius: T,
+    /// K_I (Pa√m) just before; zero without contact or without adhesion.
+    pub stress_intensity_factor: T,
+    /// Energies just before, where asked for: U (J), P_d (W), ∫F dΔ (J) and ∫P_d dt (J) since the start.
+    pub energies: Option<[T; 4]>,
+    /// G_tip = K_I²/(2E∞*) (J/m²), with the energies.
+    pub tip_release_rate: Option<T>,
+    /// G = G_tip − P_d/(dA/dt) (J/m²), with the energies: G_tip where the edge runs away; none where it stands.
+    pub energy_release_rate: Option<T>,
+}
+
+/// Numbers of an event: t, Δ, F, a, K_I, and the four energies.
+pub(super) const NUMBERS: usize = 9;
+
+impl Event<f64> {
+    /// What happens in the state of a point.
+    pub(super) fn at(kind: EventKind, point: &PathPoint) -> Self {
+        Self {
+            kind,
+            time: point.time,
+            penetration: point.penetration,
+            force: point.force,
+            contact_radius: point.contact_radius,
+            stress_intensity_factor: point.stress_intensity_factor,
+            energies: point.energies.map(|then| [then.stored, then.dissipated_power, then.external_work, then.dissipated]),
+            tip_release_rate: point.energies.map(|then| then.tip_release_rate),
+            energy_release_rate: point.energies.and_then(|then| then.energy_release_rate),
+        }
+    }
+
+    /// What panels leave unknown of its numbers.
+    pub(super) fn unknown(&self) -> [f64; NUMBERS] {
+        [0.0, 0.0, 0.0, 0.0, PANELS * self.stress_intensity_factor.abs(), 0.0, 0.0, 0.0, 0.0]
+    }
+
+    /// One of its [`NUMBERS`], if it is known.
+    pub(super) fn number(&self, place: usize) -> Option<f64> {
+        let own = [self.time, self.penetration, self.force, self.contact_radius, self.stress_intensity_factor];
+        own.get(place).copied().or_else(|| self.energies?.get(place.checked_sub(own.len())?).copied())
+    }
+
+    /// The same event with another value for each of its numbers.
+    pub(super) fn with<T>(
+        &self,
+        mut value: impl FnMut(usize, f64) -> T,
+        mut rate: impl FnMut(fn(&Self) -> Option<f64>, f64) -> Option<T>,
+    ) -> Event<T> {
+        Event {
+            kind: self.kind,
+            time: value(0, self.time),
+            penetration: value(1, self.penetration),
+            force: value(2, self.force),
+            contact_radius: value(3, self.contact_radius),
+            stress_intensity_factor: value(4, self.stress_intensity_factor),
+            energies: self.energies.map(|[stored, power, work, lost]| [value(5, stored), value(6, power), value(7, work), value(8, lost)]),
+            tip_release_rate: self.tip_release_rate.and_then(|own| rate(|event| event.tip_release_rate, own)),
+            energy_release_rate: self.energy_release_rate.and_then(|own| rate(|event| event.energy_release_rate, own)),
+        }
+    }
 }
 
 /// Work counters.
@@ -123,8 +183,8 @@ pub struct Trace {
     pub kept: Vec<usize>,
     /// Events in order.
     pub events: Vec<Event<f64>>,
-    /// What is not known of time, penetration, force and radius of each event that lies at a fold, beyond the last step (s, m, N, m).
-    pub unknown_of_events: Vec<[f64; 4]>,
+    /// What no other march tells of the numbers of each event (s, m, N, m, Pa√m, J, W, J, J): at a fold, beyond the last step, and of K_I.
+    pub unknown_of_events: Vec<[f64; NUMBERS]>,
     /// Whole cycles of stretches that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
     /// By how much the cycles of each stretch that oscillates differ, the first tenth left out.
@@ -165,7 +225,7 @@ impl Trace {
     /// The largest tension −F of the path (N), between its points by the polynomial through five; none if nothing pulled.
     #[must_use]
     pub fn largest_tension(&self) -> Option<f64> {
-        self.summary.largest_tension()
+        self.summary.peak().map(|peak| -peak.force)
     }
 
     /// G (J/m²) as a mean over the step that leads to a point, by two accounts: of the energies, (dU − F dΔ)/dA, and of the tip and what is
@@ -212,6 +272,14 @@ pub struct Instant {
     pub residual: f64,
 }
 
+impl IndentationSolution {
+    /// The largest tension −F of the history (N); none if nothing pulled.
+    #[must_use]
+    pub fn pull_off_force(&self) -> Option<Estimate> {
+        self.largest_tension.map(|tension| tension.force.scaled(-1.0))
+    }
+}
+
 /// A history of contact with errors: a march, judged by two behind it that are ten and a hundred times tighter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationSolution {
@@ -221,8 +289,8 @@ pub struct IndentationSolution {
     pub events: Vec<Event<Estimate>>,
     /// Whole cycles of stretches that oscillate.
     pub cycles: Vec<Cycle<Estimate>>,
-    /// The largest tension of the history (N); none if nothing pulled.
-    pub largest_tension: Option<Estimate>,
+    /// Where the force pulls most; none if nothing pulled.
+    pub largest_tension: Option<Event<Estimate>>,
     /// Defect of the power balance over the energy turned over, where energies were asked for.
     pub balance_defect: Option<f64>,
     /// Smallest K_I at a kept step in contact (Pa√m): below zero the edge would be pressed.

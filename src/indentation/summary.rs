@@ -1,6 +1,6 @@
 //! What is told of every point of a march, whether or not the path still holds it.
 
-use super::solution::PathPoint;
+use super::solution::{Event, EventKind, PathPoint};
 use serde::{Deserialize, Serialize};
 
 /// Points of a peak that are held before and after its top, and points of the polynomial through it.
@@ -55,18 +55,24 @@ impl Summary {
         if self.turned > 0.0 { self.defect / self.turned } else { 0.0 }
     }
 
-    /// The largest tension −F (N), between points by the polynomial through the five nearest; none if nothing pulled.
+    /// Where the force pulls most, between points by the polynomial through the five nearest; none if nothing pulled.
     #[must_use]
-    pub fn largest_tension(&self) -> Option<f64> {
+    pub fn peak(&self) -> Option<Event<f64>> {
         let top = self.peak.get(self.top)?;
         // A top at a corner ends one stretch of the path and begins the next: the peak may lie on either side of it.
         let next = self.peak.get(self.top + 1).map(|point| point.piece).filter(|piece| *piece != top.piece);
-        let peak = [Some(top.piece), next].into_iter().flatten().fold(-top.force, |peak, piece| {
+        let peak = [Some(top.piece), next].into_iter().flatten().fold(Event::at(EventKind::LargestTension, top), |peak, piece| {
             let points: Vec<&PathPoint> = self.stretch(piece).collect();
             let place = points.iter().position(|point| std::ptr::eq(*point, top));
-            place.and_then(|place| refined(&points, place)).map_or(peak, |refined| peak.max(refined))
+            place.and_then(|place| refined(&points, place)).filter(|refined| refined.force < peak.force).unwrap_or(peak)
         });
-        (peak > 0.0).then_some(peak)
+        (peak.force < 0.0).then_some(peak)
+    }
+
+    /// What panels leave unknown of K_I there (Pa√m).
+    #[must_use]
+    pub fn intensity_floor_of_peak(&self) -> f64 {
+        self.peak.get(self.top).map_or(0.0, PathPoint::intensity_floor)
     }
 
     /// The points of one stretch of the path that are held, with the corner that it begins at.
@@ -78,38 +84,47 @@ impl Summary {
     }
 }
 
-/// The largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
+/// The state of the largest tension between the points next to the one at a place; none where there are too few, or where the polynomial shoots over.
 ///
 /// Over time, or over the radius, which goes on smoothly where the edge runs away: over that which needs its last point less.
-fn refined(points: &[&PathPoint], place: usize) -> Option<f64> {
+fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let first = place.saturating_sub(POINTS / 2).min(points.len().saturating_sub(POINTS));
     let near = points.get(first..points.len().min(first + POINTS)).filter(|near| near.len() > 2)?;
     let over = |of: fn(&PathPoint) -> f64| {
         let path: Vec<(f64, f64)> = near.iter().map(|point| (of(point), -point.force)).collect();
         let one_way = path.windows(2).all(|pair| (pair[1].0 - pair[0].0) * (path[1].0 - path[0].0) > 0.0);
-        one_way.then(|| top_of(&path, place - first)).flatten()
+        let (refined, doubt, x) = one_way.then(|| top_of(&path, place - first)).flatten()?;
+        Some((refined, doubt, weights(&path, x, None)))
     };
     // Steps shorter than the clock tells have equal times.
     let ways = [over(|point| point.time), over(|point| point.contact_radius)];
-    let (refined, _) = ways.into_iter().flatten().min_by(|one, other| one.1.total_cmp(&other.1))?;
+    let (refined, _, weights) = ways.into_iter().flatten().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let top = points.get(place)?;
     // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
     let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
-    (refined + top.force <= most - least).then_some(refined)
+    let states: Vec<Event<f64>> = near.iter().map(|point| Event::at(EventKind::LargestTension, point)).collect();
+    let sum = |of: &dyn Fn(&Event<f64>) -> Option<f64>| -> Option<f64> {
+        states.iter().zip(&weights).map(|(state, weight)| Some(weight * of(state)?)).sum()
+    };
+    let own = Event::at(EventKind::LargestTension, top);
+    let there = own.with(|number, own| sum(&|state| state.number(number)).unwrap_or(own), |of, own| Some(sum(&of).unwrap_or(own)));
+    (refined + top.force <= most - least).then_some(Event { force: -refined, ..there })
 }
 
-/// The largest value beside a point of the polynomial through some, and what it would differ by there without the point that is furthest away.
-fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64)> {
-    let (top, before, after) = (path.get(place)?, path.get(place.saturating_sub(1))?, path.get(place + 1).or(path.last())?);
-    let at = |x: f64, without: Option<usize>| {
-        let kept = || path.iter().enumerate().filter(move |(k, _)| Some(*k) != without);
-        kept()
-            .map(|(k, (own, value))| {
-                let others = kept().filter(move |(l, _)| *l != k);
-                value * others.map(|(_, (other, _))| (x - other) / (own - other)).product::<f64>()
-            })
-            .sum::<f64>()
+/// The part of each value in the polynomial through all of a path, or all but one, at a place.
+fn weights(path: &[(f64, f64)], x: f64, without: Option<usize>) -> Vec<f64> {
+    let kept = |k: &usize| Some(*k) != without;
+    let weight = |(k, own): (usize, f64)| {
+        let others = path.iter().enumerate().filter(|(l, _)| *l != k && kept(l));
+        if kept(&k) { others.map(|(_, (other, _))| (x - other) / (own - other)).product::<f64>() } else { 0.0 }
     };
+    path.iter().enumerate().map(|(k, (own, _))| weight((k, *own))).collect()
+}
+
+/// The largest value beside a point of the polynomial through some, what it would differ by there without the point that is furthest away, and where it is.
+fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64, f64)> {
+    let (top, before, after) = (path.get(place)?, path.get(place.saturating_sub(1))?, path.get(place + 1).or(path.last())?);
+    let at = |x: f64, without: Option<usize>| weights(path, x, without).iter().zip(path).map(|(weight, (_, value))| weight * value).sum::<f64>();
     let (mut low, mut high) = (before.0, after.0);
     for _ in 0..60 {
         let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));
@@ -118,7 +133,7 @@ fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64)> {
     let x = 0.5 * (low + high);
     let distance = |k: &usize| path.get(*k).map_or(0.0, |point| (point.0 - top.0).abs());
     let furthest = (0..path.len()).max_by(|one, other| distance(one).total_cmp(&distance(other)));
-    Some((at(x, None), (at(x, None) - at(x, furthest)).abs()))
+    Some((at(x, None), (at(x, None) - at(x, furthest)).abs(), x))
 }
 
 #[cfg(test)]
@@ -145,7 +160,11 @@ mod tests {
             };
             summary.add(&point, None);
         }
-        summary.largest_tension()
+        summary.peak().map(|peak| {
+            // The radius of the parabola's top, and a penetration that stays.
+            assert!((peak.contact_radius - 0.8).abs() < 1e-7 && (peak.penetration - 0.1).abs() < 1e-14, "{peak:?}");
+            -peak.force
+        })
     }
 
     fn is_the_peak(found: Option<f64>) -> bool {

@@ -166,7 +166,7 @@ fn bounds_cover_the_errors() {
             let solved = solve_by_panels(&material(state), &IndentationProblem { accuracy, ..retraction(state) }).unwrap();
             let (force, force_error) = value(state, "F_off");
             let (end, end_error) = value(state, "t_end");
-            let tension = solved.largest_tension.unwrap();
+            let tension = solved.pull_off_force().unwrap();
             assert!((tension.value - force).abs() <= tension.error + force_error, "{name} {accuracy:e}: F_off {tension:?}");
             let last = solved.events.last().unwrap();
             assert!((last.time.value - end).abs() <= last.time.error + end_error, "{name} {accuracy:e}: t_end {last:?}");

@@ -319,7 +319,7 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
                 }
             }
         }
-        if let (Some(one), Some(other)) = (&panels.largest_tension, &rival.largest_tension) {
+        if let (Some(one), Some(other)) = (panels.pull_off_force(), rival.pull_off_force()) {
             let excess = (one.value - other.value).abs() / (one.error + other.error + 1e-9 * scale);
             if excess > furthest.0 {
                 furthest = (excess, format!("{number}, pull-off"));

@@ -91,7 +91,7 @@ fn elastic_edges_are_the_initial_value_problem() {
         for row in &case {
             let (quantity, exact) = (row.text("quantity"), row.number("value"));
             let (value, scale) = match quantity {
-                "pull_off" => (found.largest_tension.unwrap().value, exact),
+                "pull_off" => (found.pull_off_force().unwrap().value, exact),
                 "force" => (found.instants[row.number("instant") as usize].force.value, scale("force").max(scale("pull_off"))),
                 _ => (found.instants[row.number("instant") as usize].contact_radius.value, scale("contact_radius")),
             };
@@ -156,7 +156,7 @@ fn two_works_are_two_curves_of_jkr() {
             let exact = jkr(trailing, instant.penetration.value).contact_radius.min(largest);
             assert!((instant.contact_radius.value / exact - 1.0).abs() < allowed, "{name}: {instant:?} {exact}");
         }
-        let pull_off = found.largest_tension.unwrap().value / (1.5 * PI * radius * trailing);
+        let pull_off = found.pull_off_force().unwrap().value / (1.5 * PI * radius * trailing);
         println!("{name}: pull-off {pull_off} of JKR with the trailing work");
         assert!((pull_off - 1.0).abs() < 1e-2 && found.events.iter().any(|event| event.kind == EventKind::Detachment));
         if name == "elastic" {
@@ -179,7 +179,7 @@ fn two_unit_systems() {
         let law = EdgeLaw { leading_ratio: 0.4, ..by_speed(law) };
         let found = solved(&material, &IndentationProblem { instants_per_segment: 6, ..with(&problem, law) });
         let forces: Vec<f64> = found.instants.iter().map(|instant| instant.force.value / (modulus * length * length)).collect();
-        (forces, found.largest_tension.unwrap().value / (modulus * length * length))
+        (forces, found.pull_off_force().unwrap().value / (modulus * length * length))
     };
     let (one, other) = (run_in(1.0, 1.0, 1.0), run_in(2.3e-3, 0.017, 4.1e6));
     for (first, second) in one.0.iter().zip(&other.0) {
@@ -198,7 +198,7 @@ fn pull_off_between_the_works_of_slow_and_fast_edges() {
             let history = History::penetration(2e-6).at_speed(-60e-6, 3e-6);
             let base = problem(history);
             let adhesion = base.adhesion.map(|adhesion| Adhesion { work_of_adhesion: work, ..adhesion });
-            solved(&material, &with(&IndentationProblem { adhesion, ..base }, law)).largest_tension.unwrap().value
+            solved(&material, &with(&IndentationProblem { adhesion, ..base }, law)).pull_off_force().unwrap().value
         };
         let table = WorkBySpeed::table(&[entry(1e-8, 1.0, 1.0), entry(1e-4, 3.0, 1.0)]).unwrap();
         let (slow, between) = (pulled(EdgeLaw::CONSTANT, 0.05), pulled(by_speed(table), 0.05));

@@ -30,7 +30,7 @@ fn solved(name: &str, material: &Material, problem: &IndentationProblem) -> Inde
         "{name}: {} steps, {} closures, F_off {:?}, {:?}",
         found.work.steps,
         found.work.closure_evaluations,
-        found.largest_tension.map(|force| (force.value, force.error)),
+        found.pull_off_force().map(|force| (force.value, force.error)),
         found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>()
     );
     assert!(found.reached, "{name} misses its accuracy");
@@ -68,7 +68,7 @@ fn eight_decades_of_speed() {
         let speed = 10f64.powi(power);
         let history = History::penetration(0.02).at_speed(-0.05, speed);
         let found = solved(&format!("speed 1e{power}"), &rubber(), &asked(history).relaxed());
-        let pull_off = found.largest_tension.unwrap().value / (1.5 * PI * WORK);
+        let pull_off = found.pull_off_force().unwrap().value / (1.5 * PI * WORK);
         assert!(pull_off > last - 1e-6 && pull_off < 10.0 && pull_off > 1.0);
         assert_eq!(happened(&found, EventKind::Detachment) + happened(&found, EventKind::ZoneReached), 1);
         last = pull_off;
@@ -89,7 +89,7 @@ fn ratios_of_moduli() {
     for beta in [1.0, 1.001, 1000.0] {
         let material = Material::standard_solid(1.0, beta, beta).unwrap();
         let found = solved(&format!("β = {beta}"), &material, &asked(History::penetration(0.02).at_speed(-0.05, 0.1)).relaxed());
-        let pull_off = found.largest_tension.unwrap().value / (1.5 * PI * WORK);
+        let pull_off = found.pull_off_force().unwrap().value / (1.5 * PI * WORK);
         assert!(pull_off > 0.9 && pull_off < beta.max(1.1));
     }
 }
@@ -189,7 +189,7 @@ fn without_adhesion() {
     let mut problem = asked(History::penetration(0.0).at_speed(0.02, 0.01).at_speed(-0.05, 0.01));
     problem.adhesion = None;
     let found = solved("no adhesion", &rubber(), &problem);
-    assert!(found.largest_tension.is_none_or(|force| force.value < 1e-8) && happened(&found, EventKind::Detachment) == 1);
+    assert!(found.pull_off_force().is_none_or(|force| force.value < 1e-8) && happened(&found, EventKind::Detachment) == 1);
     problem.history = History::force(0.0).ramp(0.01, 3.0).hold(10.0).ramp(0.0, 3.0).hold(5.0).ramp(0.01, 3.0);
     let found = solved("no adhesion, by force", &rubber(), &problem);
     assert_eq!(happened(&found, EventKind::Detachment), 1);
@@ -215,7 +215,7 @@ fn elastic_solids_with_zones_of_a_millionth_of_the_radius() {
         for history in [History::penetration(0.01).ramp(-0.01, 1.0), History::force(0.0).ramp(-2.0 * pull_off, 1.0)] {
             let found = run(&elastic, &IndentationProblem::new(SPHERE, adhesion, history).relaxed()).unwrap();
             assert!(found.reached && found.residual < 1e-8, "{zone}: {:e}", found.residual);
-            let tension = found.largest_tension.unwrap();
+            let tension = found.pull_off_force().unwrap();
             assert!(
                 (tension.value / pull_off - 1.0).abs() < 0.2 * zone.sqrt() + tension.error / pull_off,
                 "{zone}: {tension:?} of {pull_off}"
@@ -287,7 +287,7 @@ fn a_late_pull_off_with_times_below_the_clock() {
     let found = run(&material, &problem).unwrap();
     println!("{} steps, {:?}", found.work.steps, found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>());
     assert_eq!(happened(&found, EventKind::Detachment) + happened(&found, EventKind::ZoneReached), 1);
-    let pull_off = found.largest_tension.unwrap().value;
+    let pull_off = found.pull_off_force().unwrap().value;
     let jkr = 1.5 * PI * WORK;
     assert!(pull_off > 0.9 * jkr && pull_off < 40.0 * jkr, "{:e}", pull_off / jkr);
     // The whole stretch was done.

@@ -160,6 +160,6 @@ fn units_and_error_bars() {
         assert!((first.contact_radius.value - truth.contact_radius).abs() <= first.contact_radius.error);
         assert!((first.energies.unwrap()[0].value - truth.energies.unwrap().stored).abs() <= first.energies.unwrap()[0].error);
     }
-    assert!((si.largest_tension.unwrap().value / mm.largest_tension.unwrap().value - 1.0).abs() < 1e-7);
+    assert!((si.pull_off_force().unwrap().value / mm.pull_off_force().unwrap().value - 1.0).abs() < 1e-7);
     assert!(si.events.iter().any(|event| event.kind == EventKind::Detachment) || si.events.is_empty());
 }

@@ -46,7 +46,7 @@ fn solved(material: &Material, problem: &IndentationProblem) -> IndentationSolut
 }
 
 fn pull_off(found: &IndentationSolution) -> f64 {
-    found.largest_tension.unwrap().value
+    found.pull_off_force().unwrap().value
 }
 
 /// The last instant at the rim, and the pull there.
@@ -304,7 +304,7 @@ fn bounds_cover_errors() {
                 assert!((one.value - other.value).abs() <= 1.2 * one.error + other.error, "{name}: {one:?} {other:?}");
             }
         }
-        let (one, other) = (loose.largest_tension.unwrap(), tight.largest_tension.unwrap());
+        let (one, other) = (loose.pull_off_force().unwrap(), tight.pull_off_force().unwrap());
         assert!((one.value - other.value).abs() <= 1.2 * one.error + other.error, "{name}: {one:?} {other:?}");
     }
 }

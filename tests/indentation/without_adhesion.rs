@@ -131,7 +131,7 @@ fn press_hold_and_retract_detaches() {
         let [event] = &solution.events[..] else { panic!("{what}: {:?}", solution.events) };
         assert_eq!(event.kind, EventKind::Detachment);
         assert!((event.time.value - low).abs() < 1e-9 && (low - 2.210_102_68).abs() < 1e-7, "{what}: {} {low}", event.time.value);
-        assert!(solution.largest_tension.is_none());
+        assert!(solution.pull_off_force().is_none());
         assert_eq!(solution.instants.last().unwrap().contact_radius.value.to_bits(), 0.0_f64.to_bits());
     }
 }

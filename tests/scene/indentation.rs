@@ -79,7 +79,7 @@ fn retraction_in_reduced_units_is_the_march() {
     let ratio = value(&outcome, pull_off, "pull_off_ratio");
     // F_JKR = (3/2)πRΔγ, which is (3/2)πγ̃ in πE0*R².
     assert!((ratio + value(&outcome, pull_off, "force") / (1.5 * PI * 1.6e-4)).abs() < 1e-12 * ratio);
-    assert!((ratio - direct.largest_tension.unwrap().value / (1.5 * PI * PI * 1.6e-4)).abs() < 1e-3 * ratio);
+    assert!((ratio - direct.pull_off_force().unwrap().value / (1.5 * PI * PI * 1.6e-4)).abs() < 1e-3 * ratio);
     let detached = event(&outcome, "detachment");
     assert!((value(&outcome, detached, "time") - direct.events[0].time.value).abs() < 1e-3);
     // The answer stands first, then what lies on the way, in order.

@@ -10,7 +10,7 @@ use crate::indentation::history::{Controlled, Segment};
 use crate::indentation::meter::Meter;
 use crate::indentation::problem::{IndentationProblem, Start};
 use crate::indentation::record::Record;
-use crate::indentation::solution::{Event, EventKind, Trace};
+use crate::indentation::solution::{EventKind, Trace};
 use crate::indentation::stretch::{Stretch, part, weight};
 use crate::refusal::Refusal;
 
@@ -286,10 +286,9 @@ impl<'a> Course<'a> {
         self.record.sudden();
         self.corner();
         let had = self.line.radius() > 0.0;
-        let before = self.event();
         self.settle(controlled, value)?;
         if had && self.line.radius() == 0.0 {
-            self.record.event(Event { kind: EventKind::Detachment, ..before });
+            self.record.happened(EventKind::Detachment);
         }
         self.point(true);
         self.record.new_piece();

@@ -3,24 +3,13 @@
 use super::course::Course;
 use super::ledger::Sums;
 use super::state::Look;
-use crate::indentation::solution::{Energies, Event, EventKind, PathPoint};
+use crate::indentation::solution::{Energies, EventKind, PathPoint};
 
 impl Course<'_> {
-    pub(super) fn event(&self) -> Event<f64> {
-        Event {
-            kind: EventKind::Detachment,
-            time: self.now(),
-            penetration: self.line.penetration,
-            force: self.line.force(),
-            contact_radius: self.line.radius(),
-        }
-    }
-
     /// The contact has been lost now.
     pub(super) fn lost(&mut self) {
-        let event = self.event();
-        self.record.event(event);
         self.point(false);
+        self.record.happened(EventKind::Detachment);
         self.record.new_piece();
         self.corner();
     }

@@ -141,10 +141,10 @@ impl<'a> March<'a> {
         march.window.blur = MERGE * problem.tolerance * march.displacement();
         let row = march.row(None, 0.0);
         (march.outcome.start, march.outcome.least_force) = (row, row);
+        march.record_rest(0.0);
         if !problem.relaxed && problem.adhesion.is_some() {
             march.event(EventKind::JumpIn, &row);
         }
-        march.record_rest(0.0);
         march.begins();
         march
     }

@@ -10,6 +10,7 @@ use super::gauss::Gauss;
 use super::line::{Segment, field, series};
 use super::march::March;
 use super::problem::{Row, Step};
+use super::solution::point;
 use super::surface::surface;
 use super::turned_over::MOST_HALVINGS;
 use crate::indentation::{Event, EventKind};
@@ -222,9 +223,12 @@ impl March<'_> {
         self.outcome.ends.push(row);
     }
 
+    /// An event in a state; what is stored and lost there is that of the last point, if it is of the same time.
     pub(super) fn event(&mut self, kind: EventKind, row: &Row) {
-        let Row { time, penetration, force, contact_radius, .. } = *row;
-        self.outcome.events.push(Event { kind, time, penetration, force, contact_radius });
+        let last = self.outcome.path.last().filter(|last| last.row.time.to_bits() == row.time.to_bits());
+        let without = Step { row: *row, residual: 0.0, piece: self.piece, area_rate: 0.0, account: None, wanted: false };
+        let step = last.map_or(without, |last| Step { row: *row, ..*last });
+        self.outcome.events.push(Event::at(kind, &point(&step, None, self.problem.chain.glassy)));
     }
 
     /// The smallest gap outside the edge now.

@@ -13,7 +13,7 @@ use super::solve::{PanelOptions, marched, marched_from};
 use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
 use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
-use crate::indentation::{Energies, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
+use crate::indentation::{Energies, Event, IndentationProblem, IndentationSolution, IndentationWork, PathPoint, SurfaceFields, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
@@ -245,7 +245,7 @@ fn trace(outcome: &Outcome, wanted: usize, (tolerance, glassy): (f64, f64)) -> R
     trace.cycles.clone_from(&outcome.cycles);
     trace.spreads.clone_from(&outcome.spreads);
     trace.shortened.clone_from(&outcome.shortened);
-    trace.unknown_of_events = vec![[0.0; 4]; trace.events.len()];
+    trace.unknown_of_events = trace.events.iter().map(Event::unknown).collect();
     let mut summary = Summary::default();
     for step in &outcome.path {
         let point = point(step, trace.path.last(), glassy);
@@ -266,7 +266,7 @@ fn trace(outcome: &Outcome, wanted: usize, (tolerance, glassy): (f64, f64)) -> R
     Ok(trace)
 }
 
-fn point(step: &Step, before: Option<&PathPoint>, glassy: f64) -> PathPoint {
+pub(super) fn point(step: &Step, before: Option<&PathPoint>, glassy: f64) -> PathPoint {
     let row = step.row;
     let intensity = row.stress_intensity;
     let energies = step.account.map(|(Stored { stored, dissipated_power }, TurnedOver { external, tip, dissipated })| {

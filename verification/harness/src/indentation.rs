@@ -157,7 +157,7 @@ fn indentation<'py>(
     out.set_item("contact_radius", column(|instant| instant.contact_radius.value)?)?;
     out.set_item("contact_radius_error", column(|instant| instant.contact_radius.error)?)?;
     out.set_item("stress_intensity_factor", column(|instant| instant.stress_intensity_factor.value)?)?;
-    out.set_item("largest_tension", solution.largest_tension.map(pair))?;
+    out.set_item("largest_tension", solution.pull_off_force().map(pair))?;
     out.set_item("balance_defect", solution.balance_defect)?;
     out.set_item("reached", solution.reached)?;
     let events: Vec<(String, f64)> = solution.events.iter().map(|event| (format!("{:?}", event.kind), event.time.value)).collect();

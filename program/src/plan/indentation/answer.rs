@@ -11,7 +11,7 @@ impl IndentationPlan {
     pub(super) fn of_state(&self, solution: &IndentationSolution, scales: &[f64]) -> Values {
         let mut values: Values = vec![None; COLUMNS.len()];
         let cell = |row: Option<&Values>, place: usize| row.and_then(|row| row.get(place).copied().flatten());
-        let tension = self.of_largest_tension(solution);
+        let tension = self.of_largest_tension(solution, scales);
         let pull = |place: usize| cell(tension.as_ref(), place);
         let lost = solution.events.iter().rfind(|event| is_loss(event.kind)).map(|event| self.of_event(event, scales));
         let last = solution.instants.last().map(|instant| self.of_instant(instant));

@@ -25,6 +25,7 @@ const fn word(kind: EventKind) -> &'static str {
         EventKind::PartialDetachment => "partial_detachment",
         EventKind::Detachment => "detachment",
         EventKind::ZoneReached => "zone_reached",
+        EventKind::LargestTension => LARGEST_TENSION,
     }
 }
 
@@ -104,7 +105,7 @@ impl IndentationPlan {
             }
             add([INSTANT, ""], values, instant.residual)?;
         }
-        if let Some(values) = self.of_largest_tension(solution) {
+        if let Some(values) = self.of_largest_tension(solution, &scales) {
             add(["event", LARGEST_TENSION], values, 0.0)?;
         }
         for point in self.between_instants(solution) {
@@ -163,7 +164,7 @@ impl IndentationPlan {
             let Some(instant) = nearest else { continue };
             let at_end =
                 State { time: ended.time, penetration: instant.penetration, force: instant.force, contact_radius: instant.contact_radius };
-            let values = self.basic(Estimate::exact(ended.time), at_end.penetration, at_end.force, at_end.contact_radius);
+            let values = self.of_instant(&Instant { time: ended.time, ..*instant });
             if !ended.met || ended.exact {
                 ends.push((if ended.met { CONDITION_MET } else { LIMIT_REACHED }, values, None));
                 continue;
@@ -198,7 +199,7 @@ impl IndentationPlan {
             }
         }
         // As the accuracy of the march is over the largest force.
-        let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.largest_tension.map_or(0.0, |tension| tension.value));
+        let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.pull_off_force().map_or(0.0, |tension| tension.value));
         let mut at_least = |place: usize, least: f64| {
             if let Some(scale) = scales.get_mut(place) {
                 *scale = scale.max(least);
@@ -330,36 +331,48 @@ impl IndentationPlan {
             let scale = scales.get(place).copied().unwrap_or(0.0).max(estimate.value.abs());
             Estimate::new(estimate.value, estimate.error.min(scale))
         };
-        self.basic(
+        let mut values = self.basic(
             known(event.time, at::TIME),
             known(event.penetration, at::PENETRATION),
             known(event.force, at::FORCE),
             known(event.contact_radius, at::CONTACT_RADIUS),
-        )
+        );
+        let energy = |which: usize| event.energies.and_then(|energies| energies.get(which).copied());
+        for (place, value) in [
+            (at::STRESS_INTENSITY, self.indentation.adhesion.map(|_| event.stress_intensity_factor)),
+            (at::STORED_ENERGY, energy(0)),
+            (at::DISSIPATED_POWER, energy(1)),
+            (at::EXTERNAL_WORK, energy(2)),
+            (at::DISSIPATED_ENERGY, energy(3)),
+            (at::TIP_RELEASE_RATE, event.tip_release_rate),
+            (at::ENERGY_RELEASE_RATE, event.energy_release_rate),
+        ] {
+            if let (Some(cell), Some(value)) = (values.get_mut(place), value) {
+                *cell = Some(known(value, place));
+            }
+        }
+        values
     }
 
-    /// The row of the largest tension; when and where it acts is known as well as tensions can be told apart there.
-    pub(super) fn of_largest_tension(&self, solution: &IndentationSolution) -> Option<Values> {
+    /// The row of the largest tension. Where other tensions of the path are as large, as far as is known, it acts here or there.
+    pub(super) fn of_largest_tension(&self, solution: &IndentationSolution, scales: &[f64]) -> Option<Values> {
         let tension = solution.largest_tension?;
-        let path = &solution.march.path;
-        let (place, peak) = path.iter().enumerate().min_by(|first, second| first.1.force.total_cmp(&second.1.force))?;
-        // Two tensions are told apart by twice what is not known of each, and between two points of the path the largest may lie anywhere.
-        let untold = |point: &PathPoint| -point.force >= tension.value - 2.0 * tension.error;
-        let places = path.iter().enumerate().filter(|(index, point)| *index == place || untold(point)).map(|(index, _)| index);
-        let beside = places.flat_map(|index| [index.saturating_sub(1), index, index + 1]).filter_map(|index| path.get(index));
-        let near: Vec<&PathPoint> = beside.filter(|point| point.contact_radius > 0.0).collect();
-        let spread = |value: fn(&PathPoint) -> f64| {
-            let here = value(peak);
-            Estimate::new(here, near.iter().fold(0.0, |most: f64, point| most.max((value(point) - here).abs())))
-        };
-        let mut values = self.basic(
-            spread(|point| point.time),
-            spread(|point| point.penetration),
-            Estimate::new(-tension.value, tension.error),
-            spread(|point| point.contact_radius),
-        );
+        let mut values = self.of_event(&tension, scales);
+        let as_large = as_large_tensions(&solution.march.path, &tension);
+        let quantities: [(usize, fn(&PathPoint) -> f64); 4] = [
+            (at::TIME, |point| point.time),
+            (at::PENETRATION, |point| point.penetration),
+            (at::CONTACT_RADIUS, |point| point.contact_radius),
+            (at::STRESS_INTENSITY, |point| point.stress_intensity_factor),
+        ];
+        for (place, of) in quantities {
+            if let Some(Some(cell)) = values.get_mut(place) {
+                let away = as_large.iter().map(|point| (of(point) - cell.value).abs());
+                *cell = Estimate::new(cell.value, away.fold(cell.error, f64::max));
+            }
+        }
         if let (Some(cell), Some(unit)) = (values.get_mut(at::PULL_OFF_RATIO), self.jkr_pull_off()) {
-            *cell = Some(tension.scaled(1.0 / unit));
+            *cell = Some(tension.force.scaled(-1.0 / unit));
         }
         Some(values)
     }
@@ -416,4 +429,22 @@ impl IndentationPlan {
         // An open contact has the force 0, not −0.
         Estimate::new(converted.value + 0.0, converted.error)
     }
+}
+
+/// Part of the largest tension below which a difference of tensions is rounding of the edge condition.
+const ALIKE: f64 = 1e-9;
+
+/// Points in contact that pull as hard as the largest tension does, as far as is known, and are not beside it: of other peaks, or of a plateau.
+fn as_large_tensions<'p>(path: &'p [PathPoint], tension: &Event<Estimate>) -> Vec<&'p PathPoint> {
+    let (largest, unknown) = (-tension.force.value, tension.force.error);
+    let pulls = |point: &PathPoint, less: f64| point.contact_radius > 0.0 && -point.force >= largest - less;
+    let above = |point: &PathPoint| pulls(point, 2.0 * unknown);
+    let (mut found, mut passed) = (Vec::new(), 0);
+    for stretch in path.chunk_by(|one, other| above(one) == above(other)) {
+        let (before, after) = (path.get(passed.max(1) - 1), path.get(passed + stretch.len()).or(stretch.last()));
+        passed += stretch.len();
+        let holds_it = before.zip(after).is_some_and(|(from, to)| (from.time..=to.time).contains(&tension.time.value));
+        found.extend(stretch.iter().filter(|point| above(point) && (!holds_it || pulls(point, ALIKE * largest))));
+    }
+    found
 }

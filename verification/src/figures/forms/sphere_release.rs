@@ -50,7 +50,7 @@ impl SphereRelease {
             }
             let solution = run(&material, &problem)?;
             let path = &solution.march.path;
-            let ratio = solution.largest_tension.map_or(f64::NAN, |tension| tension.value / (1.5 * work * PI));
+            let ratio = solution.pull_off_force().map_or(f64::NAN, |tension| tension.value / (1.5 * work * PI));
             let places: Vec<(f64, usize)> = if self.retraction_from.is_some() {
                 let largest = path.iter().enumerate().min_by(|one, other| one.1.force.total_cmp(&other.1.force));
                 largest.map(|(index, point)| (point.penetration, index)).into_iter().collect()

@@ -6,7 +6,9 @@ use super::tally::{Compared, Judged, Truth};
 use super::{ANOTHER_ROUTE, SEED};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
-use viscotack::indentation::{Adhesion, Controlled, Event, History, IndentationProblem, Instant, PathPoint, Profile, Trace, march, run};
+use viscotack::indentation::{
+    Adhesion, Controlled, Energies, Event, EventKind, History, IndentationProblem, Instant, PathPoint, Profile, Trace, march, run,
+};
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
 
@@ -119,13 +121,43 @@ const INSTANTS: [OfInstants; 10] = [
     },
 ];
 
-/// The same of an event, and the scale that it is seen against: of |Δ|, |F|, a and time.
-type OfEvents = (&'static str, fn(&Event<f64>) -> f64, fn(&Event<Estimate>) -> Estimate, usize);
-const EVENTS: [OfEvents; 4] = [
-    ("depth of an event", |event| event.penetration, |event| event.penetration, 0),
-    ("force of an event", |event| event.force, |event| event.force, 1),
-    ("radius of an event", |event| event.contact_radius, |event| event.contact_radius, 2),
-    ("time of an event", |event| event.time, |event| event.time, 3),
+/// The same of an event or of the largest tension, and the scale that it is seen against: of the largest on the path, or of time.
+struct OfEvents {
+    quantity: &'static str,
+    of_peak: &'static str,
+    marched: fn(&Event<f64>) -> Option<f64>,
+    told: fn(&Event<Estimate>) -> Option<Estimate>,
+    scale: fn(&PathPoint) -> f64,
+}
+
+macro_rules! of_events {
+    ($name:literal, $event:ident => $value:expr, $point:ident => $scale:expr) => {
+        OfEvents {
+            quantity: concat!($name, " of an event"),
+            of_peak: concat!($name, " of the largest tension"),
+            marched: |$event| $value,
+            told: |$event| $value,
+            scale: |$point| $scale,
+        }
+    };
+}
+
+fn energies(point: &PathPoint) -> Energies {
+    point.energies.unwrap_or_default()
+}
+
+const EVENTS: [OfEvents; 11] = [
+    of_events!("depth", event => Some(event.penetration), point => point.penetration),
+    of_events!("force", event => Some(event.force), point => point.force),
+    of_events!("radius", event => Some(event.contact_radius), point => point.contact_radius),
+    of_events!("time", event => Some(event.time), point => point.time),
+    of_events!("stress intensity", event => Some(event.stress_intensity_factor), point => point.stress_intensity_factor),
+    of_events!("stored energy", event => Some(event.energies?[0]), point => energies(point).stored),
+    of_events!("dissipated power", event => Some(event.energies?[1]), point => energies(point).dissipated_power),
+    of_events!("external work", event => Some(event.energies?[2]), point => energies(point).external_work),
+    of_events!("dissipated energy", event => Some(event.energies?[3]), point => energies(point).dissipated),
+    of_events!("tip release rate", event => event.tip_release_rate, point => energies(point).tip_release_rate),
+    of_events!("energy release rate", event => event.energy_release_rate, point => energies(point).tip_release_rate),
 ];
 
 fn against_tighter((material, problem): &(Material, IndentationProblem), judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
@@ -140,6 +172,7 @@ fn against_tighter((material, problem): &(Material, IndentationProblem), judged:
         Estimate::new(exact, second.map_or(0.0, |second| (exact - second).abs()) + ALIKE * scale)
     };
     let kept = |trace: &Trace, index: usize| trace.kept.get(index).and_then(|place| trace.path.get(*place)).copied();
+    let of_path = &exact.path;
     let mut compared = Vec::new();
     for OfInstants { quantity, marched, told, floor } in INSTANTS {
         let scale = exact.path.iter().filter_map(marched).fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -153,24 +186,32 @@ fn against_tighter((material, problem): &(Material, IndentationProblem), judged:
             }
         }
     }
-    // Times and depths of an event are known as well as each other: to what the march knows of the path.
-    let [depth, force, radius, _] = exact.summary.scales;
-    let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+    let mut compare = |found: &Event<Estimate>, floor: f64, [exact, second]: [Option<Event<f64>>; 2]| {
+        for OfEvents { quantity, of_peak, marched, told, scale } in EVENTS {
+            let Some((found_value, value)) = told(found).zip(exact.as_ref().and_then(marched)) else { continue };
+            let scale = of_path.iter().map(|point| scale(point).abs()).fold(0.0_f64, f64::max);
+            let truth = truth(value, second.as_ref().and_then(marched), scale);
+            let quantity = if found.kind == EventKind::LargestTension { of_peak } else { quantity };
+            // What panels beside the edge leave unknown of K, and of what goes with K².
+            let floor = match quantity {
+                _ if quantity.starts_with("stress intensity") => floor,
+                _ if quantity.contains("release rate") => 2.0 * found_value.value.abs() * floor / found.stress_intensity_factor.value.abs(),
+                _ => 0.0,
+            };
+            compared.push(Compared { quantity, found: found_value, truth, scale, floor });
+        }
+    };
     for (index, event) in found.events.iter().enumerate() {
         let same = |trace: &Trace| trace.events.get(index).filter(|other| other.kind == event.kind).copied();
         let Some(exact) = same(&exact) else {
             judged.trouble = Some(format!("{:?} is not there in a tighter march", event.kind));
             continue;
         };
-        for (quantity, marched, told, scale) in EVENTS {
-            let scale = [depth, force, radius, duration][scale];
-            let truth = truth(marched(&exact), same(&second).map(|event| marched(&event)), scale);
-            compared.push(Compared { quantity, found: told(event), truth, scale, floor: 0.0 });
-        }
+        let floor = found.march.unknown_of_events.get(index).map_or(0.0, |unknown| unknown[4]);
+        compare(event, floor, [Some(exact), same(&second)]);
     }
-    if let (Some(found), Some(value)) = (found.largest_tension, exact.largest_tension()) {
-        let truth = truth(value, second.largest_tension(), force);
-        compared.push(Compared { quantity: "largest tension", found, truth, scale: force, floor: 0.0 });
+    if let Some(tension) = &found.largest_tension {
+        compare(tension, found.march.summary.intensity_floor_of_peak(), [exact.summary.peak(), second.summary.peak()]);
     }
     Ok(compared)
 }

@@ -38,7 +38,7 @@ fn told(found: &IndentationSolution) -> Found {
     if let Some(last) = found.instants.last() {
         told = told.with("Δ", last.penetration).with("F", last.force).with("a", last.contact_radius);
     }
-    if let Some(tension) = found.largest_tension {
+    if let Some(tension) = found.pull_off_force() {
         told = told.with("largest tension", tension);
     }
     if !found.reached {

@@ -93,7 +93,7 @@ fn sphere(units: Units) -> Result<Estimate, Refusal> {
     let problem = IndentationProblem { accuracy: 1e-3, ..IndentationProblem::new(Profile::Paraboloid { radius }, Some(adhesion), history) };
     let found = run(&material, &problem.relaxed())?;
     let jkr = 1.5 * std::f64::consts::PI * radius * work_of_adhesion;
-    Ok(found.largest_tension.map_or(Estimate::new(f64::NAN, f64::INFINITY), |force| force.scaled(1.0 / jkr)))
+    Ok(found.pull_off_force().map_or(Estimate::new(f64::NAN, f64::INFINITY), |force| force.scaled(1.0 / jkr)))
 }
 
 /// A problem: name, reduced quantity, tolerance relative to it, and what computes it.

@@ -81,5 +81,5 @@ fn edge(row: &Published, to: f64) -> Result<Option<f64>, Refusal> {
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
     let solution = indentation::run(&material, &problem)?;
-    Ok(solution.largest_tension.map(|tension| tension.value / (1.5 * PI * work)))
+    Ok(solution.pull_off_force().map(|tension| tension.value / (1.5 * PI * work)))
 }
