@@ -13,7 +13,8 @@ fn main() {
     for watched in ["build.rs", "src", "Cargo.toml", "../src", "../verification/src", "../cli/src", "../Cargo.toml", "../Cargo.lock"] {
         println!("cargo:rerun-if-changed={watched}");
     }
-    for file in ["HEAD", "index", "logs/HEAD"] {
+    // Not the index: git itself writes it anew, for this program too, and all would be built again.
+    for file in ["HEAD", "logs/HEAD"] {
         if let Some(watched) = git(&["rev-parse", "--git-path", file]).filter(|path| Path::new(path).exists()) {
             println!("cargo:rerun-if-changed={watched}");
         }

@@ -31,6 +31,7 @@ mod reference_values;
 mod retraction;
 mod rim;
 mod sec_4_3_rival;
+mod states_of_events;
 mod sudden_loads;
 mod wide_spectra;
 mod without_adhesion;

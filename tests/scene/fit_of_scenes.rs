@@ -11,7 +11,9 @@
 use crate::command_support;
 
 use command_support::Folder;
+use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
+use viscotack::special::normal::Normal;
 use viscotack_verification::studies::fit_coverage::drawn;
 
 fn repository(name: &str) -> PathBuf {
@@ -223,4 +225,74 @@ fn curves_across_states_are_fitted_and_no_better_minimum_is_missed() {
             assert!((value - truth).abs() < interval.upper.value() - interval.lower.value(), "{value} {truth}");
         }
     }
+}
+
+/// Approach and retraction of an elastic sphere by JKR's closed form: a gel of 10 kPa, 50 µJ/m², a bead of 5 µm, to 0.5 µm, with noise of 0.02 nN. On the way out the
+/// depth lags by so many nm.
+fn jkr_curve(lag: f64, noisy: u64) -> String {
+    let (modulus, work, radius) = (10e3 / 0.75, 50e-6, 5e-6_f64);
+    let depth = |a: f64| a * a / radius - (2.0 * PI * a * work / modulus).sqrt();
+    let force = |a: f64| 4.0 * modulus * a.powi(3) / (3.0 * radius) - (8.0 * PI * a.powi(3) * modulus * work).sqrt();
+    let touch = (radius * radius * 2.0 * PI * work / modulus).cbrt();
+    let lost = (PI * work * radius * radius / (8.0 * modulus)).cbrt();
+    let deepest = {
+        let (mut low, mut high) = (touch, 10.0 * touch);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if depth(middle) < 0.5e-6 { low = middle } else { high = middle }
+        }
+        low
+    };
+    let mut noise = Normal::of(noisy, 1);
+    let mut rows = vec!["penetration (nm), force (nN)".to_owned()];
+    let mut row = |depth: f64, force: f64| rows.push(format!("{:.4}, {:.5}", 1e9 * depth, 1e9 * force + 0.02 * noise.sample()));
+    let part = |row: i32| f64::from(row) / 150.0;
+    (1..=150).for_each(|k| row(depth(touch + (deepest - touch) * part(k)), force(touch + (deepest - touch) * part(k))));
+    (1..=150).for_each(|k| {
+        let a = deepest - (deepest - 1.01 * lost) * part(k);
+        row(depth(a) + 1e-9 * lag * part(k).min(0.1) * 10.0, force(a));
+    });
+    let end = depth(lost);
+    (1..=40).for_each(|k| row(end - 5e-9 * f64::from(k), 0.0));
+    rows.join("\n")
+}
+
+const GEL: &str = "accuracy = 1e-3\n[material]\nrelaxed_modulus = \"15 kPa\"\npoisson_ratio = 0.5\n\
+    [adhesion]\nwork_of_adhesion = \"100 µJ/m²\"\nprocess_zone = { length = \"5 nm\" }\n\
+    [indentation]\nsphere = { radius = \"5 µm\" }\n\
+    [[history]]\npenetration = \"0.5 µm\"\nduration = \"1 s\"\n[[history]]\npenetration = \"-0.5 µm\"\nduration = \"1.5 s\"\n\
+    [fit]\ncompare = \"force\"\nagainst = \"penetration\"\nfree = [\n\
+    { key = \"material.relaxed_modulus\", from = \"1 kPa\", to = \"1 MPa\" },\n\
+    { key = \"adhesion.work_of_adhesion\", from = \"1 µJ/m²\", to = \"10 mJ/m²\" } ]\n\
+    [[fit.test]]\ndata = \"data.csv\"\n";
+
+/// What programs for contact without adhesion make of an adhesive curve: another modulus. The fit says that this model fails, by how much, and why.
+#[test]
+fn an_adhesive_curve_excludes_hertz_and_says_why() {
+    let folder = Folder::with(GEL);
+    folder.write("data.csv", jkr_curve(0.0, 5));
+    let answer = folder.call(&["fit", "scene.toml", "--models", "--json"]).ended(0);
+    let summary = answer.json();
+    for (place, truth) in [(0, 10e3), (1, 50e-6)] {
+        let found = &summary["parameters"][place];
+        let [low, high] = ["lower", "upper"].map(|end| found["interval_by_profile_95"][end]["value"].as_f64().unwrap());
+        assert!((found["value"].as_f64().unwrap() - truth).abs() < high - low && high - low < 0.05 * truth, "{found}");
+    }
+    let cautions = summary["cautions"].to_string();
+    assert!(!cautions.contains("hysteresis of the stage"), "{cautions}");
+    let hertz = summary["models"].as_array().unwrap().iter().find(|model| model["name"].as_str().unwrap().contains("Hertz")).unwrap();
+    println!("{hertz}");
+    assert_eq!(hertz["excluded"], true);
+    let modulus = hertz["parameters"]["material.relaxed_modulus"].as_f64().unwrap();
+    assert!((modulus / 10e3 - 1.0).abs() > 0.05, "{modulus}");
+    let why = hertz["fails"].to_string();
+    assert!(why.contains("without adhesion nothing pulls") && why.contains("its material.relaxed_modulus is"), "{why}");
+}
+
+#[test]
+fn hysteresis_of_the_stage_is_found() {
+    let folder = Folder::with(GEL);
+    folder.write("data.csv", jkr_curve(12.0, 5));
+    let answer = folder.call(&["fit", "scene.toml"]);
+    assert!(answer.stdout.contains("hysteresis of the stage"), "{}\n{}", answer.stdout, answer.stderr);
 }

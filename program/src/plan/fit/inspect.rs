@@ -16,6 +16,9 @@ const BEYOND: f64 = 0.02;
 const OTHER_UNITS: f64 = 30.0;
 /// A coefficient of determination below which the model does not describe the data.
 const POOR: f64 = 0.5;
+/// Standard errors by which a loop of residuals differs from none where more than noise is behind it, and its least part of all that the residuals enclose.
+const APART: f64 = 5.0;
+const OF_LOOP: f64 = 0.3;
 
 /// Checks data against the scene at its own values: the range of the abscissa, and the sign.
 pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
@@ -145,6 +148,9 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
         if let Some(sentence) = offset(fit, test, column, group) {
             found.push((sentence, false));
         }
+        if let Some(sentence) = other_loss(test, compared, fit.fitted.model.get(group.places.clone()).unwrap_or(&[])) {
+            found.push((sentence, false));
+        }
         if !poor && let Some(runs) = quality.runs.filter(|runs| *runs < 1e-3) {
             found.push((
                 format!("residuals of {} of {:?} keep their sign for long (runs test: p = {runs:.0e}): the model misses something that the noise does not hide, and the intervals are too narrow", compared.word, test.file),
@@ -153,6 +159,36 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
         }
     }
     found
+}
+
+/// Way in and way out that enclose another work in the data than in the model: hysteresis of the stage that the test was made with, or of the solid.
+fn other_loss(test: &Comparison, compared: &super::compare::Compared, model: &[f64]) -> Option<String> {
+    if compared.word != "force" || test.relative || test.across.is_some() || test.against == "time" {
+        return None;
+    }
+    let row = |(row, model): (&usize, &f64)| Some((*test.abscissa.get(*row)?, compared.values.get(*row)? - model, *model));
+    let rows: Vec<(f64, f64, f64)> = test.rows.iter().zip(model).filter_map(row).collect();
+    let (mut work, mut of_all, mut weights) = (0.0, 0.0, 0.0);
+    for three in rows.windows(3) {
+        let [before, here, after] = three else { continue };
+        let weight = 0.5 * (after.0 - before.0);
+        if here.2.abs() > 0.0 {
+            work += weight * here.1;
+            of_all += weight.abs() * here.1.abs();
+            weights += weight * weight;
+        }
+    }
+    let error = compared.noise * weights.sqrt();
+    (work.abs() > APART * error && work.abs() > OF_LOOP * of_all).then(|| {
+        format!(
+            "way in and way out of {:?} enclose {} {} than in the model ({:.0} times what noise does): hysteresis of the stage does this (test an empty \
+             stage, or a stiff surface), or a loss that the model leaves out",
+            test.file,
+            super::words::quantity(work.abs(), "J"),
+            if work > 0.0 { "more" } else { "less" },
+            work.abs() / error
+        )
+    })
 }
 
 /// A force that is not zero where nothing touches.

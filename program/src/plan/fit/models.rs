@@ -2,7 +2,9 @@
 
 use super::carry_out::{Fit, carry_out};
 use super::compare::WORK;
-use super::setup::Setup;
+use super::noise::noise;
+use super::setup::{Offset, Role, Setup};
+use super::words::quantity;
 use crate::outcome::Verdict;
 use crate::plan::Plan;
 use crate::scene::catalogue::Range;
@@ -16,6 +18,10 @@ use crate::scene::units::Dimension;
 const BEYOND: f64 = 30.0;
 /// A criterion higher by this much is that of a model for which the data speak hardly at all (evidence e⁻⁵).
 const HARDLY: f64 = 10.0;
+/// Part by which a number has to differ from that of the best model to be named.
+const MOVED: f64 = 0.02;
+/// How many times the noise a force has to pull.
+const PULLS: f64 = 5.0;
 
 /// A model of the data.
 #[derive(Debug, Clone)]
@@ -66,14 +72,50 @@ pub fn models(setup: &Setup, own: &Fit) -> Vec<Alternative> {
     if adhesion && (elastic || !memory) {
         add("elastic, attraction beside the contact (DMT)", variant(setup, true, elastic, true));
     }
-    if elastic {
-        add("elastic, without adhesion (Hertz)", variant(setup, true, true, false));
+    if elastic || (adhesion && !memory) {
+        add("elastic, without adhesion (Hertz)", variant(setup, true, elastic, false));
+    }
+    let off: Vec<Vec<String>> = found.iter().map(|model| moved_numbers(model, &found)).collect();
+    for (model, off) in found.iter_mut().zip(off) {
+        model.fails.extend(off);
     }
     found
 }
 
+/// Numbers of an excluded model that it shares with the best one, and that it gets otherwise.
+fn moved_numbers(model: &Alternative, all: &[Alternative]) -> Vec<String> {
+    let fits = all.iter().filter_map(|one| Some((one.name, one.fit.as_ref().ok()?)));
+    let Some((name, best)) = fits.min_by(|one, other| one.1.akaike.total_cmp(&other.1.akaike)) else { return Vec::new() };
+    let Some(fit) = model.fit.as_ref().ok().filter(|_| model.is_excluded(all)) else { return Vec::new() };
+    let numbers = |fit: &Fit| -> Vec<(String, f64)> {
+        fit.setup.parameters.iter().zip(&fit.fitted.values).map(|(parameter, value)| (parameter.name.clone(), *value)).collect()
+    };
+    let best = numbers(best);
+    let moved = |(key, value): (String, f64)| {
+        let ratio = value / best.iter().find(|(other, _)| *other == key)?.1;
+        ((ratio - 1.0).abs() > MOVED && ratio.is_finite()).then(|| format!("its {key} is {ratio:.3} times that of {name}"))
+    };
+    numbers(fit).into_iter().filter_map(moved).collect()
+}
+
+/// That a model without adhesion cannot pull, where the data do.
+fn cannot_pull(fit: &Fit) -> Option<String> {
+    fit.groups.iter().find_map(|group| {
+        let test = fit.setup.tests.get(group.test).filter(|test| !test.relative && test.beside.is_none())?;
+        let column = test.columns.get(group.column?).filter(|column| column.word == "force")?;
+        let adhesive = test.document.root.at("adhesion").is_some();
+        let offset = fit.setup.roles.iter().any(|(role, _)| matches!(role, Role::Of(_, Offset::Force)));
+        let data: Vec<f64> = test.rows.iter().filter_map(|row| column.values.get(*row)).copied().collect();
+        let (pull, noise) = (-data.iter().copied().fold(0.0, f64::min), noise(&data));
+        (!adhesive && !offset && pull > PULLS * noise).then(|| {
+            format!("without adhesion nothing pulls; these data pull with up to {} ({:.0} times their noise)", quantity(pull, "N"), pull / noise)
+        })
+    })
+}
+
 fn alternative(name: &'static str, fit: Result<Fit, String>) -> Alternative {
-    let fails = fit.as_ref().map_or_else(|_| Vec::new(), fails);
+    let mut fails = fit.as_ref().map_or_else(|_| Vec::new(), fails);
+    fails.extend(fit.as_ref().ok().and_then(cannot_pull));
     Alternative { name, fit, fails }
 }
 
@@ -140,7 +182,7 @@ fn fails(fit: &Fit) -> Vec<String> {
     }
     let mut document = test.document.clone();
     for ((role, _), value) in fit.setup.roles.iter().zip(&fit.fitted.values) {
-        if let super::setup::Role::Scene(put) = role
+        if let Role::Scene(put) = role
             && document.replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() }).is_err()
         {
             return Vec::new();

@@ -15,6 +15,7 @@ mod known;
 mod locate;
 mod march;
 mod parts;
+mod remarks;
 mod rows;
 mod scale;
 mod scan;

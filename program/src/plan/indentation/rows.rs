@@ -4,6 +4,7 @@ use super::IndentationPlan;
 use super::columns::{COLUMNS, Measure, at, columns, present};
 use super::locate::State;
 use super::parts::state as state_of;
+use super::remarks::remarks;
 use super::shift::{CONDITION_MET, LIMIT_REACHED, Shift, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::curves::thinned;
@@ -138,6 +139,8 @@ impl IndentationPlan {
             answer.status = Status::Inaccurate;
             let more = inaccurate().count();
             answer.reason = first.reason.as_ref().map(|reason| format!("{reason} ({more} of {} rows on the way)", rows.len()));
+        } else {
+            answer.reason = remarks(&self.timeline.ends, is_held_at_its_end(solution));
         }
         rows.insert(0, answer);
         if let Some(first) = rows.first_mut() {
@@ -429,6 +432,12 @@ impl IndentationPlan {
         // An open contact has the force 0, not −0.
         Estimate::new(converted.value + 0.0, converted.error)
     }
+}
+
+/// Whether the contact holds at the end, and no tension was larger than that there, as far as is known.
+fn is_held_at_its_end(solution: &IndentationSolution) -> bool {
+    let pulls = |(last, tension): (&PathPoint, Estimate)| last.contact_radius > 0.0 && -last.force >= tension.value - 2.0 * tension.error;
+    solution.march.path.last().zip(solution.pull_off_force()).is_some_and(pulls)
 }
 
 /// Part of the largest tension below which a difference of tensions is rounding of the edge condition.

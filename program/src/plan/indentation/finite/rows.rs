@@ -2,6 +2,7 @@
 
 use super::super::columns::Measure;
 use super::super::locate::State;
+use super::super::remarks::remarks;
 use super::super::shift::{self, CONDITION_MET, LIMIT_REACHED, Shift};
 use super::FiniteRangePlan;
 use super::bounds::Runs;
@@ -66,7 +67,7 @@ impl FiniteRangePlan {
         }
         for (index, tight) in runs.tight.losses.iter().enumerate() {
             let loose = runs.loose.losses.get(index).filter(|_| runs.consistent);
-            all.push((["event", DETACHMENT], self.of_event(loose, tight, runs)));
+            all.push((["event", DETACHMENT], self.of_found(loose, tight, runs)));
         }
         if let Some(values) = self.of_largest_tension(runs, &floors) {
             all.push((["event", LARGEST_TENSION], values));
@@ -189,6 +190,10 @@ impl FiniteRangePlan {
             answer.status = Status::Inaccurate;
             answer.reason =
                 Some("runs of different tolerances disagree about jumps or the end of contact; ask for a higher accuracy".into());
+        } else {
+            let end = runs.tight.rows.last().filter(|_| runs.tight.detachment.is_none());
+            let held = end.zip(self.pulling(runs)).is_some_and(|(end, (_, tight))| tight.largest_tension.time >= end.time);
+            answer.reason = remarks(&self.timeline.ends, held);
         }
     }
 
@@ -261,6 +266,15 @@ impl FiniteRangePlan {
         values
     }
 
+    /// A state that is found on the way, with its energies where both runs have it.
+    fn of_found(&self, loose: Option<&Record>, tight: &Record, runs: &Runs) -> Values {
+        let event = self.of_event(loose, tight, runs);
+        let Some(loose) = loose else { return event };
+        let mut values = self.of_record(loose, tight, runs);
+        set(&mut values, [(at::TIME, event.get(at::TIME).copied().flatten()), (at::RESIDUAL, None)]);
+        values
+    }
+
     /// A jump: where it lands is sharp, the force before it is soft.
     fn of_jump(&self, loose: Option<&Jump>, tight: &Jump, runs: &Runs) -> Values {
         let record = |jump: &Jump| {
@@ -291,7 +305,7 @@ impl FiniteRangePlan {
 
     fn of_largest_tension(&self, runs: &Runs, floors: &Floors) -> Option<Values> {
         let (loose, tight) = self.pulling(runs)?;
-        let mut values = self.of_event(Some(&loose.largest_tension), &tight.largest_tension, runs);
+        let mut values = self.of_found(Some(&loose.largest_tension), &tight.largest_tension, runs);
         floors.raise(&mut values);
         let force = values.get(at::FORCE).copied().flatten()?;
         let ratio = self.jkr_pull_off().map(|unit| Estimate::new(-force.value, force.error).scaled(1.0 / unit));
