@@ -1,70 +1,34 @@
 //! Work on many items side by side whose results are handed over in the order of the items: no thread waits for a slow item that another works on, and
 //! only so many results wait.
 
-use rayon::prelude::*;
+use rayon::Scope;
 use std::collections::VecDeque;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Does `work` on every item and hands the results to `take`, in order, as many together as are there. At most `ahead` items are under way or wait, so that
 /// memory does not grow with the number of items. The order and the results do not depend on the number of threads.
 ///
+/// The thread that finishes an item hands over what is ready and begins the next item: no thread is woken for either, which takes as long as a quick item.
+///
 /// # Errors
 /// The first error of an item, of the work or of `take`; what comes before it is handed over.
-pub fn in_order<T: Send, R: Send, E: Send>(
-    mut items: impl Iterator<Item = Result<T, E>>,
+pub fn in_order<T, R: Send, E: Send>(
+    mut items: impl Iterator<Item = Result<T, E>> + Send,
     ahead: usize,
     work: impl Fn(T) -> Result<R, E> + Sync,
-    mut take: impl FnMut(Vec<R>) -> Result<(), E>,
+    mut take: impl FnMut(Vec<R>) -> Result<(), E> + Send,
 ) -> Result<(), E> {
-    if crate::threads::is_alone() || rayon::current_num_threads() == 1 {
+    let threads = rayon::current_num_threads();
+    if crate::threads::is_alone() || threads == 1 {
         return items.try_for_each(|item| take(vec![work(item?)?]));
     }
-    if rayon::current_thread_index().is_some() {
-        // A thread of the pool must not wait for the pool.
-        return by_chunks(items, ahead, work, take);
-    }
-    let ahead = ahead.max(LEAST * rayon::current_num_threads());
-    let work = &work;
-    rayon::in_place_scope(|scope| {
-        let (sender, receiver) = channel();
-        let mut waiting = Waiting { receiver, first: 0, results: VecDeque::with_capacity(ahead) };
-        let (mut given, mut ended) = (0, None);
-        loop {
-            while ended.is_none() && given < waiting.first + ahead {
-                match items.next() {
-                    Some(Ok(item)) => {
-                        let reply = Reply { number: given, sender: sender.clone() };
-                        scope.spawn(move |_| reply.send(work(item)));
-                        given += 1;
-                    }
-                    Some(Err(error)) => ended = Some(Err(error)),
-                    None => ended = Some(Ok(())),
-                }
-            }
-            if waiting.first == given {
-                return ended.unwrap_or(Ok(()));
-            }
-            match waiting.ready() {
-                Some(results) => take_some(results, &mut take)?,
-                // A thread has panicked: the scope passes it on.
-                None => return Ok(()),
-            }
-        }
-    })
+    let queue = Queue { items: Mutex::new(items), state: Mutex::new(State::new(ahead.max(LEAST * threads))), work, take: Mutex::new(take) };
+    rayon::in_place_scope(|scope| (0..threads).for_each(|_| scope.spawn(|scope| queue.step(scope))));
+    queue.state.into_inner().unwrap_or_else(PoisonError::into_inner).failed.map_or(Ok(()), Err)
 }
 
-/// Hands over what comes before the first error.
-fn take_some<R, E>(results: Vec<Result<R, E>>, take: &mut impl FnMut(Vec<R>) -> Result<(), E>) -> Result<(), E> {
-    let mut error = None;
-    let good: Vec<R> = results.into_iter().map_while(|result| result.map_err(|found| error = Some(found)).ok()).collect();
-    if !good.is_empty() {
-        take(good)?;
-    }
-    error.map_or(Ok(()), Err)
-}
-
-/// How many of so many quick items are best given to a thread at once, where so many may be under way: handing one over takes some microseconds, and wakes
-/// the thread that takes the results. A short list is still cut into some parts for each thread.
+/// How many of so many quick items are best given to a thread at once, where so many may be under way: each handing over takes about a microsecond. A short
+/// list is still cut into some parts for each thread.
 #[must_use]
 pub fn together(items: usize, ahead: usize) -> usize {
     let parts = LEAST * rayon::current_num_threads();
@@ -74,76 +38,148 @@ pub fn together(items: usize, ahead: usize) -> usize {
 /// Items for each thread that may be under way, at least.
 const LEAST: usize = 4;
 
-/// A part of the items after the other.
-fn by_chunks<T: Send, R: Send, E: Send>(
-    mut items: impl Iterator<Item = Result<T, E>>,
+/// Items, what is done with them, and how far it is.
+struct Queue<I, W, H, R, E> {
+    items: Mutex<I>,
+    state: Mutex<State<R, E>>,
+    work: W,
+    take: Mutex<H>,
+}
+
+/// How far the work is.
+struct State<R, E> {
+    /// Most items that are under way or wait.
     ahead: usize,
-    work: impl Fn(T) -> Result<R, E> + Sync,
-    mut take: impl FnMut(Vec<R>) -> Result<(), E>,
-) -> Result<(), E> {
-    loop {
-        let chunk: Vec<_> = items.by_ref().take(ahead.max(1)).collect();
-        if chunk.is_empty() {
-            return Ok(());
-        }
-        take_some(chunk.into_par_iter().map(|item| item.and_then(&work)).collect(), &mut take)?;
-    }
-}
-
-/// Sends the result of an item, or nothing where the work has panicked.
-struct Reply<R> {
-    number: usize,
-    sender: Sender<(usize, Option<R>)>,
-}
-
-impl<R> Reply<R> {
-    fn send(self, result: R) {
-        // Nobody waits for it any more where an earlier item has failed.
-        let _ = self.sender.send((self.number, Some(result)));
-    }
-}
-
-impl<R> Drop for Reply<R> {
-    fn drop(&mut self) {
-        if std::thread::panicking() {
-            let _ = self.sender.send((self.number, None));
-        }
-    }
-}
-
-/// Results that wait for their turn.
-struct Waiting<R> {
-    receiver: Receiver<(usize, Option<R>)>,
-    /// The number of the first that has not been handed over.
+    /// Number of the next item that will be begun, of the first whose result is not yet with the thread that hands over, and of the first that has not
+    /// been handed over.
+    next: usize,
     first: usize,
-    results: VecDeque<Option<R>>,
+    handed_over: usize,
+    /// Results from the first on, as far as they are there.
+    results: VecDeque<Option<Result<R, E>>>,
+    /// Threads that found no room for another item.
+    resting: usize,
+    /// Whether a thread is handing over.
+    handing_over: bool,
+    /// Whether no further item is begun.
+    ended: bool,
+    failed: Option<E>,
 }
 
-impl<R> Waiting<R> {
-    /// The next results, at least one; none where one will never come.
-    fn ready(&mut self) -> Option<Vec<R>> {
-        while self.results.front().is_none_or(Option::is_none) {
-            let received = self.receiver.recv().ok()?;
-            self.keep(received)?;
-        }
-        while let Ok(received) = self.receiver.try_recv() {
-            self.keep(received)?;
-        }
-        let mut ready = Vec::new();
-        while self.results.front().is_some_and(Option::is_some) {
-            ready.extend(self.results.pop_front().flatten());
-        }
-        self.first += ready.len();
-        Some(ready)
+impl<R, E> State<R, E> {
+    fn new(ahead: usize) -> Self {
+        let results = VecDeque::with_capacity(ahead);
+        Self { ahead, next: 0, first: 0, handed_over: 0, results, resting: 0, handing_over: false, ended: false, failed: None }
     }
 
-    fn keep(&mut self, (number, result): (usize, Option<R>)) -> Option<()> {
+    fn keep(&mut self, number: usize, result: Result<R, E>) {
         let place = number - self.first;
         while self.results.len() <= place {
             self.results.push_back(None);
         }
-        *self.results.get_mut(place)? = Some(result?);
-        Some(())
+        if let Some(kept) = self.results.get_mut(place) {
+            *kept = Some(result);
+        }
+    }
+
+    /// The next results that can be handed over, and the error behind them.
+    fn ready(&mut self) -> (Vec<R>, Option<E>) {
+        let mut good = Vec::new();
+        while self.results.front().is_some_and(Option::is_some) {
+            match self.results.pop_front().flatten() {
+                Some(Ok(result)) => good.push(result),
+                Some(Err(error)) => return (good, Some(error)),
+                None => {}
+            }
+            self.first += 1;
+        }
+        (good, None)
+    }
+
+    fn fail(&mut self, error: E) {
+        self.ended = true;
+        self.failed.get_or_insert(error);
+    }
+}
+
+/// Ends the work where it panics: nothing behind that item can be handed over.
+struct EndOnPanic<'q, R, E>(&'q Mutex<State<R, E>>);
+
+impl<R, E> Drop for EndOnPanic<'_, R, E> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            locked(self.0).ended = true;
+        }
+    }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl<T, R: Send, E: Send, I, W, H> Queue<I, W, H, R, E>
+where
+    I: Iterator<Item = Result<T, E>> + Send,
+    W: Fn(T) -> Result<R, E> + Sync,
+    H: FnMut(Vec<R>) -> Result<(), E> + Send,
+{
+    /// One item, and what can be handed over then. The next item is another task: a thread that waits within its work may take up a task, but never all of them.
+    fn step<'s>(&'s self, scope: &Scope<'s>) {
+        let Some((number, item)) = self.begin() else { return };
+        let _end = EndOnPanic(&self.state);
+        let result = item.and_then(&self.work);
+        let freed = self.finish(number, result);
+        (0..=freed).for_each(|_| scope.spawn(|scope| self.step(scope)));
+    }
+
+    /// The next item, if there is one and room for it.
+    fn begin(&self) -> Option<(usize, Result<T, E>)> {
+        let mut items = locked(&self.items);
+        {
+            let mut state = locked(&self.state);
+            if state.ended {
+                return None;
+            }
+            if state.next >= state.handed_over + state.ahead {
+                state.resting += 1;
+                return None;
+            }
+        }
+        let item = items.next();
+        let mut state = locked(&self.state);
+        // Behind an error, or the end, comes nothing.
+        state.ended |= !matches!(item, Some(Ok(_)));
+        let number = state.next;
+        state.next += usize::from(item.is_some());
+        item.map(|item| (number, item))
+    }
+
+    /// Keeps a result and hands over what is ready, unless another thread does so; gives how many resting threads have work again.
+    fn finish(&self, number: usize, result: Result<R, E>) -> usize {
+        let mut state = locked(&self.state);
+        if state.failed.is_some() {
+            return 0;
+        }
+        state.keep(number, result);
+        if state.handing_over {
+            return 0;
+        }
+        state.handing_over = true;
+        let mut freed = 0;
+        while state.failed.is_none() && state.results.front().is_some_and(Option::is_some) {
+            let (good, error) = state.ready();
+            drop(state);
+            let count = good.len();
+            let taken = if count > 0 { (*locked(&self.take))(good) } else { Ok(()) };
+            state = locked(&self.state);
+            state.handed_over += count;
+            if let Some(error) = taken.err().or(error) {
+                state.fail(error);
+            }
+            freed += std::mem::take(&mut state.resting);
+        }
+        state.handing_over = false;
+        freed
     }
 }
 

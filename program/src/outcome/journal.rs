@@ -96,7 +96,7 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
 pub fn each<R: Send>(
     path: &Path,
     work: impl Fn(Vec<Vec<Row>>) -> std::io::Result<R> + Sync,
-    mut take: impl FnMut(R) -> std::io::Result<()>,
+    mut take: impl FnMut(R) -> std::io::Result<()> + Send,
 ) -> std::io::Result<()> {
     let mut lines = Lines::open(path)?;
     let header = lines.next()?.and_then(|content| serde_json::from_slice::<JournalHeader>(content).ok());
@@ -143,7 +143,7 @@ pub fn encoded(rows: &[Row]) -> std::io::Result<Vec<u8>> {
 
 /// The lines of a journal, one at a time, as long as their digests are right.
 pub(super) struct Lines {
-    file: BufReader<Box<dyn Read>>,
+    file: BufReader<Box<dyn Read + Send>>,
     line: Vec<u8>,
     /// Of the last line.
     digest: String,
@@ -160,7 +160,7 @@ impl Lines {
         Ok(Self::of(BufReader::with_capacity(bytes, Box::new(Pieces { path: path.to_owned(), read: 0 }))))
     }
 
-    fn of(file: BufReader<Box<dyn Read>>) -> Self {
+    fn of(file: BufReader<Box<dyn Read + Send>>) -> Self {
         Self { file, line: Vec::new(), digest: FORMAT.to_owned() }
     }
 

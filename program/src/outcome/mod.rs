@@ -177,7 +177,7 @@ impl Outcome {
     pub fn each_part<R: Send>(
         &self,
         work: impl Fn(&[Row]) -> std::io::Result<R> + Sync,
-        mut take: impl FnMut(R) -> std::io::Result<()>,
+        mut take: impl FnMut(R) -> std::io::Result<()> + Send,
     ) -> std::io::Result<()> {
         match &self.stored {
             Some(journal) if !self.holds_all_rows() => {

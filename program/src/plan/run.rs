@@ -57,7 +57,7 @@ pub struct Safe<'a> {
 }
 
 /// Receives the rows of each state, in order, as soon as they are there.
-pub type Sink<'a> = &'a mut dyn FnMut(&[Row]) -> std::io::Result<()>;
+pub type Sink<'a> = &'a mut (dyn FnMut(&[Row]) -> std::io::Result<()> + Send);
 
 /// Solves all states of a scene and keeps every row; those in `finished` are taken over.
 ///
@@ -175,7 +175,7 @@ fn solve_states(
     scene: &Scene,
     (range, shard): (Range<usize>, Shard),
     safe: Option<&mut Safe<'_>>,
-    take: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>,
+    take: &mut (dyn FnMut(Vec<Row>) -> std::io::Result<()> + Send),
     progress: Progress<'_>,
 ) -> std::io::Result<()> {
     let (mut finished, total) = (range.start, range.end);
