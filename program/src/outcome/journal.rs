@@ -133,12 +133,29 @@ pub fn each<R: Send>(
     in_order(parts, AHEAD, rows, |results| results.into_iter().try_for_each(&mut take))
 }
 
-/// The rows of a state as the journal holds them.
-///
-/// # Errors
-/// Rows that no JSON can hold.
-pub fn encoded(rows: &[Row]) -> std::io::Result<Vec<u8>> {
-    Ok(serde_json::to_vec(rows)?)
+/// States as the journal holds them, in one text: a thread that appends it has little memory of another thread to give back.
+#[derive(Debug, Default)]
+pub struct Encoded {
+    text: Vec<u8>,
+    /// Where each state ends.
+    ends: Vec<usize>,
+}
+
+impl Encoded {
+    /// Adds the rows of a state.
+    ///
+    /// # Errors
+    /// Rows that no JSON can hold.
+    pub fn push(&mut self, rows: &[Row]) -> std::io::Result<()> {
+        serde_json::to_writer(&mut self.text, rows)?;
+        self.ends.push(self.text.len());
+        Ok(())
+    }
+
+    /// State after state.
+    pub fn states(&self) -> impl Iterator<Item = &[u8]> {
+        self.ends.iter().scan(0, |begin, &end| self.text.get(std::mem::replace(begin, end)..end))
+    }
 }
 
 /// The lines of a journal, one at a time, as long as their digests are right.
@@ -257,11 +274,12 @@ impl Journal {
     /// # Errors
     /// A disk that is full; the sentence names the path.
     pub fn append(&mut self, states: &[Vec<Row>]) -> std::io::Result<()> {
-        let lines = states.iter().map(|rows| encoded(rows)).collect::<std::io::Result<Vec<_>>>()?;
-        self.append_encoded(lines.iter().map(Vec::as_slice))
+        let mut encoded = Encoded::default();
+        states.iter().try_for_each(|rows| encoded.push(rows))?;
+        self.append_encoded(encoded.states())
     }
 
-    /// The same of states whose rows are [`encoded`] already.
+    /// The same of states that are [`Encoded`] already.
     ///
     /// # Errors
     /// As [`Journal::append`].
@@ -321,7 +339,9 @@ mod tests {
         .unwrap();
         assert!(found.len() == states && found.iter().enumerate().all(|(index, state)| *state == rows(index)));
         // Five long ones, and the bytes of the others by those of a part.
-        let bytes: usize = (5..states).map(|index| encoded(&rows(index)).unwrap().len()).sum();
+        let mut encoded = Encoded::default();
+        (5..states).for_each(|index| encoded.push(&rows(index)).unwrap());
+        let bytes: usize = encoded.states().map(<[u8]>::len).sum();
         let parts = parts.into_inner();
         assert!(parts > 5 && parts <= 6 + bytes.div_ceil(PART), "{parts} parts");
     }

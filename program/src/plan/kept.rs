@@ -12,12 +12,20 @@ const LATTICE: [usize; 3] = [200, 50, 2];
 /// First and last states, which the screen shows.
 const ENDS: usize = 24;
 
+/// Which rows are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Which {
+    All,
+    Shown,
+    None,
+}
+
 /// The rows of a run as they come in.
 pub(super) struct Kept<'s> {
     sweeps: &'s [Sweep],
     states: usize,
     layout: Option<&'s Layout>,
-    all: bool,
+    which: Which,
     /// How many values of each sweep are kept, from the last on.
     limits: Vec<usize>,
     pub(super) rows: Vec<Row>,
@@ -31,7 +39,46 @@ impl<'s> Kept<'s> {
     pub(super) fn new(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally, rows_of_a_state: u64, all: bool) -> Self {
         let states = sweep::states(sweeps);
         let limits = limits(sweeps, rows_of_a_state);
-        Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), limits, rows: Vec::new(), extremes: Vec::new(), tally }
+        let which = if all || few(states, rows_of_a_state) { Which::All } else { Which::Shown };
+        Self { sweeps, states, layout, which, limits, rows: Vec::new(), extremes: Vec::new(), tally }
+    }
+
+    /// Nothing but the counts.
+    pub(super) fn counts(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally) -> Self {
+        Self { sweeps, states: 0, layout, which: Which::None, limits: Vec::new(), rows: Vec::new(), extremes: Vec::new(), tally }
+    }
+
+    /// The same with no row yet: for a part of the states, which is [joined](Self::join) to those before it.
+    pub(super) fn part(&self) -> Self {
+        let &Self { sweeps, states, layout, which, .. } = self;
+        Self {
+            sweeps,
+            states,
+            layout,
+            which,
+            limits: self.limits.clone(),
+            rows: Vec::new(),
+            extremes: Vec::new(),
+            tally: self.tally.of_none(),
+        }
+    }
+
+    /// Takes what was kept of the states that follow, as if each had been added here.
+    pub(super) fn join(&mut self, next: Self) {
+        self.tally.join(next.tally);
+        self.rows.extend(next.rows);
+        for (place, [least, most]) in next.extremes.into_iter().enumerate() {
+            if self.extremes.len() <= place {
+                self.extremes.push([None, None]);
+            }
+            let Some([known_least, known_most]) = self.extremes.get_mut(place) else { continue };
+            if let Some((number, row)) = least.filter(|(number, _)| known_least.as_ref().is_none_or(|(known, _)| number < known)) {
+                *known_least = Some((number, row));
+            }
+            if let Some((number, row)) = most.filter(|(number, _)| known_most.as_ref().is_none_or(|(known, _)| number > known)) {
+                *known_most = Some((number, row));
+            }
+        }
     }
 
     /// Takes the rows of a state.
@@ -40,9 +87,13 @@ impl<'s> Kept<'s> {
             self.tally.add(row, is_state(self.layout, row));
         }
         let Some(state) = rows.first().map(|row| row.state) else { return };
-        if self.all || self.is_shown(state) {
-            self.rows.extend(rows);
-            return;
+        match self.which {
+            Which::None => return,
+            Which::Shown if !self.is_shown(state) => {}
+            Which::All | Which::Shown => {
+                self.rows.extend(rows);
+                return;
+            }
         }
         for row in rows {
             let numbers = row
