@@ -9,6 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// memory does not grow with the number of items. The order and the results do not depend on the number of threads.
 ///
 /// The thread that finishes an item hands over what is ready and begins the next item: no thread is woken for either, which takes as long as a quick item.
+/// What `take` leaves of a result is dropped by the thread that made it: threads that give back each other's memory wait for each other at every request.
 ///
 /// # Errors
 /// The first error of an item, of the work or of `take`; what comes before it is handed over.
@@ -16,13 +17,18 @@ pub fn in_order<T, R: Send, E: Send>(
     mut items: impl Iterator<Item = Result<T, E>> + Send,
     ahead: usize,
     work: impl Fn(T) -> Result<R, E> + Sync,
-    mut take: impl FnMut(Vec<R>) -> Result<(), E> + Send,
+    mut take: impl FnMut(&mut [R]) -> Result<(), E> + Send,
 ) -> Result<(), E> {
     let threads = rayon::current_num_threads();
     if crate::threads::is_alone() || threads == 1 {
-        return items.try_for_each(|item| take(vec![work(item?)?]));
+        return items.try_for_each(|item| take(&mut [work(item?)?]));
     }
-    let queue = Queue { items: Mutex::new(items), state: Mutex::new(State::new(ahead.max(LEAST * threads))), work, take: Mutex::new(take) };
+    let queue = Queue {
+        items: Mutex::new(items),
+        state: Mutex::new(State::new(ahead.max(LEAST * threads), threads)),
+        work,
+        take: Mutex::new(take),
+    };
     rayon::in_place_scope(|scope| (0..threads).for_each(|_| scope.spawn(|scope| queue.step(scope))));
     queue.state.into_inner().unwrap_or_else(PoisonError::into_inner).failed.map_or(Ok(()), Err)
 }
@@ -56,7 +62,9 @@ struct State<R, E> {
     first: usize,
     handed_over: usize,
     /// Results from the first on, as far as they are there.
-    results: VecDeque<Option<Result<R, E>>>,
+    results: VecDeque<Option<Made<R, E>>>,
+    /// What is left of results that were handed over, by the thread that made them.
+    left: Vec<Vec<R>>,
     /// Threads that found no room for another item.
     resting: usize,
     /// Whether a thread is handing over.
@@ -66,34 +74,44 @@ struct State<R, E> {
     failed: Option<E>,
 }
 
+/// A result, and which thread made it.
+struct Made<R, E> {
+    result: Result<R, E>,
+    thread: usize,
+}
+
 impl<R, E> State<R, E> {
-    fn new(ahead: usize) -> Self {
+    fn new(ahead: usize, threads: usize) -> Self {
         let results = VecDeque::with_capacity(ahead);
-        Self { ahead, next: 0, first: 0, handed_over: 0, results, resting: 0, handing_over: false, ended: false, failed: None }
+        let left = (0..threads).map(|_| Vec::with_capacity(ahead)).collect();
+        Self { ahead, next: 0, first: 0, handed_over: 0, results, left, resting: 0, handing_over: false, ended: false, failed: None }
     }
 
-    fn keep(&mut self, number: usize, result: Result<R, E>) {
+    fn keep(&mut self, number: usize, made: Made<R, E>) {
         let place = number - self.first;
         while self.results.len() <= place {
             self.results.push_back(None);
         }
         if let Some(kept) = self.results.get_mut(place) {
-            *kept = Some(result);
+            *kept = Some(made);
         }
     }
 
-    /// The next results that can be handed over, and the error behind them.
-    fn ready(&mut self) -> (Vec<R>, Option<E>) {
-        let mut good = Vec::new();
+    /// The next results that can be handed over, the threads that made them, and the error behind them.
+    fn ready(&mut self) -> (Vec<R>, Vec<usize>, Option<E>) {
+        let (mut good, mut threads) = (Vec::new(), Vec::new());
         while self.results.front().is_some_and(Option::is_some) {
             match self.results.pop_front().flatten() {
-                Some(Ok(result)) => good.push(result),
-                Some(Err(error)) => return (good, Some(error)),
+                Some(Made { result: Ok(result), thread }) => {
+                    good.push(result);
+                    threads.push(thread);
+                }
+                Some(Made { result: Err(error), .. }) => return (good, threads, Some(error)),
                 None => {}
             }
             self.first += 1;
         }
-        (good, None)
+        (good, threads, None)
     }
 
     fn fail(&mut self, error: E) {
@@ -121,7 +139,7 @@ impl<T, R: Send, E: Send, I, W, H> Queue<I, W, H, R, E>
 where
     I: Iterator<Item = Result<T, E>> + Send,
     W: Fn(T) -> Result<R, E> + Sync,
-    H: FnMut(Vec<R>) -> Result<(), E> + Send,
+    H: FnMut(&mut [R]) -> Result<(), E> + Send,
 {
     /// One item, and what can be handed over then. The next item is another task: a thread that waits within its work may take up a task, but never all of them.
     fn step<'s>(&'s self, scope: &Scope<'s>) {
@@ -156,23 +174,32 @@ where
 
     /// Keeps a result and hands over what is ready, unless another thread does so; gives how many resting threads have work again.
     fn finish(&self, number: usize, result: Result<R, E>) -> usize {
+        let thread = rayon::current_thread_index().unwrap_or(0);
+        let mut own_left: Vec<R> = Vec::new();
         let mut state = locked(&self.state);
+        // Dropped at the end of this function, after the lock.
+        own_left.extend(state.left.get_mut(thread).into_iter().flat_map(|left| left.drain(..)));
         if state.failed.is_some() {
             return 0;
         }
-        state.keep(number, result);
+        state.keep(number, Made { result, thread });
         if state.handing_over {
             return 0;
         }
         state.handing_over = true;
         let mut freed = 0;
         while state.failed.is_none() && state.results.front().is_some_and(Option::is_some) {
-            let (good, error) = state.ready();
+            let (mut good, threads, error) = state.ready();
             drop(state);
             let count = good.len();
-            let taken = if count > 0 { (*locked(&self.take))(good) } else { Ok(()) };
+            let taken = if count > 0 { (*locked(&self.take))(&mut good) } else { Ok(()) };
             state = locked(&self.state);
             state.handed_over += count;
+            for (result, thread) in good.into_iter().zip(threads) {
+                if let Some(left) = state.left.get_mut(thread) {
+                    left.push(result);
+                }
+            }
             if let Some(error) = taken.err().or(error) {
                 state.fail(error);
             }
@@ -202,9 +229,9 @@ mod tests {
             most.fetch_max(under_way.fetch_add(1, Ordering::SeqCst) + 1, Ordering::SeqCst);
             Ok(item)
         });
-        let take = |results: Vec<usize>| {
+        let take = |results: &mut [usize]| {
             under_way.fetch_sub(results.len(), Ordering::SeqCst);
-            taken.extend(results);
+            taken.extend_from_slice(results);
             Ok(())
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

@@ -271,7 +271,7 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
     };
     let mut failed = None;
     let visited = outcome.each_part(texts, |texts| {
-        for ((table, file), text) in tables.iter_mut().zip(texts).filter(|(_, text)| !text.is_empty()) {
+        for ((table, file), text) in tables.iter_mut().zip(texts.iter()).filter(|(_, text)| !text.is_empty()) {
             if file.is_none() {
                 match create(*table) {
                     Ok(fields) => *file = Some(fields),
@@ -281,7 +281,7 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
                     }
                 }
             }
-            file.as_mut().map_or(Ok(()), |file| file.write_all(&text))?;
+            file.as_mut().map_or(Ok(()), |file| file.write_all(text))?;
         }
         Ok(())
     });

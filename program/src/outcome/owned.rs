@@ -51,17 +51,29 @@ pub fn digest(bytes: &[u8]) -> String {
 
 /// The same of bytes that lie in several places.
 pub(super) fn digest_of_parts(parts: &[&[u8]]) -> String {
-    hexadecimal(parts.iter().fold(Sha256::new(), |hasher, part| hasher.chain_update(part)))
+    digits_of_parts(parts).into_iter().map(char::from).collect()
+}
+
+/// The hexadecimal digits of a SHA-256.
+pub(super) type Digits = [u8; 64];
+
+/// The same where a string would take longer than the digest of a short text.
+pub(super) fn digits_of_parts(parts: &[&[u8]]) -> Digits {
+    digits(parts.iter().fold(Sha256::new(), |hasher, part| hasher.chain_update(part)))
 }
 
 /// Digit by digit: the formatting machinery would take longer than the digest of a short text.
+fn digits(hasher: Sha256) -> Digits {
+    let digit = |value: u8| if value < 10 { b'0' + value } else { b'a' + value - 10 };
+    let mut digits = [0; 64];
+    for (pair, byte) in digits.chunks_exact_mut(2).zip(hasher.finalize()) {
+        pair.copy_from_slice(&[digit(byte >> 4), digit(byte & 0xf)]);
+    }
+    digits
+}
+
 fn hexadecimal(hasher: Sha256) -> String {
-    let digit = |value: u8| char::from(if value < 10 { b'0' + value } else { b'a' + value - 10 });
-    hasher.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
-        text.push(digit(byte >> 4));
-        text.push(digit(byte & 0xf));
-        text
-    })
+    digits(hasher).into_iter().map(char::from).collect()
 }
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {

@@ -63,19 +63,19 @@ impl Tally {
     }
 
     /// Adds the counts of the rows that follow.
-    pub fn join(&mut self, next: Self) {
+    pub fn join(&mut self, next: &mut Self) {
         self.rows += next.rows;
         self.states += next.states;
-        for (ended, next) in self.ended.iter_mut().zip(next.ended) {
+        for (ended, next) in self.ended.iter_mut().zip(&mut next.ended) {
             if next.rows > 0 && ended.reason.is_none() || next.states > 0 && !ended.reason_is_of_a_state {
-                ended.reason = next.reason;
+                ended.reason = next.reason.take();
                 ended.reason_is_of_a_state = next.reason_is_of_a_state;
             }
             ended.rows += next.rows;
             ended.states += next.states;
         }
         self.noted.0 += next.noted.0;
-        self.noted.1 = self.noted.1.take().or(next.noted.1);
+        self.noted.1 = self.noted.1.take().or_else(|| next.noted.1.take());
         self.work += next.work;
         self.largest_residual = self.largest_residual.max(next.largest_residual);
         self.largest_condition = self.largest_condition.max(next.largest_condition);

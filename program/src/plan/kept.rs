@@ -64,19 +64,12 @@ impl<'s> Kept<'s> {
     }
 
     /// Takes what was kept of the states that follow, as if each had been added here.
-    pub(super) fn join(&mut self, next: Self) {
-        self.tally.join(next.tally);
-        self.rows.extend(next.rows);
-        for (place, [least, most]) in next.extremes.into_iter().enumerate() {
-            if self.extremes.len() <= place {
-                self.extremes.push([None, None]);
-            }
-            let Some([known_least, known_most]) = self.extremes.get_mut(place) else { continue };
-            if let Some((number, row)) = least.filter(|(number, _)| known_least.as_ref().is_none_or(|(known, _)| number < known)) {
-                *known_least = Some((number, row));
-            }
-            if let Some((number, row)) = most.filter(|(number, _)| known_most.as_ref().is_none_or(|(known, _)| number > known)) {
-                *known_most = Some((number, row));
+    pub(super) fn join(&mut self, next: &mut Self) {
+        self.tally.join(&mut next.tally);
+        self.rows.append(&mut next.rows);
+        for (place, [least, most]) in next.extremes.iter().enumerate() {
+            for (number, row) in least.iter().chain(most) {
+                self.compare(place, *number, row);
             }
         }
     }
@@ -95,24 +88,36 @@ impl<'s> Kept<'s> {
                 return;
             }
         }
-        for row in rows {
-            let numbers = row
-                .assumptions
-                .iter()
-                .copied()
-                .chain([row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64)]);
-            for (place, number) in numbers.enumerate() {
-                if self.extremes.len() <= place {
-                    self.extremes.push([None, None]);
-                }
-                let (Some(number), Some([least, most])) = (number, self.extremes.get_mut(place)) else { continue };
-                if least.as_ref().is_none_or(|(known, _)| number < *known) {
-                    *least = Some((number, without_fields(&row)));
-                }
-                if most.as_ref().is_none_or(|(known, _)| number > *known) {
-                    *most = Some((number, without_fields(&row)));
+        for mut row in rows {
+            row.fields.clear();
+            let material = row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64);
+            for (place, number) in row.assumptions.iter().copied().chain([material]).enumerate() {
+                if let Some(number) = number.filter(|number| !number.is_nan()) {
+                    self.compare(place, number, &row);
                 }
             }
+        }
+    }
+
+    /// Keeps a row where its number is the smallest or the largest so far.
+    fn compare(&mut self, place: usize, number: f64, row: &Row) {
+        while self.extremes.len() <= place {
+            self.extremes.push([None, None]);
+        }
+        let Some([least, most]) = self.extremes.get_mut(place) else { return };
+        // Into the memory of the row before: of one that another thread has made, none is given back.
+        let keep = |kept: &mut Option<(f64, Row)>| match kept {
+            Some((known, of)) => {
+                *known = number;
+                of.copy_from(row);
+            }
+            None => *kept = Some((number, row.clone())),
+        };
+        if least.as_ref().is_none_or(|(known, _)| number < *known) {
+            keep(least);
+        }
+        if most.as_ref().is_none_or(|(known, _)| number > *known) {
+            keep(most);
         }
     }
 
@@ -158,12 +163,6 @@ pub(super) fn most_states(sweeps: &[Sweep], rows_of_a_state: u64) -> usize {
     let kept = sweeps.iter().rev().zip(limits(sweeps, rows_of_a_state)).map(|(sweep, most)| sweep.values.len().min(most));
     let kept = if sweep::is_together(sweeps) { kept.max().unwrap_or(1) } else { kept.product() };
     (kept + 2 * ENDS).min(sweep::states(sweeps))
-}
-
-fn without_fields(row: &Row) -> Row {
-    let mut row = row.clone();
-    row.fields.clear();
-    row
 }
 
 /// Whether an index is one of at most so many that are evenly chosen, the first and the last among them.

@@ -183,14 +183,14 @@ impl<'s> Part<'s> {
 }
 
 impl<'s> States<'_, 's, '_> {
-    fn take(&mut self, part: Part<'s>) -> std::io::Result<()> {
+    fn take(&mut self, part: &mut Part<'s>) -> std::io::Result<()> {
         if let Some(sink) = &mut self.sink {
-            for rows in part.rows {
+            for rows in part.rows.drain(..) {
                 sink(&rows)?;
                 self.kept.add(rows);
             }
         }
-        self.kept.join(part.kept);
+        self.kept.join(&mut part.kept);
         Ok(())
     }
 
@@ -240,14 +240,14 @@ fn solve_states<'s>(
         }
         Ok(Solved { count, text, part })
     };
-    let mut taken = |solved: Vec<Solved<'s>>| -> std::io::Result<()> {
+    let mut taken = |solved: &mut [Solved<'s>]| -> std::io::Result<()> {
         if let (Some(journal), Some(checkpoints)) = (&mut journal, checkpoints) {
             journal.append_encoded(solved.iter().flat_map(|part| part.text.states())).or_else(gone)?;
             let ended = finished..finished + solved.iter().map(|part| part.count).sum::<usize>();
             ended.map(|index| shard.state(index)).try_for_each(|state| checkpoints.remove(state)).or_else(gone)?;
         }
         for Solved { count, part, .. } in solved {
-            finished += count;
+            finished += *count;
             states.take(part)?;
         }
         progress(Stage::States { finished, total });
@@ -255,7 +255,7 @@ fn solve_states<'s>(
     };
     // One alone needs no threads.
     if range.len() == 1 {
-        return solve(range).and_then(|solved| taken(vec![solved]));
+        return solve(range).and_then(|solved| taken(&mut [solved]));
     }
     let together = together(range.len(), ahead);
     let parts = range.clone().step_by(together).map(|start| Ok(start..range.end.min(start + together)));
