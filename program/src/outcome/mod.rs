@@ -6,6 +6,7 @@ pub mod csv_table;
 pub mod folder;
 pub mod gather;
 pub mod journal;
+mod known_digests;
 pub mod material_uncertainty;
 pub mod owned;
 pub mod page;

@@ -12,6 +12,7 @@
 //! In the name of an open file `*` stands for hexadecimal digits.
 
 use super::folder::FolderError;
+use super::known_digests::KnownDigests;
 use crate::regular_file;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -41,6 +42,8 @@ pub struct OwnedFolder {
     files: BTreeMap<String, Option<String>>,
     /// Digests of files that were taken while the files were written: they need not be read again.
     written: BTreeMap<String, String>,
+    /// Of files that were read before.
+    known: KnownDigests,
 }
 
 /// SHA-256 of some bytes in hexadecimal digits.
@@ -92,7 +95,7 @@ impl OwnedFolder {
             return Err(FolderError::NotOwned { path: shown(path), why: holds(&entry) });
         }
         let files = open.iter().map(|name| ((*name).to_owned(), None)).collect();
-        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files, written: BTreeMap::new() };
+        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files, written: BTreeMap::new(), known: KnownDigests::default() };
         if let Err(error) = folder.write_mark() {
             // Nothing of it is of use to anybody; the reason is the one before.
             drop(fs::remove_file(path.join(FRESH)).and_then(|()| fs::remove_dir(path)));
@@ -137,6 +140,11 @@ impl OwnedFolder {
             }
             _ => Ok(found),
         }
+    }
+
+    /// The same with digests of files that were read before, and for further ones.
+    pub(super) fn with_known(self, known: &KnownDigests) -> Self {
+        Self { known: known.clone(), ..self }
     }
 
     /// Its path.
@@ -233,7 +241,7 @@ impl OwnedFolder {
             }
             match self.files.iter().find(|(own, _)| matches(own, &name)) {
                 None => return Ok(Some(holds(&name))),
-                Some((_, Some(sealed))) if digest_of(&path).map_err(io(&path))? != *sealed => {
+                Some((_, Some(sealed))) if self.known.of(&path).map_err(io(&path))? != *sealed => {
                     return Ok(Some(format!("`{}` in it was altered", shown_text(&name))));
                 }
                 Some(_) => {}
@@ -260,7 +268,7 @@ impl OwnedFolder {
             let path = self.path.join(&name);
             let own = self.files.iter().find(|(own, _)| matches(own, &name));
             let is_own = match own {
-                Some((_, Some(sealed))) => digest_of(&path).is_ok_and(|found| found == *sealed),
+                Some((_, Some(sealed))) => self.known.of(&path).is_ok_and(|found| found == *sealed),
                 Some((_, None)) => fs::symlink_metadata(&path).is_ok_and(|about| about.is_file()),
                 None => name == FRESH,
             };
@@ -320,7 +328,13 @@ fn parsed(path: &Path, bytes: &[u8]) -> Option<OwnedFolder> {
         Some(name) => Some((name.to_owned(), None)),
         None => line.split_once("  ").map(|(digest, name)| (name.to_owned(), Some(digest.to_owned()))),
     });
-    Some(OwnedFolder { path: path.to_owned(), kind, files: files.collect::<Option<_>>()?, written: BTreeMap::new() })
+    Some(OwnedFolder {
+        path: path.to_owned(),
+        kind,
+        files: files.collect::<Option<_>>()?,
+        written: BTreeMap::new(),
+        known: KnownDigests::default(),
+    })
 }
 
 /// Whether a listed name, in which `*` stands for hexadecimal digits, is this one.
