@@ -270,6 +270,37 @@ mod tests {
         }
     }
 
+    /// A result that counts where it is dropped by another thread than the one that made it.
+    struct Owned<'c> {
+        maker: std::thread::ThreadId,
+        dropped: &'c AtomicUsize,
+        by_others: &'c AtomicUsize,
+    }
+
+    impl Drop for Owned<'_> {
+        fn drop(&mut self) {
+            self.dropped.fetch_add(1, Ordering::SeqCst);
+            self.by_others.fetch_add(usize::from(std::thread::current().id() != self.maker), Ordering::SeqCst);
+        }
+    }
+
+    #[test]
+    fn a_thread_drops_what_it_has_made() {
+        let (dropped, by_others) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+        let (items, ahead) = (2000, 16);
+        let work = |item: usize| {
+            std::thread::sleep(Duration::from_micros(((item * 7919) % 13) as u64 * 5));
+            Ok::<_, ()>(Owned { maker: std::thread::current().id(), dropped: &dropped, by_others: &by_others })
+        };
+        pool.install(|| in_order((0..items).map(Ok), ahead, work, |_| Ok(()))).unwrap();
+        // What is left at the very end goes with the queue.
+        let (dropped, by_others) = (dropped.into_inner(), by_others.into_inner());
+        println!("{by_others} of {dropped} were dropped by another thread");
+        assert_eq!(dropped, items);
+        assert!(by_others <= ahead, "{by_others} of {items} results were dropped by a thread that had not made them");
+    }
+
     #[test]
     fn a_panic_is_passed_on() {
         let ended = std::panic::catch_unwind(|| {

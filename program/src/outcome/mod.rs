@@ -10,6 +10,7 @@ mod known_digests;
 pub mod material_uncertainty;
 pub mod owned;
 pub mod page;
+mod place;
 pub mod plot;
 pub mod report;
 pub mod row;

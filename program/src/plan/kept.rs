@@ -174,3 +174,53 @@ fn on_lattice(index: usize, length: usize, most: usize) -> bool {
     let number = (index * (most - 1)).div_ceil(last);
     number * last / (most - 1) == index
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::outcome::{Certificate, Status};
+    use crate::scene::{Document, read};
+    use std::path::Path;
+    use viscotack::estimate::Estimate;
+
+    fn row(state: usize, place: usize) -> Row {
+        let random = |salt: usize| ((state * 31 + place * 7 + salt) * 7919 % 1009) as f64;
+        let mut row = Row::new(state, &[state as f64], vec![if place == 0 { "summary" } else { "way" }.to_owned()], 2);
+        row.status = Status::ALL[random(1) as usize % Status::ALL.len()];
+        row.reason = (random(2) as usize).is_multiple_of(3).then(|| format!("reason {state} {place}"));
+        row.assumptions = vec![Some(random(3)), (random(4) > 500.0).then(|| random(5))];
+        row.values = vec![Some(Estimate { value: random(6), error: random(7) * 1e-3 }), None];
+        row.certificate = Some(Certificate { residual: random(8), condition: random(9), admissible: random(10) > 5.0 });
+        row
+    }
+
+    /// Whatever parts the states are counted in, the end is that of all states one by one.
+    #[test]
+    fn parts_are_joined_as_if_each_state_had_been_added() {
+        let states = 30_000;
+        let text = format!(
+            "[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.49\nrelaxation = [{{ modulus = 3e6, relaxation_time = 0.1 }}]\n[adhesion]\n\
+             work_of_adhesion = 10.0\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nbody = \"two_halves\"\nplane = \"strain\"\nspeed = 1e-6\n\
+             [sweep]\nkey = \"crack.speed\"\nfrom = 1e-8\nto = 1.0\npoints = {states}\n"
+        );
+        let document = Document::parse("scene.toml", text, Path::new(".")).unwrap();
+        let sweeps = read::read(&document).unwrap().sweeps;
+        let layout = Layout { labels: vec![0], states: vec![0], path: vec![1] };
+        let kept = || Kept::new(&sweeps, Some(&layout), Tally::new(1e-3, 2), 2, false);
+        let rows = |state: usize| vec![row(state, 1), row(state, 0)];
+        let mut one_by_one = kept();
+        (0..states).for_each(|state| one_by_one.add(rows(state)));
+        for size in [1, 7, 64, 20_000] {
+            let mut joined = kept();
+            for first in (0..states).step_by(size) {
+                let mut part = joined.part();
+                (first..states.min(first + size)).for_each(|state| part.add(rows(state)));
+                joined.join(&mut part);
+            }
+            assert_eq!(format!("{:?}", joined.tally), format!("{:?}", one_by_one.tally), "parts of {size}");
+            assert!(joined.rows == one_by_one.rows && joined.extremes == one_by_one.extremes, "parts of {size}");
+            assert!(joined.rows.len() < states && joined.extremes.iter().flatten().any(Option::is_some));
+        }
+    }
+}
