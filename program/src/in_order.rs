@@ -34,11 +34,11 @@ pub fn in_order<T, R: Send, E: Send>(
 }
 
 /// How many of so many quick items are best given to a thread at once, where so many may be under way: each handing over takes about a microsecond. A short
-/// list is still cut into some parts for each thread.
+/// list is still cut into some parts for each thread, so that all end at about the same time.
 #[must_use]
 pub fn together(items: usize, ahead: usize) -> usize {
     let parts = LEAST * rayon::current_num_threads();
-    (ahead / (2 * parts)).min(items / parts).max(1)
+    (ahead / (2 * parts)).min(items / (4 * parts)).max(1)
 }
 
 /// Items for each thread that may be under way, at least.
@@ -256,7 +256,7 @@ mod tests {
         let threads = rayon::current_num_threads();
         assert_eq!(together(1_000_000, 80 * threads), 10);
         // Fewer items than that: some parts for each thread.
-        assert_eq!(together(3 * super::LEAST * threads, 1_000_000), 3);
+        assert_eq!(together(3 * 4 * super::LEAST * threads, 1_000_000), 3);
         assert_eq!((together(1, 1_000_000), together(1_000_000, 1)), (1, 1));
     }
 
