@@ -20,7 +20,10 @@ struct Stamp {
 
 /// What is known; its clones share it.
 #[derive(Debug, Clone, Default)]
-pub(super) struct KnownDigests(Arc<Mutex<BTreeMap<(u64, u64), (Stamp, String)>>>);
+pub(super) struct KnownDigests(Arc<Mutex<Known>>);
+
+/// By device and file.
+type Known = BTreeMap<(u64, u64), (Stamp, String)>;
 
 impl KnownDigests {
     /// SHA-256 of a file.
