@@ -10,7 +10,7 @@ pub(super) fn print(text: &str) -> std::result::Result<(), Failure> {
 }
 
 /// Writes JSON to standard output, piece by piece. In its texts harmful characters are written as `\uXXXX`, which any reader of JSON reads as the same text.
-pub(super) fn print_json(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> std::result::Result<(), Failure> {
+pub(super) fn print_json(write: impl FnOnce(&mut (dyn Write + Send)) -> Result<()>) -> std::result::Result<(), Failure> {
     written(|out| {
         let mut escaped = Escaped { inner: out, rest: Vec::new() };
         write(&mut escaped)?;
@@ -23,8 +23,8 @@ pub(super) fn note(text: &str) {
     let _ = std::io::stderr().lock().write_all(lines(text).as_bytes());
 }
 
-fn written(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> std::result::Result<(), Failure> {
-    let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+fn written(write: impl FnOnce(&mut (dyn Write + Send)) -> Result<()>) -> std::result::Result<(), Failure> {
+    let mut out = std::io::BufWriter::new(std::io::stdout());
     let ended = write(&mut out).and_then(|()| out.flush());
     // What could not be written is not tried again when the buffer goes.
     drop(out.into_parts());
@@ -38,7 +38,7 @@ fn written(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> std::result::Res
 
 /// JSON on its way to a terminal: harmful characters stand in its texts only, where they can be escaped.
 struct Escaped<'w> {
-    inner: &'w mut dyn Write,
+    inner: &'w mut (dyn Write + Send),
     /// Bytes of a character that has not come whole.
     rest: Vec<u8>,
 }

@@ -42,7 +42,7 @@ pub(super) fn carry_out(mut source: SceneSource, shards: Option<&Shards>, wanted
     interrupt::explain(out.map(|target| name(&partial_of(target))), states);
     // The header tells the build, for which the program reads its own file: only where there is a journal.
     let header = || plan::journal_header(&source.document, &source.scene, Shard::WHOLE);
-    let mut folder = out.map(|target| RunFolder::open(target, &header(), force)).transpose()?;
+    let mut folder = out.map(|target| RunFolder::open(target, header, force)).transpose()?;
     if let Some(folder) = &mut folder {
         say_what_is_kept(folder, states);
     }

@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &SceneArguments, out: &Path, force: bool, shard: Sh
     let header = plan::journal_header(&source.document, &source.scene, shard);
     let states = header.own_states();
     interrupt::explain(Some(name(&partial_of(out))), states);
-    let mut folder = RunFolder::open(out, &header, force)?;
+    let mut folder = RunFolder::open(out, || header.clone(), force)?;
     say_what_is_kept(&mut folder, states);
     let bar = progress_bar(states);
     let progress = |stage: Stage| show(&bar, states, stage);

@@ -204,7 +204,7 @@ fn every_flipped_bit_of_a_journal_is_seen() {
         Found::States(states) => {
             let mut rows = Vec::new();
             let visited = each(&path, Ok, |states| {
-                rows.extend(states);
+                rows.append(states);
                 Ok(())
             });
             // Where a line is altered both stop before it.

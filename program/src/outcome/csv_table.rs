@@ -1,6 +1,7 @@
 //! The one table writer: CSV with the unit of every column in its header; empty cells where there is no value.
 
 use super::{Outcome, Row};
+use std::fmt::Write as _;
 use std::io::Write;
 use viscotack::estimate::Estimate;
 
@@ -37,6 +38,8 @@ pub struct Rows<'o, W: Write> {
     labels: Vec<usize>,
     columns: Vec<usize>,
     writer: csv::Writer<W>,
+    /// Of the cell that is being written.
+    text: String,
 }
 
 impl<'o, W: Write> Rows<'o, W> {
@@ -59,7 +62,7 @@ impl<'o, W: Write> Rows<'o, W> {
             (Some(layout), Table::Path) => (all_labels, layout.path.clone()),
             (None, _) => (all_labels, all_columns),
         };
-        Self { outcome, table, labels, columns, writer: csv::Writer::from_writer(sink) }
+        Self { outcome, table, labels, columns, writer: csv::Writer::from_writer(sink), text: String::new() }
     }
 
     /// Writes a row, if it belongs to the table.
@@ -68,38 +71,65 @@ impl<'o, W: Write> Rows<'o, W> {
     /// A writer that refuses.
     pub fn write(&mut self, row: &Row) -> Result<(), csv::Error> {
         let outcome = self.outcome;
-        let mut record: Vec<String> = row.swept.iter().map(|value| number(*value)).collect();
-        if self.table != Table::Fields && is_numbered(outcome) {
-            record.push((row.state + 1).to_string());
-        }
-        record.extend(self.labels.iter().map(|place| row.label(*place).to_owned()));
         match self.table {
             Table::Fields => {
-                for point in &row.fields {
-                    let mut record = record.clone();
-                    record.push(number(point.place));
-                    record.extend(point.values.iter().flat_map(|&value| cells(Some(value))));
-                    self.writer.write_record(&record)?;
-                }
-                return Ok(());
+                return row.fields.iter().try_for_each(|point| {
+                    self.begin(row)?;
+                    self.number(point.place)?;
+                    point.values.iter().try_for_each(|&value| self.estimate(Some(value)))?;
+                    self.end()
+                });
             }
             Table::States if !outcome.is_state(row) => return Ok(()),
             Table::Path if outcome.is_state(row) => return Ok(()),
             Table::States | Table::Path => {}
         }
-        record.push(row.status.word().to_owned());
-        for &index in &self.columns {
-            record.extend(cells(row.values.get(index).copied().flatten()));
+        self.begin(row)?;
+        self.writer.write_field(row.status.word())?;
+        for place in 0..self.columns.len() {
+            let Some(&index) = self.columns.get(place) else { continue };
+            self.estimate(row.values.get(index).copied().flatten())?;
             if outcome.draws > 0 {
-                record.push(row.material_deviation(index).map_or_else(String::new, number));
+                self.number_or_none(row.material_deviation(index))?;
             }
         }
-        record.push(row.certificate.map_or_else(String::new, |certificate| number(certificate.residual)));
+        self.number_or_none(row.certificate.map(|certificate| certificate.residual))?;
         if outcome.draws > 0 {
-            record.extend(draws(outcome, row));
+            draws(outcome, row).iter().try_for_each(|text| self.writer.write_field(text))?;
         }
-        record.push(row.reason.clone().unwrap_or_default());
-        self.writer.write_record(&record)
+        self.writer.write_field(row.reason.as_deref().unwrap_or_default())?;
+        self.end()
+    }
+
+    /// What every row begins with: swept numbers, the number of the state, labels.
+    fn begin(&mut self, row: &Row) -> Result<(), csv::Error> {
+        row.swept.iter().try_for_each(|&value| self.number(value))?;
+        if self.table != Table::Fields && is_numbered(self.outcome) {
+            self.writer.write_field((row.state + 1).to_string())?;
+        }
+        self.labels.iter().try_for_each(|&place| self.writer.write_field(row.label(place)))
+    }
+
+    fn estimate(&mut self, estimate: Option<Estimate>) -> Result<(), csv::Error> {
+        self.number_or_none(estimate.map(|estimate| estimate.value))?;
+        self.number_or_none(estimate.map(|estimate| estimate.error))
+    }
+
+    fn number_or_none(&mut self, value: Option<f64>) -> Result<(), csv::Error> {
+        match value {
+            Some(value) => self.number(value),
+            None => self.writer.write_field(""),
+        }
+    }
+
+    fn number(&mut self, value: f64) -> Result<(), csv::Error> {
+        self.text.clear();
+        put_number(&mut self.text, value);
+        self.writer.write_field(&self.text)
+    }
+
+    fn end(&mut self) -> Result<(), csv::Error> {
+        self.writer.write_record(None::<&[u8]>)
     }
 
     /// Hands the rest to the sink and gives it back.
@@ -218,11 +248,15 @@ fn headed(name: &str, unit: &str) -> String {
     format!("{name} [{unit}]")
 }
 
-fn cells(estimate: Option<Estimate>) -> [String; 2] {
-    estimate.map_or_else(Default::default, |estimate| [number(estimate.value), number(estimate.error)])
-}
-
 /// The shortest text that reads back as the same double.
 fn number(value: f64) -> String {
-    if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+    let mut text = String::new();
+    put_number(&mut text, value);
+    text
+}
+
+/// The same at the end of a text: a string for each cell would take longer than its digits.
+fn put_number(text: &mut String, value: f64) {
+    // A string refuses nothing.
+    let _ = if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { write!(text, "{value}") } else { write!(text, "{value:e}") };
 }

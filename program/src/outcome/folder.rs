@@ -8,7 +8,10 @@ use super::checkpoints::Checkpoints;
 use super::csv_table::{Rows, Table};
 use super::gather::{Inputs, ShardFile};
 use super::journal::{Found, Journal, JournalHeader, read};
+use super::known_digests::KnownDigests;
 use super::owned::{DigestedFile, OwnedFolder};
+use super::place::{beside, is_empty, is_there, may_be_written, put_in_place};
+pub use super::place::{writable, write_whole};
 use super::report::{self, Shown};
 use super::{Outcome, Row, plot, summary};
 use crate::terminal_text;
@@ -71,6 +74,8 @@ pub struct RunFolder {
     checkpoints: Checkpoints,
     header: JournalHeader,
     force: bool,
+    /// Of the files of the folder that is replaced.
+    known: KnownDigests,
     /// Keeps other runs out.
     _lock: File,
 }
@@ -100,30 +105,17 @@ pub fn partial_of(target: &Path) -> PathBuf {
     beside(target, ".partial")
 }
 
-/// A path beside another, its name with an ending.
-fn beside(target: &Path, ending: &str) -> PathBuf {
-    // Collecting the components drops a stroke at the end.
-    let mut name = target.components().collect::<PathBuf>().into_os_string();
-    name.push(ending);
-    PathBuf::from(name)
-}
-
-/// Whether anything is there, a link to nothing too.
-fn is_there(path: &Path) -> bool {
-    std::fs::symlink_metadata(beside(path, "")).is_ok()
-}
-
-fn is_empty(folder: &Path) -> bool {
-    !beside(folder, "").is_symlink() && std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none())
-}
-
 impl RunFolder {
-    /// Opens the partial folder of a run; gives the states that an earlier, killed run of the same scene finished.
+    /// Opens the partial folder of a run; gives the states that an earlier, killed run of the same scene finished. The header takes a while, as does the
+    /// check of a folder that will be replaced: side by side.
     ///
     /// # Errors
     /// A folder that exists (without `force`) or is not this program's, an unfinished run of something else, or a file system that refuses.
-    pub fn open(target: &Path, header: &JournalHeader, force: bool) -> Result<Self, FolderError> {
-        writable(target, force)?;
+    pub fn open(target: &Path, header: impl FnOnce() -> JournalHeader + Send, force: bool) -> Result<Self, FolderError> {
+        let known = KnownDigests::default();
+        let (header, free) = rayon::join(header, || may_be_written(target, force, &known));
+        free?;
+        let header = &header;
         let path = partial_of(target);
         let journal_path = path.join(JOURNAL);
         let mut partial = OwnedFolder::open_or_make(&path, UNFINISHED, &UNDER_WAY)?;
@@ -153,7 +145,7 @@ impl RunFolder {
         let checkpoints = Checkpoints::new(&path, header);
         // A kill may have come between the journal and the end of a checkpoint.
         (0..finished).map(|index| header.shard.state(index)).try_for_each(|state| checkpoints.remove(state)).map_err(io(&path))?;
-        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, header: header.clone(), force, _lock: lock })
+        Ok(Self { target: target.to_owned(), partial, journal, checkpoints, header: header.clone(), force, known, _lock: lock })
     }
 
     /// The journal to append finished states to, and where those under way leave checkpoints.
@@ -166,28 +158,31 @@ impl RunFolder {
     /// # Errors
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish(self, outcome: &Outcome, scene: &str) -> Result<Vec<String>, FolderError> {
-        let Self { target, partial, journal, checkpoints: _, header: _, force, _lock } = self;
+        let Self { target, partial, journal, checkpoints: _, header: _, force, known, _lock } = self;
         // What an earlier run left there at its end is made anew.
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, RUN, &[])?;
-        let mut names = vec![SUMMARY.to_owned()];
-        let mut file = result.create(SUMMARY)?;
-        summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).map_err(io(&path.join(SUMMARY)))?;
-        result.finish(SUMMARY, file)?;
-        names.extend(write_tables(outcome, &mut result)?);
+        // A picture takes longer than many states: side by side with the others, and with the tables.
+        let wanted = outcome.pictures;
+        let draw = |figure: &plot::Figure| -> Result<(Option<String>, Option<Vec<u8>>), plot::PlotError> {
+            let svg = wanted.svg.then(|| plot::svg(figure)).transpose()?;
+            Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
+        };
+        let draw_all = || outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect::<Vec<_>>();
+        let write_rows = || -> Result<Vec<String>, FolderError> {
+            let mut file = result.create(SUMMARY)?;
+            summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).map_err(io(&path.join(SUMMARY)))?;
+            result.finish(SUMMARY, file)?;
+            Ok([vec![SUMMARY.to_owned()], write_tables(outcome, &mut result)?].concat())
+        };
+        let (names, pictures) = rayon::join(write_rows, draw_all);
+        let mut names = names?;
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             result.write(name, bytes)?;
             names.push(name.to_owned());
             Ok(())
         };
         write("scene.toml", scene.as_bytes())?;
-        // A picture takes longer than many states: side by side.
-        let wanted = outcome.pictures;
-        let draw = |figure: &plot::Figure| -> Result<(Option<String>, Option<Vec<u8>>), plot::PlotError> {
-            let svg = wanted.svg.then(|| plot::svg(figure)).transpose()?;
-            Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
-        };
-        let pictures: Vec<_> = outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect();
         let mut shown = Vec::new();
         for (stem, picture) in pictures {
             match picture {
@@ -209,9 +204,7 @@ impl RunFolder {
         names.push(report::PAGE.to_owned());
         result.seal()?;
         // The journal goes last: a kill before the rename leaves a run to resume, a kill after it leaves the result and a journal to spare.
-        moved(result.path(), &target, force)?;
-        drop(journal);
-        partial.remove()?;
+        put_in_place(&result, &target, force, &known, (journal, partial))?;
         Ok(names)
     }
 }
@@ -222,7 +215,7 @@ impl RunFolder {
     /// # Errors
     /// A file system that refuses; the partial folder then stays, with its journal.
     pub fn finish_shard(self, inputs: &Inputs) -> Result<(), FolderError> {
-        let Self { target, partial, journal, checkpoints: _, header, force, _lock } = self;
+        let Self { target, partial, journal, checkpoints: _, header, force, known, _lock } = self;
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, SHARD, &[])?;
         let about = ShardFile { header, inputs: inputs.clone() };
@@ -231,9 +224,7 @@ impl RunFolder {
         let rows = result.file(JOURNAL)?;
         std::fs::copy(journal.path(), &rows).map_err(io(&rows))?;
         result.seal()?;
-        moved(result.path(), &target, force)?;
-        drop(journal);
-        partial.remove()?;
+        put_in_place(&result, &target, force, &known, (journal, partial))?;
         Ok(())
     }
 }
@@ -271,7 +262,7 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
     };
     let mut failed = None;
     let visited = outcome.each_part(texts, |texts| {
-        for ((table, file), text) in tables.iter_mut().zip(texts).filter(|(_, text)| !text.is_empty()) {
+        for ((table, file), text) in tables.iter_mut().zip(texts.iter()).filter(|(_, text)| !text.is_empty()) {
             if file.is_none() {
                 match create(*table) {
                     Ok(fields) => *file = Some(fields),
@@ -281,7 +272,7 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
                     }
                 }
             }
-            file.as_mut().map_or(Ok(()), |file| file.write_all(&text))?;
+            file.as_mut().map_or(Ok(()), |file| file.write_all(text))?;
         }
         Ok(())
     });
@@ -297,69 +288,4 @@ fn write_tables(outcome: &Outcome, result: &mut OwnedFolder) -> Result<Vec<Strin
         }
     }
     Ok(names)
-}
-
-/// Whether a folder of files may be written there.
-///
-/// # Errors
-/// A folder that exists (without `force`), or holds anything that this program has not written.
-pub fn writable(target: &Path, force: bool) -> Result<(), FolderError> {
-    if !is_there(target) || (force && is_empty(target)) {
-        return Ok(());
-    }
-    let path = terminal_text::name(target);
-    if !force {
-        return Err(FolderError::Exists(path));
-    }
-    let owned = OwnedFolder::open(target, None)?;
-    match owned.foreign()? {
-        Some(why) => Err(FolderError::NotOwned { path, why }),
-        None if !owned.is_sealed() => Err(FolderError::NotOwned { path, why: "it is not the finished folder of a run".to_owned() }),
-        None => Ok(()),
-    }
-}
-
-/// Writes files that are all there already, as a folder of a kind: beside the place of the folder, then moved there in one step.
-///
-/// # Errors
-/// Those of [`writable`], or a file system that refuses.
-pub fn write_whole(target: &Path, force: bool, kind: &str, files: &[(String, Vec<u8>)]) -> Result<(), FolderError> {
-    writable(target, force)?;
-    let mut partial = OwnedFolder::make(&beside(target, &format!(".partial-{}", std::process::id())), kind, &[])?;
-    let written = files
-        .iter()
-        .try_for_each(|(name, bytes)| partial.write(name, bytes))
-        .and_then(|()| partial.seal())
-        .and_then(|()| moved(partial.path(), target, force));
-    if written.is_err() && is_there(partial.path()) {
-        // The reason is the one before.
-        drop(partial.remove());
-    }
-    written
-}
-
-/// Moves a finished folder to its place; one that is there steps aside first and is deleted last.
-fn moved(partial: &Path, target: &Path, force: bool) -> Result<(), FolderError> {
-    // Somebody may have put something there since the run began.
-    writable(target, force)?;
-    if !is_there(target) {
-        return std::fs::rename(partial, target).map_err(io(target));
-    }
-    let aside = beside(target, &format!(".replaced-{}", std::process::id()));
-    std::fs::rename(target, &aside).map_err(io(target))?;
-    if let Err(error) = std::fs::rename(partial, target) {
-        // The old one is worth more than none.
-        let back = std::fs::rename(&aside, target);
-        return Err(io(target)(back.err().unwrap_or(error)));
-    }
-    if is_empty(&aside) {
-        return std::fs::remove_dir(&aside).map_err(io(&aside));
-    }
-    match OwnedFolder::open(&aside, None)?.remove()? {
-        true => Ok(()),
-        false => Err(FolderError::NotOwned {
-            path: terminal_text::name(&aside),
-            why: "files were put into the folder that was replaced".to_owned(),
-        }),
-    }
 }

@@ -6,7 +6,7 @@
 //! A digest is the SHA-256 of the digest of the line before and of the content. From the first line on that was cut short by a kill, or altered in any bit,
 //! the journal counts as not written, and these states are solved again.
 
-use super::owned::digest_of_parts;
+use super::owned::{Digits, digits_of_parts};
 use super::row::Row;
 use super::shard::Shard;
 use crate::in_order::in_order;
@@ -46,7 +46,7 @@ pub struct Journal {
     path: PathBuf,
     file: BufWriter<File>,
     /// Of the last line.
-    digest: String,
+    digest: Digits,
     states: usize,
 }
 
@@ -96,7 +96,7 @@ pub fn read(path: &Path, header: &JournalHeader) -> std::io::Result<Found> {
 pub fn each<R: Send>(
     path: &Path,
     work: impl Fn(Vec<Vec<Row>>) -> std::io::Result<R> + Sync,
-    mut take: impl FnMut(R) -> std::io::Result<()>,
+    mut take: impl FnMut(&mut R) -> std::io::Result<()> + Send,
 ) -> std::io::Result<()> {
     let mut lines = Lines::open(path)?;
     let header = lines.next()?.and_then(|content| serde_json::from_slice::<JournalHeader>(content).ok());
@@ -130,23 +130,40 @@ pub fn each<R: Send>(
         let states = (first..).zip(&contents).map(|(index, content)| rows_of(content, shard.state(index)).ok_or_else(|| cut(index)));
         work(states.collect::<std::io::Result<_>>()?)
     };
-    in_order(parts, AHEAD, rows, |results| results.into_iter().try_for_each(&mut take))
+    in_order(parts, AHEAD, rows, |results| results.iter_mut().try_for_each(&mut take))
 }
 
-/// The rows of a state as the journal holds them.
-///
-/// # Errors
-/// Rows that no JSON can hold.
-pub fn encoded(rows: &[Row]) -> std::io::Result<Vec<u8>> {
-    Ok(serde_json::to_vec(rows)?)
+/// States as the journal holds them, in one text: a thread that appends it has little memory of another thread to give back.
+#[derive(Debug, Default)]
+pub struct Encoded {
+    text: Vec<u8>,
+    /// Where each state ends.
+    ends: Vec<usize>,
+}
+
+impl Encoded {
+    /// Adds the rows of a state.
+    ///
+    /// # Errors
+    /// Rows that no JSON can hold.
+    pub fn push(&mut self, rows: &[Row]) -> std::io::Result<()> {
+        serde_json::to_writer(&mut self.text, rows)?;
+        self.ends.push(self.text.len());
+        Ok(())
+    }
+
+    /// State after state.
+    pub fn states(&self) -> impl Iterator<Item = &[u8]> {
+        self.ends.iter().scan(0, |begin, &end| self.text.get(std::mem::replace(begin, end)..end))
+    }
 }
 
 /// The lines of a journal, one at a time, as long as their digests are right.
 pub(super) struct Lines {
-    file: BufReader<Box<dyn Read>>,
+    file: BufReader<Box<dyn Read + Send>>,
     line: Vec<u8>,
     /// Of the last line.
-    digest: String,
+    digest: Option<Digits>,
 }
 
 impl Lines {
@@ -160,8 +177,8 @@ impl Lines {
         Ok(Self::of(BufReader::with_capacity(bytes, Box::new(Pieces { path: path.to_owned(), read: 0 }))))
     }
 
-    fn of(file: BufReader<Box<dyn Read>>) -> Self {
-        Self { file, line: Vec::new(), digest: FORMAT.to_owned() }
+    fn of(file: BufReader<Box<dyn Read + Send>>) -> Self {
+        Self { file, line: Vec::new(), digest: None }
     }
 
     fn at_end(&mut self) -> std::io::Result<bool> {
@@ -194,18 +211,19 @@ impl Read for Pieces {
 }
 
 /// The content of a line with the right digest, which then is the one before.
-fn content<'l>(line: &'l [u8], before: &mut String) -> Option<&'l [u8]> {
+fn content<'l>(line: &'l [u8], before: &mut Option<Digits>) -> Option<&'l [u8]> {
     let (found, content) = line.strip_prefix(b"[\"")?.strip_suffix(b"]")?.split_at_checked(64)?;
     let content = content.strip_prefix(b"\",")?;
-    let expected = chained(before, content);
-    (found == expected.as_bytes()).then(|| {
-        *before = expected;
+    let expected = chained(before.as_ref(), content);
+    (found == expected).then(|| {
+        *before = Some(expected);
         content
     })
 }
 
-fn chained(before: &str, content: &[u8]) -> String {
-    digest_of_parts(&[before.as_bytes(), content])
+/// The digest of a line, from that of the line before.
+fn chained(before: Option<&Digits>, content: &[u8]) -> Digits {
+    digits_of_parts(&[before.map_or(FORMAT.as_bytes(), |digits| digits), content])
 }
 
 /// The rows of a state, if they are of that state.
@@ -224,8 +242,9 @@ impl Journal {
     pub fn open(path: &Path, header: &JournalHeader, finished: usize) -> std::io::Result<Self> {
         let fresh = path.with_extension("new");
         let file = BufWriter::with_capacity(BUFFER, File::create(&fresh)?);
-        let mut journal = Self { path: path.to_owned(), file, digest: FORMAT.to_owned(), states: finished };
-        journal.write_line(&serde_json::to_vec(header)?)?;
+        let head = serde_json::to_vec(header)?;
+        let mut journal = Self { path: path.to_owned(), file, digest: chained(None, &head), states: finished };
+        journal.put(&head)?;
         if finished > 0 {
             let mut before = Lines::open(path)?;
             before.next()?;
@@ -257,11 +276,12 @@ impl Journal {
     /// # Errors
     /// A disk that is full; the sentence names the path.
     pub fn append(&mut self, states: &[Vec<Row>]) -> std::io::Result<()> {
-        let lines = states.iter().map(|rows| encoded(rows)).collect::<std::io::Result<Vec<_>>>()?;
-        self.append_encoded(lines.iter().map(Vec::as_slice))
+        let mut encoded = Encoded::default();
+        states.iter().try_for_each(|rows| encoded.push(rows))?;
+        self.append_encoded(encoded.states())
     }
 
-    /// The same of states whose rows are [`encoded`] already.
+    /// The same of states that are [`Encoded`] already.
     ///
     /// # Errors
     /// As [`Journal::append`].
@@ -277,8 +297,13 @@ impl Journal {
     }
 
     fn write_line(&mut self, content: &[u8]) -> std::io::Result<()> {
-        self.digest = chained(&self.digest, content);
-        for text in [b"[\"", self.digest.as_bytes(), b"\",", content, b"]\n"] {
+        self.digest = chained(Some(&self.digest), content);
+        self.put(content)
+    }
+
+    /// A line whose digest has been taken.
+    fn put(&mut self, content: &[u8]) -> std::io::Result<()> {
+        for text in [b"[\"", self.digest.as_slice(), b"\",", content, b"]\n"] {
             self.file.write_all(text)?;
         }
         Ok(())
@@ -315,13 +340,15 @@ mod tests {
             Ok(states)
         };
         each(&path, work, |states| {
-            found.extend(states);
+            found.append(states);
             Ok(())
         })
         .unwrap();
         assert!(found.len() == states && found.iter().enumerate().all(|(index, state)| *state == rows(index)));
         // Five long ones, and the bytes of the others by those of a part.
-        let bytes: usize = (5..states).map(|index| encoded(&rows(index)).unwrap().len()).sum();
+        let mut encoded = Encoded::default();
+        (5..states).for_each(|index| encoded.push(&rows(index)).unwrap());
+        let bytes: usize = encoded.states().map(<[u8]>::len).sum();
         let parts = parts.into_inner();
         assert!(parts > 5 && parts <= 6 + bytes.div_ceil(PART), "{parts} parts");
     }

@@ -6,9 +6,11 @@ pub mod csv_table;
 pub mod folder;
 pub mod gather;
 pub mod journal;
+mod known_digests;
 pub mod material_uncertainty;
 pub mod owned;
 pub mod page;
+mod place;
 pub mod plot;
 pub mod report;
 pub mod row;
@@ -177,14 +179,14 @@ impl Outcome {
     pub fn each_part<R: Send>(
         &self,
         work: impl Fn(&[Row]) -> std::io::Result<R> + Sync,
-        mut take: impl FnMut(R) -> std::io::Result<()>,
+        mut take: impl FnMut(&mut R) -> std::io::Result<()> + Send,
     ) -> std::io::Result<()> {
         match &self.stored {
             Some(journal) if !self.holds_all_rows() => {
                 journal::each(journal, |states| work(&states.into_iter().flatten().collect::<Vec<_>>()), take)
             }
             _ => {
-                in_order(self.rows.chunks(ROWS_OF_A_PART).map(Ok), PARTS_AHEAD, work, |results| results.into_iter().try_for_each(&mut take))
+                in_order(self.rows.chunks(ROWS_OF_A_PART).map(Ok), PARTS_AHEAD, work, |results| results.iter_mut().try_for_each(&mut take))
             }
         }
     }

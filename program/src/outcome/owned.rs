@@ -12,6 +12,7 @@
 //! In the name of an open file `*` stands for hexadecimal digits.
 
 use super::folder::FolderError;
+use super::known_digests::KnownDigests;
 use crate::regular_file;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -41,6 +42,8 @@ pub struct OwnedFolder {
     files: BTreeMap<String, Option<String>>,
     /// Digests of files that were taken while the files were written: they need not be read again.
     written: BTreeMap<String, String>,
+    /// Of files that were read before.
+    known: KnownDigests,
 }
 
 /// SHA-256 of some bytes in hexadecimal digits.
@@ -51,17 +54,29 @@ pub fn digest(bytes: &[u8]) -> String {
 
 /// The same of bytes that lie in several places.
 pub(super) fn digest_of_parts(parts: &[&[u8]]) -> String {
-    hexadecimal(parts.iter().fold(Sha256::new(), |hasher, part| hasher.chain_update(part)))
+    digits_of_parts(parts).into_iter().map(char::from).collect()
+}
+
+/// The hexadecimal digits of a SHA-256.
+pub(super) type Digits = [u8; 64];
+
+/// The same where a string would take longer than the digest of a short text.
+pub(super) fn digits_of_parts(parts: &[&[u8]]) -> Digits {
+    digits(parts.iter().fold(Sha256::new(), |hasher, part| hasher.chain_update(part)))
 }
 
 /// Digit by digit: the formatting machinery would take longer than the digest of a short text.
+fn digits(hasher: Sha256) -> Digits {
+    let digit = |value: u8| if value < 10 { b'0' + value } else { b'a' + value - 10 };
+    let mut digits = [0; 64];
+    for (pair, byte) in digits.chunks_exact_mut(2).zip(hasher.finalize()) {
+        pair.copy_from_slice(&[digit(byte >> 4), digit(byte & 0xf)]);
+    }
+    digits
+}
+
 fn hexadecimal(hasher: Sha256) -> String {
-    let digit = |value: u8| char::from(if value < 10 { b'0' + value } else { b'a' + value - 10 });
-    hasher.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
-        text.push(digit(byte >> 4));
-        text.push(digit(byte & 0xf));
-        text
-    })
+    digits(hasher).into_iter().map(char::from).collect()
 }
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> FolderError + '_ {
@@ -80,7 +95,7 @@ impl OwnedFolder {
             return Err(FolderError::NotOwned { path: shown(path), why: holds(&entry) });
         }
         let files = open.iter().map(|name| ((*name).to_owned(), None)).collect();
-        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files, written: BTreeMap::new() };
+        let folder = Self { path: path.to_owned(), kind: kind.to_owned(), files, written: BTreeMap::new(), known: KnownDigests::default() };
         if let Err(error) = folder.write_mark() {
             // Nothing of it is of use to anybody; the reason is the one before.
             drop(fs::remove_file(path.join(FRESH)).and_then(|()| fs::remove_dir(path)));
@@ -125,6 +140,11 @@ impl OwnedFolder {
             }
             _ => Ok(found),
         }
+    }
+
+    /// The same with digests of files that were read before, and for further ones.
+    pub(super) fn with_known(self, known: &KnownDigests) -> Self {
+        Self { known: known.clone(), ..self }
     }
 
     /// Its path.
@@ -221,7 +241,7 @@ impl OwnedFolder {
             }
             match self.files.iter().find(|(own, _)| matches(own, &name)) {
                 None => return Ok(Some(holds(&name))),
-                Some((_, Some(sealed))) if digest_of(&path).map_err(io(&path))? != *sealed => {
+                Some((_, Some(sealed))) if self.known.of(&path).map_err(io(&path))? != *sealed => {
                     return Ok(Some(format!("`{}` in it was altered", shown_text(&name))));
                 }
                 Some(_) => {}
@@ -248,7 +268,7 @@ impl OwnedFolder {
             let path = self.path.join(&name);
             let own = self.files.iter().find(|(own, _)| matches(own, &name));
             let is_own = match own {
-                Some((_, Some(sealed))) => digest_of(&path).is_ok_and(|found| found == *sealed),
+                Some((_, Some(sealed))) => self.known.of(&path).is_ok_and(|found| found == *sealed),
                 Some((_, None)) => fs::symlink_metadata(&path).is_ok_and(|about| about.is_file()),
                 None => name == FRESH,
             };
@@ -308,7 +328,13 @@ fn parsed(path: &Path, bytes: &[u8]) -> Option<OwnedFolder> {
         Some(name) => Some((name.to_owned(), None)),
         None => line.split_once("  ").map(|(digest, name)| (name.to_owned(), Some(digest.to_owned()))),
     });
-    Some(OwnedFolder { path: path.to_owned(), kind, files: files.collect::<Option<_>>()?, written: BTreeMap::new() })
+    Some(OwnedFolder {
+        path: path.to_owned(),
+        kind,
+        files: files.collect::<Option<_>>()?,
+        written: BTreeMap::new(),
+        known: KnownDigests::default(),
+    })
 }
 
 /// Whether a listed name, in which `*` stands for hexadecimal digits, is this one.

@@ -190,6 +190,20 @@ impl Row {
         }
     }
 
+    /// Becomes the same as another, in the memory that it has.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        let Self { state, swept, labels, status, reason, witness, values, certificate, work, assumptions, fields, material } = other;
+        self.swept.clone_from(swept);
+        self.labels.clone_from(labels);
+        self.reason.clone_from(reason);
+        self.witness.clone_from(witness);
+        self.values.clone_from(values);
+        self.assumptions.clone_from(assumptions);
+        self.fields.clone_from(fields);
+        self.material.clone_from(material);
+        (self.state, self.status, self.certificate, self.work) = (*state, *status, *certificate, *work);
+    }
+
     /// The spread of a column over draws of the material: one standard uncertainty, if it has one.
     #[must_use]
     pub fn material_deviation(&self, column: usize) -> Option<f64> {

@@ -13,7 +13,7 @@ const MOST_ROWS: usize = 10_000;
 ///
 /// # Errors
 /// A writer that refuses, or a journal that cannot be read.
-pub fn write_whole(outcome: &Outcome, mut writer: impl Write) -> std::io::Result<()> {
+pub fn write_whole(outcome: &Outcome, mut writer: impl Write + Send) -> std::io::Result<()> {
     let head = pretty(&head(outcome))?;
     writeln!(writer, "{},", head.trim_end_matches("\n}"))?;
     let mut results = Results::new(outcome.into(), &mut writer)?;
@@ -29,7 +29,7 @@ pub fn write_whole(outcome: &Outcome, mut writer: impl Write) -> std::io::Result
 ///
 /// # Errors
 /// A writer that refuses.
-pub fn write_short(outcome: &Outcome, mut writer: impl Write) -> std::io::Result<()> {
+pub fn write_short(outcome: &Outcome, mut writer: impl Write + Send) -> std::io::Result<()> {
     let omitted = omitted(outcome);
     if omitted == 0 {
         return write_whole(outcome, writer);

@@ -56,6 +56,38 @@ impl Tally {
         Self { accuracy, all_admissible: true, states_known: known.clone(), path_known: known, ..Self::default() }
     }
 
+    /// The same of no row yet.
+    #[must_use]
+    pub fn of_none(&self) -> Self {
+        Self::new(self.accuracy, self.states_known.len())
+    }
+
+    /// Adds the counts of the rows that follow.
+    pub fn join(&mut self, next: &mut Self) {
+        self.rows += next.rows;
+        self.states += next.states;
+        for (ended, next) in self.ended.iter_mut().zip(&mut next.ended) {
+            if next.rows > 0 && ended.reason.is_none() || next.states > 0 && !ended.reason_is_of_a_state {
+                ended.reason = next.reason.take();
+                ended.reason_is_of_a_state = next.reason_is_of_a_state;
+            }
+            ended.rows += next.rows;
+            ended.states += next.states;
+        }
+        self.noted.0 += next.noted.0;
+        self.noted.1 = self.noted.1.take().or_else(|| next.noted.1.take());
+        self.work += next.work;
+        self.largest_residual = self.largest_residual.max(next.largest_residual);
+        self.largest_condition = self.largest_condition.max(next.largest_condition);
+        self.all_admissible &= next.all_admissible;
+        let own = self.states_known.iter_mut().chain(&mut self.path_known);
+        for (known, next) in own.zip(next.states_known.iter().chain(&next.path_known)) {
+            known.largest = known.largest.max(next.largest);
+            known.small += next.small;
+            known.missed += next.missed;
+        }
+    }
+
     /// How many ended so.
     #[must_use]
     pub fn ended(&self, status: Status) -> &Ended {

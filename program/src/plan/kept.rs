@@ -12,12 +12,20 @@ const LATTICE: [usize; 3] = [200, 50, 2];
 /// First and last states, which the screen shows.
 const ENDS: usize = 24;
 
+/// Which rows are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Which {
+    All,
+    Shown,
+    None,
+}
+
 /// The rows of a run as they come in.
 pub(super) struct Kept<'s> {
     sweeps: &'s [Sweep],
     states: usize,
     layout: Option<&'s Layout>,
-    all: bool,
+    which: Which,
     /// How many values of each sweep are kept, from the last on.
     limits: Vec<usize>,
     pub(super) rows: Vec<Row>,
@@ -31,7 +39,39 @@ impl<'s> Kept<'s> {
     pub(super) fn new(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally, rows_of_a_state: u64, all: bool) -> Self {
         let states = sweep::states(sweeps);
         let limits = limits(sweeps, rows_of_a_state);
-        Self { sweeps, states, layout, all: all || few(states, rows_of_a_state), limits, rows: Vec::new(), extremes: Vec::new(), tally }
+        let which = if all || few(states, rows_of_a_state) { Which::All } else { Which::Shown };
+        Self { sweeps, states, layout, which, limits, rows: Vec::new(), extremes: Vec::new(), tally }
+    }
+
+    /// Nothing but the counts.
+    pub(super) fn counts(sweeps: &'s [Sweep], layout: Option<&'s Layout>, tally: Tally) -> Self {
+        Self { sweeps, states: 0, layout, which: Which::None, limits: Vec::new(), rows: Vec::new(), extremes: Vec::new(), tally }
+    }
+
+    /// The same with no row yet: for a part of the states, which is [joined](Self::join) to those before it.
+    pub(super) fn part(&self) -> Self {
+        let &Self { sweeps, states, layout, which, .. } = self;
+        Self {
+            sweeps,
+            states,
+            layout,
+            which,
+            limits: self.limits.clone(),
+            rows: Vec::new(),
+            extremes: Vec::new(),
+            tally: self.tally.of_none(),
+        }
+    }
+
+    /// Takes what was kept of the states that follow, as if each had been added here.
+    pub(super) fn join(&mut self, next: &mut Self) {
+        self.tally.join(&mut next.tally);
+        self.rows.append(&mut next.rows);
+        for (place, [least, most]) in next.extremes.iter().enumerate() {
+            for (number, row) in least.iter().chain(most) {
+                self.compare(place, *number, row);
+            }
+        }
     }
 
     /// Takes the rows of a state.
@@ -40,28 +80,44 @@ impl<'s> Kept<'s> {
             self.tally.add(row, is_state(self.layout, row));
         }
         let Some(state) = rows.first().map(|row| row.state) else { return };
-        if self.all || self.is_shown(state) {
-            self.rows.extend(rows);
-            return;
+        match self.which {
+            Which::None => return,
+            Which::Shown if !self.is_shown(state) => {}
+            Which::All | Which::Shown => {
+                self.rows.extend(rows);
+                return;
+            }
         }
-        for row in rows {
-            let numbers = row
-                .assumptions
-                .iter()
-                .copied()
-                .chain([row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64)]);
-            for (place, number) in numbers.enumerate() {
-                if self.extremes.len() <= place {
-                    self.extremes.push([None, None]);
-                }
-                let (Some(number), Some([least, most])) = (number, self.extremes.get_mut(place)) else { continue };
-                if least.as_ref().is_none_or(|(known, _)| number < *known) {
-                    *least = Some((number, without_fields(&row)));
-                }
-                if most.as_ref().is_none_or(|(known, _)| number > *known) {
-                    *most = Some((number, without_fields(&row)));
+        for mut row in rows {
+            row.fields.clear();
+            let material = row.material.as_ref().map(|material| material.counts.used as f64 / material.counts.draws.max(1) as f64);
+            for (place, number) in row.assumptions.iter().copied().chain([material]).enumerate() {
+                if let Some(number) = number.filter(|number| !number.is_nan()) {
+                    self.compare(place, number, &row);
                 }
             }
+        }
+    }
+
+    /// Keeps a row where its number is the smallest or the largest so far.
+    fn compare(&mut self, place: usize, number: f64, row: &Row) {
+        while self.extremes.len() <= place {
+            self.extremes.push([None, None]);
+        }
+        let Some([least, most]) = self.extremes.get_mut(place) else { return };
+        // Into the memory of the row before: of one that another thread has made, none is given back.
+        let keep = |kept: &mut Option<(f64, Row)>| match kept {
+            Some((known, of)) => {
+                *known = number;
+                of.copy_from(row);
+            }
+            None => *kept = Some((number, row.clone())),
+        };
+        if least.as_ref().is_none_or(|(known, _)| number < *known) {
+            keep(least);
+        }
+        if most.as_ref().is_none_or(|(known, _)| number > *known) {
+            keep(most);
         }
     }
 
@@ -109,12 +165,6 @@ pub(super) fn most_states(sweeps: &[Sweep], rows_of_a_state: u64) -> usize {
     (kept + 2 * ENDS).min(sweep::states(sweeps))
 }
 
-fn without_fields(row: &Row) -> Row {
-    let mut row = row.clone();
-    row.fields.clear();
-    row
-}
-
 /// Whether an index is one of at most so many that are evenly chosen, the first and the last among them.
 fn on_lattice(index: usize, length: usize, most: usize) -> bool {
     let last = length.saturating_sub(1);
@@ -123,4 +173,54 @@ fn on_lattice(index: usize, length: usize, most: usize) -> bool {
     }
     let number = (index * (most - 1)).div_ceil(last);
     number * last / (most - 1) == index
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::outcome::{Certificate, Status};
+    use crate::scene::{Document, read};
+    use std::path::Path;
+    use viscotack::estimate::Estimate;
+
+    fn row(state: usize, place: usize) -> Row {
+        let random = |salt: usize| ((state * 31 + place * 7 + salt) * 7919 % 1009) as f64;
+        let mut row = Row::new(state, &[state as f64], vec![if place == 0 { "summary" } else { "way" }.to_owned()], 2);
+        row.status = Status::ALL[random(1) as usize % Status::ALL.len()];
+        row.reason = (random(2) as usize).is_multiple_of(3).then(|| format!("reason {state} {place}"));
+        row.assumptions = vec![Some(random(3)), (random(4) > 500.0).then(|| random(5))];
+        row.values = vec![Some(Estimate { value: random(6), error: random(7) * 1e-3 }), None];
+        row.certificate = Some(Certificate { residual: random(8), condition: random(9), admissible: random(10) > 5.0 });
+        row
+    }
+
+    /// Whatever parts the states are counted in, the end is that of all states one by one.
+    #[test]
+    fn parts_are_joined_as_if_each_state_had_been_added() {
+        let states = 30_000;
+        let text = format!(
+            "[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.49\nrelaxation = [{{ modulus = 3e6, relaxation_time = 0.1 }}]\n[adhesion]\n\
+             work_of_adhesion = 10.0\nprocess_zone = {{ length = 1e-6 }}\n[crack]\nbody = \"two_halves\"\nplane = \"strain\"\nspeed = 1e-6\n\
+             [sweep]\nkey = \"crack.speed\"\nfrom = 1e-8\nto = 1.0\npoints = {states}\n"
+        );
+        let document = Document::parse("scene.toml", text, Path::new(".")).unwrap();
+        let sweeps = read::read(&document).unwrap().sweeps;
+        let layout = Layout { labels: vec![0], states: vec![0], path: vec![1] };
+        let kept = || Kept::new(&sweeps, Some(&layout), Tally::new(1e-3, 2), 2, false);
+        let rows = |state: usize| vec![row(state, 1), row(state, 0)];
+        let mut one_by_one = kept();
+        (0..states).for_each(|state| one_by_one.add(rows(state)));
+        for size in [1, 7, 64, 20_000] {
+            let mut joined = kept();
+            for first in (0..states).step_by(size) {
+                let mut part = joined.part();
+                (first..states.min(first + size)).for_each(|state| part.add(rows(state)));
+                joined.join(&mut part);
+            }
+            assert_eq!(format!("{:?}", joined.tally), format!("{:?}", one_by_one.tally), "parts of {size}");
+            assert!(joined.rows == one_by_one.rows && joined.extremes == one_by_one.extremes, "parts of {size}");
+            assert!(joined.rows.len() < states && joined.extremes.iter().flatten().any(Option::is_some));
+        }
+    }
 }

@@ -7,15 +7,16 @@ use super::kept::Kept;
 use crate::in_order::{in_order, together};
 use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
-use crate::outcome::journal::{self, Journal, JournalHeader};
+use crate::outcome::journal::{self, Encoded, Journal, JournalHeader};
 use crate::outcome::shard::Shard;
 use crate::outcome::tally::Tally;
-use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn, is_state};
+use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn};
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
 use crate::scene::typed::{Picture, Scene};
 use crate::scene::{SceneError, read};
 use std::ops::Range;
+use std::path::Path;
 use thiserror::Error;
 use viscotack::refusal::Refusal;
 
@@ -57,7 +58,7 @@ pub struct Safe<'a> {
 }
 
 /// Receives the rows of each state, in order, as soon as they are there.
-pub type Sink<'a> = &'a mut dyn FnMut(&[Row]) -> std::io::Result<()>;
+pub type Sink<'a> = &'a mut (dyn FnMut(&[Row]) -> std::io::Result<()> + Send);
 
 /// Solves all states of a scene and keeps every row; those in `finished` are taken over.
 ///
@@ -103,22 +104,19 @@ fn run_all(
     let tally = Tally::new(scene.accuracy, columns.len());
     let mut kept = Kept::new(&scene.sweeps, layout.as_ref(), tally, plan.rows_of_a_state(), finished.is_some());
     let mut done = 0;
-    let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
+    for rows in finished.into_iter().flatten().take(total) {
         if let Some(sink) = &mut sink {
             sink(&rows)?;
         }
         kept.add(rows);
-        Ok(())
-    };
-    for rows in finished.into_iter().flatten().take(total) {
-        take(rows)?;
         done += 1;
     }
+    let mut states = States { kept: &mut kept, sink };
     if let Some(safe) = safe.as_ref().filter(|safe| safe.journal.states() > done) {
-        journal::each(safe.journal.path(), Ok, |states| states.into_iter().try_for_each(&mut take))?;
+        states.take_over(safe.journal.path())?;
         done = safe.journal.states();
     }
-    solve_states(plan, document, scene, (done..total, Shard::WHOLE), safe.as_mut(), &mut take, progress)?;
+    solve_states(plan, document, scene, (done..total, Shard::WHOLE), safe.as_mut(), states, progress)?;
     progress(Stage::States { finished: total, total });
     let (mut rows, held, tally) = kept.into_parts();
     let validity = plan.validity(&rows);
@@ -156,26 +154,66 @@ pub fn run_shard(
     mut safe: Safe<'_>,
     progress: Progress<'_>,
 ) -> Result<Tally, RunError> {
-    let mut tally = Tally::new(scene.accuracy, plan.columns().len());
     let layout = plan.layout();
-    let mut take = |rows: Vec<Row>| -> std::io::Result<()> {
-        rows.iter().for_each(|row| tally.add(row, is_state(layout.as_ref(), row)));
-        Ok(())
-    };
+    let mut kept = Kept::counts(&scene.sweeps, layout.as_ref(), Tally::new(scene.accuracy, plan.columns().len()));
+    let mut states = States { kept: &mut kept, sink: None };
     let done = safe.journal.states();
-    journal::each(safe.journal.path(), Ok, |states| states.into_iter().try_for_each(&mut take))?;
-    solve_states(plan, document, scene, (done..header.own_states(), header.shard), Some(&mut safe), &mut take, progress)?;
-    Ok(tally)
+    states.take_over(safe.journal.path())?;
+    solve_states(plan, document, scene, (done..header.own_states(), header.shard), Some(&mut safe), states, progress)?;
+    Ok(kept.tally)
+}
+
+/// What becomes of the rows of states, in their order.
+struct States<'k, 's, 'r> {
+    kept: &'k mut Kept<'s>,
+    sink: Option<Sink<'r>>,
+}
+
+/// Some states, by the thread that has solved or read them: it counts their rows, and gives back those that are not kept.
+struct Part<'s> {
+    kept: Kept<'s>,
+    /// For the sink.
+    rows: Vec<Vec<Row>>,
+}
+
+impl<'s> Part<'s> {
+    fn add(&mut self, rows: Vec<Row>, to_sink: bool) {
+        if to_sink { self.rows.push(rows) } else { self.kept.add(rows) }
+    }
+}
+
+impl<'s> States<'_, 's, '_> {
+    fn take(&mut self, part: &mut Part<'s>) -> std::io::Result<()> {
+        if let Some(sink) = &mut self.sink {
+            for rows in part.rows.drain(..) {
+                sink(&rows)?;
+                self.kept.add(rows);
+            }
+        }
+        self.kept.join(&mut part.kept);
+        Ok(())
+    }
+
+    /// Takes the states that a journal holds.
+    fn take_over(&mut self, journal: &Path) -> std::io::Result<()> {
+        let (none, to_sink) = (self.kept.part(), self.sink.is_some());
+        let part = |states: Vec<Vec<Row>>| {
+            let mut part = Part { kept: none.part(), rows: Vec::new() };
+            states.into_iter().for_each(|rows| part.add(rows, to_sink));
+            Ok(part)
+        };
+        journal::each(journal, part, |part| self.take(part))
+    }
 }
 
 /// Solves a range of the states of a shard: side by side, journalled and taken in order.
-fn solve_states(
+fn solve_states<'s>(
     plan: &Plan,
     document: &Document,
     scene: &Scene,
     (range, shard): (Range<usize>, Shard),
     safe: Option<&mut Safe<'_>>,
-    take: &mut dyn FnMut(Vec<Row>) -> std::io::Result<()>,
+    mut states: States<'_, 's, '_>,
     progress: Progress<'_>,
 ) -> std::io::Result<()> {
     let (mut finished, total) = (range.start, range.end);
@@ -186,31 +224,38 @@ fn solve_states(
         Some(safe) => (Some(&mut *safe.journal), Some(&safe.checkpoints)),
         None => (None, None),
     };
-    let is_journalled = journal.is_some();
-    let solve_one = |state: usize| -> std::io::Result<Solved> {
-        let desk = Desk::new(state, checkpoints, progress);
-        let rows = solve_state(plan, &alone, scene, &desk, state);
-        desk.failure().map_or(Ok(()), Err).or_else(gone)?;
-        // A text of many digits takes as long as some states.
-        let line = if is_journalled { journal::encoded(&rows)? } else { Vec::new() };
-        Ok(Solved { rows, line })
+    let (is_journalled, to_sink, none) = (journal.is_some(), states.sink.is_some(), states.kept.part());
+    let solve = |indices: Range<usize>| -> std::io::Result<Solved<'s>> {
+        let (count, mut text) = (indices.len(), Encoded::default());
+        let mut part = Part { kept: none.part(), rows: Vec::new() };
+        for state in indices.map(|index| shard.state(index)) {
+            let desk = Desk::new(state, checkpoints, progress);
+            let rows = solve_state(plan, &alone, scene, &desk, state);
+            desk.failure().map_or(Ok(()), Err).or_else(gone)?;
+            // A text of many digits takes as long as some states.
+            if is_journalled {
+                text.push(&rows)?;
+            }
+            part.add(rows, to_sink);
+        }
+        Ok(Solved { count, text, part })
     };
-    let solve = |states: Range<usize>| states.map(|index| solve_one(shard.state(index))).collect::<std::io::Result<Vec<_>>>();
-    let mut taken = |solved: Vec<Vec<Solved>>| -> std::io::Result<()> {
-        let solved: Vec<Solved> = solved.into_iter().flatten().collect();
+    let mut taken = |solved: &mut [Solved<'s>]| -> std::io::Result<()> {
         if let (Some(journal), Some(checkpoints)) = (&mut journal, checkpoints) {
-            journal.append_encoded(solved.iter().map(|state| state.line.as_slice())).or_else(gone)?;
-            let ended = finished..finished + solved.len();
+            journal.append_encoded(solved.iter().flat_map(|part| part.text.states())).or_else(gone)?;
+            let ended = finished..finished + solved.iter().map(|part| part.count).sum::<usize>();
             ended.map(|index| shard.state(index)).try_for_each(|state| checkpoints.remove(state)).or_else(gone)?;
         }
-        finished += solved.len();
-        solved.into_iter().try_for_each(|state| take(state.rows))?;
+        for Solved { count, part, .. } in solved {
+            finished += *count;
+            states.take(part)?;
+        }
         progress(Stage::States { finished, total });
         Ok(())
     };
     // One alone needs no threads.
     if range.len() == 1 {
-        return solve(range).and_then(|solved| taken(vec![solved]));
+        return solve(range).and_then(|solved| taken(&mut [solved]));
     }
     let together = together(range.len(), ahead);
     let parts = range.clone().step_by(together).map(|start| Ok(start..range.end.min(start + together)));
@@ -225,11 +270,12 @@ fn states_under_way(plan: &Plan) -> usize {
     few.max(quick.min(MOST_QUICK_STATES)) as usize
 }
 
-/// A state that is solved.
-struct Solved {
-    rows: Vec<Row>,
-    /// Its rows as the journal holds them, if there is one.
-    line: Vec<u8>,
+/// Some states that are solved.
+struct Solved<'s> {
+    count: usize,
+    /// As the journal holds them, if there is one.
+    text: Encoded,
+    part: Part<'s>,
 }
 
 /// An outcome without rows: what a run of the scene will give, before anything is solved.
