@@ -79,7 +79,11 @@ pub fn fit(problem: &Problem<'_>) -> Result<Fitted, Refusal> {
                 fitted.evaluations = evaluations.load(Ordering::Relaxed);
                 return Ok(fitted);
             }
-            Err(better) => coordinates = better,
+            Err(better) => {
+                coordinates = better;
+                // Short differences see every scatter of the model: the next descent takes those of the profiles.
+                fine.steps.clone_from(&found.weighted.steps);
+            }
         }
     }
     Err(Refusal::NotConverged {

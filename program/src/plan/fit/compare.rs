@@ -84,8 +84,19 @@ impl Comparison {
         let gain = noise::loss(&reversed, pulls).map(|[inside, outside]| [count - 1 - outside, count - 1 - inside]);
         self.gain = gain.filter(|gain| self.loss.is_none_or(|loss| gain[1] < loss[0]));
         let on_a_fall = |row: &usize| [self.gain, self.loss].into_iter().flatten().any(|[from, to]| *row > from && *row < to);
-        self.rows.retain(|row| !on_a_fall(row));
+        let beside_loss = self.beside_loss();
+        self.rows.retain(|row| !on_a_fall(row) && !beside_loss.contains(row));
         self
+    }
+
+    /// Rows in contact that are nearer to its loss than the place of that is known: there the force falls without bounds in a way, and tells no more than the place.
+    fn beside_loss(&self) -> Vec<usize> {
+        let place = |row: usize| self.abscissa.get(row).copied();
+        let Some(([from, _], (first, last))) = self.loss.and_then(|loss| Some((loss, (place(loss[0])?, place(loss[1])?)))) else {
+            return Vec::new();
+        };
+        let (middle, width) = (0.5 * (first + last), (last - first).abs());
+        (0..=from).rev().take_while(|row| place(*row).is_some_and(|place| (place - middle).abs() < width)).collect()
     }
 
     /// Places of jumps in the data and what they are known to.

@@ -37,8 +37,9 @@ pub(super) fn loss(values: &[f64], pull_is_negative: bool) -> Option<[usize; 2]>
     let rest = median(after.to_vec()).filter(|_| after.len() >= 3)?;
     let fall = (values.get(from)? - rest).abs();
     let quiet = after.iter().all(|value| (value - rest).abs() <= 6.0 * sigma + 0.1 * fall);
-    (quiet && jump > 8.0 * sigma && fall > 0.05 * values.iter().fold(0.0, |most: f64, value| most.max((value - rest).abs())))
-        .then_some([from, to])
+    // One row that lies off alone is no contact.
+    let held = from.checked_sub(1).and_then(|before| values.get(before)).is_some_and(|before| (before - rest).abs() > 4.0 * sigma);
+    (quiet && held && jump > 8.0 * sigma && fall > 8.0 * sigma).then_some([from, to])
 }
 
 #[cfg(test)]
@@ -63,6 +64,18 @@ mod tests {
         let upside_down: Vec<f64> = curve(1e-2).iter().map(|value| -value).collect();
         assert_eq!(loss(&upside_down, true), None);
         assert_eq!(loss(&upside_down, false), Some([69, 70]));
+    }
+
+    /// A pull that is small beside the load before it is lost all the same; a row that lies off alone in what follows is not.
+    #[test]
+    fn a_small_pull_is_lost_and_an_outlier_is_not() {
+        let mut values = curve(1e-2);
+        let pressed: Vec<f64> = (0..60).map(|row| 60.0 - f64::from(row)).collect();
+        values.splice(0..0, pressed);
+        assert_eq!(loss(&values, true), Some([129, 130]));
+        let mut still: Vec<f64> = curve(1e-2).split_off(70);
+        still[20] -= 0.5;
+        assert_eq!(loss(&still, true), None);
     }
 
     #[test]
