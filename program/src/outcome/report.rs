@@ -93,7 +93,7 @@ fn answer(text: &mut String, outcome: &Outcome) {
         states.iter().for_each(|row| state(text, outcome, row));
         return;
     }
-    let (shown, lines) = screen::cells(outcome, &states, true);
+    let (shown, lines) = screen::cells(outcome, &states, true, screen::MOST_ROWS_OF_A_PAGE);
     text.push_str("<div class=\"wide\"><table>\n");
     for (index, line) in lines.iter().enumerate() {
         let cell = if index == 0 { "th" } else { "td" };

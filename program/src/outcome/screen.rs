@@ -5,8 +5,9 @@ use super::{Outcome, Row, Status, Verdict};
 use std::fmt::Write as _;
 use viscotack::estimate::Estimate;
 
-/// Most rows that are printed one by one; longer sweeps show their first and last.
+/// Most rows that are printed one by one; longer sweeps show their first and last. A page has more room.
 const MOST_ROWS: usize = 24;
+pub(super) const MOST_ROWS_OF_A_PAGE: usize = 400;
 
 /// Most rows of an unswept scene that are printed in blocks.
 pub(super) const MOST_BLOCKS: usize = 4;
@@ -82,8 +83,9 @@ fn single(text: &mut String, outcome: &Outcome, rows: &[&Row]) {
     }
 }
 
-/// The cells of a table: a line a row, with the columns that vary or matter most, of states, or of what lies on the way of one. The first line names them.
-pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool) -> (Vec<usize>, Vec<Vec<String>>) {
+/// The cells of a table: a line a row, with the columns that vary or matter most, of states, or of what lies on the way of one. The first line names them; of more
+/// than so many rows the first and the last are there.
+pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool, most: usize) -> (Vec<usize>, Vec<Vec<String>>) {
     let headline = if of_states { outcome.headline } else { outcome.path_headline };
     let named = |index: &usize| outcome.columns.get(*index).is_some_and(|column| headline.contains(&column.name));
     let own =
@@ -103,9 +105,10 @@ pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool) -> (Vec<u
     let mut lines = vec![header];
     let total = total(outcome, of_states);
     for (index, row) in rows.iter().enumerate() {
-        if total > MOST_ROWS && index >= MOST_ROWS / 2 && index + MOST_ROWS / 2 < rows.len() {
-            if index == MOST_ROWS / 2 {
-                lines.push(vec![format!("… {} more", total - MOST_ROWS)]);
+        // A line that says that one is left out takes its place.
+        if total > most + 1 && index >= most / 2 && index + most / 2 < rows.len() {
+            if index == most / 2 {
+                lines.push(vec![format!("… {} more", total - most)]);
             }
             continue;
         }
@@ -120,7 +123,7 @@ fn total(outcome: &Outcome, of_states: bool) -> usize {
 }
 
 fn table(text: &mut String, outcome: &Outcome, rows: &[&Row], of_states: bool) {
-    let (shown, lines) = cells(outcome, rows, of_states);
+    let (shown, lines) = cells(outcome, rows, of_states, MOST_ROWS);
     let _ = write!(text, "\n{}", aligned(&lines));
     remarks(text, outcome, rows, &shown, of_states);
 }

@@ -31,7 +31,9 @@ impl DelayedFracturePlan {
 
     pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let mut figures = Vec::new();
-        if rows.iter().any(|row| row.label(0) == "sample") {
+        // A tip that rests all the time has nothing to show.
+        let grows = rows.iter().any(|row| row.value(at::GROWTH).is_some_and(|growth| growth > 0.0));
+        if grows && rows.iter().any(|row| row.label(0) == "sample") {
             let logarithmic = self.crack.output.first.is_some();
             let time = || {
                 let label = self.label("time", "$t$ (s)", r"$t/\tau$");

@@ -16,6 +16,8 @@ const MOST_STATES: usize = 7;
 const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
 /// Histories whose durations differ more than this are drawn over the logarithm of time.
 const DIFFERENT_ENDS: f64 = 10.0;
+/// What is shown beside the contact, over the way on which it holds.
+const BESIDE: f64 = 0.2;
 /// Points of an elastic curve.
 const ELASTIC_POINTS: usize = 200;
 
@@ -39,6 +41,7 @@ impl IndentationPlan {
             ("force_against_penetration".to_owned(), self.equilibrium_figure(&states, at::FORCE)),
             ("contact_radius_against_penetration".to_owned(), self.equilibrium_figure(&states, at::CONTACT_RADIUS)),
         ];
+        figures.extend(position(&self.indentation, at::FRAME).map(|frame| ("force_against_frame".to_owned(), self.frame_figure(&states, frame))));
         let by_force = self.timeline.legs.iter().any(|leg| leg.quantity != HistoryQuantity::Penetration);
         if self.timeline.in_time || by_force {
             for (name, column) in [
@@ -56,7 +59,7 @@ impl IndentationPlan {
         let note = thinning(numbers.len(), MOST_STATES, "states");
         figures = noted(figures, note.clone());
         figures.extend(self.cycle_figures(scene, rows, &states, note.as_ref()));
-        figures.extend(self.pull_off_figure(scene, rows));
+        figures.extend(self.pull_off_figures(scene, rows));
         let first = (numbers.len() > 1).then(|| format!("of the first of {} states", numbers.len()));
         figures.extend(noted(self.field_figures(&states), first));
         figures.extend(self.scan_figures());
@@ -91,6 +94,7 @@ impl IndentationPlan {
             at::FORCE => self.label("force", "$F$", " (N)", r"$F/\pi E_0^* R^2$"),
             at::CONTACT_RADIUS => self.label("contact radius", "$a$", " (m)", "$a/R$"),
             at::PENETRATION => self.label("penetration", r"$\Delta$", " (m)", r"$\Delta/R$"),
+            at::FRAME => self.label("frame displacement", r"$\Delta_\mathrm{f}$", " (m)", r"$\Delta_\mathrm{f}/R$"),
             _ => self.label("time", "$t$", " (s)", r"$t/t_0$"),
         })
     }
@@ -121,7 +125,7 @@ impl IndentationPlan {
 
     /// A quantity against the penetration, with the elastic limits, and a mark where the contact was lost.
     fn equilibrium_figure(&self, states: &[State<'_>], column: usize) -> Figure {
-        let mut figure = Figure::new(self.axis(at::PENETRATION), self.axis(column));
+        let mut figure = Figure::new(self.in_contact(self.axis(at::PENETRATION), states, at::PENETRATION), self.axis(column));
         for curve in self.elastic_curves(states, column) {
             figure = figure.with_curve(curve);
         }
@@ -141,6 +145,31 @@ impl IndentationPlan {
             figure = self.with_measured(figure, states, at::PENETRATION);
         }
         figure
+    }
+
+    /// The force against the far end of the frame: what a testing machine records.
+    fn frame_figure(&self, states: &[State<'_>], frame: usize) -> Figure {
+        let mut figure = Figure::new(self.in_contact(self.axis(at::FRAME), states, frame), self.axis(at::FORCE));
+        for state in states {
+            figure = figure.with_curve(self.curve(state, frame, at::FORCE));
+        }
+        self.with_measured(figure, states, frame)
+    }
+
+    /// An axis without most of the way on which nothing touches any more; a measured curve goes on there.
+    fn in_contact(&self, axis: Axis, states: &[State<'_>], column: usize) -> Axis {
+        let span = |held: bool| {
+            let touches = |row: &&&Row| !held || row.value(at::CONTACT_RADIUS).is_some_and(|radius| radius > 0.0);
+            let values = states.iter().flat_map(|state| &state.rows).filter(touches).filter_map(|row| row.value(column));
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+        };
+        let ((low, high), (least, most)) = (span(true), span(false));
+        let room = BESIDE * (high - low);
+        if high > low && most - least > high - low + 2.0 * room && position(&self.indentation, at::MEASURED_FORCE).is_none() {
+            let margin = 0.25 * room;
+            return axis.with_range(least.max(low - room) - margin, most.min(high + room) + margin);
+        }
+        axis
     }
 
     /// JKR's curves of both moduli over the penetrations that the states have; nothing for shapes without a closed form.
@@ -224,13 +253,23 @@ impl IndentationPlan {
         Some(Answer { column: position(&self.indentation, place)?, axis: Axis::linear(label) })
     }
 
-    /// F_off/F_JKR against the innermost swept number.
-    fn pull_off_figure(&self, scene: &Scene, rows: &[Row]) -> Option<(String, Figure)> {
+    /// F_off/F_JKR, and F_off itself, against the innermost swept number.
+    fn pull_off_figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
+        let force = position(&self.indentation, at::PULL_OFF_FORCE).and_then(|place| {
+            let label = self.label("pull-off force", r"$F_\mathrm{off}$", " (N)", r"$F_\mathrm{off}/\pi E_0^* R^2$");
+            self.pull_off_figure(scene, rows, place, label)
+        });
+        let ratio = self.pull_off_figure(scene, rows, at::PULL_OFF_RATIO, r"pull-off force $F_\mathrm{off}/F_\mathrm{JKR}$".to_owned());
+        let named = |name: &str, figure: Option<Figure>| figure.map(|figure| (name.to_owned(), figure));
+        [named("pull_off_against_sweep", ratio), named("pull_off_force_against_sweep", force)].into_iter().flatten().collect()
+    }
+
+    fn pull_off_figure(&self, scene: &Scene, rows: &[Row], column: usize, vertical: String) -> Option<Figure> {
         // An imposed force is no pull-off force to be found.
         let sweep = scene.sweeps.last().filter(|sweep| !sweep.key.ends_with(".force"))?;
         let outer = scene.sweeps.len() - 1;
-        let found: Vec<&Row> =
-            rows.iter().filter(|row| row.label(1) == LARGEST_TENSION && row.value(at::PULL_OFF_RATIO).is_some()).collect();
+        let of_a_state = |row: &Row| if column == at::PULL_OFF_RATIO { row.label(1) == LARGEST_TENSION } else { row.label(0) == SUMMARY };
+        let found: Vec<&Row> = rows.iter().filter(|row| of_a_state(row) && row.value(column).is_some()).collect();
         if found.len() < 2 {
             return None;
         }
@@ -240,13 +279,13 @@ impl IndentationPlan {
         sets.dedup();
         let note = thinning(sets.len(), MOST_STATES, "values of the outer sweep");
         let sets = thinned(sets, MOST_STATES);
-        let mut figure = Figure::new(horizontal, Axis::linear(r"pull-off force $F_\mathrm{off}/F_\mathrm{JKR}$"));
+        let mut figure = Figure::new(horizontal, Axis::linear(vertical));
         figure.note = note;
         for (colour, set) in sets.iter().enumerate() {
             let points = found
                 .iter()
                 .filter(|row| row.swept.get(..outer).unwrap_or(&[]) == *set)
-                .map(|row| (innermost(row), value(row, at::PULL_OFF_RATIO)))
+                .map(|row| (innermost(row), value(row, column)))
                 .collect();
             figure = figure.with_curve(
                 Curve::new(swept_label(scene, set), points)
@@ -255,7 +294,7 @@ impl IndentationPlan {
                     .with_marker(Marker::Circle),
             );
         }
-        Some(("pull_off_against_sweep".to_owned(), figure))
+        Some(figure)
     }
 
     /// Pressure and surface of the first state at each chosen time.
