@@ -148,7 +148,8 @@ impl DelayedFracturePlan {
     fn against_swept(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let Some(sweep) = scene.sweeps.last() else { return Vec::new() };
         let load = sweep.key.starts_with("history.") && (sweep.key.ends_with("stress_intensity") || sweep.key.ends_with("stress"));
-        let along_release = load && self.plane_material.relaxed_modulus() > 0.0;
+        // Without units the ratio of the release rates is what a load is seen against.
+        let along_release = load && self.units == Units::Reduced && self.plane_material.relaxed_modulus() > 0.0;
         let horizontal =
             || if along_release { Axis::logarithmic(r"relaxed release ratio $cK^2/2\Delta\gamma E_0$") } else { swept_axis(sweep) };
         let across = |row: &Row| if along_release { value(row, at::RELAXED_RELEASE) } else { innermost(row) };
