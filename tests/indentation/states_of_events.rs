@@ -9,9 +9,9 @@
 
 use std::f64::consts::PI;
 use viscotack::Material;
-use viscotack::material::CreepTerm;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Adhesion, Event, EventKind, History, IndentationProblem, IndentationSolution, Instant, Profile, run};
+use viscotack::material::CreepTerm;
 
 fn is(found: Estimate, exact: f64, tolerance: f64, what: &str) {
     let off = (found.value - exact).abs();
@@ -126,7 +126,10 @@ fn a_jump_has_the_state_that_the_instants_before_it_come_to() {
         let tolerance = if place == 9 { 2e-2 } else { 3e-4 };
         assert!((at.value - continued).abs() < tolerance * at.value.abs(), "number {place}: {at:?}, continued {continued:e}");
         // It is no state of the nearest instant: the numbers still change.
-        assert!(place == 1 || (at.value - continued).abs() < 0.2 * (states[0][place] - continued).abs() + 1e-6 * at.value.abs(), "number {place}");
+        assert!(
+            place == 1 || (at.value - continued).abs() < 0.2 * (states[0][place] - continued).abs() + 1e-6 * at.value.abs(),
+            "number {place}"
+        );
     }
     // Where the edge runs away nothing is left to be lost on the way.
     assert!((jump.energy_release_rate.unwrap().value - jump.tip_release_rate.unwrap().value).abs() < 1e-12);

@@ -108,7 +108,11 @@ fn cannot_pull(fit: &Fit) -> Option<String> {
         let data: Vec<f64> = test.rows.iter().filter_map(|row| column.values.get(*row)).copied().collect();
         let (pull, noise) = (-data.iter().copied().fold(0.0, f64::min), noise(&data));
         (!adhesive && !offset && pull > PULLS * noise).then(|| {
-            format!("without adhesion nothing pulls; these data pull with up to {} ({:.0} times their noise)", quantity(pull, "N"), pull / noise)
+            format!(
+                "without adhesion nothing pulls; these data pull with up to {} ({:.0} times their noise)",
+                quantity(pull, "N"),
+                pull / noise
+            )
         })
     })
 }

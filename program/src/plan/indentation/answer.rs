@@ -2,7 +2,8 @@
 
 use super::IndentationPlan;
 use super::columns::{COLUMNS, at};
-use super::rows::{Values, is_loss};
+use super::events::is_loss;
+use super::rows::Values;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 

@@ -41,7 +41,9 @@ impl IndentationPlan {
             ("force_against_penetration".to_owned(), self.equilibrium_figure(&states, at::FORCE)),
             ("contact_radius_against_penetration".to_owned(), self.equilibrium_figure(&states, at::CONTACT_RADIUS)),
         ];
-        figures.extend(position(&self.indentation, at::FRAME).map(|frame| ("force_against_frame".to_owned(), self.frame_figure(&states, frame))));
+        figures.extend(
+            position(&self.indentation, at::FRAME).map(|frame| ("force_against_frame".to_owned(), self.frame_figure(&states, frame))),
+        );
         let by_force = self.timeline.legs.iter().any(|leg| leg.quantity != HistoryQuantity::Penetration);
         if self.timeline.in_time || by_force {
             for (name, column) in [

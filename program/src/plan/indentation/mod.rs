@@ -8,6 +8,7 @@ mod curve;
 mod cycle_figures;
 mod cycles;
 mod describe;
+mod events;
 mod fields;
 mod figures;
 mod finite;

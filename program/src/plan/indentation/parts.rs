@@ -1,9 +1,9 @@
 //! Parts of the history of a contact with an edge, followed for what only a solution knows.
 
 use super::IndentationPlan;
+use super::events::is_loss;
 use super::known::Known;
 use super::locate::{Followed, State, Way, known};
-use super::rows::is_loss;
 use super::scale::Scale;
 use super::timeline::Timeline;
 use crate::scene::typed::Indentation;

@@ -10,7 +10,7 @@ use viscotack::estimate::Estimate;
 pub(super) const CONDITION_MET: &str = "condition_met";
 pub(super) const LIMIT_REACHED: &str = "limit_reached";
 /// Two sums of the same durations differ by less, relative.
-const SAME_TIME: f64 = 1e-12;
+pub(super) const SAME_TIME: f64 = 1e-12;
 
 /// The end of a segment, beside the time at which its condition is met.
 #[derive(Debug, Clone, Copy, PartialEq)]
