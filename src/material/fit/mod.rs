@@ -14,6 +14,7 @@ mod best;
 mod choose;
 pub mod consistency;
 
+mod distortion;
 mod draws;
 mod fixed_times;
 mod joint;

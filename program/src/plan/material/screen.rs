@@ -1,7 +1,7 @@
 //! A material on the screen, and as JSON.
 
 use super::{MaterialReport, shifts};
-use crate::scene::typed::{MaterialOrigin, Units};
+use crate::scene::typed::{MaterialOrigin, SceneMaterial, Units};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
@@ -37,11 +37,11 @@ pub fn screen(report: &MaterialReport) -> String {
             if let Some(consistency) = &fitted.consistency {
                 let _ = writeln!(
                     text,
-                    "Kramers–Kronig {}: E′ alone within {:.2e}, E″ alone {:.2e}, together {:.2e}{}",
+                    "Kramers–Kronig {}: E′ and E″ together within {}, with a free factor on E″ within {} (chance of that by scatter {:.1e}){}",
                     if consistency.holds() { "holds" } else { "FAILS" },
-                    consistency.storage_alone,
-                    consistency.loss_alone,
-                    consistency.together,
+                    within(consistency.together),
+                    within(consistency.with_factor),
+                    consistency.chance,
                     consistency.local.map_or_else(String::new, |local| format!("; local relation within {local:.1e} (median)"))
                 );
             }
@@ -128,10 +128,8 @@ pub fn screen(report: &MaterialReport) -> String {
     for note in &material.notes {
         let _ = writeln!(text, "\nNote: {note}");
     }
-    if let MaterialOrigin::Data(fitted) = &material.origin {
-        for warning in &fitted.warnings {
-            let _ = writeln!(text, "\nCAUTION: {warning}");
-        }
+    for caution in cautions(material) {
+        let _ = writeln!(text, "\nCAUTION: {caution}");
     }
     if let MaterialOrigin::Deck(deck) = &material.origin {
         for note in &deck.notes {
@@ -139,6 +137,17 @@ pub fn screen(report: &MaterialReport) -> String {
         }
     }
     text
+}
+
+/// A misfit in words: below the last printed digit of any table it says nothing.
+fn within(misfit: f64) -> String {
+    if misfit < 1e-6 { "1e-6".to_owned() } else { format!("{misfit:.2e}") }
+}
+
+/// All that is known against the numbers of a material, a sentence each.
+pub(super) fn cautions(material: &SceneMaterial) -> Vec<&str> {
+    let of_data: &[String] = if let MaterialOrigin::Data(fitted) = &material.origin { &fitted.warnings } else { &[] };
+    of_data.iter().chain(&material.cautions).map(String::as_str).collect()
 }
 
 /// The report as JSON.
@@ -161,9 +170,10 @@ pub fn summary(report: &MaterialReport) -> Value {
             "best_terms": fitted.fit.best_terms,
             "kramers_kronig": fitted.consistency.map(|consistency| json!({
                 "holds": consistency.holds(),
-                "storage_alone": consistency.storage_alone,
-                "loss_alone": consistency.loss_alone,
                 "together": consistency.together,
+                "with_factor": consistency.with_factor,
+                "factor": consistency.factor,
+                "chance": consistency.chance,
                 "local": consistency.local,
             })),
             "at_rest": {
@@ -190,6 +200,7 @@ pub fn summary(report: &MaterialReport) -> Value {
         "units": if report.units == Units::Si { "si" } else { "reduced" },
         "origin": origin,
         "notes": material.notes,
+        "cautions": cautions(material),
         "met": report.met(),
         "temperature": material.climate.as_ref().map(|climate| climate.temperature),
         "shift_factor": material.climate.as_ref().map(|climate| climate.factor),

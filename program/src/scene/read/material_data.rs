@@ -203,10 +203,12 @@ fn warnings(
     }
     if let Some(consistency) = consistency.filter(|consistency| !consistency.holds()) {
         odd.push(format!(
-            "E′ and E″ do not belong together (Kramers and Kronig): series of positive terms follow each alone within {:.1} % and {:.1} %, both together within {:.1} %",
-            100.0 * consistency.storage_alone,
-            100.0 * consistency.loss_alone,
-            100.0 * consistency.together
+            "E′ and E″ do not belong together (Kramers and Kronig): a passive solid follows both within {:.1} %; it follows them within {} if E″ is divided by a factor from {:.2} to {:.2}, and scatter explains that with a chance below {}",
+            100.0 * consistency.together,
+            if consistency.with_factor < 1e-3 { "0.1 %".to_owned() } else { format!("{:.1} %", 100.0 * consistency.with_factor) },
+            consistency.factor[0],
+            consistency.factor[1],
+            if consistency.chance < 1e-4 { "0.01 %" } else { "1 %" }
         ));
     }
     if let (Wanted::Error(error), false) = (wanted, fit.met) {
