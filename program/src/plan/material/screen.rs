@@ -1,9 +1,10 @@
 //! A material on the screen, and as JSON.
 
 use super::{MaterialReport, shifts};
-use crate::scene::typed::{MaterialOrigin, SceneMaterial, Units};
+use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use viscotack::material::fit::Plateau;
 
 /// Most terms that are printed one by one.
 const MOST_TERMS: usize = 40;
@@ -84,8 +85,9 @@ pub fn screen(report: &MaterialReport) -> String {
             climate.temperature, climate.factor, climate.reference
         );
     }
-    let _ = writeln!(text, "\nrelaxed modulus E0   {:.6e} {pressure}", series.relaxed_modulus());
-    let _ = writeln!(text, "glassy modulus E∞    {:.6e} {pressure}", series.glassy_modulus());
+    let [relaxed, glassy] = plateaus(report);
+    let _ = writeln!(text, "\nrelaxed modulus E0   {:.6e}{} {pressure}{}", series.relaxed_modulus(), relaxed[0], relaxed[1]);
+    let _ = writeln!(text, "glassy modulus E∞    {:.6e}{} {pressure}{}", series.glassy_modulus(), glassy[0], glassy[1]);
     if series.relaxed_modulus() > 0.0 {
         let _ = writeln!(text, "stiffening E∞/E0     {:.6e}", series.stiffening_ratio());
     }
@@ -137,6 +139,26 @@ pub fn screen(report: &MaterialReport) -> String {
         }
     }
     text
+}
+
+/// What the data say of E0 and E∞: their stated errors, and where they are extrapolated.
+fn plateaus(report: &MaterialReport) -> [[String; 2]; 2] {
+    let MaterialOrigin::Data(fitted) = &report.material.origin else { return Default::default() };
+    let [relaxed, glassy] = &fitted.plateaus;
+    [(relaxed, "below", "longer"), (glassy, "above", "shorter")].map(|(one, beyond, times)| {
+        // A liquid has the modulus 0, which no datum fixes.
+        if one.modulus <= 0.0 {
+            return Default::default();
+        }
+        let last = one.last / report.factor();
+        let place = if fitted.data.sort == MeasuredSort::Moduli {
+            format!("{beyond} {:.3e} Hz", last / std::f64::consts::TAU)
+        } else {
+            format!("at times {times} than {:.3e} s", 1.0 / last)
+        };
+        let note = if one.is_extrapolated() { format!(", extrapolated {place}") } else { String::new() };
+        [format!(" ± {:.1e}", one.error), note]
+    })
 }
 
 /// A misfit in words: below the last printed digit of any table it says nothing.
@@ -194,6 +216,7 @@ pub fn summary(report: &MaterialReport) -> Value {
             "terms_by_rate": law.expansion.terms_by_rate,
         }),
     };
+    let of_fit = |end: usize| if let MaterialOrigin::Data(fitted) = &material.origin { fitted.plateaus.get(end) } else { None };
     json!({
         "program": format!("viscotack {} {}", crate::VERSION, crate::COMMIT),
         "title": report.title,
@@ -205,7 +228,11 @@ pub fn summary(report: &MaterialReport) -> Value {
         "temperature": material.climate.as_ref().map(|climate| climate.temperature),
         "shift_factor": material.climate.as_ref().map(|climate| climate.factor),
         "relaxed_modulus": series.relaxed_modulus(),
+        "relaxed_modulus_error": of_fit(0).map(|one| one.error),
+        "relaxed_modulus_is_extrapolated": of_fit(0).map(Plateau::is_extrapolated),
         "glassy_modulus": series.glassy_modulus(),
+        "glassy_modulus_error": of_fit(1).map(|one| one.error),
+        "glassy_modulus_is_extrapolated": of_fit(1).map(Plateau::is_extrapolated),
         "steady_viscosity": series.steady_viscosity(),
         "relaxation": series.relaxation_terms().iter().map(|term| json!({ "modulus": term.modulus, "relaxation_time": term.relaxation_time })).collect::<Vec<_>>(),
         "poisson_ratio": material.poisson_ratio,
