@@ -144,7 +144,8 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
     for event in &events {
         let radius_scale = AT_FOLDS * scales[2];
         let intensity = (event.stress_intensity_factor, AT_FOLDS * scales[3]);
-        for (estimate, scale) in [(event.penetration, scales[0]), (event.force, scales[1]), (event.contact_radius, radius_scale), intensity] {
+        for (estimate, scale) in [(event.penetration, scales[0]), (event.force, scales[1]), (event.contact_radius, radius_scale), intensity]
+        {
             excess.hear(estimate.error, problem.accuracy * scale);
         }
     }

@@ -124,7 +124,8 @@ fn weights(path: &[(f64, f64)], x: f64, without: Option<usize>) -> Vec<f64> {
 /// The largest value beside a point of the polynomial through some, what it would differ by there without the point that is furthest away, and where it is.
 fn top_of(path: &[(f64, f64)], place: usize) -> Option<(f64, f64, f64)> {
     let (top, before, after) = (path.get(place)?, path.get(place.saturating_sub(1))?, path.get(place + 1).or(path.last())?);
-    let at = |x: f64, without: Option<usize>| weights(path, x, without).iter().zip(path).map(|(weight, (_, value))| weight * value).sum::<f64>();
+    let at =
+        |x: f64, without: Option<usize>| weights(path, x, without).iter().zip(path).map(|(weight, (_, value))| weight * value).sum::<f64>();
     let (mut low, mut high) = (before.0, after.0);
     for _ in 0..60 {
         let (first, second) = (low + 0.382 * (high - low), high - 0.382 * (high - low));

@@ -47,7 +47,10 @@ fn drawn(uniform: &mut Uniform, rows: [f64; 2], noises: &[f64]) -> Draw {
     let rise = uniform.log_between(3.0, 1e3);
     if uniform.between(0.0, 1.0) < 0.3 {
         for _ in 0..=pick(uniform, 3) {
-            terms.push(RelaxationTerm { modulus: relaxed * rise * uniform.log_between(0.1, 1.0), relaxation_time: 1.0 / uniform.log_between(low, high) });
+            terms.push(RelaxationTerm {
+                modulus: relaxed * rise * uniform.log_between(0.1, 1.0),
+                relaxation_time: 1.0 / uniform.log_between(low, high),
+            });
         }
     } else {
         let (centre, width) = (uniform.between(low.ln(), high.ln()), uniform.between(0.5, 2.5) * 2.3);

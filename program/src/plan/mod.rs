@@ -186,7 +186,15 @@ impl Plan {
             });
         }
         let most_kept = kept::most_states(&scene.sweeps, problem.rows_of_a_state());
-        Ok(Self { problem, material: scene.material.clone(), unusual: scene.cautions.clone(), visited, states, most_kept, draws: propagate::draws(scene) })
+        Ok(Self {
+            problem,
+            material: scene.material.clone(),
+            unusual: scene.cautions.clone(),
+            visited,
+            states,
+            most_kept,
+            draws: propagate::draws(scene),
+        })
     }
 
     /// The problem's name.

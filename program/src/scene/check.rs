@@ -170,7 +170,10 @@ fn check_subtable(node: &Node, path: &str, generic: &str, units: Units) -> Resul
         _ => {
             let known = catalogue::names_in(generic).collect::<Vec<_>>().join(", ");
             let help = if known.is_empty() {
-                format!("this table has no keys: write [{path}] on a line of its own, or {} = {{}}", path.rsplit('.').next().unwrap_or(path))
+                format!(
+                    "this table has no keys: write [{path}] on a line of its own, or {} = {{}}",
+                    path.rsplit('.').next().unwrap_or(path)
+                )
             } else {
                 format!("such as: {}; [{path}] knows: {known}", example(node, path, generic, units))
             };

@@ -59,7 +59,8 @@ fn walk(root: &Node, table: &Node, path: &str, all: &mut Vec<String>) {
             Value::Table(_) => walk(root, &entry.node, &path, all),
             Value::List(items) => items.iter().enumerate().for_each(|(index, item)| walk(root, item, &format!("{path}.{index}"), all)),
             Value::Number(_) | Value::Text(_) => {
-                let number = dimension_of(&path).and_then(|dimension| Some((check::number(&entry.node, &path, dimension, Units::Si).ok()?, dimension)));
+                let number = dimension_of(&path)
+                    .and_then(|dimension| Some((check::number(&entry.node, &path, dimension, Units::Si).ok()?, dimension)));
                 all.extend(number.and_then(|(value, dimension)| asked(root, &path, value, dimension)));
             }
             _ => {}
@@ -70,7 +71,10 @@ fn walk(root: &Node, table: &Node, path: &str, all: &mut Vec<String>) {
 /// The question about one number; none if it is usual.
 fn asked(root: &Node, path: &str, value: f64, dimension: Dimension) -> Option<String> {
     let (.., usual) = USUAL.iter().find(|(paths, problem, [low, high], _)| {
-        paths.iter().any(|ending| path.ends_with(ending)) && (problem.is_empty() || root.get(problem).is_some()) && value != 0.0 && !(*low..=*high).contains(&value)
+        paths.iter().any(|ending| path.ends_with(ending))
+            && (problem.is_empty() || root.get(problem).is_some())
+            && value != 0.0
+            && !(*low..=*high).contains(&value)
     })?;
     Some(format!("`{path}` is {value:.3e} {}: {usual}; is its unit right?", dimension.si_unit()))
 }

@@ -184,7 +184,11 @@ const SYNONYMS: &[Synonym] = &[
         &[],
         "a crack is long here, so its length does not enter: delete this line",
     ),
-    (&["speed", "velocity", "rate", "pull_speed", "unloading_speed"], &["test.retraction_speed"], "test.approach_speed is that of the approach"),
+    (
+        &["speed", "velocity", "rate", "pull_speed", "unloading_speed"],
+        &["test.retraction_speed"],
+        "test.approach_speed is that of the approach",
+    ),
     (
         &["second_body", "counterface", "counter_face", "substrate", "opponent", "body2", "other_body"],
         &["indentation.counter_body", "sliding.counter_body"],

@@ -1,12 +1,12 @@
 //! The moduli at both ends of a fitted series, and how far the data reach towards them.
 //!
 //! A modulus beyond the data is known as far as positive series disagree about it. Its stated error is the largest change for which some positive series, with any
-//! strengths and times up to a decade beyond the data, still follows the data as well: the sum of squares grows by at most four times the variance of a datum,
+//! strengths and any times that a fit may have, still follows the data as well: the sum of squares grows by at most four times the variance of a datum,
 //! two standard deviations of a normal error. The covariance of one series with few terms says less than half of it.
 
 use super::best::grid;
 use super::choose::SeriesFit;
-use super::observation::{Observation, Quantity};
+use super::observation::Observation;
 use super::sample::Sample;
 use super::series::{Ends, Series};
 use crate::fit::least_squares::{non_negative, product, reduced};
@@ -16,7 +16,7 @@ use crate::fit::least_squares::{non_negative, product, reduced};
 pub struct Plateau {
     /// E0 or E∞ (Pa).
     pub modulus: f64,
-    /// Its stated error (Pa): about 95 of 100 lie within it, if nothing relaxes more than a decade beyond the data.
+    /// Its stated error (Pa): about 95 of 100 lie within it, if nothing relaxes beyond the times that a fit may have.
     pub error: f64,
     /// E′ of the series at the last datum towards this end (Pa).
     pub at_last: f64,
@@ -26,8 +26,8 @@ pub struct Plateau {
 
 /// The last datum and the plateau differ by more than this part: the modulus is extrapolated.
 const REACHED: f64 = 0.1;
-/// Times reach this factor beyond the data.
-const BEYOND: f64 = 10.0;
+/// Times reach this factor beyond the data, as those of a fit do.
+const BEYOND: f64 = 3.0;
 /// Grid times a decade.
 const PER_DECADE: f64 = 10.0;
 /// Growth of the sum of squares in variances of a datum.

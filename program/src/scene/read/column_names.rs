@@ -129,7 +129,16 @@ const ROLES: [Entry; 14] = [
         "relaxation_modulus",
         Dimension::PRESSURE,
         &["e(t)", "g(t)", "r", "r(t)"],
-        &["relaxationmodulus", "relaxationmod", "relaxmod", "stressrelaxationmodulus", "erelax", "grelax", "relaxationsmodul", "modulederelaxation"],
+        &[
+            "relaxationmodulus",
+            "relaxationmod",
+            "relaxmod",
+            "stressrelaxationmodulus",
+            "erelax",
+            "grelax",
+            "relaxationsmodul",
+            "modulederelaxation",
+        ],
     ),
     (
         Role::Creep,

@@ -93,9 +93,9 @@ fn segment(
         let message = format!("`{}` is not controlled in {owner}", item.full(quantity.word()));
         let error = SceneError::at(&item.key_place(quantity.word()), message, format!("allowed: {}", words(allowed)));
         return Err(match (quantity, allowed) {
-            (HistoryQuantity::Force, [HistoryQuantity::Stress]) => {
-                error.help("the stress of a strip is its force divided by width times thickness: stress = \"0.2 MPa\" is 50 N on 50 mm times 5 mm")
-            }
+            (HistoryQuantity::Force, [HistoryQuantity::Stress]) => error.help(
+                "the stress of a strip is its force divided by width times thickness: stress = \"0.2 MPa\" is 50 N on 50 mm times 5 mm",
+            ),
             _ => error,
         });
     }

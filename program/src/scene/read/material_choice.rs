@@ -40,7 +40,11 @@ pub(super) fn complex_parts(main: Role, value: f64, role: Role, second: f64) -> 
 pub(super) fn chosen(columns: &Columns, stated: &[StatedColumn], file: &str) -> Result<Choice, SceneError> {
     let wrong = |message: String| {
         let guessed = columns.guessed(&[Role::Frequency, Role::Storage, Role::Loss]);
-        let help = if guessed.is_empty() { EXAMPLE.to_owned() } else { format!("{EXAMPLE}; such as, if these columns are meant:\n{}", lines_to_type(&guessed)) };
+        let help = if guessed.is_empty() {
+            EXAMPLE.to_owned()
+        } else {
+            format!("{EXAMPLE}; such as, if these columns are meant:\n{}", lines_to_type(&guessed))
+        };
         SceneError::at(&columns.header, message, "in this header").help(help)
     };
     let says = |role: Role| stated.iter().any(|entry| entry.0 == role);
@@ -117,7 +121,9 @@ fn moduli(
     };
     choice.main = if has(Role::Storage) && (says(Role::Storage) || !says(Role::Complex)) { Role::Storage } else { Role::Complex };
     // Two columns of it come before what may be missing.
-    columns.get(choice.main)?;
+    if columns.count(choice.main) > 1 {
+        columns.get(choice.main)?;
+    }
     let seconds: &[Role] =
         if choice.main == Role::Storage { &[Role::Loss, Role::LossTangent, Role::Phase] } else { &[Role::Phase, Role::LossTangent] };
     let given = seconds.iter().copied().filter(|role| has(*role));

@@ -132,7 +132,11 @@ pub(super) fn lines_to_type(lines: &[String]) -> String {
             Some(if set.contains('\'') { format!("--set \"{}\"", set.replace('"', "\\\"")) } else { format!("--set '{set}'") })
         })
         .collect();
-    format!("write the units into the header; or into the scene:\n[material.columns]\n{}\nor add to the command: {}", lines.join("\n"), sets.join(" "))
+    format!(
+        "write the units into the header; or into the scene:\n[material.columns]\n{}\nor add to the command: {}",
+        lines.join("\n"),
+        sets.join(" ")
+    )
 }
 
 /// A unit in which a role is often given.

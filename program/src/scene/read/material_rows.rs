@@ -36,6 +36,10 @@ impl Columns {
         self.found.iter().any(|(own, _)| *own == role)
     }
 
+    pub(super) fn count(&self, role: Role) -> usize {
+        self.found.iter().filter(|(own, _)| *own == role).count()
+    }
+
     /// The column of a role, if there is one.
     pub(super) fn get(&self, role: Role) -> Result<Option<&Column>, SceneError> {
         let mut columns = self.found.iter().filter(|(own, _)| *own == role).map(|(_, column)| column);

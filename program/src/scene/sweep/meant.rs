@@ -31,7 +31,9 @@ pub(super) fn number(root: &Node, path: &str) -> Option<String> {
     // The name of a number in a table that the scene has, whole or as the end of its name; the table that was named comes first.
     let named = |path: &str| concrete(root, path, last);
     let in_scene: Vec<String> = catalogue::keys()
-        .filter(|key| is_number(key) && key.path.rsplit('.').next().is_some_and(|name| name == *last || name.ends_with(&format!("_{last}"))))
+        .filter(|key| {
+            is_number(key) && key.path.rsplit('.').next().is_some_and(|name| name == *last || name.ends_with(&format!("_{last}")))
+        })
         .map(|key| named(key.path))
         .filter(|path| path.rsplit_once('.').is_some_and(|(table, _)| root.at(table).is_some()))
         .collect();
