@@ -202,8 +202,10 @@ fn swept_key(root: &Node, path: &str, place: &Place, named_by: &str) -> Result<&
     if generic == "sweep" || generic.starts_with("sweep.") || generic.starts_with("sweep[]") {
         return Err(SceneError::at(place, format!("`{named_by}` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
     }
-    let Some(key) = catalogue::key(&generic).filter(|key| is_number(key) || dependent_kind(root, path, key).is_some()) else {
-        let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
+    // `history[]` is every segment, not one.
+    let is_place = !path.contains('[');
+    let Some(key) = catalogue::key(&generic).filter(|key| is_place && (is_number(key) || dependent_kind(root, path, key).is_some())) else {
+        let what = if is_place && catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
         let meant = meant::number(root, path);
         let label = meant.as_ref().map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
         let error = SceneError::at(place, format!("`{named_by}` = {path:?} {what}"), label);

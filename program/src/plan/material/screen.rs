@@ -205,7 +205,7 @@ pub fn summary(report: &MaterialReport) -> Value {
                 "liquid_rms_error": fitted.fit.rest.liquid_rms_error,
             },
             "shifts": fitted.superposition.as_ref().map(shifts::summary),
-            "warnings": fitted.warnings,
+            "warnings": cautions(material),
         }),
         MaterialOrigin::Law(law) => json!({
             "kind": law.name,
