@@ -100,7 +100,7 @@ fn strange_moduli(series: &Material) -> Option<String> {
         stiff if stiff > USUAL_MODULI[1] => "stiffer than 1 TPa, as not even diamond is",
         _ => return None,
     };
-    Some(format!("the modulus E∞ of an instantaneous load is {glassy:.3e} Pa: {compared}; is the unit of the moduli right?"))
+    Some(format!("the modulus E∞ of an instantaneous load is {glassy:.3e} Pa: {compared}; is the unit right?"))
 }
 
 /// Keys that each say what the material is made of.
