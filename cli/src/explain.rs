@@ -21,6 +21,7 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
             "effects": plan.effects(),
             "method": plan.method(),
             "groups": plan.groups(),
+            "cautions": plan.cautions(),
             "history": written_out,
             "predicted_work": work,
             "predicted_memory_bytes": plan.predicted_memory(),
@@ -60,6 +61,13 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         let unit = if group.unit == "1" { "" } else { &group.unit };
         let line = format!("  {:32} {:.6e} {unit}", group.name, group.value);
         let _ = writeln!(text, "{}", line.trim_end());
+    }
+    let cautions = plan.cautions();
+    if !cautions.is_empty() {
+        let _ = writeln!(text, "\ncautions");
+        for caution in &cautions {
+            let _ = writeln!(text, "  CAUTION  {caution}");
+        }
     }
     let _ = writeln!(text, "\npredicted work\n  {work}, at most {} MB of memory", plan.predicted_memory().div_ceil(1_000_000));
     if plan.states() > 1 {

@@ -358,9 +358,27 @@ fn man(command: Option<&str>) -> Result<u8, Failure> {
     print(&String::from_utf8_lossy(&bytes)).map(|()| 0)
 }
 
+/// Tables and keys of a scene that are easily taken for options of a command.
+const KEYS_NOT_OPTIONS: [&str; 4] = ["sweep", "temperature", "title", "units"];
+
+/// What to type in place of an option.
+fn set_instead(key: &str) -> &'static str {
+    match key {
+        "sweep" => "--set 'sweep.key=sliding.speed' --set 'sweep.values=[\"1 mm/s\", \"1 cm/s\"]'",
+        "temperature" => "--set 'material.temperature=\"25 °C\"'",
+        "title" => "--set 'title=\"my scene\"'",
+        _ => "--set units=reduced",
+    }
+}
+
 /// What clap says: help and version are asked for, anything else is a wrong call. It may quote arguments.
 fn unparsed(error: &clap::Error) -> Result<u8, Failure> {
-    let text = error.render().to_string();
+    let mut text = error.render().to_string();
+    if let Some(clap::error::ContextValue::String(argument)) = error.get(clap::error::ContextKind::InvalidArg)
+        && let Some(key) = KEYS_NOT_OPTIONS.iter().find(|key| argument.trim_start_matches('-').split(['=', ' ']).next() == Some(*key))
+    {
+        text = format!("error: `{argument}` is not an option: `{key}` belongs to the scene\n\n  help: {}\n", set_instead(key));
+    }
     if error.use_stderr() { Err(Failure::Wrong(text)) } else { print(&text).map(|()| 0) }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Failure, print, print_json};
 use std::path::Path;
-use viscotack_program::outcome::folder::write_whole;
+use viscotack_program::outcome::folder::{writable, write_whole};
 use viscotack_program::outcome::plot;
 use viscotack_program::plan::material::{MaterialReport, material_file, screen, summary, tables};
 use viscotack_program::scene::read::decks::recognised_file;
@@ -21,6 +21,8 @@ pub(super) struct Asked<'a> {
 
 pub(super) fn material(asked: &Asked<'_>) -> Result<u8, Failure> {
     viscotack_program::threads::prepare(None);
+    // A folder that is in the way is known before anything is fitted.
+    asked.out.map_or(Ok(()), |target| writable(target, asked.force))?;
     let report = report(asked)?;
     let code = if report.met() { 0 } else { 4 };
     let written = asked.out.map(|target| write(&report, target, asked.force).map(|names| (target, names))).transpose();

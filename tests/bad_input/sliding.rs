@@ -93,4 +93,5 @@ pub const SLIDING_CASES: &[Case] = &[
     Case { kind: "a sweep over an absent counter body", edits: &[("", "[sweep]\nkey = \"sliding.counter_body.modulus\"\nvalues = [1]\n")], place: "key = ", says: &["`sweep.key` = \"sliding.counter_body.modulus\"", "add [sliding.counter_body]"], ..NONE },
     Case { kind: "a sweep over contacts", edits: &[("", "[sweep]\nkey = \"sliding.contacts\"\nvalues = [1]\n")], place: "key = ", says: &["`sweep.key` = \"sliding.contacts\"", "takes no number"], ..NONE },
     Case { kind: "a logarithmic sweep of speeds of both signs", edits: &[("", "[sweep]\nkey = \"sliding.speed\"\nfrom = -1\nto = 1\npoints = 3\n")], place: "from = -1", says: &["logarithmic", "spacing = \"linear\""], ..NONE },
+    Case { kind: "columns of an adhesive contact without adhesion", edits: &[("[adhesion]\nwork_of_adhesion = \"20 mJ/m²\"\n", ""), (SLIDING_ZONE, ""), (LOAD, "mean_pressure = 1\ncolumns = [\"friction_parts\"]")], place: "columns", says: &["`sliding.columns` names \"friction_parts\"", "the scene has no [adhesion]", "add [adhesion], or delete this line", "work_of_adhesion ="], ..NONE },
 ];

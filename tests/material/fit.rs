@@ -303,3 +303,35 @@ fn laws_are_expanded_to_their_accuracy_over_twelve_decades() {
     assert!(BroadLaw::new(BroadKind::FractionalZener(1.0), 1e6, 1e9, 1.0).is_err());
     assert!(BroadLaw::new(BroadKind::ModifiedPowerLaw(0.5), 1e9, 1e6, 1.0).is_err());
 }
+
+#[test]
+fn moduli_at_the_ends_lie_within_their_stated_errors() {
+    // A filled rubber whose slowest decades are not measured, as a test at one temperature leaves them.
+    let terms: Vec<RelaxationTerm> = (0..60)
+        .rev()
+        .map(|index| {
+            let place = -9.0 + f64::from(index) * 11.0 / 59.0;
+            let strength = (-((place + 5.5) / 1.3_f64).powi(2)).exp() + 0.02 * (-((place + 1.0) / 2.2_f64).powi(2)).exp();
+            RelaxationTerm { modulus: 65e6 * strength, relaxation_time: 10f64.powf(place) }
+        })
+        .collect();
+    let truth = Material::from_relaxation(3e6, &terms).unwrap();
+    let mut uniform = Uniform::new();
+    let places: Vec<f64> = frequencies(0.01, 1.6e6, 3.2).into_iter().map(|frequency| std::f64::consts::TAU * frequency).collect();
+    let (mut inside, mut errors) = ([0, 0], Vec::new());
+    let count = 24;
+    for _ in 0..count {
+        let data = measured(&|at| truth.complex_modulus(at).unwrap(), &places, 0.02, &mut uniform);
+        let ends = fit(&data, Wanted::Scatter).unwrap().plateaus(&data);
+        println!("E0 {:.3e} ± {:.1e}, E∞ {:.3e} ± {:.1e}", ends[0].modulus, ends[0].error, ends[1].modulus, ends[1].error);
+        assert!(ends[0].is_extrapolated());
+        for ((inside, end), given) in inside.iter_mut().zip(&ends).zip([truth.relaxed_modulus(), truth.glassy_modulus()]) {
+            *inside += usize::from((end.modulus - given).abs() <= end.error);
+        }
+        errors.push(ends[0].error);
+    }
+    println!("inside: {inside:?} of {count}");
+    assert!(inside.iter().all(|inside| inside * 10 >= 8 * count), "{inside:?}");
+    // No safe distance either.
+    assert!(errors.iter().sum::<f64>() / (count as f64) < 2e6);
+}

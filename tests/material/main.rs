@@ -8,4 +8,5 @@ mod conversion_mpmath;
 mod fit;
 mod fit_rest_and_rows;
 mod isotropic;
+mod kramers_kronig;
 mod tables_mutated;

@@ -8,6 +8,7 @@ mod support;
 
 mod axis_units;
 mod bytes_mutated;
+mod cautions;
 mod decks;
 mod fit_of_scenes;
 mod histories;

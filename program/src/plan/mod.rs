@@ -31,7 +31,7 @@ pub use desk::{Progress, Stage};
 pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, run_shard, swept_columns, unsolved};
 
-use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work, plot};
+use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Verdict, Work, plot};
 use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
@@ -152,6 +152,8 @@ fn problem_plan(scene: &Scene) -> Result<Arc<dyn ProblemPlan>, Refusal> {
 pub struct Plan {
     problem: Arc<dyn ProblemPlan>,
     material: SceneMaterial,
+    /// Numbers of the scene that are far from what is usual, a sentence each.
+    unusual: Vec<String>,
     /// The times that the state visits, if they are known.
     visited: Option<[f64; 2]>,
     states: usize,
@@ -184,7 +186,15 @@ impl Plan {
             });
         }
         let most_kept = kept::most_states(&scene.sweeps, problem.rows_of_a_state());
-        Ok(Self { problem, material: scene.material.clone(), visited, states, most_kept, draws: propagate::draws(scene) })
+        Ok(Self {
+            problem,
+            material: scene.material.clone(),
+            unusual: scene.cautions.clone(),
+            visited,
+            states,
+            most_kept,
+            draws: propagate::draws(scene),
+        })
     }
 
     /// The problem's name.
@@ -355,8 +365,22 @@ impl Plan {
     pub fn validity(&self, rows: &[Row]) -> Vec<Validity> {
         let mut validity = self.problem.validity(rows);
         validity.extend(material::validity(&self.material, self.visited));
+        validity.extend(self.unusual.iter().map(|text| Validity {
+            name: "number of the scene".into(),
+            value: None,
+            verdict: Verdict::Caution,
+            meaning: text.clone(),
+        }));
         validity.extend(propagate::validity(rows, &self.columns()));
         validity
+    }
+
+    /// What is doubtful about the scene before it is solved, a sentence each.
+    #[must_use]
+    pub fn cautions(&self) -> Vec<String> {
+        let of_material = material::validity(&self.material, self.visited);
+        let cautions = of_material.into_iter().filter(|entry| entry.verdict == Verdict::Caution && entry.value.is_none());
+        cautions.map(|entry| entry.meaning).chain(self.unusual.iter().cloned()).collect()
     }
 
     /// Plots of the rows, by file stem.

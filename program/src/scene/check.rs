@@ -169,8 +169,41 @@ fn check_subtable(node: &Node, path: &str, generic: &str, units: Units) -> Resul
         Value::Table(_) => check_table(node, path, generic, units),
         _ => {
             let known = catalogue::names_in(generic).collect::<Vec<_>>().join(", ");
-            Err(wrong_type(node, path, "a table").help(format!("[{path}] knows: {known}")))
+            let help = if known.is_empty() {
+                format!(
+                    "this table has no keys: write [{path}] on a line of its own, or {} = {{}}",
+                    path.rsplit('.').next().unwrap_or(path)
+                )
+            } else {
+                format!("such as: {}; [{path}] knows: {known}", example(node, path, generic, units))
+            };
+            Err(wrong_type(node, path, "a table").help(help))
         }
+    }
+}
+
+/// A line that gives the table: the key that what was written measures, or the first one.
+fn example(node: &Node, path: &str, generic: &str, units: Units) -> String {
+    let name = path.rsplit('.').next().unwrap_or(path);
+    let keys = || catalogue::names_in(generic).filter_map(|name| Some((name, catalogue::key(&format!("{generic}.{name}"))?.kind)));
+    let measures = |kind: Kind, given: Dimension| matches!(kind, Kind::Number { dimension, .. } if given.measures(dimension));
+    let given = if let Value::Text(text) = &node.value { parse_quantity(text).ok().map(|quantity| quantity.dimension) } else { None };
+    if let Some((key, _)) = given.and_then(|given| keys().find(|(_, kind)| measures(*kind, given))) {
+        return format!("{name} = {{ {key} = {} }}", node.written());
+    }
+    let value = |kind: Kind| match kind {
+        Kind::Number { dimension, .. } if units == Units::Si => {
+            Some(dimension.example().split('"').nth(1).map_or_else(|| "1".to_owned(), |quantity| format!("{quantity:?}")))
+        }
+        Kind::Number { .. } => Some("1".to_owned()),
+        Kind::Count { least, .. } => Some(least.to_string()),
+        Kind::Choice(words) => words.first().map(|word| format!("{:?}", word.word)),
+        Kind::Flag => Some("true".to_owned()),
+        _ => None,
+    };
+    match keys().find_map(|(key, kind)| Some((key, value(kind)?))) {
+        Some((key, value)) => format!("{name} = {{ {key} = {value} }}"),
+        None => format!("[{path}]"),
     }
 }
 
@@ -213,7 +246,11 @@ pub fn number(node: &Node, key: &str, dimension: Dimension, units: Units) -> Res
                 SceneError::at(&node.place, format!("`{key}` = {text:?} is no quantity: {error}"), "here").help(allowed())
             })?;
             if !quantity.dimension.measures(dimension) {
-                let message = format!("`{key}` = {text:?} has the wrong unit: it is measured in {}", quantity.dimension.si_unit());
+                let message = if text.trim().parse::<f64>().is_ok() {
+                    format!("`{key}` = {text:?} has no unit")
+                } else {
+                    format!("`{key}` = {text:?} has the wrong unit: it is measured in {}", quantity.dimension.si_unit())
+                };
                 return Err(SceneError::at(&node.place, message, format!("must be measured in {}", dimension.si_unit())).help(allowed()));
             }
             quantity.value

@@ -103,6 +103,17 @@ impl SceneError {
         self
     }
 
+    /// The same error at another place, if its message quotes this key: there the key was put into the scene.
+    #[must_use]
+    pub(super) fn put_by(self, key: &str, place: &Place, by: &str) -> Self {
+        if !self.message.contains(&format!("`{key}`")) {
+            return self;
+        }
+        let remedy = self.help.as_ref().map_or_else(String::new, |help| format!("\n{help}"));
+        let help = format!("`{key}` is put there by `{by}`{remedy}");
+        Self { help: Some(help), place: Some(place.clone()), ..self }
+    }
+
     /// What stands under the caret.
     pub(super) fn label(&self) -> &str {
         &self.label

@@ -16,6 +16,7 @@ pub mod document;
 mod frame;
 pub mod key_reference;
 mod npy;
+mod plausible;
 pub mod read;
 mod recognise;
 pub mod schema;

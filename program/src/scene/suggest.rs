@@ -177,7 +177,18 @@ const SYNONYMS: &[Synonym] = &[
     (&["indenter", "tip", "probe", "ball", "bead", "paraboloid"], &["indentation.sphere"], ""),
     (&["punch", "flat", "pillar"], &["indentation.flat_punch"], ""),
     (&["lambda", "period", "wave_length", "pitch"], &["sliding.wave.wavelength"], ""),
+    (&["height", "h", "strip_height", "thickness"], &["crack.strip.half_height"], "half of the height between the clamps"),
     (&["height", "h"], &["sliding.wave.amplitude"], "half of the height from valley to peak"),
+    (
+        &["crack.length", "crack.crack_length", "crack_length", "initial_crack_length", "notch_length", "crack.a", "a0"],
+        &[],
+        "a crack is long here, so its length does not enter: delete this line",
+    ),
+    (
+        &["speed", "velocity", "rate", "pull_speed", "unloading_speed"],
+        &["test.retraction_speed"],
+        "test.approach_speed is that of the approach",
+    ),
     (
         &["second_body", "counterface", "counter_face", "substrate", "opponent", "body2", "other_body"],
         &["indentation.counter_body", "sliding.counter_body"],
@@ -217,7 +228,8 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
         return Some(found);
     }
     let exists = |path: &str| catalogue::key(path).is_some();
-    let led = || SYNONYMS.iter().filter(|(names, _, _)| names.contains(&name.as_str()));
+    let whole = format!("{table}.{name}");
+    let led = || SYNONYMS.iter().filter(|(names, _, _)| names.contains(&name.as_str()) || names.contains(&whole.as_str()));
     let suggested = |path: &'static str, note| Some(Suggestion { path: Some(path), note });
     // A name of the field for a key of this very table, or of one in it.
     for (_, paths, note) in led() {
@@ -226,8 +238,17 @@ pub fn for_key(unknown: &str, table: &str) -> Option<Suggestion> {
             return suggested(path, note);
         }
     }
+    // What the field calls so in this table does not exist here.
+    if let Some((.., note)) = SYNONYMS.iter().find(|(names, paths, _)| paths.is_empty() && names.contains(&whole.as_str())) {
+        return Some(Suggestion { path: None, note });
+    }
     // A slip of a letter or two.
     if let Some(found) = known(nearest(&name, catalogue::names_in(table)).and_then(in_table)) {
+        return Some(found);
+    }
+    // The end of a longer name of this table: `height` for `half_height`.
+    let ending = format!("_{name}");
+    if let Some(found) = known(catalogue::names_in(table).find(|known| !table.is_empty() && known.ends_with(&ending)).and_then(in_table)) {
         return Some(found);
     }
     let last = |path: &'static str| path.rsplit(['.', ']']).next() == Some(name.as_str());

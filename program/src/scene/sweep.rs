@@ -1,13 +1,14 @@
 //! Sweeps: any number of a scene, at many values.
 
 mod latin_hypercube;
+mod meant;
 
 use super::catalogue::{self, Key, Kind, Range};
 use super::check::{self, Units};
 use super::diagnostic::{Place, SceneError};
 use super::document::{Document, Node, Value};
 use super::read::history::dependent_kind;
-use super::read::{has_table, is_number, nearest_number, range_of};
+use super::read::{has_table, is_number, range_of};
 use super::units::Dimension;
 use latin_hypercube::Cube;
 
@@ -34,6 +35,11 @@ impl PartialEq for Sweep {
 }
 
 impl Sweep {
+    /// Where its key stands.
+    pub(super) const fn place(&self) -> &Place {
+        &self.place
+    }
+
     /// Puts value number `index` into a document.
     ///
     /// # Errors
@@ -196,10 +202,19 @@ fn swept_key(root: &Node, path: &str, place: &Place, named_by: &str) -> Result<&
     if generic == "sweep" || generic.starts_with("sweep.") || generic.starts_with("sweep[]") {
         return Err(SceneError::at(place, format!("`{named_by}` = {path:?}: a sweep cannot vary itself"), "name a number outside [sweep]"));
     }
-    let Some(key) = catalogue::key(&generic).filter(|key| is_number(key) || dependent_kind(root, path, key).is_some()) else {
-        let what = if catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
-        let label = nearest_number(path).map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
-        return Err(SceneError::at(place, format!("`{named_by}` = {path:?} {what}"), label));
+    // `history[]` is every segment, not one.
+    let is_place = !path.contains('[');
+    let Some(key) = catalogue::key(&generic).filter(|key| is_place && (is_number(key) || dependent_kind(root, path, key).is_some())) else {
+        let what = if is_place && catalogue::key(&generic).is_some() { "takes no number" } else { "is not a key" };
+        let meant = meant::number(root, path);
+        let label = meant.as_ref().map_or_else(|| "no number of a scene".to_owned(), |name| format!("did you mean `{name}`?"));
+        let error = SceneError::at(place, format!("`{named_by}` = {path:?} {what}"), label);
+        // A segment has no name: it is found by its number.
+        let counted = meant.filter(|name| name.split('.').any(|part| part.bytes().all(|byte| byte.is_ascii_digit())));
+        return Err(match counted.as_deref().and_then(|name| name.split('.').next()) {
+            Some(list) => error.help(format!("the tables of [[{list}]] count from 0: {list}.0 is the first")),
+            None => error,
+        });
     };
     let table = path.rsplit_once('.').map_or("", |(table, _)| table);
     if has_table(root, table) {

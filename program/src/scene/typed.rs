@@ -50,6 +50,8 @@ pub struct Scene {
     pub problem: Problem,
     /// What is varied; empty for a single state.
     pub sweeps: Vec<Sweep>,
+    /// Numbers that are far from what is usual, a sentence each.
+    pub cautions: Vec<String>,
     /// Which pictures are drawn of each plot.
     pub plots: Vec<Picture>,
 }
@@ -80,6 +82,8 @@ pub struct SceneMaterial {
     pub climate: Option<Climate>,
     /// What was chosen in reading its tables, and those of works of adhesion; a sentence each.
     pub notes: Vec<String>,
+    /// What is known against its numbers, a sentence each: from its file, and moduli that no solid has.
+    pub cautions: Vec<String>,
     /// Series that the data leave possible, if a scene asks what they change; at the temperature of `series`.
     pub draws: Option<Arc<[Material]>>,
 }

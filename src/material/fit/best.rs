@@ -14,7 +14,7 @@ const WORTH: f64 = 1e-3;
 const MOST_TERMS: usize = 120;
 
 /// Log-spaced times over a window.
-fn grid(window: [f64; 2], per_decade: f64) -> Vec<f64> {
+pub(super) fn grid(window: [f64; 2], per_decade: f64) -> Vec<f64> {
     let decades = (window[1] / window[0]).log10();
     let steps = (decades * per_decade).ceil().max(1.0);
     (0..=steps as usize).map(|index| window[0] * 10f64.powf(decades * index as f64 / steps)).collect()

@@ -1,11 +1,17 @@
 //! Whether measured moduli can be those of a passive causal solid: Kramers and Kronig's relations held against the data.
 //!
 //! Two checks that share nothing but the data:
-//! - E′ and E″ are each fitted alone and both together by positive series, which obey the relations exactly. If both follow well alone and
-//!   badly together, the two belong to different spectra.
+//! - E′ and E″ are fitted together by a positive series, which obeys the relations exactly, and once more with a factor on E″ that changes slowly with frequency
+//!   (`distortion`). The sums of squares S₀ and S of both are compared as nested models are: with d coefficients of the factor and ν numbers of the data that
+//!   the fit leaves, scatter alone makes q = S/S₀ as small as this with the chance
+//!   ```text
+//!   d = 2:  q^(ν/2)          d = 4:  q^(ν/2)·(1 + ν/2·(1 − q))          (F distribution, Abramowitz and Stegun 26.6.4)
+//!   ```
+//!   A positive term counts as two numbers. Where hardly a number is left, the fit follows the scatter, too: what is known of such measurements stands in for it.
 //! - The local relation E″ ≈ (π/2) dE′/d ln ω (Booij and Thoone, 1982, *Rheol. Acta* 21, 15), good to some ten per cent on broad spectra.
 
 use super::best::best_fit;
+use super::distortion::{Distorted, distorted};
 use super::observation::{Observation, Quantity};
 use super::sample::Sample;
 use super::series::Ends;
@@ -13,28 +19,41 @@ use super::series::Ends;
 /// What the checks gave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Consistency {
-    /// Root mean square relative residual of the best positive series for E′ alone.
-    pub storage_alone: f64,
-    /// The same for E″ alone.
-    pub loss_alone: f64,
-    /// The same for both together.
+    /// Root mean square relative residual of the best positive series for E′ and E″ together.
     pub together: f64,
+    /// The same where E″ is that of the series times a factor that changes slowly with frequency.
+    pub with_factor: f64,
+    /// The smallest and the largest value of that factor over the data.
+    pub factor: [f64; 2],
+    /// The chance that scatter alone makes the factor help as much.
+    pub chance: f64,
     /// Median of |E″ − (π/2) dE′/d ln ω|/E″ over the data, where three neighbouring frequencies give a slope; none without such places.
     pub local: Option<f64>,
 }
 
-/// Data that agree alone within this need not agree better together: fits of few noisy data differ by it.
-const GRANTED: f64 = 2.0;
-/// Residuals below this part are rounding of printed data.
+/// Below this chance the two moduli do not belong together.
+const CHANCE: f64 = 0.01;
+/// Residuals below this part are rounding of printed data, and ends of searches.
 const PRINTED: f64 = 2e-3;
+/// What is known before: dynamic tests scatter by about this part, and that counts as so many numbers.
+const SCATTER: f64 = 0.02;
+const NUMBERS: f64 = 6.0;
 
 impl Consistency {
-    /// Whether one passive solid can have both moduli: the common fit is not much worse than the two apart.
+    /// Whether one passive solid can have both moduli: scatter explains what a factor on one of them would.
     #[must_use]
     pub fn holds(&self) -> bool {
-        let apart = (0.5 * (self.storage_alone.powi(2) + self.loss_alone.powi(2))).sqrt();
-        self.together <= GRANTED * apart + PRINTED
+        self.chance >= CHANCE
     }
+}
+
+/// The chance that scatter alone makes two or four further numbers lower the sum of squares to this part, with so many numbers left.
+fn chance(part: f64, further: usize, left: f64) -> f64 {
+    if part >= 1.0 {
+        return 1.0;
+    }
+    let power = part.powf(0.5 * left);
+    if further == 2 { power } else { power * (1.0 + 0.5 * left * (1.0 - part)) }
 }
 
 /// Checks complex moduli; none if the data hold no pair of both.
@@ -45,17 +64,37 @@ pub fn check(data: &[Observation]) -> Option<Consistency> {
     if storage.len() < 3 || loss.len() < 3 {
         return None;
     }
-    let rms = |part: &[Observation]| {
-        let (low, high) = part.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), one| (low.min(one.at), high.max(one.at)));
-        // Spectra reach beyond the measured range; each part alone is helped by terms out there as the common fit is.
-        let sample = Sample::combined(std::iter::once(part));
-        let best = best_fit(&sample, [0.1 / high, 10.0 / low], Ends { constant: true, flow: false });
-        (best.misfit(&sample) / part.len() as f64).sqrt()
-    };
     let both: Vec<Observation> = storage.iter().chain(&loss).copied().collect();
-    let (together, (storage_alone, loss_alone)) = rayon::join(|| rms(&both), || rayon::join(|| rms(&storage), || rms(&loss)));
-    Some(Consistency { storage_alone, loss_alone, together, local: local(&storage, &loss) })
+    let (low, high) = both.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), one| (low.min(one.at), high.max(one.at)));
+    let sample = Sample::combined(std::iter::once(both.as_slice()));
+    // Spectra reach beyond the measured range.
+    let window = [0.1 / high, 10.0 / low];
+    let joint = best_fit(&sample, window, Ends { constant: true, flow: false });
+    let (two, four) = rayon::join(|| distorted(&joint, 2, &sample, window), || distorted(&joint, 4, &sample, window));
+    // The search for a factor may have met a better series.
+    let others = [&two, &four].map(|other| other.series.clone().refined(&sample, window, REFINED).misfit(&sample));
+    let together = others.into_iter().fold(joint.misfit(&sample), f64::min);
+    let count = sample.count as f64;
+    let known = NUMBERS * SCATTER * SCATTER + count * PRINTED * PRINTED;
+    let tried = [(2, two), (4, four)].map(|(further, one): (usize, Distorted)| {
+        let left = (count - (one.series.freedom() + further) as f64).max(0.0) + NUMBERS;
+        (chance((one.misfit + known) / (together + known), further, left), one)
+    });
+    // The smaller of two chances.
+    let [two, four] = tried;
+    let (smaller, best) = if two.0 <= four.0 { two } else { four };
+    let rms = |misfit: f64| (misfit / count).sqrt();
+    Some(Consistency {
+        together: rms(together),
+        with_factor: rms(best.misfit.min(together)),
+        factor: best.range,
+        chance: (2.0 * smaller).min(1.0),
+        local: local(&storage, &loss),
+    })
 }
+
+/// Steps of a descent from the series of a fit with a factor.
+const REFINED: usize = 60;
 
 /// A median needs no more places than this.
 const PLACES: usize = 1000;

@@ -172,6 +172,15 @@ impl Sample {
         moved
     }
 
+    /// The sample with the values at its places multiplied by a factor.
+    pub(super) fn weighted(&self, factor: impl Fn(&Place) -> f64) -> Self {
+        let mut weighted = self.clone();
+        for (place, weight) in weighted.places.iter().zip(&mut weighted.weights) {
+            *weight *= factor(place);
+        }
+        weighted
+    }
+
     /// The smallest and the largest place as a time.
     pub(super) fn times(&self) -> [f64; 2] {
         let times = self.places.iter().map(|place| if place.quantity.by_frequency() { 1.0 / place.at } else { place.at });

@@ -1,6 +1,6 @@
 //! Small scenes that together hold every key.
 
-const CREEP: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncreep = [{ fraction = 0.6, retardation_time = 1.0 }, { fraction = 0.4, retardation_time = 0.1 }]\n";
+const CREEP: &str = "[material]\nrelaxed_modulus = 1e6\nglassy_modulus = 1e7\npoisson_ratio = 0.4\ncautions = [\"the sample was wet\"]\ncreep = [{ fraction = 0.6, retardation_time = 1.0 }, { fraction = 0.4, retardation_time = 0.1 }]\n";
 const SOFT: &str = "[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.4\nrelaxation = [{ modulus = 3e6, relaxation_time = 0.1 }]\n";
 const REDUCED: &str = "units = \"reduced\"\n[material]\nglassy_modulus = 10\ncreep = [{ fraction = 1.0, retardation_time = 1.0 }]\n";
 const TORN: &str = "[adhesion]\nwork_of_adhesion = 10.0\nprocess_zone = { length = 1e-6 }\n[crack]\nbody = \"two_halves\"\nplane = \"strain\"\nspeed = 1e-6\n";

@@ -85,6 +85,7 @@ pub(in crate::plan) fn validity(material: &SceneMaterial, visited: Option<[f64; 
         .iter()
         .map(|note| Validity { name: "reading of a table".into(), value: None, verdict: Verdict::Good, meaning: note.clone() })
         .collect();
+    entries.extend(material.cautions.iter().map(|text| caution("material", None, text.clone())));
     entries.extend(match &material.origin {
         MaterialOrigin::Terms => Vec::new(),
         MaterialOrigin::Deck(deck) => deck

@@ -1,6 +1,7 @@
 //! The material as a TOML file that scenes include by `material.file`.
 
 use super::MaterialReport;
+use super::screen::cautions;
 use crate::scene::typed::{MaterialOrigin, Units};
 use std::fmt::Write as _;
 use viscotack::material::shift::ShiftFactors;
@@ -40,11 +41,6 @@ pub fn material_file(report: &MaterialReport) -> String {
     for note in &material.notes {
         let _ = writeln!(text, "# Note: {note}.");
     }
-    if let MaterialOrigin::Data(fitted) = &material.origin {
-        for warning in &fitted.warnings {
-            let _ = writeln!(text, "# Caution: {warning}.");
-        }
-    }
     if let MaterialOrigin::Deck(deck) = &material.origin {
         for note in &deck.notes {
             let _ = writeln!(text, "# Note: {note}.");
@@ -54,6 +50,15 @@ pub fn material_file(report: &MaterialReport) -> String {
     let _ = writeln!(text, "# Units: {units}.\n[material]");
     if let Some(name) = &material.name {
         let _ = writeln!(text, "name = {}", crate::scene::document::toml_text(name));
+    }
+    let cautions = cautions(material);
+    if !cautions.is_empty() {
+        // A scene that includes this file shows them.
+        let _ = writeln!(text, "cautions = [");
+        for caution in cautions {
+            let _ = writeln!(text, "  {},", crate::scene::document::toml_text(caution));
+        }
+        let _ = writeln!(text, "]");
     }
     if let Some(ratio) = material.poisson_ratio {
         let _ = writeln!(text, "poisson_ratio = {ratio:?}");

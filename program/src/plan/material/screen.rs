@@ -1,9 +1,10 @@
 //! A material on the screen, and as JSON.
 
 use super::{MaterialReport, shifts};
-use crate::scene::typed::{MaterialOrigin, Units};
+use crate::scene::typed::{MaterialOrigin, MeasuredSort, SceneMaterial, Units};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use viscotack::material::fit::Plateau;
 
 /// Most terms that are printed one by one.
 const MOST_TERMS: usize = 40;
@@ -37,11 +38,11 @@ pub fn screen(report: &MaterialReport) -> String {
             if let Some(consistency) = &fitted.consistency {
                 let _ = writeln!(
                     text,
-                    "Kramers–Kronig {}: E′ alone within {:.2e}, E″ alone {:.2e}, together {:.2e}{}",
+                    "Kramers–Kronig {}: E′ and E″ together within {}, with a free factor on E″ within {} (chance of that by scatter {:.1e}){}",
                     if consistency.holds() { "holds" } else { "FAILS" },
-                    consistency.storage_alone,
-                    consistency.loss_alone,
-                    consistency.together,
+                    within(consistency.together),
+                    within(consistency.with_factor),
+                    consistency.chance,
                     consistency.local.map_or_else(String::new, |local| format!("; local relation within {local:.1e} (median)"))
                 );
             }
@@ -84,8 +85,9 @@ pub fn screen(report: &MaterialReport) -> String {
             climate.temperature, climate.factor, climate.reference
         );
     }
-    let _ = writeln!(text, "\nrelaxed modulus E0   {:.6e} {pressure}", series.relaxed_modulus());
-    let _ = writeln!(text, "glassy modulus E∞    {:.6e} {pressure}", series.glassy_modulus());
+    let [relaxed, glassy] = plateaus(report);
+    let _ = writeln!(text, "\nrelaxed modulus E0   {:.6e}{} {pressure}{}", series.relaxed_modulus(), relaxed[0], relaxed[1]);
+    let _ = writeln!(text, "glassy modulus E∞    {:.6e}{} {pressure}{}", series.glassy_modulus(), glassy[0], glassy[1]);
     if series.relaxed_modulus() > 0.0 {
         let _ = writeln!(text, "stiffening E∞/E0     {:.6e}", series.stiffening_ratio());
     }
@@ -128,10 +130,8 @@ pub fn screen(report: &MaterialReport) -> String {
     for note in &material.notes {
         let _ = writeln!(text, "\nNote: {note}");
     }
-    if let MaterialOrigin::Data(fitted) = &material.origin {
-        for warning in &fitted.warnings {
-            let _ = writeln!(text, "\nCAUTION: {warning}");
-        }
+    for caution in cautions(material) {
+        let _ = writeln!(text, "\nCAUTION: {caution}");
     }
     if let MaterialOrigin::Deck(deck) = &material.origin {
         for note in &deck.notes {
@@ -139,6 +139,37 @@ pub fn screen(report: &MaterialReport) -> String {
         }
     }
     text
+}
+
+/// What the data say of E0 and E∞: their stated errors, and where they are extrapolated.
+fn plateaus(report: &MaterialReport) -> [[String; 2]; 2] {
+    let MaterialOrigin::Data(fitted) = &report.material.origin else { return Default::default() };
+    let [relaxed, glassy] = &fitted.plateaus;
+    [(relaxed, "below", "longer"), (glassy, "above", "shorter")].map(|(one, beyond, times)| {
+        // A liquid has the modulus 0, which no datum fixes.
+        if one.modulus <= 0.0 {
+            return Default::default();
+        }
+        let last = one.last / report.factor();
+        let place = if fitted.data.sort == MeasuredSort::Moduli {
+            format!("{beyond} {:.3e} Hz", last / std::f64::consts::TAU)
+        } else {
+            format!("at times {times} than {:.3e} s", 1.0 / last)
+        };
+        let note = if one.is_extrapolated() { format!(", extrapolated {place}") } else { String::new() };
+        [format!(" ± {:.1e}", one.error), note]
+    })
+}
+
+/// A misfit in words: below the last printed digit of any table it says nothing.
+fn within(misfit: f64) -> String {
+    if misfit < 1e-6 { "1e-6".to_owned() } else { format!("{misfit:.2e}") }
+}
+
+/// All that is known against the numbers of a material, a sentence each.
+pub(super) fn cautions(material: &SceneMaterial) -> Vec<&str> {
+    let of_data: &[String] = if let MaterialOrigin::Data(fitted) = &material.origin { &fitted.warnings } else { &[] };
+    of_data.iter().chain(&material.cautions).map(String::as_str).collect()
 }
 
 /// The report as JSON.
@@ -161,9 +192,10 @@ pub fn summary(report: &MaterialReport) -> Value {
             "best_terms": fitted.fit.best_terms,
             "kramers_kronig": fitted.consistency.map(|consistency| json!({
                 "holds": consistency.holds(),
-                "storage_alone": consistency.storage_alone,
-                "loss_alone": consistency.loss_alone,
                 "together": consistency.together,
+                "with_factor": consistency.with_factor,
+                "factor": consistency.factor,
+                "chance": consistency.chance,
                 "local": consistency.local,
             })),
             "at_rest": {
@@ -173,7 +205,7 @@ pub fn summary(report: &MaterialReport) -> Value {
                 "liquid_rms_error": fitted.fit.rest.liquid_rms_error,
             },
             "shifts": fitted.superposition.as_ref().map(shifts::summary),
-            "warnings": fitted.warnings,
+            "warnings": cautions(material),
         }),
         MaterialOrigin::Law(law) => json!({
             "kind": law.name,
@@ -184,17 +216,23 @@ pub fn summary(report: &MaterialReport) -> Value {
             "terms_by_rate": law.expansion.terms_by_rate,
         }),
     };
+    let of_fit = |end: usize| if let MaterialOrigin::Data(fitted) = &material.origin { fitted.plateaus.get(end) } else { None };
     json!({
         "program": format!("viscotack {} {}", crate::VERSION, crate::COMMIT),
         "title": report.title,
         "units": if report.units == Units::Si { "si" } else { "reduced" },
         "origin": origin,
         "notes": material.notes,
+        "cautions": cautions(material),
         "met": report.met(),
         "temperature": material.climate.as_ref().map(|climate| climate.temperature),
         "shift_factor": material.climate.as_ref().map(|climate| climate.factor),
         "relaxed_modulus": series.relaxed_modulus(),
+        "relaxed_modulus_error": of_fit(0).map(|one| one.error),
+        "relaxed_modulus_is_extrapolated": of_fit(0).map(Plateau::is_extrapolated),
         "glassy_modulus": series.glassy_modulus(),
+        "glassy_modulus_error": of_fit(1).map(|one| one.error),
+        "glassy_modulus_is_extrapolated": of_fit(1).map(Plateau::is_extrapolated),
         "steady_viscosity": series.steady_viscosity(),
         "relaxation": series.relaxation_terms().iter().map(|term| json!({ "modulus": term.modulus, "relaxation_time": term.relaxation_time })).collect::<Vec<_>>(),
         "poisson_ratio": material.poisson_ratio,

@@ -21,6 +21,11 @@ pub(super) const KEYS: &[Key] = &[
     },
     Key { path: "material.name", kind: Kind::Text, meaning: "What the material is called in tables and plots." },
     Key {
+        path: "material.cautions",
+        kind: Kind::Texts,
+        meaning: "What is known against these numbers, a sentence each. `viscotack material` writes its cautions here, and every result shows them under its validity.",
+    },
+    Key {
         path: "material.relaxed_modulus",
         kind: Kind::Number { dimension: Dimension::PRESSURE, range: Range::NonNegative, reduced: "1 (it is the unit)" },
         meaning: "Young's modulus E0 of a load held for ever; 0 is a viscous material.",

@@ -64,6 +64,7 @@ const ROLES: [Entry; 14] = [
         &["e'", "g'", "m'"],
         &[
             "storagemodulus",
+            "storagemod",
             "storage",
             "estor",
             "estorage",
@@ -79,7 +80,7 @@ const ROLES: [Entry; 14] = [
         "loss_modulus",
         Dimension::PRESSURE,
         &["e''", "g''", "m''"],
-        &["lossmodulus", "loss", "eloss", "gloss", "verlustmodul", "moduledeperte", "moduledepertes"],
+        &["lossmodulus", "lossmod", "loss", "eloss", "gloss", "verlustmodul", "moduledeperte", "moduledepertes"],
     ),
     (
         Role::LossTangent,
@@ -102,7 +103,7 @@ const ROLES: [Entry; 14] = [
         "complex_modulus",
         Dimension::PRESSURE,
         &["e*", "|e*|", "g*", "|g*|", "m*", "|m*|"],
-        &["complexmodulus", "komplexermodul", "komplexmodul", "modulecomplexe"],
+        &["complexmodulus", "complexmod", "komplexermodul", "komplexmodul", "modulecomplexe"],
     ),
     (
         Role::Phase,
@@ -128,7 +129,16 @@ const ROLES: [Entry; 14] = [
         "relaxation_modulus",
         Dimension::PRESSURE,
         &["e(t)", "g(t)", "r", "r(t)"],
-        &["relaxationmodulus", "stressrelaxationmodulus", "erelax", "grelax", "relaxationsmodul", "modulederelaxation"],
+        &[
+            "relaxationmodulus",
+            "relaxationmod",
+            "relaxmod",
+            "stressrelaxationmodulus",
+            "erelax",
+            "grelax",
+            "relaxationsmodul",
+            "modulederelaxation",
+        ],
     ),
     (
         Role::Creep,
@@ -262,5 +272,19 @@ pub(super) fn split(header: &str, is_known: impl Fn(&str) -> bool) -> (String, O
             return parts(name, unit);
         }
     }
+    // `storage_MPa`, `Storage Modulus MPa`.
+    for mark in ['_', ' '] {
+        if let Some((name, unit)) = header.rsplit_once(mark)
+            && is_known(name.trim())
+            && parse_quantity(&format!("1 {unit}")).is_ok()
+        {
+            return parts(name, unit);
+        }
+    }
     (header.to_owned(), None)
+}
+
+/// The unit in a header that the scene names as a whole: `Modulus of sample 3 (MPa)`.
+pub(super) fn unit_within(header: &str) -> Option<String> {
+    split(header, |_| false).1.filter(|unit| parse_quantity(&format!("1 {unit}")).is_ok())
 }

@@ -20,7 +20,7 @@ pub(super) fn read(top: &Section<'_>, material: &SceneMaterial) -> Result<Steady
     let plane = plane(&crack, top, material)?;
     let (work_of_adhesion, process_zone) = adhesion(top, Some((&crack, motion)), body)?;
     let theories = theories(top, &crack, motion, process_zone)?;
-    let control = control(&crack, plane, material, work_of_adhesion)?;
+    let control = control((top, &crack), plane, material, work_of_adhesion)?;
     Ok(SteadyCrack { motion, body, plane, work_of_adhesion, process_zone, theories, control, fields: fields(top)? })
 }
 
@@ -171,7 +171,12 @@ fn theories(top: &Section<'_>, crack: &Section<'_>, motion: Motion, zone: Proces
     Ok(theories)
 }
 
-fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, work: f64) -> Result<CrackControl, SceneError> {
+fn control(
+    (top, crack): (&Section<'_>, &Section<'_>),
+    plane: PlaneState,
+    material: &SceneMaterial,
+    work: f64,
+) -> Result<CrackControl, SceneError> {
     Ok(match crack.exactly_one(&["speed", "energy_release_rate", "stress_intensity", "strip"])? {
         "speed" => CrackControl::Speed(crack.required_number("speed")?),
         "energy_release_rate" => CrackControl::EnergyReleaseRate(crack.required_number("energy_release_rate")?),
@@ -181,12 +186,17 @@ fn control(crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial, wor
             let unit = if crack.units() == Units::Reduced { (2.0 * work).sqrt() } else { 1.0 };
             CrackControl::StressIntensity(given * unit)
         }
-        _ => CrackControl::Strip(strip(&crack.required_table("strip", "it is the load")?, crack, plane, material)?),
+        _ => CrackControl::Strip(strip(&crack.required_table("strip", "it is the load")?, (top, crack), plane, material)?),
     })
 }
 
-fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: &SceneMaterial) -> Result<Strip, SceneError> {
-    let lateral = lateral(table, crack, plane, material)?;
+fn strip(
+    table: &Section<'_>,
+    tables: (&Section<'_>, &Section<'_>),
+    plane: PlaneState,
+    material: &SceneMaterial,
+) -> Result<Strip, SceneError> {
+    let lateral = lateral(table, tables, plane, material)?;
     let load = match table.exactly_one(&["strain", "stress"])? {
         "strain" => StripLoad::Strain(table.required_number("strain")?),
         _ => StripLoad::Stress(table.required_number("stress")?),
@@ -197,7 +207,7 @@ fn strip(table: &Section<'_>, crack: &Section<'_>, plane: PlaneState, material: 
 /// Whether a strip contracts along its length; refuses a strip that cannot be loaded.
 pub(super) fn lateral(
     table: &Section<'_>,
-    crack: &Section<'_>,
+    (top, crack): (&Section<'_>, &Section<'_>),
     plane: PlaneState,
     material: &SceneMaterial,
 ) -> Result<SidewaysStrain, SceneError> {
@@ -216,8 +226,9 @@ pub(super) fn lateral(
             .help("write lateral = \"uniaxial\" in crack.strip and plane = \"stress\", or give material.poisson_ratio in place of material.bulk_modulus"));
     }
     if lateral == SidewaysStrain::Held && material.poisson_ratio.is_none() {
-        let message = "a strip clamped along its length needs material.poisson_ratio";
-        return Err(crack.wrong("strip", message, "or write lateral = \"uniaxial\""));
+        return Err(top.required_table("material", "")?.missing("poisson_ratio").help(
+            "a strip clamped along its length needs it, of rubber poisson_ratio = 0.49 in [material]; a strip that contracts freely along its length is another problem: lateral = \"uniaxial\" in crack.strip",
+        ));
     }
     if lateral == SidewaysStrain::Held && plane == PlaneState::Strain && material.poisson_ratio == Some(0.5) {
         let message = "an incompressible strip, clamped and in plane strain, cannot be stretched at all";

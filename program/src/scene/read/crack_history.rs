@@ -47,7 +47,7 @@ pub(super) fn read(top: &Section<'_>, document: &Document, material: &SceneMater
             if let Some(key) = ["strain", "stress"].iter().find(|key| table.node().get(key).is_some()) {
                 return not_here(&table, key, "leave it out: the history controls the stress");
             }
-            let lateral = lateral(&table, &crack, plane, material)?;
+            let lateral = lateral(&table, (top, &crack), plane, material)?;
             Some(LoadedStrip { half_height: table.required_number("half_height")?, lateral })
         }
     };

@@ -91,7 +91,13 @@ fn segment(
     let foreign = |quantity: &HistoryQuantity| !allowed.contains(quantity) && item.node().get(quantity.word()).is_some();
     if let Some(quantity) = HistoryQuantity::ALL.into_iter().find(foreign) {
         let message = format!("`{}` is not controlled in {owner}", item.full(quantity.word()));
-        return Err(SceneError::at(&item.key_place(quantity.word()), message, format!("allowed: {}", words(allowed))));
+        let error = SceneError::at(&item.key_place(quantity.word()), message, format!("allowed: {}", words(allowed)));
+        return Err(match (quantity, allowed) {
+            (HistoryQuantity::Force, [HistoryQuantity::Stress]) => error.help(
+                "the stress of a strip is its force divided by width times thickness: stress = \"0.2 MPa\" is 50 N on 50 mm times 5 mm",
+            ),
+            _ => error,
+        });
     }
     let forms: Vec<&'static str> = allowed.iter().map(|quantity| quantity.word()).chain(FORMS).collect();
     let form = item.exactly_one(&forms)?;

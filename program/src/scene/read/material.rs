@@ -79,7 +79,28 @@ pub(super) fn read(top: &Section<'_>, document: &Document) -> Result<SceneMateri
         .transpose()?;
     let deck_name = if let MaterialOrigin::Deck(deck) = &origin { deck.name.clone() } else { None };
     let name = table.text("name").map(str::to_owned).or(deck_name);
-    Ok(SceneMaterial { name, series, poisson_ratio, isotropic, origin, climate, notes, draws })
+    let mut cautions = table.text_or_texts("cautions");
+    if table.units() == Units::Si
+        && let Some(strange) = strange_moduli(&series)
+        && !cautions.contains(&strange)
+    {
+        cautions.push(strange);
+    }
+    Ok(SceneMaterial { name, series, poisson_ratio, isotropic, origin, climate, notes, cautions, draws })
+}
+
+/// Softer than most gels, and as stiff as diamond (Pa).
+const USUAL_MODULI: [f64; 2] = [1e3, 1e12];
+
+/// What moduli that hardly any solid has make one ask.
+fn strange_moduli(series: &Material) -> Option<String> {
+    let glassy = series.glassy_modulus();
+    let compared = match glassy {
+        soft if soft < USUAL_MODULI[0] => "softer than 1 kPa, as only the softest gels are",
+        stiff if stiff > USUAL_MODULI[1] => "stiffer than 1 TPa, as not even diamond is",
+        _ => return None,
+    };
+    Some(format!("the modulus E∞ of an instantaneous load is {glassy:.3e} Pa: {compared}; is the unit right?"))
 }
 
 /// Keys that each say what the material is made of.

@@ -1,7 +1,7 @@
 //! Which columns of a material's table are used: the quantity, where it was measured, and how a complex modulus is given.
 
 use super::column_names::{EXAMPLE, Role, spoken, word};
-use super::material_columns::StatedColumn;
+use super::material_columns::{StatedColumn, lines_to_type};
 use super::material_rows::Columns;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::MeasuredSort;
@@ -38,7 +38,15 @@ pub(super) fn complex_parts(main: Role, value: f64, role: Role, second: f64) -> 
 }
 
 pub(super) fn chosen(columns: &Columns, stated: &[StatedColumn], file: &str) -> Result<Choice, SceneError> {
-    let wrong = |message: String| SceneError::at(&columns.header, message, "in this header").help(EXAMPLE);
+    let wrong = |message: String| {
+        let guessed = columns.guessed(&[Role::Frequency, Role::Storage, Role::Loss]);
+        let help = if guessed.is_empty() {
+            EXAMPLE.to_owned()
+        } else {
+            format!("{EXAMPLE}; such as, if these columns are meant:\n{}", lines_to_type(&guessed))
+        };
+        SceneError::at(&columns.header, message, "in this header").help(help)
+    };
     let says = |role: Role| stated.iter().any(|entry| entry.0 == role);
     let has = |role: Role| columns.has(role);
     let sorts = [
@@ -79,9 +87,12 @@ pub(super) fn chosen(columns: &Columns, stated: &[StatedColumn], file: &str) -> 
     }
     let temperature = has(Role::Temperature).then_some(Role::Temperature);
     let roles = [Some(choice.main), Some(choice.place), choice.second, choice.tangent_beside, choice.frequency_beside, temperature];
+    // All that lack a unit are named at once.
+    let lines = columns.lines(&roles.into_iter().flatten().collect::<Vec<_>>());
     for role in roles.into_iter().flatten() {
         // A unit that cannot be read counts from here on.
-        if let Some(column) = columns.get(role)? {
+        let column = columns.get(role).map_err(|error| if lines.len() > 1 { error.help(lines_to_type(&lines)) } else { error });
+        if let Some(column) = column? {
             choice.used.push(column.index);
             choice.roles.push(role);
         }
@@ -110,7 +121,9 @@ fn moduli(
     };
     choice.main = if has(Role::Storage) && (says(Role::Storage) || !says(Role::Complex)) { Role::Storage } else { Role::Complex };
     // Two columns of it come before what may be missing.
-    columns.get(choice.main)?;
+    if columns.count(choice.main) > 1 {
+        columns.get(choice.main)?;
+    }
     let seconds: &[Role] =
         if choice.main == Role::Storage { &[Role::Loss, Role::LossTangent, Role::Phase] } else { &[Role::Phase, Role::LossTangent] };
     let given = seconds.iter().copied().filter(|role| has(*role));

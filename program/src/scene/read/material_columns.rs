@@ -1,10 +1,11 @@
 //! The columns of a material's table: what the scene states, and what a header and its unit say.
 
-use super::column_names::{Role, Strained, dimension, meaning, roles, split, word};
+use super::column_names::{Role, Strained, dimension, meaning, roles, split, unit_within, word};
 use super::column_units::{Counted, unit};
 use super::section::Section;
 use crate::scene::delimited::{Scale, bare_unit};
 use crate::scene::diagnostic::{Place, SceneError};
+use crate::scene::document::toml_text;
 use crate::scene::units::Dimension;
 
 pub(super) struct Column {
@@ -61,6 +62,7 @@ pub(super) fn column(header: &Header<'_>, stated: &[StatedColumn]) -> Option<(Ro
     let known = |name: &str| meaning(name).is_some() || stated.iter().any(|(_, header, _)| header == name);
     let (name, own_unit) = split(text, known);
     let by_scene = stated.iter().find(|(_, header, _)| header == text || *header == name);
+    let own_unit = own_unit.or_else(|| by_scene.and_then(|_| unit_within(text)));
     let said = meaning(&name);
     let role = by_scene.map(|entry| entry.0).or(said.map(|entry| entry.0))?;
     // A role that the scene gives to another header is taken.
@@ -107,6 +109,36 @@ fn meant(written: &str) -> Option<&'static str> {
     }
 }
 
+/// The line of [material.columns] that gives a column its unit: what is likely meant, or what is usual.
+pub(super) fn line(role: Role, header: &str) -> String {
+    let (name, unit) = split(header, |name| meaning(name).is_some());
+    let (name, unit) = match unit.as_deref().and_then(meant) {
+        Some(unit) => (header.to_owned(), unit),
+        None if unit.is_some() => (header.to_owned(), usual(role)),
+        None => (name, usual(role)),
+    };
+    let value = if dimension(role) == Dimension::NUMBER && role != Role::Phase { name } else { format!("{name} in {unit}") };
+    format!("{} = {}", word(role), toml_text(&value))
+}
+
+/// What to type where columns have no unit or an unknown name: lines of a scene, and the same for a command.
+pub(super) fn lines_to_type(lines: &[String]) -> String {
+    let sets: Vec<String> = lines
+        .iter()
+        .filter_map(|line| {
+            let (key, value) = line.split_once(" = ")?;
+            // A shell takes everything between single quotes as it is.
+            let set = format!("material.columns.{key}={value}");
+            Some(if set.contains('\'') { format!("--set \"{}\"", set.replace('"', "\\\"")) } else { format!("--set '{set}'") })
+        })
+        .collect();
+    format!(
+        "write the units into the header; or into the scene:\n[material.columns]\n{}\nor add to the command: {}",
+        lines.join("\n"),
+        sets.join(" ")
+    )
+}
+
 /// A unit in which a role is often given.
 const fn usual(role: Role) -> &'static str {
     match role {
@@ -115,6 +147,7 @@ const fn usual(role: Role) -> &'static str {
         Role::Time => "s",
         Role::Temperature => "°C",
         Role::Creep => "1/MPa",
+        Role::Phase => "deg",
         _ => "MPa",
     }
 }

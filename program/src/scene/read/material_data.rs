@@ -10,7 +10,7 @@ use crate::scene::typed::{FittedData, MaterialData, MaterialOrigin, MeasuredRow,
 use std::sync::Arc;
 use viscotack::material::fit::consistency::{check, widest_gap};
 use viscotack::material::fit::overlap::{LogCurve, mismatch};
-use viscotack::material::fit::{Observation, Quantity, Wanted, complex_modulus, fit};
+use viscotack::material::fit::{Observation, Plateau, Quantity, Wanted, complex_modulus, fit};
 use viscotack::material::shift::ShiftFactors;
 
 /// Curves of neighbouring temperatures that differ by more than this where they meet do not lie on each other.
@@ -46,8 +46,10 @@ pub(super) fn from_data(
             None => fit(&observations, wanted).map_err(refused)?,
         };
         let consistency = check(&observations);
-        let warnings = warnings(&data, &observations, wanted, &fit, consistency.as_ref(), overlap.as_ref());
-        let mut fitted = FittedData { data, fit, consistency, overlap, superposition, warnings };
+        let plateaus = fit.plateaus(&observations);
+        let mut warnings = warnings(&data, &observations, wanted, &fit, consistency.as_ref(), overlap.as_ref());
+        warnings.extend(extrapolated(&plateaus, data.sort));
+        let mut fitted = FittedData { data, fit, plateaus, consistency, overlap, superposition, warnings };
         unfixed(table, &mut fitted)?;
         Ok(MaterialOrigin::Data(Arc::new(fitted)))
     })
@@ -173,6 +175,31 @@ pub(super) fn observations(rows: &[MeasuredRow], sort: MeasuredSort) -> Vec<Obse
         .collect()
 }
 
+/// An extrapolated modulus whose stated error is above this part of it is uncertain enough for a caution.
+const UNCERTAIN: f64 = 0.1;
+
+/// Moduli at the ends of the spectrum that the data hardly fix.
+fn extrapolated(plateaus: &[Plateau; 2], sort: MeasuredSort) -> Vec<String> {
+    let uncertain = |one: &&Plateau| one.modulus > 0.0 && one.is_extrapolated() && one.error > UNCERTAIN * one.modulus;
+    let words = [("relaxed modulus E0", "below", "longer"), ("glassy modulus E∞", "above", "shorter")];
+    words
+        .iter()
+        .zip(plateaus)
+        .filter(|(_, one)| uncertain(one))
+        .map(|((name, beyond, times), one)| {
+            let place = if sort == MeasuredSort::Moduli {
+                format!("{beyond} {:.3e} Hz", one.last / std::f64::consts::TAU)
+            } else {
+                format!("at times {times} than {:.3e} s", 1.0 / one.last)
+            };
+            format!(
+                "the {name} = ({:.2e} ± {:.0e}) Pa is extrapolated {place}, where the fit has {:.2e} Pa: results that depend on it are as uncertain",
+                one.modulus, one.error, one.at_last
+            )
+        })
+        .collect()
+}
+
 fn warnings(
     data: &MaterialData,
     observations: &[Observation],
@@ -203,10 +230,12 @@ fn warnings(
     }
     if let Some(consistency) = consistency.filter(|consistency| !consistency.holds()) {
         odd.push(format!(
-            "E′ and E″ do not belong together (Kramers and Kronig): series of positive terms follow each alone within {:.1} % and {:.1} %, both together within {:.1} %",
-            100.0 * consistency.storage_alone,
-            100.0 * consistency.loss_alone,
-            100.0 * consistency.together
+            "E′ and E″ do not belong together (Kramers and Kronig): a passive solid follows both within {:.1} %; it follows them within {} if E″ is divided by a factor from {:.2} to {:.2}, and scatter explains that with a chance below {}",
+            100.0 * consistency.together,
+            if consistency.with_factor < 1e-3 { "0.1 %".to_owned() } else { format!("{:.1} %", 100.0 * consistency.with_factor) },
+            consistency.factor[0],
+            consistency.factor[1],
+            if consistency.chance < 1e-4 { "0.01 %" } else { "1 %" }
         ));
     }
     if let (Wanted::Error(error), false) = (wanted, fit.met) {

@@ -2,7 +2,7 @@
 
 use super::column_names::{EXAMPLE, Role, meaning, split, spoken, word};
 use super::column_units::unit;
-use super::material_columns::{Column, Header, StatedColumn, column, stated_columns};
+use super::material_columns::{Column, Header, StatedColumn, column, line, stated_columns};
 use super::section::Section;
 use crate::scene::delimited::{Block, Cell, DelimitedTable, Options};
 use crate::scene::diagnostic::{Place, SceneError, SourceText, nearest};
@@ -24,6 +24,8 @@ pub(super) struct Columns {
     found: Vec<(Role, Result<Column, SceneError>)>,
     /// Headers of all columns.
     names: Vec<String>,
+    /// Roles of columns whose unit is missing or cannot be read, with the line that gives it.
+    without_unit: Vec<(Role, String)>,
     /// The temperature (K) that a line above the rows states.
     pub(super) temperature: Option<f64>,
     pub(super) header: Place,
@@ -32,6 +34,10 @@ pub(super) struct Columns {
 impl Columns {
     pub(super) fn has(&self, role: Role) -> bool {
         self.found.iter().any(|(own, _)| *own == role)
+    }
+
+    pub(super) fn count(&self, role: Role) -> usize {
+        self.found.iter().filter(|(own, _)| *own == role).count()
     }
 
     /// The column of a role, if there is one.
@@ -64,6 +70,20 @@ impl Columns {
             format!("name the right one in [material.columns], such as: {} = \"{named}\"", word(role))
         };
         Err(SceneError::at(&place, format!("two columns hold the {}", spoken(role)), "the second").help(help))
+    }
+
+    /// Lines of [material.columns] for those of the roles whose unit is missing or cannot be read.
+    pub(super) fn lines(&self, roles: &[Role]) -> Vec<String> {
+        self.without_unit.iter().filter(|(role, _)| roles.contains(role)).map(|(_, line)| line.clone()).collect()
+    }
+
+    /// The same for roles that no column has: the columns without a role, in their order.
+    pub(super) fn guessed(&self, roles: &[Role]) -> Vec<String> {
+        let unknown = self.names.iter().filter(|name| !name.is_empty() && column_without_role(name));
+        let lacking = roles.iter().filter(|role| !self.has(**role));
+        let mut lines = self.lines(roles);
+        lines.extend(lacking.zip(unknown).map(|(role, name)| line(*role, name)));
+        lines
     }
 
     /// Headers of columns that are none of some.
@@ -137,15 +157,24 @@ pub(super) fn holds_material(source: &SourceText) -> bool {
     })
 }
 
+/// Whether a header says nothing known.
+fn column_without_role(name: &str) -> bool {
+    meaning(&split(name, |name| meaning(name).is_some()).0).is_none()
+}
+
 fn columns(table: &DelimitedTable, block: &Block, stated: &[StatedColumn], temperature: Option<f64>) -> Columns {
     let names: Vec<String> = block.header.iter().map(|cell| table.text(*cell).into_owned()).collect();
-    let mut found = Vec::new();
+    let (mut found, mut without_unit) = (Vec::new(), Vec::new());
     for (index, (name, cell)) in names.iter().zip(&block.header).enumerate() {
         let below = block.units.get(index).map(|cell| table.text(*cell));
         let header = Header { text: name, index, place: table.place(*cell), unit_below: below.as_deref() };
-        found.extend(column(&header, stated));
+        let of_header = column(&header, stated);
+        if let Some((role, Err(_))) = &of_header {
+            without_unit.push((*role, line(*role, name)));
+        }
+        found.extend(of_header);
     }
-    Columns { found, names, temperature, header: table.row_place(&block.header) }
+    Columns { found, names, without_unit, temperature, header: table.row_place(&block.header) }
 }
 
 /// The note on temperatures that stand above blocks.

@@ -99,8 +99,6 @@ fn temperatures_given(rows: &MaterialRows, file: &str) -> Result<(), SceneError>
     ))
 }
 
-/// Moduli outside are no solid's: a unit is wrong.
-const USUAL_MODULI: [f64; 2] = [10.0, 1e12];
 /// Frequencies and times outside are no instrument's (a factor 2π and a few decades granted).
 const USUAL_TIMES: [f64; 2] = [1e-9, 1e9];
 
@@ -119,13 +117,6 @@ fn oddities(data: &MaterialData) -> Vec<String> {
     let double = places.windows(2).filter(|pair| pair[0] == pair[1]).count();
     if double > 0 {
         odd.push(format!("{double} rows repeat a frequency or time at the same temperature; all are used"));
-    }
-    let mut values: Vec<f64> =
-        data.rows.iter().map(|row| if data.sort == MeasuredSort::Creep { 1.0 / row.value } else { row.value }).collect();
-    values.sort_by(f64::total_cmp);
-    let median = values.get(values.len() / 2).copied().unwrap_or(1.0);
-    if !(USUAL_MODULI[0]..=USUAL_MODULI[1]).contains(&median) {
-        odd.push(format!("half of the moduli are beyond {median:.1e} Pa: is the unit right?"));
     }
     let strange = data.rows.iter().filter(|row| !(USUAL_TIMES[0]..=USUAL_TIMES[1]).contains(&row.at)).count();
     if strange > 0 && data.rows.iter().any(|row| row.temperature.is_some()) {

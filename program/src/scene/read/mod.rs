@@ -51,6 +51,7 @@ use super::catalogue::Range;
 use super::check::{Units, check, check_changed};
 use super::diagnostic::{Place, SceneError, nearest};
 use super::document::{Document, Value};
+use super::plausible;
 use super::sweep;
 use super::typed::{Picture, Problem, Scene, SceneMaterial};
 use section::Section;
@@ -105,6 +106,12 @@ pub fn read(document: &Document) -> Result<Scene, SceneError> {
     let state = |number: usize| read_varied(document.clone(), &sweeps, number);
     // A value that contradicts the scene is a row that says so, wherever in the sweep it stands; a scene without any state is wrong.
     let mut scene = state(0).or_else(|wrong| (1..sweep::states(&sweeps).min(MOST_TRIES)).find_map(|n| state(n).ok()).ok_or(wrong))?;
+    for caution in sweeps.iter().flat_map(|sweep| plausible::of_sweep(&document.root, sweep)) {
+        // A swept number stands in the scene, too, and is asked about once.
+        if !scene.cautions.contains(&caution) {
+            scene.cautions.push(caution);
+        }
+    }
     scene.sweeps = sweeps;
     Ok(scene)
 }
@@ -123,11 +130,13 @@ pub fn read_state(document: &Document) -> Result<Scene, SceneError> {
 /// # Errors
 /// The first thing that is wrong.
 pub fn read_varied(mut document: Document, sweeps: &[sweep::Sweep], state: usize) -> Result<Scene, SceneError> {
+    // A key that only the sweep gives stands nowhere else.
+    let added: Vec<&sweep::Sweep> = sweeps.iter().filter(|swept| document.root.at(&swept.key).is_none()).collect();
     for (swept, index) in sweeps.iter().zip(sweep::indices(sweeps, state)) {
         swept.put(&mut document, index)?;
     }
     check_changed(&document.root, sweeps.iter().map(|sweep| sweep.key.as_str()))?;
-    read_checked(&document)
+    read_checked(&document).map_err(|error| added.iter().fold(error, |error, swept| error.put_by(&swept.key, swept.place(), "sweep.key")))
 }
 
 fn read_checked(document: &Document) -> Result<Scene, SceneError> {
@@ -185,6 +194,7 @@ fn read_checked(document: &Document) -> Result<Scene, SceneError> {
         material,
         problem,
         sweeps: Vec::new(),
+        cautions: plausible::cautions(root),
         plots: if root.get("plots").is_some() {
             top.texts("plots").into_iter().map(|word| if word == "png" { Picture::Png } else { Picture::Svg }).collect()
         } else {

@@ -160,6 +160,14 @@ impl<'a> Section<'a> {
         }
     }
 
+    /// The texts of a key that takes one text or a list of them.
+    pub(super) fn text_or_texts(&self, key: &str) -> Vec<String> {
+        match self.text(key) {
+            Some(text) => vec![text.to_owned()],
+            None => self.texts(key).into_iter().map(str::to_owned).collect(),
+        }
+    }
+
     /// The one of several keys that is given.
     pub(super) fn exactly_one(&self, keys: &[&'static str]) -> Result<&'static str, SceneError> {
         match self.at_most_one(keys)? {

@@ -239,7 +239,11 @@ fn columns(
     };
     for &word in &words {
         if !with_adhesion {
-            return refused(word, "it is about adhesive contacts, but the scene has no [adhesion]");
+            let message = format!("`sliding.columns` names {word:?}, which is about adhesive contacts, and the scene has no [adhesion]");
+            let error = sliding.wrong("columns", message, "add [adhesion], or delete this line");
+            return Err(error.help(
+                "[adhesion] is such as: work_of_adhesion = \"0.05 J/m^2\" and process_zone = { length = \"1 µm\" }; without it the contact does not adhere",
+            ));
         }
         match (word, task, indenter) {
             ("elastic_reference_contact", _, SlidingIndenter::Cylinder { .. }) => {

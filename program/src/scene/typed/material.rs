@@ -5,9 +5,9 @@ use std::sync::Arc;
 use viscotack::elastic::PlaneState;
 use viscotack::material::Material;
 use viscotack::material::broad::{BroadLaw, Expansion};
-use viscotack::material::fit::SeriesFit;
 use viscotack::material::fit::consistency::Consistency;
 use viscotack::material::fit::superposition::Superposition;
+use viscotack::material::fit::{Plateau, SeriesFit};
 use viscotack::material::isotropic::IsotropicSolid;
 use viscotack::material::shift::ShiftFactors;
 use viscotack::refusal::Refusal;
@@ -146,6 +146,8 @@ pub struct FittedData {
     pub data: MaterialData,
     /// The fit.
     pub fit: SeriesFit,
+    /// E0 and E∞ at the temperature of the fit.
+    pub plateaus: [Plateau; 2],
     /// Kramers and Kronig's relations, of moduli.
     pub consistency: Option<Consistency>,
     /// How well curves of neighbouring temperatures lie on each other.
