@@ -63,7 +63,7 @@ fn main() {
     let mut exact = f64::NAN;
     for accuracy in [1e-2, 1e-4, 1e-6] {
         let (time, solution) = best(3, || run(&rubber, &cycle(accuracy)).unwrap());
-        let tension = solution.largest_tension.unwrap();
+        let tension = solution.pull_off_force().unwrap();
         println!(
             "  core at {accuracy:e}: {time:.2} ms, {} steps, {} balances, {} updates, F_off {:.8e} ± {:.1e}, reached: {}",
             solution.work.steps,

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // A contact that has relaxed at 2 µm is pulled off.
         let history = History::penetration(2e-6).at_speed(-100e-6, speed);
         let problem = IndentationProblem::new(Profile::Paraboloid { radius }, Some(adhesion), history).relaxed();
-        let pull_off = run(&plane, &problem)?.largest_tension.ok_or("nothing pulled")?;
+        let pull_off = run(&plane, &problem)?.pull_off_force().ok_or("nothing pulled")?;
         println!("{speed:12.1e} {:14.6} {:12.1e} {:18.4}", 1e3 * pull_off.value, 1e3 * pull_off.error, pull_off.value / elastic);
     }
     Ok(())

@@ -3,8 +3,8 @@
 //! Sources: JKR in closed form (K = √(2E*Δγ), U = E*a(Δ² − 2Δa²/(3R) + a⁴/(5R²)), F = 4E*a³/(3R) − √(8πa³E*Δγ)) for an elastic sphere; for a viscoelastic one
 //! the kept instant of another history, which is cut at the time of the largest tension, and instants that come ever nearer to a jump.
 //!
-//! Tolerance: the stated bounds and 1e-6 of each closed form; 3e-4 at a jump (2e-2 of G), where the nearest instants are continued
-//! by a parabola over the root of the way left.
+//! Tolerance: the stated bounds and 2e-5 of each closed form, of which a process zone of 1e-5 of the contact leaves some; 3e-4 at a jump (2e-2 of G), where the
+//! nearest instants are continued by a parabola over the root of the way left.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::f64::consts::PI;
@@ -46,16 +46,16 @@ fn an_elastic_sphere_has_the_states_of_jkr() {
             let what = format!("{:?} in units of {length} m", event.kind);
             let pull = 4.0 * modulus * a.powi(3) / (3.0 * radius) - (8.0 * PI * a.powi(3) * modulus * work).sqrt();
             let [u, power, external, lost] = event.energies.unwrap();
-            is(event.contact_radius, a, 1e-5, &what);
-            is(event.penetration, depth(a), 1e-6, &what);
-            is(event.force, pull, 1e-6, &what);
-            is(event.time, (start - depth(a)) / (1e-5 * length), 1e-6, &what);
-            is(event.stress_intensity_factor, (2.0 * modulus * work).sqrt(), 1e-6, &what);
-            is(u, stored(a), 1e-5, &what);
-            is(event.tip_release_rate.unwrap(), work, 1e-6, &what);
-            is(event.energy_release_rate.unwrap(), work, 1e-6, &what);
+            is(event.contact_radius, a, 2e-5, &what);
+            is(event.penetration, depth(a), 2e-5, &what);
+            is(event.force, pull, 2e-5, &what);
+            is(event.time, (start - depth(a)) / (1e-5 * length), 2e-5, &what);
+            is(event.stress_intensity_factor, (2.0 * modulus * work).sqrt(), 2e-5, &what);
+            is(u, stored(a), 2e-5, &what);
+            is(event.tip_release_rate.unwrap(), work, 2e-5, &what);
+            is(event.energy_release_rate.unwrap(), work, 2e-5, &what);
             let before = from.contact_radius.value;
-            is(external, stored(a) - stored(before) - work * PI * (a * a - before * before), 1e-5, &what);
+            is(external, stored(a) - stored(before) - work * PI * (a * a - before * before), 2e-5, &what);
             assert!(power.value.abs() <= power.error && lost.value.abs() <= lost.error + 1e-9 * external.value.abs(), "{what}: {lost:?}");
         }
     }

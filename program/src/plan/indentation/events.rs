@@ -107,7 +107,8 @@ impl IndentationPlan {
         let tension = solution.largest_tension?;
         let mut values = self.of_event(&tension, scales);
         let as_large = as_large_tensions(&solution.march.path, &tension);
-        let quantities: [(usize, fn(&PathPoint) -> f64); 4] = [
+        type Of = fn(&PathPoint) -> f64;
+        let quantities: [(usize, Of); 4] = [
             (at::TIME, |point| point.time),
             (at::PENETRATION, |point| point.penetration),
             (at::CONTACT_RADIUS, |point| point.contact_radius),
