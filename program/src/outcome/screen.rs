@@ -155,12 +155,9 @@ pub(super) fn remarks(text: &mut String, outcome: &Outcome, rows: &[&Row], shown
     // Solved, and something to say: full contacts.
     if let (true, (count, Some((word, reason)))) = (of_states, &tally.noted) {
         // What is said of one has its numbers.
-        let which = match *count {
-            1 => format!("1 of {total} rows"),
-            _ => format!("{count} of {total} rows say more, the first"),
-        };
-        let of = if word.is_empty() { String::new() } else { format!(" ({word})") };
-        let _ = writeln!(text, "{which}{of}: {reason}");
+        let more = if *count == 1 { "" } else { " say more, the first" };
+        let space = if word.is_empty() { "" } else { " " };
+        let _ = writeln!(text, "{count} of {total} rows{more}{space}{word}: {reason}");
     }
     for status in Status::ALL.into_iter().filter(|status| *status != Status::Solved) {
         let ended = tally.ended(status);
