@@ -176,6 +176,7 @@ fn assert_finite(scene: &Scene) {
     let mut plain = scene.clone();
     plain.title.clear();
     plain.material.name = None;
+    plain.material.cautions.clear();
     for sweep in &mut plain.sweeps {
         assert!(sweep.values.iter().all(|value| value.is_finite()), "{}", sweep.key);
         sweep.values.clear();

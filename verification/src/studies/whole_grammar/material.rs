@@ -97,6 +97,7 @@ pub(super) fn write(text: &mut Text, taken: Taken) -> Scales {
     }
     if text.chance(0.1) {
         text.put("material.name", quoted("drawn"));
+        text.put("material.cautions", quoted("the table of this scene is invented"));
     }
     if text.chance(0.05) {
         text.put("material.leave_out", "0");
