@@ -72,7 +72,8 @@ CHANGED = {
     ),
     "indentation/vibrated_retraction": (
         ["accuracy=0.05", "history.0.oscillation.duration=600", "sweep.values=[0.0557]"],
-        "The picture is of a shorter run: the lower frequency alone, a retraction 2.2 times as fast, a fifth of the accuracy. The whole scene takes more than four minutes.",
+        "The picture is of a shorter run: the lower frequency alone, a retraction 2.2 times as fast, a fifth of the accuracy. "
+        "The whole scene takes more than four minutes.",
     ),
     "cracks/elastic_sheet": (
         ["sweep.key=crack.speed", 'sweep.from="1 µm/s"', 'sweep.to="1 m/s"', "sweep.points=25"],

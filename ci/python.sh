@@ -13,7 +13,8 @@ python3 -m venv "$environment"
 "$environment/bin/pip" install --quiet ".[notebooks]"
 "$environment/bin/pip" install --quiet pytest "mypy>=1.10" "ruff>=0.6" pandas-stubs
 echo "== linter and types"
-"$environment/bin/ruff" check . && "$environment/bin/ruff" format --check .
+"$environment/bin/ruff" check .
+"$environment/bin/ruff" format --check .
 "$environment/bin/mypy"
 echo "== tests"
 # With -P Python does not look into the working folder: what is installed is tested.
