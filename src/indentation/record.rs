@@ -291,6 +291,13 @@ impl<'a> Record<'a> {
         let (Some(Fold { distance, unknown }), Some([now, one, two])) = (fold, nodes.get(..3)) else { return };
         let (Some(last), Some(event)) = (self.trace.path.last_chunk::<3>(), self.trace.events.last().copied()) else { return };
         let [first, second, third] = last.each_ref().map(|point| Event::at(kind, point));
+        if now.radius.total_cmp(&one.radius).is_eq()
+            || one.radius.total_cmp(&two.radius).is_eq()
+            || now.radius.total_cmp(&two.radius).is_eq()
+        {
+            // No polynomial goes through these.
+            return;
+        }
         let newest_first = [(now, third), (one, second), (two, first)];
         let place = now.radius + distance * (now.radius - one.radius).signum();
         let weights = newest_first.map(|(node, _)| {

@@ -93,8 +93,8 @@ fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let over = |of: fn(&PathPoint) -> f64| {
         let path: Vec<(f64, f64)> = near.iter().map(|point| (of(point), -point.force)).collect();
         let one_way = path.windows(2).all(|pair| (pair[1].0 - pair[0].0) * (path[1].0 - path[0].0) > 0.0);
-        let (refined, doubt, x) = one_way.then(|| top_of(&path, place - first)).flatten()?;
-        Some((refined, doubt, weights(&path, x, None)))
+        let (refined, change, x) = one_way.then(|| top_of(&path, place - first)).flatten()?;
+        Some((refined, change, weights(&path, x, None)))
     };
     // Steps shorter than the clock tells have equal times.
     let ways = [over(|point| point.time), over(|point| point.contact_radius)];

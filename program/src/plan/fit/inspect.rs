@@ -3,6 +3,7 @@
 use super::carry_out::Fit;
 use super::compare::{Comparison, curve_of};
 use super::setup::{Role, Setup};
+use crate::scene::check::Units;
 use crate::scene::diagnostic::SceneError;
 use rayon::prelude::*;
 use viscotack::fit::Parameter;
@@ -17,7 +18,7 @@ const OTHER_UNITS: f64 = 30.0;
 /// A coefficient of determination below which the model does not describe the data.
 const POOR: f64 = 0.5;
 /// Standard errors by which a loop of residuals differs from none where more than noise is behind it, and its least part of all that the residuals enclose.
-const APART: f64 = 5.0;
+const BEYOND_NOISE: f64 = 5.0;
 const OF_LOOP: f64 = 0.3;
 
 /// Checks data against the scene at its own values: the range of the abscissa, and the sign.
@@ -148,7 +149,7 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
         if let Some(sentence) = offset(fit, test, column, group) {
             found.push((sentence, false));
         }
-        if let Some(sentence) = other_loss(test, compared, fit.fitted.model.get(group.places.clone()).unwrap_or(&[])) {
+        if let Some(sentence) = other_loss((test, fit.setup.units), compared, fit.fitted.model.get(group.places.clone()).unwrap_or(&[])) {
             found.push((sentence, false));
         }
         if !poor && let Some(runs) = quality.runs.filter(|runs| *runs < 1e-3) {
@@ -162,7 +163,7 @@ pub(super) fn after(fit: &Fit) -> Vec<(String, bool)> {
 }
 
 /// Way in and way out that enclose another work in the data than in the model: hysteresis of the stage that the test was made with, or of the solid.
-fn other_loss(test: &Comparison, compared: &super::compare::Compared, model: &[f64]) -> Option<String> {
+fn other_loss((test, units): (&Comparison, Units), compared: &super::compare::Compared, model: &[f64]) -> Option<String> {
     if compared.word != "force" || test.relative || test.across.is_some() || test.against == "time" {
         return None;
     }
@@ -179,12 +180,12 @@ fn other_loss(test: &Comparison, compared: &super::compare::Compared, model: &[f
         }
     }
     let error = compared.noise * weights.sqrt();
-    (work.abs() > APART * error && work.abs() > OF_LOOP * of_all).then(|| {
+    (work.abs() > BEYOND_NOISE * error && work.abs() > OF_LOOP * of_all).then(|| {
         format!(
             "way in and way out of {:?} enclose {} {} than in the model ({:.0} times what noise does): hysteresis of the stage does this (test an empty \
              stage, or a stiff surface), or a loss that the model leaves out",
             test.file,
-            super::words::quantity(work.abs(), "J"),
+            super::words::quantity(work.abs(), if units == Units::Si { "J" } else { "1" }),
             if work > 0.0 { "more" } else { "less" },
             work.abs() / error
         )

@@ -110,7 +110,7 @@ fn cannot_pull(fit: &Fit) -> Option<String> {
         (!adhesive && !offset && pull > PULLS * noise).then(|| {
             format!(
                 "without adhesion nothing pulls; these data pull with up to {} ({:.0} times their noise)",
-                quantity(pull, "N"),
+                quantity(pull, if fit.setup.units == Units::Si { "N" } else { "1" }),
                 pull / noise
             )
         })
