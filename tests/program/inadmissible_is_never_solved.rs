@@ -108,7 +108,7 @@ fn every_row_of_a_plan_is_settled() {
     let source = std::fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("program/src/plan/mod.rs")).unwrap();
     let (door, calls) = (source.matches("Row::settled").count(), source.matches("self.problem.solve(").count());
     assert_eq!((door, calls), (1, 1));
-    for file in ["run.rs", "desk.rs"] {
+    for file in ["run.rs", "state_watch.rs"] {
         let text =
             std::fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("program/src/plan").join(file)).unwrap();
         assert!(!text.contains("problem.solve("), "{file}");

@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::command_support;
+use crate::material::SPHERE;
 
 use command_support::Folder;
 use viscotack::material::{Material, RelaxationTerm};
@@ -23,21 +24,6 @@ fn table(header: &str, unit: f64) -> String {
     text
 }
 
-const CONTACT: &str = "
-[adhesion]
-work_of_adhesion = \"50 mJ/m²\"
-process_zone = { length = \"2 µm\" }
-
-[indentation]
-sphere = { radius = \"2 mm\" }
-start = \"relaxed\"
-penetration = \"2 µm\"
-instants = 3
-
-[[history]]
-penetration = \"1 µm\"
-rate = \"0.1 µm/s\"
-";
 const SOLID: &str = "[material]\nrelaxed_modulus = \"1 MPa\"\npoisson_ratio = 0.49\n";
 
 #[test]
@@ -92,13 +78,13 @@ fn cautions_of_a_fit_stay_with_its_file() {
     folder.write("dma.csv", table("f (Hz),storage modulus (Pa),loss modulus (Pa)", 1e6));
     let fitted = folder.call(&["material", "dma.csv", "--out", "fitted"]).ended(0);
     assert!(fitted.stdout.contains("softer than 1 kPa"), "{}", fitted.stdout);
-    folder.write("scene.toml", format!("[material]\nfile = \"fitted/material.toml\"\npoisson_ratio = 0.49\n{CONTACT}"));
+    folder.write("scene.toml", format!("[material]\nfile = \"fitted/material.toml\"\npoisson_ratio = 0.49\n{SPHERE}"));
     let explained = folder.call(&["explain", "scene.toml"]).ended(0).stdout;
     assert!(explained.contains("CAUTION") && explained.contains("softer than 1 kPa"), "{explained}");
     // Words that only the fit can know.
     let file = std::fs::read_to_string(folder.path("fitted").join("material.toml")).unwrap();
     folder.write("fitted/own.toml", file.replace("cautions = [", "cautions = [\n  \"the sample was wet\","));
-    folder.write("scene.toml", format!("[material]\nfile = \"fitted/own.toml\"\npoisson_ratio = 0.49\n{CONTACT}").replace("2 µm", "2 nm"));
+    folder.write("scene.toml", format!("[material]\nfile = \"fitted/own.toml\"\npoisson_ratio = 0.49\n{SPHERE}").replace("2 µm", "2 nm"));
     let ran = folder.call(&["run", "scene.toml", "--json"]).json();
     let meanings: Vec<&str> = ran["validity"].as_array().unwrap().iter().filter_map(|entry| entry["meaning"].as_str()).collect();
     assert!(meanings.contains(&"the sample was wet"), "{meanings:?}");
@@ -117,7 +103,7 @@ fn unusual_numbers_are_asked_about_and_not_refused() {
         let answer = folder.call(&["explain", "scene.toml", "--json"]).ended(0).json();
         answer["cautions"].as_array().unwrap().iter().map(|one| one.as_str().unwrap().to_owned()).collect()
     };
-    let good = format!("{SOLID}{CONTACT}");
+    let good = format!("{SOLID}{SPHERE}");
     assert!(asks(good.clone()).is_empty());
     for (from, to, says) in [
         ("work_of_adhesion = \"50 mJ/m²\"", "work_of_adhesion = 80", "`adhesion.work_of_adhesion` is 8.000e1 J/m²"),
@@ -144,7 +130,7 @@ fn a_folder_in_the_way_is_refused_before_anything_is_printed() {
 
 #[test]
 fn a_table_of_a_scene_taken_for_an_option_gets_its_set() {
-    let folder = Folder::with(&format!("{SOLID}{CONTACT}"));
+    let folder = Folder::with(&format!("{SOLID}{SPHERE}"));
     let answer = folder.call(&["run", "scene.toml", "--sweep", "speed"]).ended(2);
     assert!(answer.stderr.contains("--set 'sweep.key="), "{}", answer.stderr);
 }

@@ -42,7 +42,7 @@ wavelength = \"100 µm\"
 amplitude = \"3 µm\"
 ";
 
-const SPHERE: &str = "
+pub(crate) const SPHERE: &str = "
 [adhesion]
 work_of_adhesion = \"50 mJ/m²\"
 process_zone = { length = \"2 µm\" }

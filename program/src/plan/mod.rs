@@ -11,7 +11,6 @@ pub mod citations;
 pub mod column_reference;
 mod curves;
 mod delayed_fracture;
-mod desk;
 pub mod fit;
 mod indentation;
 mod kept;
@@ -23,23 +22,24 @@ mod plane_material;
 mod propagate;
 mod run;
 mod sliding;
+mod state_watch;
 mod steady_crack;
 mod surface;
 
 pub use curves::short as short_number;
-pub use desk::{Progress, Stage};
 pub use path_curve::PathCurve;
 pub use run::{RunError, Safe, Sink, journal_header, run, run_planned, run_shard, swept_columns, unsolved};
+pub use state_watch::{Progress, Stage};
 
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Verdict, Work, plot};
 use crate::scene::sweep::{self, Sweep};
 use crate::scene::typed::{Problem, Scene, SceneMaterial};
 use citations::Citation;
 use delayed_fracture::DelayedFracturePlan;
-use desk::Desk;
 use indentation::{FiniteRangePlan, IndentationPlan};
 use maps::Answer;
 use sliding::SlidingPlan;
+use state_watch::StateWatch;
 use std::fmt::Debug;
 use std::sync::Arc;
 use steady_crack::SteadyCrackPlan;
@@ -113,8 +113,8 @@ trait ProblemPlan: Debug + Send + Sync {
     }
     /// The columns of the field table: the place, then the fields.
     fn field_columns(&self) -> Vec<Column>;
-    /// Solves the state; one row a label. One that takes long tells the desk how far it is, and leaves checkpoints there.
-    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row>;
+    /// Solves the state; one row a label. One that takes long tells the state_watch how far it is, and leaves checkpoints there.
+    fn solve(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row>;
     /// The model's assumptions held against the rows.
     fn validity(&self, rows: &[Row]) -> Vec<Validity>;
     /// Plots of the rows, by file stem.
@@ -344,7 +344,7 @@ impl Plan {
     /// Solves the state that the plan was made for; one row a theory, or a kind of contact.
     #[must_use]
     pub fn solve(&self, state: usize, swept: &[f64]) -> Vec<Row> {
-        self.solve_at(&Desk::new(state, None, &|_| ()), state, swept)
+        self.solve_at(&StateWatch::new(state, None, &|_| ()), state, swept)
     }
 
     /// The way of a history without bounds, at a tolerance; none of a problem without one.
@@ -353,10 +353,10 @@ impl Plan {
         self.problem.curve(tolerance)
     }
 
-    /// The same, telling a desk how far it is, and from the checkpoint that is there.
-    fn solve_at(&self, desk: &Desk<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
-        let mut rows: Vec<Row> = self.problem.solve(state, swept, desk).into_iter().map(Row::settled).collect();
-        propagate::attach(self.problem.as_ref(), &self.draws, &mut rows, swept, desk.progress());
+    /// The same, telling a state_watch how far it is, and from the checkpoint that is there.
+    fn solve_at(&self, state_watch: &StateWatch<'_>, state: usize, swept: &[f64]) -> Vec<Row> {
+        let mut rows: Vec<Row> = self.problem.solve(state, swept, state_watch).into_iter().map(Row::settled).collect();
+        propagate::attach(self.problem.as_ref(), &self.draws, &mut rows, swept, state_watch.progress());
         rows
     }
 

@@ -3,7 +3,7 @@
 //! Every problem comes by here: a plan of one draw is a plan as any other. Rows of two solutions are the same state if their labels are, and, where the
 //! problem prescribes an abscissa such as the time, if it is the same; events, whose time is a result, are counted instead.
 
-use super::desk::{Desk, Progress, Stage};
+use super::state_watch::{Progress, Stage, StateWatch};
 use super::{ProblemPlan, problem_plan};
 use crate::outcome::material_uncertainty::{DrawCounts, MaterialUncertainty};
 use crate::outcome::{Column, Row, Status, Validity, Verdict};
@@ -45,7 +45,7 @@ pub(super) fn attach(problem: &dyn ProblemPlan, draws: &[Draw], rows: &mut [Row]
         .map(|draw| {
             let rows = draw
                 .as_ref()
-                .map(|plan| plan.solve(state, swept, &Desk::new(state, None, &|_| ())).into_iter().map(Row::settled).collect());
+                .map(|plan| plan.solve(state, swept, &StateWatch::new(state, None, &|_| ())).into_iter().map(Row::settled).collect());
             progress(Stage::Draws { state, finished: finished.fetch_add(1, Ordering::Relaxed) + 1, total: draws.len() });
             rows
         })

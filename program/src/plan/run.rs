@@ -2,8 +2,8 @@
 
 use super::Plan;
 use super::axis_units::WrittenUnits;
-use super::desk::{Desk, Progress, Stage};
 use super::kept::Kept;
+use super::state_watch::{Progress, Stage, StateWatch};
 use crate::in_order::{in_order, together};
 use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
@@ -229,9 +229,9 @@ fn solve_states<'s>(
         let (count, mut text) = (indices.len(), Encoded::default());
         let mut part = Part { kept: none.part(), rows: Vec::new() };
         for state in indices.map(|index| shard.state(index)) {
-            let desk = Desk::new(state, checkpoints, progress);
-            let rows = solve_state(plan, &alone, scene, &desk, state);
-            desk.failure().map_or(Ok(()), Err).or_else(gone)?;
+            let state_watch = StateWatch::new(state, checkpoints, progress);
+            let rows = solve_state(plan, &alone, scene, &state_watch, state);
+            state_watch.failure().map_or(Ok(()), Err).or_else(gone)?;
             // A text of many digits takes as long as some states.
             if is_journalled {
                 text.push(&rows)?;
@@ -322,15 +322,15 @@ fn gone(error: std::io::Error) -> std::io::Result<()> {
 }
 
 /// One state: its swept values put into the scene, read, planned, solved.
-fn solve_state(plan: &Plan, document: &Document, scene: &Scene, desk: &Desk<'_>, state: usize) -> Vec<Row> {
+fn solve_state(plan: &Plan, document: &Document, scene: &Scene, state_watch: &StateWatch<'_>, state: usize) -> Vec<Row> {
     let places = indices(&scene.sweeps, state);
     let swept: Vec<f64> = scene.sweeps.iter().zip(&places).filter_map(|(sweep, &index)| sweep.values.get(index).copied()).collect();
     let solved = || -> Result<Vec<Row>, String> {
         if scene.sweeps.is_empty() {
-            return Ok(plan.solve_at(desk, state, &swept));
+            return Ok(plan.solve_at(state_watch, state, &swept));
         }
         let varied = read::read_varied(document.clone(), &scene.sweeps, state).map_err(|error| error.to_string())?;
-        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve_at(desk, state, &swept))
+        Ok(Plan::new(&varied).map_err(|refusal| refusal.to_string())?.solve_at(state_watch, state, &swept))
     };
     solved().unwrap_or_else(|reason| {
         // The swept value contradicts the rest of the scene: one row that says so.

@@ -12,8 +12,8 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{CohesiveLaw, DelayedFracture, PoissonRatio, ProcessZoneLaw, Scene, Units};
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution};
 use viscotack::crack::{Interface, ProcessZone};
@@ -195,8 +195,8 @@ impl ProblemPlan for DelayedFracturePlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        self.rows(state, swept, desk)
+    fn solve(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
+        self.rows(state, swept, state_watch)
     }
 
     fn validity(&self, rows: &[Row]) -> Vec<Validity> {

@@ -3,7 +3,7 @@
 use super::DelayedFracturePlan;
 use super::columns::{COUNT, at, columns, name};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::Units;
 use viscotack::crack::delayed::trajectory::tends_to;
 use viscotack::crack::delayed::{
@@ -20,16 +20,16 @@ pub(super) struct Scales {
 }
 
 impl DelayedFracturePlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+    pub(super) fn rows(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
         let empty = |record: &str| Row::new(state, swept, vec![record.to_owned(), String::new(), String::new()], COUNT);
-        self.solved(&empty, desk).unwrap_or_else(|refusal| {
+        self.solved(&empty, state_watch).unwrap_or_else(|refusal| {
             let mut row = empty("summary");
             row.refuse(&refusal);
             vec![row]
         })
     }
 
-    fn solved(&self, empty: &dyn Fn(&str) -> Row, desk: &Desk<'_>) -> Result<Vec<Row>, Refusal> {
+    fn solved(&self, empty: &dyn Fn(&str) -> Row, state_watch: &StateWatch<'_>) -> Result<Vec<Row>, Refusal> {
         let problem = self.problem()?;
         let outputs = self.output_times();
         let only_summary = outputs.is_empty() && self.is_one_step();
@@ -43,7 +43,7 @@ impl DelayedFracturePlan {
         let found = if only_summary {
             None
         } else {
-            Some(refined_from(&problem, &self.history, &asked, self.resolution(), &excess, desk.left_off(), desk)?)
+            Some(refined_from(&problem, &self.history, &asked, self.resolution(), &excess, state_watch.left_off(), state_watch)?)
         };
         let scales = self.scales(&problem, found.as_ref());
         let mut rows = vec![self.summary(&problem, found.as_ref(), empty("summary"), &scales)?];

@@ -2,7 +2,7 @@
 
 use super::IndentationPlan;
 use super::timeline::Leg;
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationShape, IndentationStart, IndentationZone};
 use spec_math::Gamma;
 use std::f64::consts::PI;
@@ -78,12 +78,12 @@ impl IndentationPlan {
         Ok(problem)
     }
 
-    pub(super) fn solution(&self, desk: &Desk<'_>) -> Result<IndentationSolution, Refusal> {
+    pub(super) fn solution(&self, state_watch: &StateWatch<'_>) -> Result<IndentationSolution, Refusal> {
         if self.timeline.periodic {
             let problem = self.problem()?;
             return Ok(solve_periodic(&self.material, &problem, self.indentation.instants)?.solution());
         }
-        run_watched(&self.material, &self.problem()?, desk.left_off(), Some(desk))
+        run_watched(&self.material, &self.problem()?, state_watch.left_off(), Some(state_watch))
     }
 }
 

@@ -28,10 +28,10 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::{flow_as_element, plane_material};
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{HistorySegment, Indentation, IndentationStart, IndentationZone, PoissonRatio, Scene, Units};
 pub(super) use finite::FiniteRangePlan;
 use known::Known;
@@ -244,10 +244,10 @@ impl ProblemPlan for IndentationPlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
         let mut rows = match self.resolved() {
-            Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
-            Ok(None) => self.rows(state, swept, desk),
+            Ok(Some(resolved)) => return resolved.solve(state, swept, state_watch),
+            Ok(None) => self.rows(state, swept, state_watch),
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
         locate::of_starts(&mut rows, &self.known);

@@ -7,7 +7,7 @@ use super::remarks::remarks;
 use super::shift::{Shift, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::curves::thinned;
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::IndentationShape;
 use viscotack::elastic::JkrSphere;
 use viscotack::estimate::Estimate;
@@ -32,8 +32,8 @@ pub(super) const LARGEST_TENSION: &str = "largest_tension";
 pub(super) type Values = Vec<Option<Estimate>>;
 
 impl IndentationPlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let solved = self.solution(desk).and_then(|solution| {
+    pub(super) fn rows(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
+        let solved = self.solution(state_watch).and_then(|solution| {
             let rows = self.rows_of(&solution, state, swept)?;
             Ok(rows)
         });

@@ -23,9 +23,9 @@ use crate::outcome::plot::{Axis, Figure};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{
     BranchParameter, PoissonRatio, Scene, Sliding, SlidingBranch, SlidingContact, SlidingIndenter, SlidingLoad, SlidingTask, SlidingZone,
@@ -264,7 +264,7 @@ impl ProblemPlan for SlidingPlan {
         columns::field_columns(self.sliding.indenter, self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &StateWatch<'_>) -> Vec<Row> {
         match &self.sliding.task {
             SlidingTask::State => self.sliding.contacts.iter().map(|&contact| self.limit_row(contact, state, swept)).collect(),
             SlidingTask::Branch(branch) => self.branch_rows(branch, state, swept),

@@ -10,8 +10,8 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{CohesiveLaw, CrackControl, PoissonRatio, ProcessZoneLaw, Scene, SteadyCrack, Strip, StripLoad, Theory, Units};
 use viscotack::crack::cohesive_zone::CohesiveZone;
 use viscotack::crack::curve::{CurvePoint, SteadyCurve};
@@ -255,7 +255,7 @@ impl ProblemPlan for SteadyCrackPlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &StateWatch<'_>) -> Vec<Row> {
         self.crack.theories.iter().map(|&theory| self.row(theory, state, swept)).collect()
     }
 

@@ -13,9 +13,9 @@ use crate::outcome::plot::{Axis, Figure};
 use crate::outcome::{Column, Effect, Group, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{PoissonRatio, Scene, SlidingContact, SurfaceLoad, SurfaceSliding, SurfaceTask, Units};
 use columns::at;
@@ -235,7 +235,7 @@ impl ProblemPlan for SurfacePlan {
         columns::field_columns(self.is_line(), self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], _: &Desk<'_>) -> Vec<Row> {
+    fn solve(&self, state: usize, swept: &[f64], _: &StateWatch<'_>) -> Vec<Row> {
         match self.sliding.task {
             SurfaceTask::State => self.sliding.contacts.iter().map(|&contact| self.state_row(contact, state, swept)).collect(),
             SurfaceTask::Loop { to, points } => self.loop_rows(to, points, state, swept),

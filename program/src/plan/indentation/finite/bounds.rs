@@ -2,7 +2,7 @@
 
 use super::FiniteRangePlan;
 use super::history::tolerances;
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use viscotack::finite_range::sphere::{Mesher, Problem, Record, Run, row_at, run_watched};
 use viscotack::indentation::Watch;
 use viscotack::refusal::Refusal;
@@ -27,11 +27,11 @@ impl FiniteRangePlan {
     }
 
     /// The runs of the state.
-    pub(super) fn runs(&self, desk: &Desk<'_>) -> Result<Runs, Refusal> {
+    pub(super) fn runs(&self, state_watch: &StateWatch<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
         let mut accuracy = tolerances(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
-        let watched = |number: u32| move |part: f64| desk.passed(number, part.min(1.0));
+        let watched = |number: u32| move |part: f64| state_watch.passed(number, part.min(1.0));
         let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;
         let mut systems = loose.certificate.iterations as u64;
         for turn in 1..RUNS {

@@ -23,9 +23,9 @@ use crate::outcome::plot::Figure;
 use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
-use crate::plan::desk::Desk;
 use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Indentation, PoissonRatio, Scene, SceneAttraction, Units};
 pub(super) use advice::beside_an_edge;
 use history::Course;
@@ -171,10 +171,10 @@ impl ProblemPlan for FiniteRangePlan {
         columns::field_columns(self.units)
     }
 
-    fn solve(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let mut rows = match self.resolved(desk) {
-            Ok(Some(resolved)) => return resolved.solve(state, swept, desk),
-            Ok(None) => self.rows(state, swept, desk),
+    fn solve(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
+        let mut rows = match self.resolved(state_watch) {
+            Ok(Some(resolved)) => return resolved.solve(state, swept, state_watch),
+            Ok(None) => self.rows(state, swept, state_watch),
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
         super::locate::of_starts(&mut rows, &self.known);

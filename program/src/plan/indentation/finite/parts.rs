@@ -6,7 +6,7 @@ use super::super::scale::Scale;
 use super::super::timeline::Timeline;
 use super::FiniteRangePlan;
 use super::history::{Course, tolerances};
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::Indentation;
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::sphere::{Mesher, Record, run_watched};
@@ -16,19 +16,19 @@ use viscotack::refusal::Refusal;
 /// Accuracy of a history with conditions, over that of the scene: the time of a condition is known as well as the quantity is.
 pub(super) const WITH_CONDITIONS: f64 = 0.3;
 
-/// A part of a plan, and the desk that hears how far it is.
+/// A part of a plan, and the state_watch that hears how far it is.
 struct Part<'d> {
     plan: FiniteRangePlan,
-    desk: &'d Desk<'d>,
+    state_watch: &'d StateWatch<'d>,
 }
 
 impl FiniteRangePlan {
     /// The same plan with all known that only a solution knows; none if nothing is open.
-    pub(super) fn resolved(&self, desk: &Desk<'_>) -> Result<Option<Self>, Refusal> {
+    pub(super) fn resolved(&self, state_watch: &StateWatch<'_>) -> Result<Option<Self>, Refusal> {
         if self.timeline.open.is_empty() {
             return Ok(None);
         }
-        let part = Part { plan: self.clone(), desk };
+        let part = Part { plan: self.clone(), state_watch };
         let found = known(&part)?;
         let mut plan = part.of_part(self.indentation.clone(), &found, self.solver_accuracy)?.plan;
         plan.accuracy = self.accuracy;
@@ -58,19 +58,19 @@ impl Followed for Part<'_> {
         let course = Course::new(&indentation, &timeline, &old.reduced, &old.scale);
         let known = known.clone();
         let plan = FiniteRangePlan { indentation, timeline, course, known, accuracy, solver_accuracy: accuracy, ..old.clone() };
-        Ok(Self { plan, desk: self.desk })
+        Ok(Self { plan, state_watch: self.state_watch })
     }
 
     fn search(&self, tolerance: f64) -> Result<Way, Refusal> {
         let accuracy = tolerances(tolerance, &self.plan.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
-        let run = run_watched(&self.plan.problem()?, accuracy, &mut mesher, &mut |part| self.desk.passed(1, part.min(1.0)))?;
+        let run = run_watched(&self.plan.problem()?, accuracy, &mut mesher, &mut |part| self.state_watch.passed(1, part.min(1.0)))?;
         let losses = run.losses.iter().map(|record| record.time).collect();
         Ok(Way { states: run.rows.iter().map(|record| self.plan.state(record)).collect(), losses })
     }
 
     fn end(&self) -> Result<State<Estimate>, Refusal> {
-        let runs = self.plan.runs(self.desk)?;
+        let runs = self.plan.runs(self.state_watch)?;
         let last = self.plan.instants(&runs).last().map(|(loose, tight)| self.plan.of_record_state(loose, tight));
         last.ok_or_else(|| Refusal::Undefined { quantity: "the start of a segment", reason: "the history before it has no instant".into() })
     }

@@ -10,7 +10,7 @@ use super::columns::{COLUMNS, at, columns, present};
 use super::history::{is_kinked, tolerances};
 use super::widened::{Floors, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
-use crate::plan::desk::Desk;
+use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Condition, IndentationShape};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
@@ -39,8 +39,8 @@ pub(super) type Values = Vec<Option<Estimate>>;
 type End = (&'static str, Values, Option<Shift>);
 
 impl FiniteRangePlan {
-    pub(super) fn rows(&self, state: usize, swept: &[f64], desk: &Desk<'_>) -> Vec<Row> {
-        let solved = self.runs(desk).and_then(|runs| self.rows_of(&runs, state, swept));
+    pub(super) fn rows(&self, state: usize, swept: &[f64], state_watch: &StateWatch<'_>) -> Vec<Row> {
+        let solved = self.runs(state_watch).and_then(|runs| self.rows_of(&runs, state, swept));
         solved.unwrap_or_else(|refusal| vec![self.refused(state, swept, &refusal)])
     }
 

@@ -49,7 +49,7 @@ pub enum Stage {
 pub type Progress<'a> = &'a (dyn Fn(Stage) + Sync);
 
 /// What a state is solved with.
-pub(super) struct Desk<'a> {
+pub(super) struct StateWatch<'a> {
     state: usize,
     checkpoints: Option<&'a Checkpoints>,
     progress: Progress<'a>,
@@ -62,7 +62,7 @@ struct Clock {
     failed: Option<std::io::Error>,
 }
 
-impl<'a> Desk<'a> {
+impl<'a> StateWatch<'a> {
     pub(super) fn new(state: usize, checkpoints: Option<&'a Checkpoints>, progress: Progress<'a>) -> Self {
         let now = Instant::now();
         let clock = Clock { next_checkpoint: now + BETWEEN_CHECKPOINTS, next_word: now + BETWEEN_WORDS, failed: None };
@@ -101,7 +101,7 @@ impl<'a> Desk<'a> {
     }
 }
 
-impl GrowthWatch for Desk<'_> {
+impl GrowthWatch for StateWatch<'_> {
     fn is_due(&self) -> bool {
         self.is_due()
     }
@@ -111,7 +111,7 @@ impl GrowthWatch for Desk<'_> {
     }
 }
 
-impl Watch for Desk<'_> {
+impl Watch for StateWatch<'_> {
     fn passed(&self, number: u32, part: f64) {
         let Ok(mut clock) = self.clock.lock() else { return };
         let now = Instant::now();
