@@ -70,14 +70,9 @@ pub(super) fn explain(arguments: &SceneArguments, json: bool) -> Result<u8, Fail
         }
     }
     let _ = writeln!(text, "\npredicted work\n  {work}, at most {} MB of memory", plan.predicted_memory().div_ceil(1_000_000));
-    if plan.states() > 1 {
-        let disk = plan.predicted_disk().div_ceil(1_000_000);
-        let _ = writeln!(
-            text,
-            "  about {} (within a factor of ten), and with --out at most {disk} MB on disk",
-            duration(plan.predicted_seconds())
-        );
-    }
+    let disk = plan.predicted_disk().div_ceil(1_000_000);
+    let seconds = duration(plan.predicted_seconds());
+    let _ = writeln!(text, "  about {seconds} (within a factor of ten), and with --out at most {disk} MB on disk");
     let _ = writeln!(text, "\nfiles (with --out)\n  {}", files(&plan));
     print(&text)?;
     Ok(0)

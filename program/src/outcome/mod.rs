@@ -16,6 +16,7 @@ pub mod report;
 pub mod row;
 pub mod screen;
 pub mod shard;
+pub mod shown_units;
 pub mod summary;
 pub mod tally;
 
@@ -23,6 +24,7 @@ pub use row::{Certificate, Column, FieldPoint, Row, Status, Witness, Work};
 
 use crate::in_order::in_order;
 use serde::Serialize;
+use shown_units::ShownUnits;
 use std::path::PathBuf;
 use tally::Tally;
 
@@ -98,6 +100,8 @@ pub struct Outcome {
     pub field_columns: Vec<Column>,
     /// Materials that each state was solved for besides its own, to show what their fit leaves open.
     pub draws: usize,
+    /// The units in which people read it.
+    pub shown_in: ShownUnits,
 }
 
 /// A swept number.

@@ -1,6 +1,7 @@
 //! `report.html` of a run: the answer first, then the plots, the validity of the model in words, what was simulated and how, the cost, the provenance.
 
 use super::page::{closed, escaped, opened};
+use super::shown_units::in_unit;
 use super::{Outcome, Row, Status, Verdict, screen};
 use crate::terminal_text;
 use std::fmt::Write as _;
@@ -122,13 +123,15 @@ fn state(text: &mut String, outcome: &Outcome, row: &Row) {
     let mut lines = String::new();
     for index in order {
         if let (Some(column), Some(estimate)) = (outcome.columns.get(index), row.values.get(index).copied().flatten()) {
-            let unit = if column.unit == "1" { "" } else { &column.unit };
-            let material = row.material_deviation(index).map_or_else(String::new, |deviation| format!("; material ± {deviation:.1e}"));
+            let (unit, size) = outcome.unit(index);
+            let unit = if unit == "1" { "" } else { unit };
+            let material =
+                row.material_deviation(index).map_or_else(String::new, |deviation| format!("; material ± {:.1e}", deviation / size));
             let _ = writeln!(
                 lines,
                 "<tr><th>{}</th><td class=\"word\">{}{material} {}</td><td class=\"sentence\">{}</td></tr>",
                 escaped(column.name),
-                screen::with_error(estimate),
+                screen::with_error(in_unit(estimate, size)),
                 escaped(unit),
                 escaped(column.meaning)
             );

@@ -1,5 +1,6 @@
 //! The table on the screen: values with as many digits as their error leaves, and the blocks a reader needs before believing them.
 
+use super::shown_units::in_unit;
 use super::tally::Known;
 use super::{Outcome, Row, Status, Verdict};
 use std::fmt::Write as _;
@@ -60,12 +61,13 @@ fn single(text: &mut String, outcome: &Outcome, rows: &[&Row]) {
             outcome.layout.as_ref().map_or_else(|| (0..outcome.columns.len()).collect(), |layout| layout.states.clone());
         for index in order {
             if let (Some(column), Some(estimate)) = (outcome.columns.get(index), row.values.get(index).copied().flatten()) {
-                let unit = if column.unit == "1" { "" } else { &column.unit };
+                let (unit, size) = outcome.unit(index);
+                let unit = if unit == "1" { "" } else { unit };
                 let material = row.material_deviation(index).map_or_else(String::new, |deviation| {
                     // A number of the scene owes nothing to the material.
-                    if deviation > 0.0 { format!("   material ± {deviation:.1e}") } else { "   material ± 0".into() }
+                    if deviation > 0.0 { format!("   material ± {:.1e}", deviation / size) } else { "   material ± 0".into() }
                 });
-                let line = format!("  {:width$}  {} {unit}{material}", column.name, with_error(estimate));
+                let line = format!("  {:width$}  {} {unit}{material}", column.name, with_error(in_unit(estimate, size)));
                 let _ = writeln!(text, "{}", line.trim_end());
             }
         }
@@ -99,9 +101,11 @@ pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool, most: usi
         Some(layout) if of_states => layout.labels.clone(),
         _ => (0..outcome.labels.len()).collect(),
     };
-    let mut header: Vec<String> = outcome.swept.iter().map(|swept| with_unit(&swept.key, &swept.unit)).collect();
+    let swept = outcome.swept.iter().enumerate();
+    let mut header: Vec<String> = swept.map(|(place, swept)| with_unit(&swept.key, outcome.swept_unit(place).0)).collect();
     header.extend(labels.iter().filter_map(|place| outcome.labels.get(*place)).map(|label| (*label).to_owned()));
-    header.extend(shown.iter().filter_map(|&index| outcome.columns.get(index)).map(|column| with_unit(column.name, &column.unit)));
+    let named = shown.iter().filter_map(|&index| Some((outcome.columns.get(index)?, outcome.unit(index).0)));
+    header.extend(named.map(|(column, unit)| with_unit(column.name, unit)));
     let mut lines = vec![header];
     let total = total(outcome, of_states);
     for (index, row) in rows.iter().enumerate() {
@@ -112,7 +116,7 @@ pub(super) fn cells(outcome: &Outcome, rows: &[&Row], of_states: bool, most: usi
             }
             continue;
         }
-        lines.push(line(row, &labels, &shown));
+        lines.push(line(outcome, row, &labels, &shown));
     }
     (shown, lines)
 }
@@ -205,11 +209,13 @@ fn wanted(outcome: &Outcome, rows: &[&Row], index: usize) -> bool {
     !swept && !given() && rows.iter().any(|row| row.values.get(index).is_some_and(Option::is_some)) && !(0..index).any(same_as)
 }
 
-fn line(row: &Row, labels: &[usize], shown: &[usize]) -> Vec<String> {
-    let mut cells: Vec<String> = row.swept.iter().map(|value| format!("{value:.4e}")).collect();
+fn line(outcome: &Outcome, row: &Row, labels: &[usize], shown: &[usize]) -> Vec<String> {
+    let swept = row.swept.iter().enumerate();
+    let mut cells: Vec<String> = swept.map(|(place, value)| five_digits(value / outcome.swept_unit(place).1)).collect();
     cells.extend(labels.iter().map(|place| row.label(*place).to_owned()));
     if row.status.has_values() {
-        cells.extend(shown.iter().map(|&index| row.values.get(index).copied().flatten().map_or_else(String::new, short)));
+        let value = |index: usize| Some(in_unit(row.values.get(index).copied()??, outcome.unit(index).1));
+        cells.extend(shown.iter().map(|&index| value(index).map_or_else(String::new, short)));
     } else {
         cells.push(row.status.word().to_owned());
     }
@@ -261,13 +267,14 @@ fn short(estimate: Estimate) -> String {
     if whole { plain(estimate.value) } else { rounded(estimate, 9) }
 }
 
-/// A value with as many digits as its error leaves, and the error: `1.2345678901e-3 ± 2e-14`.
+/// A value with as many digits as its error leaves, and the error: `1.2345678901 ± 2e-11`.
 #[must_use]
 pub fn with_error(estimate: Estimate) -> String {
     if estimate.error == 0.0 {
         return format!("{} (exact)", plain(estimate.value));
     }
-    format!("{} ± {:.0e}", rounded(estimate, 16), estimate.error)
+    let error = format!("{:.0e}", estimate.error);
+    format!("{} ± {}", rounded(estimate, 16), error.parse().map_or(error, plain))
 }
 
 fn rounded(estimate: Estimate, most_digits: usize) -> String {
@@ -276,9 +283,23 @@ fn rounded(estimate: Estimate, most_digits: usize) -> String {
     }
     let relative = estimate.relative_error();
     let digits = if relative == 0.0 { most_digits } else { ((-relative.log10()).ceil().max(0.0) as usize).min(most_digits) };
-    format!("{:.*e}", digits, estimate.value)
+    let scientific = format!("{:.*e}", digits, estimate.value);
+    // The digits of the number as rounded: 9.99 may have become 10.0.
+    let power: i32 = scientific.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    match usize::try_from(digits as i32 - power) {
+        Ok(decimals) if WRITTEN_OUT.contains(&estimate.value.abs()) => format!("{:.*}", decimals, estimate.value),
+        _ => scientific,
+    }
 }
 
+/// A number that was given: at most five digits.
+fn five_digits(value: f64) -> String {
+    plain(format!("{value:.4e}").parse().unwrap_or(value))
+}
+
+/// Numbers that are read most easily without a power of ten.
+const WRITTEN_OUT: std::ops::Range<f64> = 1e-3..1e6;
+
 fn plain(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
+    if value == 0.0 || WRITTEN_OUT.contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
 }

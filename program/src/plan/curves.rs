@@ -35,6 +35,17 @@ impl Family<'_> {
         Curve::new(self.label.clone(), points).with_line(self.kind.line).with(self.shade)
     }
 
+    /// Rows from left to right: their values, and one standard uncertainty of the material above and below.
+    fn curve_of(&self, across: fn(&Row) -> f64, of: Ordinate) -> Curve {
+        let mut rows: Vec<(f64, &Row)> = self.rows.iter().map(|row| (across(row), *row)).collect();
+        if rows.iter().all(|(x, _)| x.is_finite()) {
+            rows.sort_by(|left, right| left.0.total_cmp(&right.0));
+        }
+        let points = rows.iter().map(|(x, row)| (*x, of.factor * value(row, of.column))).collect();
+        let deviations = rows.iter().map(|(_, row)| of.factor.abs() * row.material_deviation(of.column).unwrap_or(0.0));
+        self.curve(points).with_band(deviations.collect())
+    }
+
     /// One point a row.
     pub(super) fn points(&self, x: impl Fn(&Row) -> f64, y: impl Fn(&Row) -> f64) -> Vec<(f64, f64)> {
         self.rows.iter().map(|row| (x(row), y(row))).collect()
@@ -67,9 +78,38 @@ fn plain_name(key: &str) -> String {
     key.rsplit('.').next().unwrap_or(key).replace('_', " ")
 }
 
-/// A figure with a curve for every family.
-pub(super) fn figure(families: &[Family<'_>], horizontal: Axis, vertical: Axis, points: impl Fn(&Family<'_>) -> Vec<(f64, f64)>) -> Figure {
-    families.iter().fold(Figure::new(horizontal, vertical), |figure, family| figure.with_curve(family.curve(points(family))))
+/// What is drawn of a row: a column, and how many times its value.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ordinate {
+    pub(super) column: usize,
+    pub(super) factor: f64,
+}
+
+impl From<usize> for Ordinate {
+    fn from(column: usize) -> Self {
+        Self { column, factor: 1.0 }
+    }
+}
+
+/// A figure with a curve of a column for every family.
+pub(super) fn figure(
+    families: &[Family<'_>],
+    (horizontal, vertical): (Axis, Axis),
+    across: fn(&Row) -> f64,
+    of: impl Into<Ordinate>,
+) -> Figure {
+    let of = of.into();
+    let mut figure =
+        families.iter().fold(Figure::new(horizontal, vertical), |figure, family| figure.with_curve(family.curve_of(across, of)));
+    say_what_bands_are(&mut figure);
+    figure
+}
+
+/// A line under a figure whose curves have bands.
+pub(super) fn say_what_bands_are(figure: &mut Figure) {
+    if figure.curves.iter().any(|curve| !curve.band.is_empty()) {
+        figure.add_note("bands: one standard uncertainty of the material");
+    }
 }
 
 /// The colour of one of so many curves in order.
@@ -158,15 +198,16 @@ pub(super) fn families<'a>(scene: &Scene, rows: &'a [Row], kinds: &[Kind]) -> Ve
     families
 }
 
-/// `speed 1e-3 m/s, factor 2.5`.
+/// `speed 1 mm/s, factor 2.5`.
 pub(super) fn swept_label(scene: &Scene, values: &[f64]) -> String {
     scene
         .sweeps
         .iter()
         .zip(values)
         .map(|(sweep, &value)| {
-            let unit = if sweep.unit == "1" { String::new() } else { format!(" {}", sweep.unit) };
-            format!("{} {}{unit}", plain_name(&sweep.key), short(value))
+            let (unit, size) = sweep.written.reached(value).map_or((sweep.unit.as_str(), 1.0), |unit| (&unit.name, unit.size));
+            let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+            format!("{} {}{unit}", plain_name(&sweep.key), short(value / size))
         })
         .collect::<Vec<_>>()
         .join(", ")

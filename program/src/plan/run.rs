@@ -1,7 +1,7 @@
 //! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
 
 use super::Plan;
-use super::axis_units::WrittenUnits;
+use super::axis_units::put_on;
 use super::kept::Kept;
 use super::state_watch::{Progress, Stage, StateWatch};
 use crate::in_order::{in_order, together};
@@ -9,11 +9,13 @@ use crate::outcome::build;
 use crate::outcome::checkpoints::Checkpoints;
 use crate::outcome::journal::{self, Encoded, Journal, JournalHeader};
 use crate::outcome::shard::Shard;
+use crate::outcome::shown_units::ShownUnits;
 use crate::outcome::tally::Tally;
 use crate::outcome::{Outcome, Pictures, Row, Status, SweptColumn};
 use crate::scene::document::Document;
 use crate::scene::sweep::{indices, states};
 use crate::scene::typed::{Picture, Scene};
+use crate::scene::written_units::WrittenUnits;
 use crate::scene::{SceneError, read};
 use std::ops::Range;
 use std::path::Path;
@@ -130,15 +132,20 @@ fn run_all(
             .0;
         figures.iter_mut().for_each(|(_, figure)| figure.add_note(format!("{states} of {total} states are drawn")));
     }
-    let units = WrittenUnits::of(document);
-    figures.iter_mut().for_each(|(_, figure)| units.put_on(figure));
+    let units = WrittenUnits::of(&document.root);
+    for (_, figure) in &mut figures {
+        put_on(&units, figure);
+        figure.note_what_is_negative();
+    }
+    let unsolved = unsolved(plan, document, scene);
     Ok(Outcome {
         figures,
+        shown_in: ShownUnits::of(&units, &unsolved, &rows),
         validity,
         stored: safe.map(|safe| safe.journal.path().to_owned()),
         rows,
         tally,
-        ..unsolved(plan, document, scene)
+        ..unsolved
     })
 }
 
@@ -304,6 +311,7 @@ pub fn unsolved(plan: &Plan, document: &Document, scene: &Scene) -> Outcome {
         labels: plan.labels(),
         field_columns: plan.field_columns(),
         draws: plan.draws(),
+        shown_in: ShownUnits::default(),
     }
 }
 

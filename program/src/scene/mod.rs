@@ -26,6 +26,7 @@ pub mod template;
 pub mod typed;
 pub mod units;
 mod written;
+pub mod written_units;
 
 pub use diagnostic::SceneError;
 pub use document::Document;

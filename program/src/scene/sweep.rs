@@ -10,6 +10,7 @@ use super::document::{Document, Node, Value};
 use super::read::history::dependent_kind;
 use super::read::{has_table, is_number, range_of};
 use super::units::Dimension;
+use super::written_units::WrittenUnits;
 use latin_hypercube::Cube;
 
 /// One swept number.
@@ -25,6 +26,8 @@ pub struct Sweep {
     pub logarithmic: bool,
     /// Whether all sweeps of the scene go through their values side by side instead of in all combinations.
     pub together: bool,
+    /// The units of its values as they are written.
+    pub written: WrittenUnits,
     place: Place,
 }
 
@@ -184,7 +187,9 @@ fn read_one(root: &Node, table: &Node, units: Units, cube: Option<(&Cube, u64)>)
             (values, !linear)
         }
     };
-    Ok(Sweep { key: path.clone(), values, unit, logarithmic, together: cube.is_some(), place: key_node.place.clone() })
+    // A temperature in °C is more than a number of units.
+    let written = if dimension == Dimension::TEMPERATURE { WrittenUnits::default() } else { WrittenUnits::of(table) };
+    Ok(Sweep { key: path.clone(), values, unit, logarithmic, together: cube.is_some(), written, place: key_node.place.clone() })
 }
 
 /// The catalogue entry of the path of a number that `named_by` gives, after checking that it is a number and that its table exists; with what it is measured in.

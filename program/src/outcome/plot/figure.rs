@@ -72,6 +72,19 @@ impl Figure {
         self.note = Some(self.note.take().map_or_else(|| note.to_owned(), |before| format!("{before}; {note}")));
     }
 
+    /// Says how many points of curves a logarithmic axis has no place for, being negative. Zero is at its far end.
+    pub fn note_what_is_negative(&mut self) {
+        let points = || self.curves.iter().flat_map(|curve| &curve.points);
+        let [across, up] = [&self.horizontal, &self.vertical].map(|axis| axis.scale == Scale::Logarithmic);
+        let (all, missing) = points().fold((0, 0), |(all, missing), &(x, y)| {
+            let drawn = x.is_finite() && y.is_finite();
+            (all + usize::from(drawn), missing + usize::from(drawn && (across && x < 0.0 || up && y < 0.0)))
+        });
+        if missing > 0 {
+            self.add_note(format!("{missing} of {all} points are negative and not drawn"));
+        }
+    }
+
     /// Puts a title above the frame.
     #[must_use]
     pub fn with_title(mut self, title: impl Into<String>) -> Self {
@@ -157,6 +170,8 @@ pub struct Curve {
     pub marker_spacing: MarkerSpacing,
     /// The colour.
     pub colour: Colour,
+    /// Half the height of a pale band around each point; none without a band.
+    pub band: Vec<f64>,
 }
 
 impl Curve {
@@ -170,7 +185,20 @@ impl Curve {
             marker: Marker::None,
             marker_spacing: MarkerSpacing::EveryPoint,
             colour: Colour::Automatic,
+            band: Vec::new(),
         }
+    }
+
+    /// Draws a pale band, so far above and below each point; nothing where all are zero.
+    #[must_use]
+    pub fn with_band(mut self, halves: Vec<f64>) -> Self {
+        self.band = if halves.iter().any(|half| *half > 0.0) { halves } else { Vec::new() };
+        self
+    }
+
+    /// The points with the ends of the band above and below them.
+    pub(super) fn banded(&self) -> impl Iterator<Item = (f64, [f64; 2])> + '_ {
+        self.points.iter().zip(&self.band).map(|(&(x, y), half)| (x, [y - half, y + half]))
     }
 
     /// Sets the stroke.

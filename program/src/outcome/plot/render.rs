@@ -120,6 +120,9 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     if figure.map.is_none() && traces.iter().all(|trace| trace.strokes.is_empty() && trace.lonely.is_empty() && trace.signs.is_empty()) {
         draw_absence(&mut canvas, figure, frame);
     }
+    if let (Some(across), Some(up)) = (horizontal.interval, vertical.interval) {
+        draw_bands(&mut canvas, figure, (across, up), frame);
+    }
     draw_curves(&mut canvas, figure, &traces);
 
     let mut strokes: Vec<Vec<Point>> = traces.iter().flat_map(|trace| trace.strokes.iter().cloned()).collect();
@@ -140,11 +143,13 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
 
 /// The two intervals shown; `None` where there is nothing to show and no range given.
 pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Interval>), PlotError> {
+    let banded = figure.curves.iter().flat_map(|curve| curve.banded().flat_map(|(x, ends)| ends.map(|y| (x, y))));
     let shown: Vec<Point> = figure
         .curves
         .iter()
         .flat_map(|curve| &curve.points)
         .copied()
+        .chain(banded)
         .filter(|(x, y)| has_place(figure.horizontal.scale, *x) && has_place(figure.vertical.scale, *y))
         .collect();
     let within = |range: Option<(f64, f64)>, value: f64| range.is_none_or(|(lower, upper)| value >= lower && value <= upper);
@@ -260,6 +265,30 @@ fn spread(stroke: &[Point]) -> Vec<Point> {
         travelled += piece;
     }
     places
+}
+
+/// Pale bands around curves, under all of them, within the frame.
+fn draw_bands(canvas: &mut Canvas, figure: &Figure, (across, up): (Interval, Interval), frame: Area) {
+    for (place, curve) in figure.curves.iter().enumerate().filter(|(_, curve)| !curve.band.is_empty()) {
+        let ends: Vec<Option<(f64, [f64; 2])>> = curve
+            .banded()
+            .map(|(x, [below, above])| {
+                let x = across.fraction(x).filter(|x| (0.0..=1.0).contains(x))?;
+                // Below all decades of a logarithmic axis is its lower end.
+                let [below, above] = [up.fraction(below).unwrap_or(0.0), up.fraction(above)?].map(|part| part.clamp(0.0, 1.0));
+                let height = frame.bottom - frame.top;
+                let right = frame.left + x * (frame.right - frame.left);
+                Some((right, [frame.bottom - below * height, frame.bottom - above * height]))
+            })
+            .collect();
+        for unbroken in ends.split(Option::is_none).filter(|unbroken| unbroken.len() > 1) {
+            let side = |which: usize| unbroken.iter().flatten().map(move |(x, ends)| (*x, ends[which]));
+            let corners: Vec<Point> = side(1).chain(side(0).collect::<Vec<_>>().into_iter().rev()).collect();
+            canvas.open_group("band");
+            canvas.filled(corners, style::pale(style::colour(curve.colour, place)));
+            canvas.close_group();
+        }
+    }
 }
 
 pub(super) fn draw_curves(canvas: &mut Canvas, figure: &Figure, traces: &[Trace]) {

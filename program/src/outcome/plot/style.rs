@@ -104,6 +104,12 @@ pub(super) fn sequential(part: f64) -> Rgb {
     (mix(r0, r1), mix(g0, g1), mix(b0, b1))
 }
 
+/// A colour of which little is left on the paper.
+pub(super) fn pale((red, green, blue): Rgb) -> Rgb {
+    let mix = |colour: u8, paper: u8| (0.22 * f64::from(colour) + 0.78 * f64::from(paper)).round() as u8;
+    (mix(red, PAPER.0), mix(green, PAPER.1), mix(blue, PAPER.2))
+}
+
 /// Lengths of stroke and gap in turn, in points; empty for a full line, `None` for no line.
 pub(super) fn dashes(line: Line, place: usize) -> Option<&'static [f64]> {
     match line {

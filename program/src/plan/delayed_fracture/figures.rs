@@ -4,7 +4,7 @@ use super::DelayedFracturePlan;
 use super::columns::at;
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::plan::curves::{innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
+use crate::plan::curves::{innermost, noted, say_what_bands_are, shade, swept_axis, swept_label, thinned, thinning, value};
 use crate::plan::maps::Answer;
 use crate::scene::typed::{HistorySegment, Scene, Units};
 
@@ -14,6 +14,9 @@ const MOST_STATES: usize = 7;
 const MOST_MARKS: usize = 60;
 /// Speeds below this part of the greatest lie under the frame of a logarithmic plot.
 const SLOWEST: f64 = 1e-6;
+
+/// Cracks that grow to lengths further from each other than this are drawn over decades.
+const DIFFERENT_GROWTH: f64 = 100.0;
 
 /// Events that are marked.
 const MARKS: [(&str, Marker, &str); 5] = [
@@ -34,7 +37,9 @@ impl DelayedFracturePlan {
         // A tip that rests all the time has nothing to show.
         let grows = rows.iter().any(|row| row.value(at::GROWTH).is_some_and(|growth| growth > 0.0));
         if grows && rows.iter().any(|row| row.label(0) == "sample") {
-            let logarithmic = self.crack.output.first.is_some();
+            let ends = rows.iter().filter(|row| row.label(0) == "summary").filter_map(|row| row.value(at::GROWTH)).filter(|end| *end > 0.0);
+            let (least, most) = ends.fold((f64::INFINITY, 0.0_f64), |(least, most), end| (least.min(end), most.max(end)));
+            let logarithmic = self.crack.output.first.is_some() || most > DIFFERENT_GROWTH * least;
             let time = || {
                 let label = self.label("time", "$t$ (s)", r"$t/\tau$");
                 if logarithmic { Axis::logarithmic(label) } else { Axis::linear(label) }
@@ -166,10 +171,11 @@ impl DelayedFracturePlan {
         let draw = |vertical: Axis, column: usize, line: Line, figure: Option<(Figure, &str)>| {
             let (mut drawn, name) = figure.unwrap_or_else(|| (Figure::new(horizontal(), vertical), ""));
             for (colour, set) in sets.iter().enumerate() {
-                let own = rows.iter().filter(|row| row.label(0) == "summary" && row.swept.get(..outer).unwrap_or(&[]) == *set);
-                let points: Vec<(f64, f64)> = own.map(|row| (across(row), value(row, column))).collect();
+                let own = || rows.iter().filter(|row| row.label(0) == "summary" && row.swept.get(..outer).unwrap_or(&[]) == *set);
+                let points: Vec<(f64, f64)> = own().map(|row| (across(row), value(row, column))).collect();
+                let band = own().map(|row| row.material_deviation(column).unwrap_or(0.0)).collect();
                 let label = if outer > 0 { swept_label(scene, set) } else { name.to_owned() };
-                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with(shade(colour, sets.len())));
+                drawn = drawn.with_curve(Curve::new(label, points).with_line(line).with(shade(colour, sets.len())).with_band(band));
             }
             drawn
         };
@@ -179,10 +185,11 @@ impl DelayedFracturePlan {
         let delay = self.delay().axis;
         let speed = || Axis::logarithmic(self.label("speed of the tip", r"$\dot{x}_0$ (m/s)", r"$\dot{x}_0\tau/a_0$"));
         let first = draw(speed(), at::INITIAL_SPEED, Line::Dashed, Some((Figure::new(horizontal(), speed()), "just after the delay")));
-        let figures = vec![
+        let mut figures = vec![
             ("delay_against_load".into(), draw(delay, at::DELAY, Line::Solid, None)),
             ("speed_against_load".into(), draw(speed(), at::STEADY_SPEED, Line::Solid, Some((first, "at last")))),
         ];
+        figures.iter_mut().for_each(|(_, figure)| say_what_bands_are(figure));
         noted(figures, note)
     }
 }

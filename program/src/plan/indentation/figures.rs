@@ -5,7 +5,7 @@ use super::rows::{CYCLE, LARGEST_TENSION, SUMMARY};
 use super::{IndentationPlan, agreement};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
-use crate::plan::curves::{axis_of, innermost, noted, shade, swept_axis, swept_label, thinned, thinning, value};
+use crate::plan::curves::{axis_of, innermost, noted, say_what_bands_are, shade, swept_axis, swept_label, thinned, thinning, value};
 use crate::plan::maps::Answer;
 use crate::scene::typed::{HistoryQuantity, IndentationShape, Scene, Units};
 use viscotack::elastic::JkrSphere;
@@ -16,6 +16,8 @@ const MOST_STATES: usize = 7;
 const LOSSES: [&str; 2] = ["detachment", "zone_reached"];
 /// Histories whose durations differ more than this are drawn over the logarithm of time.
 const DIFFERENT_ENDS: f64 = 10.0;
+/// Times of two histories that are the same, within rounding.
+const SAME_TIME: f64 = 1e-9;
 /// What is shown beside the contact, over the way on which it holds.
 const BESIDE: f64 = 0.2;
 /// Points of an elastic curve.
@@ -56,6 +58,7 @@ impl IndentationPlan {
                 figures.extend((column == at::FORCE).then(|| self.deviation_figure(&states)).flatten());
             }
         }
+        figures.extend(self.own_time_figure(&states).map(|figure| ("force_against_own_time".to_owned(), figure)));
         let mut numbers: Vec<usize> = rows.iter().filter(|row| row.status.has_values()).map(|row| row.state).collect();
         numbers.dedup();
         let note = thinning(numbers.len(), MOST_STATES, "states");
@@ -227,6 +230,32 @@ impl IndentationPlan {
         if column == at::FORCE { self.with_measured(figure, states, at::TIME) } else { figure }
     }
 
+    /// The force against the time since the histories differ, where what follows takes much longer in some of them: retractions at several speeds after one dwell.
+    fn own_time_figure(&self, states: &[State<'_>]) -> Option<Figure> {
+        let time = |row: &&Row| value(row, at::TIME);
+        let (first, others) = states.split_first()?;
+        let all_at = |&(place, now): &(usize, f64)| {
+            let same = |row: &&Row| (time(row) - now).abs() <= SAME_TIME * now;
+            others.iter().all(|state| state.rows.get(place).is_some_and(same))
+        };
+        let begin = first.rows.iter().map(time).enumerate().take_while(all_at).last().filter(|(_, begin)| *begin > 0.0)?.1;
+        let ends = states.iter().filter_map(|state| state.rows.last().map(time)).map(|end| end - begin);
+        let (shortest, longest) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
+        if !(longest > DIFFERENT_ENDS * shortest && shortest > SAME_TIME * begin) {
+            return None;
+        }
+        let words = format!("time since {}", crate::plan::curves::short(begin));
+        let label = if self.units == Units::Si { format!("{words} s (s)") } else { words };
+        let later = states.iter().map(|state| {
+            let mut curve = self.curve(state, at::TIME, at::FORCE);
+            curve.points.retain(|point| point.0 > begin * (1.0 + SAME_TIME));
+            curve.points.iter_mut().for_each(|point| point.0 -= begin);
+            curve
+        });
+        let figure = later.fold(Figure::new(Axis::logarithmic(label), self.axis(at::FORCE)), Figure::with_curve);
+        Some(figure)
+    }
+
     /// The measured force of the first state, as marks.
     fn with_measured(&self, figure: Figure, states: &[State<'_>], horizontal: usize) -> Figure {
         let marks = position(&self.indentation, at::MEASURED_FORCE)
@@ -284,18 +313,16 @@ impl IndentationPlan {
         let mut figure = Figure::new(horizontal, Axis::linear(vertical));
         figure.note = note;
         for (colour, set) in sets.iter().enumerate() {
-            let points = found
-                .iter()
-                .filter(|row| row.swept.get(..outer).unwrap_or(&[]) == *set)
-                .map(|row| (innermost(row), value(row, column)))
-                .collect();
+            let own = || found.iter().filter(|row| row.swept.get(..outer).unwrap_or(&[]) == *set);
             figure = figure.with_curve(
-                Curve::new(swept_label(scene, set), points)
+                Curve::new(swept_label(scene, set), own().map(|row| (innermost(row), value(row, column))).collect())
+                    .with_band(own().map(|row| row.material_deviation(column).unwrap_or(0.0)).collect())
                     .with(shade(colour, sets.len()))
                     .with_line(Line::Solid)
                     .with_marker(Marker::Circle),
             );
         }
+        say_what_bands_are(&mut figure);
         Some(figure)
     }
 

@@ -5,7 +5,7 @@ use super::apart::ISOLA;
 use super::columns::{at, place_of, strength};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
-use crate::plan::curves::{Kind, families, figure, innermost, shade, swept_label, thinned, thinning, value};
+use crate::plan::curves::{Kind, Ordinate, families, figure, innermost, shade, swept_label, thinned, thinning, value};
 use crate::scene::typed::{BranchParameter, Scene, SlidingBranch, SlidingContact, SlidingLoad, Units};
 
 /// Most states whose branches are drawn in one figure.
@@ -221,8 +221,8 @@ impl SlidingPlan {
         let Some(sweep) = scene.sweeps.last().filter(|_| families.iter().any(|family| family.rows.len() > 1)) else { return Vec::new() };
         let against = sweep.key.strip_prefix("sliding.").unwrap_or(&sweep.key).replace('.', "_");
         let horizontal = self.axis_of_sweep(sweep);
-        let over = |vertical: Axis, column: usize, sign: f64| {
-            figure(&families, horizontal.clone(), vertical, |family| family.points(innermost, |row| sign * value(row, column)))
+        let over = |vertical: Axis, column: usize, factor: f64| {
+            figure(&families, (horizontal.clone(), vertical), innermost, Ordinate { column, factor })
         };
         let pull_off = match (self.units, self.is_wave()) {
             (Units::Si, true) => r"pull-off pressure $|p_\mathrm{out}|$ (Pa)",

@@ -78,8 +78,16 @@ pub(super) static COLUMNS: [Definition; 17] = [
         Measure::Coefficient,
         "Friction over load, where the load presses; accuracy relative to at least kΛ, of a cylinder L/R.",
     ),
-    column("trailing_energy_release_rate", Measure::Release, "G₁ of the edge that opens; accuracy relative to at least Δγ of that edge."),
-    column("leading_energy_release_rate", Measure::LeadingRelease, "G₂ of the edge that closes; accuracy relative to at least Δγ."),
+    column(
+        "trailing_energy_release_rate",
+        Measure::Release,
+        "G₁ of the edge that opens: what ½∫p·w loses for each area if it moves by one process zone; negative where that would gain. Accuracy relative to at least Δγ of that edge.",
+    ),
+    column(
+        "leading_energy_release_rate",
+        Measure::LeadingRelease,
+        "G₂ of the edge that closes, likewise; accuracy relative to at least Δγ.",
+    ),
     Definition {
         name: "mean_pressure",
         of_cylinder: "load_per_width",

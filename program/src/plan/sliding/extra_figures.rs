@@ -71,7 +71,7 @@ impl SlidingPlan {
     fn share_figure(&self, families: &[Family<'_>], horizontal: Axis) -> Figure {
         let column = place_of(&self.sliding, "edge_share");
         let share = Axis::linear(r"share of the edges $\mu_a/\mu$");
-        let mut drawn = figure(families, horizontal, share, |family| family.points(innermost, |row| value(row, column)));
+        let mut drawn = figure(families, (horizontal, share), innermost, column);
         let places = || families.iter().flat_map(|family| family.rows.iter().map(|row| innermost(row)));
         if let (Some(first), Some(last)) = (places().reduce(f64::min), places().reduce(f64::max)) {
             for (height, label) in [(0.9, "limits of the regimes"), (0.1, "")] {

@@ -25,9 +25,7 @@ impl SlidingPlan {
         {
             let against = sweep.key.strip_prefix("sliding.").unwrap_or(&sweep.key).replace('.', "_");
             let horizontal = self.axis_of_sweep(sweep);
-            let over_sweep = |label: String, column: usize| {
-                figure(&families, horizontal.clone(), Axis::linear(label), |family| family.points(innermost, |row| value(row, column)))
-            };
+            let over_sweep = |label: String, column: usize| figure(&families, (horizontal.clone(), Axis::linear(label)), innermost, column);
             let pressed = rows.iter().filter(|row| row.value(at::FRICTION).is_some()).all(|row| row.value(at::COEFFICIENT).is_some());
             let friction = if pressed {
                 over_sweep(self.label("friction coefficient", r"$\mu$", "", r"$\mu/k\Lambda$", r"$\mu R/L$"), at::COEFFICIENT)

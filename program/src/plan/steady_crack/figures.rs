@@ -24,15 +24,6 @@ const fn kind(theory: Theory) -> Kind {
     Kind { word: theory.word(), name: theory.name(), line }
 }
 
-/// Points of a curve over a column, from left to right.
-fn over_column(family: &Family<'_>, x: usize, y: usize) -> Vec<(f64, f64)> {
-    let mut points = family.points(|row| value(row, x), |row| value(row, y));
-    if points.iter().all(|point| point.0.is_finite()) {
-        points.sort_by(|left, right| left.0.total_cmp(&right.0));
-    }
-    points
-}
-
 impl SteadyCrackPlan {
     pub(super) fn drawings(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         let mut figures = Vec::new();
@@ -50,7 +41,7 @@ impl SteadyCrackPlan {
             };
             figures.push((
                 format!("{stem}_against_speed"),
-                figure(&families, Axis::logarithmic(speed), Axis::logarithmic(label), |family| over_column(family, at::SPEED, column)),
+                figure(&families, (Axis::logarithmic(speed), Axis::logarithmic(label)), |row| value(row, at::SPEED), column),
             ));
             figures.extend(self.against_swept(scene, &families));
             figures = noted(figures, left_out(scene, rows, kinds.len()));
@@ -72,7 +63,7 @@ impl SteadyCrackPlan {
             (true, Units::Reduced) => Axis::logarithmic(r"crack speed $v\tau/a_0$"),
             (false, _) => Axis::logarithmic(r"energy release rate $G/\Delta\gamma$"),
         };
-        let drawn = figure(families, swept_axis(sweep), vertical, |family| family.points(innermost, |row| value(row, column)));
+        let drawn = figure(families, (swept_axis(sweep), vertical), innermost, column);
         Some((format!("{stem}_against_{}", sweep.key.replace('.', "_")), drawn))
     }
 

@@ -5,7 +5,7 @@ use super::columns::{at, field};
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
 use crate::outcome::{FieldPoint, Row};
 use crate::plan::curves::{
-    Family, Kind, axis_of, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value,
+    Kind, axis_of, families, figure, innermost, left_out, noted, shade, swept_axis, swept_label, thinned, thinning, value,
 };
 use crate::scene::sweep::Sweep;
 use crate::scene::typed::{Scene, SlidingContact, SurfaceTask, Units};
@@ -47,10 +47,7 @@ impl SurfacePlan {
         };
         let against = sweep.key.strip_prefix("sliding.").unwrap_or(&sweep.key).replace('.', "_");
         let horizontal = self.axis_of_sweep(sweep);
-        let over = |label: String, column: usize| {
-            let points = |family: &Family<'_>| family.points(innermost, |row| value(row, column));
-            figure(&families, horizontal.clone(), Axis::linear(label), points)
-        };
+        let over = |label: String, column: usize| figure(&families, (horizontal.clone(), Axis::linear(label)), innermost, column);
         let pressed = rows.iter().filter(|row| row.value(at::FRICTION).is_some()).all(|row| row.value(at::COEFFICIENT).is_some());
         let friction = if pressed { over(self.coefficient_label(), at::COEFFICIENT) } else { over(self.friction_label(), at::FRICTION) };
         let figures = vec![
