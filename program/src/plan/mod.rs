@@ -57,11 +57,10 @@ const BYTES_OF_A_STREAM: u64 = 5 << 20;
 const BYTES_OF_A_POINT: u64 = 72;
 const BYTES_OF_A_FIELD: u64 = 48;
 
-/// Time of a kernel evaluation, an energy balance, a linear system, a field point; of a state of a sweep, which is read anew; of a row in the
+/// Time of a kernel evaluation, an energy balance, a field point; of a state of a sweep, which is read anew; of a row in the
 /// journal and the tables (s).
-const SECONDS_A_KERNEL: f64 = 2e-8;
+const SECONDS_A_KERNEL: f64 = 5e-8;
 const SECONDS_A_BALANCE: f64 = 1e-6;
-const SECONDS_A_SYSTEM: f64 = 2e-5;
 const SECONDS_A_POINT: f64 = 2e-6;
 const SECONDS_A_STATE: f64 = 5e-5;
 const SECONDS_A_ROW: f64 = 2e-5;
@@ -83,6 +82,10 @@ trait ProblemPlan: Debug + Send + Sync {
     fn groups(&self) -> Vec<Group>;
     /// Predicted work of the whole sweep of so many states.
     fn predicted_work(&self, states: u64) -> Work;
+    /// Time of a linear system (s).
+    fn seconds_a_system(&self) -> f64 {
+        2e-5
+    }
     /// Rows of a state, at most.
     fn rows_of_a_state(&self) -> u64;
     /// Memory that solving a state takes besides its rows (bytes), at most.
@@ -279,7 +282,7 @@ impl Plan {
         let work = self.predicted_work();
         let solving = SECONDS_A_KERNEL * work.kernel_evaluations as f64
             + SECONDS_A_BALANCE * work.closure_evaluations as f64
-            + SECONDS_A_SYSTEM * work.linear_solves as f64
+            + self.problem.seconds_a_system() * work.linear_solves as f64
             + SECONDS_A_POINT * work.field_evaluations as f64;
         solving / self.states.max(1) as f64 + if self.states > 1 { SECONDS_A_STATE } else { 0.0 }
     }

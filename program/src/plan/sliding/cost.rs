@@ -39,7 +39,17 @@ const OUTSIDE: f64 = 0.7;
 /// Balances of a half-width of a scan: two for the forms, the rest for what comes out as a contact.
 const SCANNED: f64 = 6.0;
 
+/// Time of a linear system: of any, and of the square of its terms (s).
+const SYSTEM: f64 = 2e-6;
+const SYSTEM_OF_TERMS: f64 = 3.3e-7;
+
 impl SlidingPlan {
+    /// Time of a linear system (s): 2n + 2 unknowns of n terms.
+    pub(super) fn seconds_of_a_system(&self) -> f64 {
+        let terms = self.material.relaxation_terms().len() as f64;
+        SYSTEM + SYSTEM_OF_TERMS * terms * terms
+    }
+
     /// Balances of a branch.
     fn balances_of_branch(&self, branch: &SlidingBranch) -> f64 {
         let memory = usize::from(!self.material.is_elastic());

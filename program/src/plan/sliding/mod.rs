@@ -191,6 +191,10 @@ impl ProblemPlan for SlidingPlan {
         self.characteristic_numbers()
     }
 
+    fn seconds_a_system(&self) -> f64 {
+        self.seconds_of_a_system()
+    }
+
     fn predicted_work(&self, states: u64) -> Work {
         self.work_of_states(states) * (1 + self.stiffer.len() as u64)
     }
