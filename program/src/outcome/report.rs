@@ -155,12 +155,17 @@ fn drawn(text: &mut String, outcome: &Outcome, pictures: &[Shown]) {
         return;
     }
     text.push_str("<h2>Plots</h2>\n<div class=\"plots\">\n");
+    let swept = outcome.swept.last().map(|swept| words(swept.key.rsplit('.').next().unwrap_or(&swept.key)));
+    let caption = |stem: &str| match &swept {
+        Some(swept) => words(stem).replace("against sweep", &format!("against {swept}")),
+        None => words(stem),
+    };
     for picture in pictures {
         let endings = [("svg", outcome.pictures.svg), ("png", outcome.pictures.png)];
         let links = endings.into_iter().filter(|(_, drawn)| *drawn).fold(String::new(), |all, (ending, _)| {
             format!("{all} <a href=\"{}.{ending}\">{}</a>", escaped(&picture.stem), ending.to_uppercase())
         });
-        let _ = write!(text, "<figure>\n{}\n<figcaption>{}{links}</figcaption>\n</figure>\n", picture.part, escaped(&words(&picture.stem)));
+        let _ = write!(text, "<figure>\n{}\n<figcaption>{}{links}</figcaption>\n</figure>\n", picture.part, escaped(&caption(&picture.stem)));
     }
     text.push_str("</div>\n");
 }

@@ -1,9 +1,11 @@
-//! Axes of plots in the units that a scene writes.
+//! Axes of plots, and numbers on the screen, in the units that a scene writes.
 //!
 //! A label ends with the SI unit of its numbers, as in `contact radius $a$ (m)`. The axis takes a unit of the scene for the same dimension: of
 //! several the largest that its numbers reach. A linear axis whose numbers suit no unit of the scene takes a prefix. A scene that writes plain numbers keeps SI.
 
 use crate::outcome::plot::{Axis, Figure, Scale};
+use crate::outcome::shown_units::ShownUnits;
+use crate::outcome::{Outcome, Row};
 use crate::scene::written_units::{Spread, WrittenUnits};
 
 /// Changes the axes of a figure, and its numbers with them.
@@ -49,4 +51,17 @@ fn relabelled(units: &WrittenUnits, axis: &mut Axis, numbers: impl Iterator<Item
     axis.label = format!("{words}({unit})");
     axis.range = axis.range.map(|(lower, upper)| (lower / size, upper / size));
     size
+}
+
+/// The units that suit the rows of an outcome on the screen. A scene that writes plain numbers has SI.
+pub(super) fn shown_in(units: &WrittenUnits, outcome: &Outcome, rows: &[Row]) -> ShownUnits {
+    let largest = |number: &dyn Fn(&Row) -> Option<f64>| {
+        let numbers = rows.iter().filter(|row| row.status.has_values()).filter_map(number);
+        numbers.filter(|number| number.is_finite()).fold(0.0, |most: f64, number| most.max(number.abs()))
+    };
+    let columns = outcome.columns.iter().enumerate();
+    let columns = columns.map(|(index, column)| units.suiting(&column.unit, largest(&|row| row.value(index)), Spread::Even));
+    let swept = outcome.swept.iter().enumerate();
+    let swept = swept.map(|(place, swept)| units.suiting(&swept.unit, largest(&|row| row.swept.get(place).copied()), Spread::Even));
+    ShownUnits { columns: columns.collect(), swept: swept.collect() }
 }

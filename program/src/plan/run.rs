@@ -1,7 +1,7 @@
 //! Carrying out a plan: every state of the sweep, in parallel, in order, with a journal.
 
 use super::Plan;
-use super::axis_units::put_on;
+use super::axis_units::{put_on, shown_in};
 use super::kept::Kept;
 use super::state_watch::{Progress, Stage, StateWatch};
 use crate::in_order::{in_order, together};
@@ -140,7 +140,7 @@ fn run_all(
     let unsolved = unsolved(plan, document, scene);
     Ok(Outcome {
         figures,
-        shown_in: ShownUnits::of(&units, &unsolved, &rows),
+        shown_in: shown_in(&units, &unsolved, &rows),
         validity,
         stored: safe.map(|safe| safe.journal.path().to_owned()),
         rows,

@@ -158,7 +158,7 @@ impl IndentationPlan {
             if self.timeline.periodic {
                 "errors by a second path, of other steps, and by two cycles integrated from the one that was found"
             } else if marched {
-                "errors by marching again with other steps"
+                "errors: the same history again with other steps"
             } else {
                 "errors by a second, coarser solution"
             }

@@ -223,7 +223,7 @@ impl ProblemPlan for IndentationPlan {
             return &["storage_stiffness", "loss_stiffness", "work_per_cycle", "largest_radius", "end_penetration"];
         }
         if self.indentation.adhesion.is_some() {
-            &["pull_off_force", "pull_off_penetration", "pull_off_time", "work_of_separation", "largest_radius"]
+            &["pull_off_force", "pull_off_ratio", "pull_off_penetration", "work_of_separation", "largest_radius"]
         } else {
             &["largest_compression", "largest_radius", "end_penetration", "end_force", "end_radius"]
         }

@@ -156,7 +156,7 @@ impl ProblemPlan for FiniteRangePlan {
     }
 
     fn headline(&self) -> &'static [&'static str] {
-        &["pull_off_force", "pull_off_penetration", "pull_off_time", "work_of_separation", "tabor_number"]
+        &["pull_off_force", "pull_off_ratio", "pull_off_penetration", "work_of_separation", "tabor_number"]
     }
 
     fn path_headline(&self) -> &'static [&'static str] {
