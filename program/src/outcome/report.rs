@@ -165,7 +165,8 @@ fn drawn(text: &mut String, outcome: &Outcome, pictures: &[Shown]) {
         let links = endings.into_iter().filter(|(_, drawn)| *drawn).fold(String::new(), |all, (ending, _)| {
             format!("{all} <a href=\"{}.{ending}\">{}</a>", escaped(&picture.stem), ending.to_uppercase())
         });
-        let _ = write!(text, "<figure>\n{}\n<figcaption>{}{links}</figcaption>\n</figure>\n", picture.part, escaped(&caption(&picture.stem)));
+        let _ =
+            write!(text, "<figure>\n{}\n<figcaption>{}{links}</figcaption>\n</figure>\n", picture.part, escaped(&caption(&picture.stem)));
     }
     text.push_str("</div>\n");
 }
@@ -189,7 +190,7 @@ fn validity(text: &mut String, outcome: &Outcome) {
 
 /// What was simulated, what was left out, by which method.
 fn done(text: &mut String, outcome: &Outcome) {
-    text.push_str("<h2>What was simulated</h2>\n<div class=\"wide\"><table>\n<tbody>\n");
+    text.push_str("<h2>What was simulated</h2>\n<div class=\"beside\">\n<div class=\"wide\"><table>\n<tbody>\n");
     for effect in &outcome.effects {
         let word = if effect.on { "simulated" } else { "left out" };
         let _ = writeln!(
@@ -199,7 +200,7 @@ fn done(text: &mut String, outcome: &Outcome) {
             escaped(&effect.why)
         );
     }
-    text.push_str("</tbody></table></div>\n<ul>\n");
+    text.push_str("</tbody></table></div>\n<div>\n<ul>\n");
     for sentence in &outcome.method {
         let _ = writeln!(text, "<li>{}</li>", escaped(sentence));
     }
@@ -213,6 +214,7 @@ fn done(text: &mut String, outcome: &Outcome) {
         }
         text.push_str("</tbody></table></div>\n");
     }
+    text.push_str("</div>\n</div>\n");
 }
 
 fn cost(text: &mut String, outcome: &Outcome) {
