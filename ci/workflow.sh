@@ -54,7 +54,7 @@ snakemake 1 > snake2.log 2>&1 || { cat snake2.log; exit 1; }
 same SNAKE
 
 echo "== Slurm: its profile is read, and no job is given"
-"$python" -m snakemake --dry-run --quiet --snakefile "$repository/workflow/Snakefile" --directory "$work" --profile "$repository/workflow/profiles/slurm" \
+"$python" -m snakemake --dry-run --quiet rules --snakefile "$repository/workflow/Snakefile" --directory "$work" --profile "$repository/workflow/profiles/slurm" \
   --config scene="$scene" shards=6 out=SLURM > slurm.log 2>&1 || { cat slurm.log; exit 1; }
 grep -qE '^shard +6$' slurm.log || { cat slurm.log; exit 1; }
 
