@@ -73,6 +73,22 @@ def test_a_dictionary_is_a_scene(sliding: Path) -> None:
     assert vt.schema()["type"] == "object"
 
 
+def test_the_schema_is_one_and_knows_scenes() -> None:
+    """A validator of JSON Schema that is not ours: every template and shipped scene is valid, a wrong key or a wrong kind is not."""
+    # It comes with what executes notebooks.
+    jsonschema = pytest.importorskip("jsonschema")
+    jsonschema.Draft202012Validator.check_schema(vt.schema())
+    validator = jsonschema.Draft202012Validator(vt.schema())
+    scenes = [vt.scene(problem) for problem in vt.problems()] + [vt.scene(path) for path in sorted(REPOSITORY.glob("scenes/**/*.toml"))]
+    assert len(scenes) > 40
+    for scene in scenes:
+        assert [error.message for error in validator.iter_errors(scene)] == [], scene.get("title")
+    scene = vt.scene("sliding")
+    for wrong in ({"speeed": 1}, {"speed": [1]}, {"contacts": ["sticky"]}):
+        broken = {**scene, "sliding": {**scene["sliding"], **wrong}}
+        assert len(list(validator.iter_errors(broken))) == 1, wrong
+
+
 def test_a_history_has_its_path() -> None:
     """Rows on the way of a state, a dictionary whose material lies in a file."""
     scene = vt.scene("pull-off-test")
