@@ -11,7 +11,8 @@ full=${1:-}
 packages="python3 python3-numpy python3-scipy python3-mpmath python3-pytest"
 elements="python3-dolfinx"      # finite elements beside the solver; large, so apart
 
-step() { printf '\n== %s\n' "$*"; }
+# What comes next, and how long it has been since the beginning.
+step() { printf '\n== %s (after %d s)\n' "$*" "$SECONDS"; }
 
 # A python3 that has everything, Debian's first.
 find_python() {

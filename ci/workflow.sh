@@ -8,9 +8,9 @@ cd "$(dirname "$0")/.."
 repository=$PWD
 program=$(realpath "${1:-${CARGO_TARGET_DIR:-target}/release/viscotack}")
 environment=${CARGO_TARGET_DIR:-target}/workflow
-if ! "$environment/bin/python" -c 'import hyperqueue, snakemake' 2>/dev/null; then
+if ! "$environment/bin/python" -c 'import hyperqueue, snakemake, snakemake_executor_plugin_slurm' 2>/dev/null; then
   python3 -m venv "$environment"
-  "$environment/bin/pip" install --quiet "snakemake>=9,<10" "hyperqueue>=0.20"
+  "$environment/bin/pip" install --quiet "snakemake>=9,<10" snakemake-executor-plugin-slurm "hyperqueue>=0.20"
 fi
 python=$(realpath -s "$environment/bin/python")
 work=$(mktemp -d)
@@ -52,6 +52,11 @@ if wait $run; then echo "it did not notice that a shard was killed"; exit 1; fi
 test ! -e SNAKE/summary.json
 snakemake 1 > snake2.log 2>&1 || { cat snake2.log; exit 1; }
 same SNAKE
+
+echo "== Slurm: its profile is read, and no job is given"
+"$python" -m snakemake --dry-run --quiet rules --snakefile "$repository/workflow/Snakefile" --directory "$work" --profile "$repository/workflow/profiles/slurm" \
+  --config scene="$scene" shards=6 out=SLURM > slurm.log 2>&1 || { cat slurm.log; exit 1; }
+grep -qE '^shard +6$' slurm.log || { cat slurm.log; exit 1; }
 
 echo "== HyperQueue"
 "$python" "$repository/workflow/on_hyperqueue.py" "$scene" --set "${points[0]}" --shards 6 --out HYPER --program "$program" --cores 2 > hyper.log 2>&1 & run=$!

@@ -50,6 +50,9 @@ def test_arrays_and_numbers_of_numpy_are_written() -> None:
     values = np.geomspace(1e-9, 1, 7)
     assert tomllib.loads(f"x = {_toml.value(values)}")["x"] == values.tolist()
     assert tomllib.loads(f"x = {_toml.value(np.float64(0.1))}")["x"] == 0.1
+    assert tomllib.loads(f"x = {_toml.value(list(values))}")["x"] == values.tolist()
+    assert _toml.value([math.inf, -math.inf, math.nan, -0.0, 1e22]) == "[inf, -inf, nan, -0.0, 1e+22]"
+    assert str(tomllib.loads(f"x = {_toml.value([math.inf, -math.inf, math.nan, -0.0, 1e22])}")["x"]) == "[inf, -inf, nan, -0.0, 1e+22]"
     assert tomllib.loads(f"x = {_toml.value(np.int32(3))}")["x"] == 3
     with pytest.raises(TypeError, match="no place in a scene"):
         _toml.value(object())

@@ -136,7 +136,7 @@ def material(
 ) -> MaterialResult:
     """Fits a material to a table of measured moduli (CSV), or expands that of a TOML file: terms, curves, plots, a table for scenes."""
     folder = _place(out)
-    options = ["material", os.fspath(file), *_sets(overrides or {}), "--out", str(folder.path)]
+    options = ["material", os.fspath(file), *_sets({key: _toml.value(item) for key, item in (overrides or {}).items()}), "--out", str(folder.path)]
     options += ["--force"] if force else []
     options += [] if accuracy is None else ["--accuracy", repr(float(accuracy))]
     answer = call(options, good=(0, 4))
@@ -187,8 +187,9 @@ class _Given:
 
 
 def _given(scene: Scene, overrides: Mapping[str, Any]) -> _Given:
-    long = {key: item for key, item in overrides.items() if len(_toml.value(item)) > _LONGEST_ARGUMENT}
-    short = {key: item for key, item in overrides.items() if key not in long}
+    texts = {key: _toml.value(item) for key, item in overrides.items()}
+    long = [key for key, text in texts.items() if len(text) > _LONGEST_ARGUMENT]
+    sets = _sets({key: text for key, text in texts.items() if key not in long})
     if isinstance(scene, Mapping):
         content, folder = dict(scene), None
     elif long:
@@ -196,10 +197,10 @@ def _given(scene: Scene, overrides: Mapping[str, Any]) -> _Given:
         content, folder = tomllib.loads(path.read_text(encoding="utf-8")), str(path.parent)
         content.setdefault("title", path.stem)
     else:
-        return _Given([os.fspath(scene), *_sets(short)])
-    for key, item in long.items():
-        content = _put(content, key.split("."), item)
-    return _Given(["-", *_sets(short)], _toml.document(content), folder)
+        return _Given([os.fspath(scene), *sets])
+    for key in long:
+        content = _put(content, key.split("."), overrides[key])
+    return _Given(["-", *sets], _toml.document(content), folder)
 
 
 def _put(node: Any, path: Sequence[str], item: Any) -> Any:
@@ -214,9 +215,9 @@ def _put(node: Any, path: Sequence[str], item: Any) -> Any:
     return table
 
 
-def _sets(overrides: Mapping[str, Any]) -> list[str]:
+def _sets(texts: Mapping[str, str]) -> list[str]:
     """Values that are put into a scene, as arguments."""
-    return [argument for key, item in overrides.items() for argument in ("--set", f"{key}={_toml.value(item)}")]
+    return [argument for key, text in texts.items() for argument in ("--set", f"{key}={text}")]
 
 
 def _place(out: str | os.PathLike[str] | None) -> Folder:

@@ -73,8 +73,9 @@ def call(
         raise ProgramNotFoundError(f"`{command[0]}` cannot be started: {error}") from error
     ended = threading.Event()
     watcher = None
+    total: list[int] = []
     if progress is not None and journal is not None:
-        watcher = threading.Thread(target=_watch, args=(journal, progress, ended), daemon=True)
+        watcher = threading.Thread(target=_watch, args=(journal, progress, ended, total), daemon=True)
         watcher.start()
     try:
         stdout, stderr = process.communicate(text)
@@ -89,14 +90,16 @@ def call(
             watcher.join()
     if process.returncode not in good:
         raise from_program(process.returncode, stderr)
+    if progress is not None and total:
+        progress(total[0], total[0])
     return subprocess.CompletedProcess(command, process.returncode, stdout, stderr)
 
 
-def _watch(journal: Path, progress: Progress, ended: threading.Event) -> None:
+def _watch(journal: Path, progress: Progress, ended: threading.Event, total: list[int]) -> None:
     """Counts the states in the journal of a run while it is under way: a line each, after a line that says how many there are."""
     from json import loads
 
-    position, lines, total = 0, 0, None
+    position, lines = 0, 0
     while not ended.wait(_POLL):
         try:
             with journal.open("rb") as file:
@@ -104,14 +107,14 @@ def _watch(journal: Path, progress: Progress, ended: threading.Event) -> None:
                 piece = file.read()
         except OSError:
             continue
-        if total is None:
+        if not total:
             head, found, _ = piece.partition(b"\n")
             if not found:
                 continue
-            total = int(loads(head)[1]["states"])
+            total.append(int(loads(head)[1]["states"]))
         position += len(piece)
         lines += piece.count(b"\n")
-        progress(max(lines - 1, 0), total)
+        progress(max(lines - 1, 0), total[0])
 
 
 def in_notebook() -> bool:
@@ -133,12 +136,12 @@ class NotebookProgress:
 
     def __call__(self, finished: int, total: int) -> None:
         """Shows how far the run is."""
-        if total < 2 or time.monotonic() - self._begun < 1.0:
+        seconds = time.monotonic() - self._begun
+        if total < 2 or (seconds < 1.0 and self._handle is None):
             return
         from IPython.display import display
 
-        seconds = time.monotonic() - self._begun
-        left = f", about {seconds * (total - finished) / finished:.0f} s left" if finished else ""
+        left = f", about {seconds * (total - finished) / finished:.0f} s left" if 0 < finished < total else ""
         words = {"text/plain": f"{finished} of {total} states{left}"}
         if self._handle is None:
             self._handle = display(words, raw=True, display_id=True)  # type: ignore[no-untyped-call]

@@ -56,6 +56,15 @@ def read_table(path: Path, meanings: Mapping[str, str] | None = None) -> pd.Data
     return frame
 
 
+def _before(path: Path, end: bytes) -> bytes:
+    """What stands before a mark in a file: megabytes may follow it, which nobody reads."""
+    head = b""
+    with path.open("rb") as file:
+        while end not in head and (piece := file.read(1 << 16)):
+            head += piece
+    return head.partition(end)[0]
+
+
 class Folder:
     """A folder of files that the program wrote; one that nobody has named is deleted with the result."""
 
@@ -118,8 +127,7 @@ class Result(_WithFolder):
     def summary(self) -> dict[str, Any]:
         """Everything but the rows: effects, method, characteristic numbers, validity, work, provenance."""
         # The rows stand last in the file, under a key that begins a line; texts in it hold no line feeds.
-        head, _, _ = self._summary_text().partition(',\n  "results": [')
-        summary: dict[str, Any] = json.loads(head + "\n}")
+        summary: dict[str, Any] = json.loads(_before(self._folder.path / "summary.json", b',\n  "results": [') + b"\n}")
         return summary
 
     @functools.cached_property

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -20,13 +19,14 @@ def value(item: Any) -> str:
     if isinstance(item, int):
         return str(item)
     if isinstance(item, float):
-        if math.isfinite(item):
-            return repr(item)
-        return "nan" if math.isnan(item) else ("inf" if item > 0 else "-inf")
+        return repr(item)
     if isinstance(item, str):
         return _text(item)
     if isinstance(item, Mapping):
         return "{ " + ", ".join(f"{_key(str(key))} = {value(inner)}" for key, inner in item.items()) + " }" if item else "{}"
+    if isinstance(item, list) and all(type(inner) is float for inner in item):
+        # Sweeps have thousands of them; Python writes a list of numbers as TOML does.
+        return repr(item)
     if isinstance(item, Sequence):
         return "[" + ", ".join(value(inner) for inner in item) + "]"
     raise TypeError(f"a {type(item).__name__} has no place in a scene: use numbers, texts with units, flags, lists and dictionaries")

@@ -212,6 +212,31 @@ fn altered_rows_are_not_gathered() {
     assert_same(&folder, "WHOLE", "G");
 }
 
+/// What a shard says about its scene is altered, in the first folder or in another: no result is written, and the scene's own file is not blamed.
+#[test]
+fn an_altered_scene_of_a_shard_is_not_gathered() {
+    let folder = Folder::with(&points(12));
+    let names = shards(&folder, 3, &["--set", "crack.plane=strain"]);
+    for shard in &names {
+        for (file, old, new, words) in [
+            ("shard.json", "crack.plane=strain", "crack.plane=stress", "its shard.json was altered: solve this shard again"),
+            ("shard.json", "creep", "creeq", "its shard.json was altered: solve this shard again"),
+            (".viscotack", "shard.json", "shard.jsom", "its mark, .viscotack, was altered: solve this shard again"),
+        ] {
+            let path = format!("{shard}/{file}");
+            let good = folder.read(&path);
+            assert!(good.contains(old), "{path}");
+            folder.write(&path, good.replacen(old, new, 1));
+            let said = gather(&folder, &names, "G").ended(2);
+            assert!(said.stderr.contains(words) && said.stderr.contains(&format!("`{shard}`")), "{path}, {old}: {}", said.stderr);
+            assert_eq!(said.stderr.lines().count(), 1, "{}", said.stderr);
+            assert!(!folder.path("G").exists());
+            folder.write(&path, good);
+        }
+    }
+    gather(&folder, &names, "G").ended(0);
+}
+
 /// A shard that is killed goes on where it was; while it is not finished it is not gathered.
 #[test]
 fn a_killed_shard_is_resumed() {

@@ -3,6 +3,7 @@
 //! A shard's folder holds `shard.json` (the run that it belongs to, and every text that its scene was read from) and its journal. All that is checked about a
 //! journal holds here, too: a line that was altered, or is missing, has the wrong digest.
 
+use super::folder::FolderError;
 use super::journal::{JournalHeader, Lines};
 use super::owned::OwnedFolder;
 use super::shard::Shard;
@@ -239,9 +240,13 @@ fn read(path: &Path) -> Result<ShardFile, GatherError> {
     if !file.exists() {
         return Err(not("it holds no shard.json: solve it with `viscotack run SCENE --shard i/n --out DIR`".to_owned()));
     }
-    OwnedFolder::open(path, Some(super::folder::SHARD)).map_err(|error| not(error.to_string()))?;
+    let folder = OwnedFolder::open(path, Some(super::folder::SHARD)).map_err(|error| match error {
+        FolderError::NotOwned { why, .. } => not(format!("{why}: solve this shard again")),
+        other => not(other.to_string()),
+    })?;
     let bytes = regular_file::read(&file, LARGEST).map_err(|error| unreadable(&file, &error))?;
-    serde_json::from_slice(&bytes).map_err(|_| not("its shard.json was altered: solve this shard again".to_owned()))
+    let found = if folder.is_sealed_as(super::folder::SHARD_FILE, &bytes) { serde_json::from_slice(&bytes).ok() } else { None };
+    found.ok_or_else(|| not("its shard.json was altered: solve this shard again".to_owned()))
 }
 
 /// In what two runs differ.

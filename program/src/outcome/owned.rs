@@ -256,6 +256,11 @@ impl OwnedFolder {
         self.files.values().all(Option::is_some)
     }
 
+    /// Whether a finished file still has these bytes.
+    pub(super) fn is_sealed_as(&self, name: &str, bytes: &[u8]) -> bool {
+        self.files.get(name).is_some_and(|sealed| sealed.as_deref() == Some(digest(bytes).as_str()))
+    }
+
     /// Deletes its own files, its mark, and the folder, unless it holds anything else; gives whether it is gone.
     ///
     /// # Errors
