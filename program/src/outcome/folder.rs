@@ -162,21 +162,20 @@ impl RunFolder {
         // What an earlier run left there at its end is made anew.
         let path = remove_result(partial.path())?;
         let mut result = OwnedFolder::make(&path, RUN, &[])?;
-        // A picture takes longer than many states: side by side with the others, and with the tables.
+        // Pictures, summary and tables each take longer than many states: side by side.
         let wanted = outcome.pictures;
         let draw = |figure: &plot::Figure| -> Result<(Option<String>, Option<Vec<u8>>), plot::PlotError> {
             let svg = wanted.svg.then(|| plot::svg(figure)).transpose()?;
             Ok((svg, wanted.png.then(|| plot::png(figure)).transpose()?))
         };
         let draw_all = || outcome.figures.par_iter().map(|(stem, figure)| (stem, draw(figure))).collect::<Vec<_>>();
-        let write_rows = || -> Result<Vec<String>, FolderError> {
-            let mut file = result.create(SUMMARY)?;
-            summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n")).map_err(io(&path.join(SUMMARY)))?;
-            result.finish(SUMMARY, file)?;
-            Ok([vec![SUMMARY.to_owned()], write_tables(outcome, &mut result)?].concat())
-        };
-        let (names, pictures) = rayon::join(write_rows, draw_all);
-        let mut names = names?;
+        let mut file = result.create(SUMMARY)?;
+        let write_summary = || summary::write_short(outcome, &mut file).and_then(|()| file.write_all(b"\n"));
+        let write_rows = || rayon::join(write_summary, || write_tables(outcome, &mut result));
+        let ((summary, tables), pictures) = rayon::join(write_rows, draw_all);
+        summary.map_err(io(&path.join(SUMMARY)))?;
+        result.finish(SUMMARY, file)?;
+        let mut names = [vec![SUMMARY.to_owned()], tables?].concat();
         let mut write = |name: &str, bytes: &[u8]| -> Result<(), FolderError> {
             result.write(name, bytes)?;
             names.push(name.to_owned());
