@@ -2,7 +2,7 @@
 
 use std::{error::Error, fs, path::Path};
 
-use viscotack_program::outcome::plot::{self, Axis, Curve, Figure, Inset, LegendPlace, Line, Marker, Width};
+use viscotack_program::outcome::plot::{self, Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Marker, Residuals, Width};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let directory = std::env::args().nth(1).unwrap_or_else(|| "plot_gallery".to_owned());
@@ -31,6 +31,7 @@ fn gallery() -> Vec<(&'static str, Figure)> {
         ("huge_range", huge_range()),
         ("nothing", nothing()),
         ("inset", inset()),
+        ("residuals", residuals()),
         ("characters", characters()),
     ]
 }
@@ -186,6 +187,24 @@ fn inset() -> Figure {
         place: LegendPlace::TopLeft,
     }));
     figure
+}
+
+/// A measured curve and a computed one, with what is between them.
+fn residuals() -> Figure {
+    let grid: Vec<f64> = (0..=80).map(|i| f64::from(i) / 20.0).collect();
+    let off = |t: f64| 3e-6 * (37.0 * t).sin() * (11.0 * t * t).cos();
+    let measured: Vec<(f64, f64)> = grid.iter().map(|t| (*t, 1e-4 * (-t).exp() - off(*t))).collect();
+    Figure::new(Axis::linear("time $t$ (s)"), Axis::linear("force $F$ (N)"))
+        .with_curve(Curve::new("measured", measured).with_line(Line::None).with_marker(Marker::of_measured(81)).with_colour(1))
+        .with_curve(Curve::new("computed", sample(&grid, |t| 1e-4 * (-t).exp())).with_colour(0).with_line(Line::Solid))
+        .with_residuals(Residuals {
+            vertical: Axis::linear("residual (N)"),
+            points: sample(&grid, off),
+            marker: Marker::of_measured(81),
+            colour: Colour::Index(1),
+            root_mean_square: Some(1.46e-6),
+            determination: Some(0.99663),
+        })
 }
 
 /// Every character that a label may well contain, accents over letters of any height, and two that the typeface of the PNG does not have.

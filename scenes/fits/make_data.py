@@ -2,7 +2,8 @@
 
     python3 scenes/fits/make_data.py target/release/viscotack
 
-Truth of pull_off.csv: work of adhesion 55 mJ/m², frame stiffness 180 N/m; noise 1 % of the largest tension; 500 rows; the loss of contact lies between two rows.
+Truth of pull_off.csv: work of adhesion 55 mJ/m², frame stiffness 180 N/m; of twelve_terms.csv: 80 mJ/m² and 250 N/m. Each has 500 rows and noise of 1 % of the
+largest tension; the loss of contact lies between two rows.
 """
 
 import bisect
@@ -44,19 +45,20 @@ def between(points, place):
     return value
 
 
-def pull_off(program):
-    truth = ["adhesion.work_of_adhesion='55 mJ/m²'", "indentation.frame_stiffness='180 N/m'", "indentation.instants=5000", "accuracy=1e-6"]
-    points, events = way(program, HERE / "pull_off.toml", truth)
+def pull_off(program, name, work, stiffness, end, accuracy):
+    truth = [f"adhesion.work_of_adhesion='{work}'", f"indentation.frame_stiffness='{stiffness}'", "indentation.instants=5000", f"accuracy={accuracy}"]
+    points, events = way(program, HERE / f"{name}.toml", truth)
     lost = events["detachment"]
     held = [point for point in points if point[0] < lost]
-    times = [6 * row / 499 for row in range(500)]
+    times = [end * row / 499 for row in range(500)]
     clean = [between(held, time) if time < lost else 0.0 for time in times]
     draw = random.Random(SEED)
     noise = 0.01 * -min(clean)
-    with open(HERE / "pull_off.csv", "w") as file:
+    with open(HERE / f"{name}.csv", "w") as file:
         file.write("time (s), force (µN)\n")
         for time, value in zip(times, clean):
             file.write(f"{time:.5f}, {1e6 * (value + draw.gauss(0, noise)):.3f}\n")
 
 
-pull_off(sys.argv[1])
+pull_off(sys.argv[1], "pull_off", "55 mJ/m²", "180 N/m", 6, 1e-6)
+pull_off(sys.argv[1], "twelve_terms", "80 mJ/m²", "250 N/m", 7.5, 1e-5)

@@ -111,8 +111,12 @@ impl<'w> At<'w> {
     }
 }
 
-/// Fall of χ² that is worth a step.
+/// Fall of χ² that is worth a step: a thousandth moves no parameter by more than a thirtieth of its standard error.
 const LEAST: f64 = 1e-3;
+/// The same where descents only find out in which minimum they end, and as part of χ².
+const LEAST_COARSE: [f64; 2] = [0.1, 2e-3];
+/// Damping that shortens a step noticeably.
+const NOTICEABLE: f64 = 0.01;
 /// No step moves a logarithm by more: the linear picture ends long before.
 const FARTHEST: f64 = 2.0;
 
@@ -126,8 +130,12 @@ impl Descent for At<'_> {
     }
 
     fn least_gain(&self) -> Option<f64> {
-        // A thousandth of a χ² moves no parameter by more than a thirtieth of its standard error.
-        Some(LEAST.max(1e-6 * squares(&self.residuals)))
+        let [least, part] = if self.weighted.fineness == Fineness::Coarse { LEAST_COARSE } else { [LEAST, 1e-6] };
+        Some(least.max(part * squares(&self.residuals)))
+    }
+
+    fn least_damping_after_refusal(&self) -> f64 {
+        NOTICEABLE
     }
 
     fn jacobian(&self) -> Vec<Vec<f64>> {

@@ -15,6 +15,10 @@ pub trait Descent: Sized {
     fn least_gain(&self) -> Option<f64> {
         None
     }
+    /// The damping of the step after one that led up, at least: far below one it would be the same step.
+    fn least_damping_after_refusal(&self) -> f64 {
+        0.0
+    }
     /// The same after a step.
     fn moved(&self, step: &[f64]) -> Self;
 }
@@ -76,7 +80,7 @@ pub fn descended<M: Descent>(mut model: M, steps: usize) -> M {
                 damping = (damping * 0.1).max(1e-12);
                 break;
             }
-            damping *= 10.0;
+            damping = (damping * 10.0).max(model.least_damping_after_refusal());
             if damping > 1e6 {
                 break;
             }

@@ -7,7 +7,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::float_cmp)]
 
 use proptest::prelude::*;
-use viscotack_program::outcome::plot::{self, Axis, Colour, Curve, Figure, LegendPlace, Line, Map, Marker, PlotError, Scale, Width};
+use viscotack_program::outcome::plot::{
+    self, Axis, Colour, Curve, Figure, LegendPlace, Line, Map, Marker, PlotError, Residuals, Scale, Width,
+};
 
 const ROUNDING: f64 = 0.02;
 
@@ -480,4 +482,68 @@ fn ordered_curves_go_from_dark_to_light() {
         assert!(steps.iter().all(|step| *step > 60.0 / count as f64), "{lightness:?}");
         assert!(lightness.iter().all(|light| *light < 200.0), "no curve is lost on white paper: {lightness:?}");
     }
+}
+
+/// A measured curve with its residuals, in millionths of one.
+fn with_residuals(points: Vec<(f64, f64)>, root: Option<f64>, determination: Option<f64>) -> Figure {
+    let measured = Curve::new("measured", vec![(1.0, 1e-4), (3.0, 2e-4)]).with_line(Line::None).with_marker(Marker::OpenCircle);
+    Figure::new(Axis::linear("time $t$ (s)"), Axis::linear("force (N)")).with_curve(measured).with_residuals(Residuals {
+        vertical: Axis::linear("residual (N)"),
+        points,
+        marker: Marker::Point,
+        colour: Colour::Index(1),
+        root_mean_square: root,
+        determination,
+    })
+}
+
+/// Residuals stand in a frame of their own below the curves, a quarter of both high, over the same places, about a line at zero.
+#[test]
+fn residuals_stand_below_the_curves() {
+    let svg = plot::svg(&with_residuals(vec![(1.0, -2e-6), (2.0, 0.0), (3.0, 2e-6), (4.0, 1e-6)], Some(1.5e-6), Some(0.9876))).unwrap();
+    assert_sound(&svg);
+    let (above, below) = (frame(&svg), frame(&svg[svg.find(r#"<g class="residuals""#).unwrap()..]));
+    assert!((above[0] - below[0]).abs() < 0.1 && (above[2] - below[2]).abs() < 0.1 && below[1] > above[3]);
+    assert!(((below[3] - below[1]) / (below[3] - below[1] + above[3] - above[1]) - 0.25).abs() < 0.01);
+    // The horizontal axis has its numbers and its label once, below both; it reaches as far as the residuals do.
+    let texts = texts(&svg);
+    for once in ["time t (s)", "3.5", "4.0"] {
+        assert_eq!(texts.iter().filter(|text| *text == once).count(), 1, "{once}: {texts:?}");
+    }
+    assert!(texts.iter().any(|text| text.contains("RMS 1.50×10−6 N") && text.contains("R2 = 0.98760")), "{texts:?}");
+    // The second point lies on the line at zero, the others as far from it as they are large.
+    let curve = groups(&svg[svg.find(r#"<g class="residuals""#).unwrap()..], "curve")[0];
+    let heights: Vec<f64> = attributes(curve, "d").iter().map(|data| middle(data).1).collect();
+    assert_eq!(heights.len(), 4);
+    let (down, up) = (heights[0] - heights[1], heights[1] - heights[2]);
+    assert!(down > 0.0 && (down / up - 1.0).abs() < 0.01 && ((heights[1] - heights[3]) / up - 0.5).abs() < 0.01, "{heights:?}");
+    let zero = strokes(&svg)
+        .into_iter()
+        .filter(|line| line.len() == 2 && (line[0].1 - heights[1]).abs() < 0.1 && (line[1].1 - heights[1]).abs() < 0.1);
+    assert!(zero.into_iter().any(|line| (line[1].0 - line[0].0 - below[2] + below[0]).abs() < 0.1), "no line at zero");
+}
+
+/// The middle of the corners of a closed path.
+fn middle(data: &str) -> (f64, f64) {
+    let numbers: Vec<f64> = data.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    let (mut across, mut down, count) = (0.0, 0.0, (numbers.len() / 2) as f64);
+    for pair in numbers.chunks_exact(2) {
+        across += pair[0] / count;
+        down += pair[1] / count;
+    }
+    (across, down)
+}
+
+/// Residuals of any size are drawn; without a number among them there is no lower frame, and nothing is claimed of a curve that is met exactly.
+#[test]
+fn residuals_of_any_size_are_drawn() {
+    for size in [1e-300, 1e-12, 1.0, 1e12, 1e300, f64::MAX] {
+        let svg = plot::svg(&with_residuals(vec![(1.0, -size), (2.0, f64::NAN), (3.0, size)], Some(size), Some(-size))).unwrap();
+        assert_sound(&svg);
+        assert_eq!(groups(&svg, "frame").len(), 2, "{size:e}");
+    }
+    let none = plot::svg(&with_residuals(vec![(1.0, f64::NAN)], None, None)).unwrap();
+    assert_eq!(groups(&none, "frame").len(), 1);
+    let exact = texts(&plot::svg(&with_residuals(vec![(1.0, 0.0)], Some(0.0), Some(1.0 - 1e-9))).unwrap());
+    assert!(exact.iter().any(|text| text.contains("RMS 0 N") && text.contains("R2 &gt; 0.99999")), "{exact:?}");
 }

@@ -214,8 +214,14 @@ fn a_measured_force_is_overlaid() {
         }
     }
     assert!(outcome.effects.iter().any(|effect| effect.name == "measured force" && effect.on));
-    assert!(outcome.figures.iter().any(|(name, _)| name == "force_against_time"));
-    assert!(outcome.figures.iter().any(|(name, _)| name == "force_deviation_against_time"));
+    // Below the force against any quantity stand the residuals of the two instants that have a measured one.
+    for name in ["force_against_time", "force_against_penetration"] {
+        let (_, figure) = outcome.figures.iter().find(|(known, _)| known == name).unwrap();
+        let residuals = figure.residuals.as_ref().unwrap();
+        assert_eq!(residuals.points.len(), 2, "{name}");
+        let rms = value(&outcome, &outcome.rows[0], "rms_deviation");
+        assert!((residuals.root_mean_square.unwrap() - rms).abs() <= 1e-12 * rms && residuals.determination.is_some());
+    }
 }
 
 /// An elastic sphere against forces that are off Hertz's F = (4/3)E*√R Δ^{3/2} by known amounts: deviations, their root mean square and R² follow by hand.

@@ -30,6 +30,11 @@ pub(super) fn put_on(units: &WrittenUnits, figure: &mut Figure) {
         map.up.iter_mut().for_each(|place| *place /= vertical);
         map.values.iter_mut().for_each(|value| *value /= colours);
     }
+    if let Some(residuals) = figure.residuals.as_deref_mut() {
+        let vertical = relabelled(units, &mut residuals.vertical, residuals.points.iter().map(|point| point.1));
+        residuals.points.iter_mut().for_each(|point| *point = (point.0 / horizontal, point.1 / vertical));
+        residuals.root_mean_square = residuals.root_mean_square.map(|root| root / vertical);
+    }
     if let Some(inset) = inset {
         let horizontal = relabelled(units, &mut inset.horizontal, inset.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0));
         let vertical = relabelled(units, &mut inset.vertical, inset.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1));

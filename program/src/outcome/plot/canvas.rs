@@ -104,6 +104,7 @@ impl Canvas {
         match marker {
             Marker::None => {}
             Marker::Circle => self.dot(at, radius, colour),
+            Marker::Point => self.dot(at, 0.5 * radius, colour),
             Marker::OpenCircle => self.outlined(circle(at, radius), colour),
             Marker::Square => self.filled(around(&square), colour),
             Marker::OpenSquare => self.outlined(around(&square), colour),

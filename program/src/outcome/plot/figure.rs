@@ -19,8 +19,27 @@ pub struct Figure {
     pub inset: Option<Box<Inset>>,
     /// Cells under the curves whose colours are values.
     pub map: Option<Map>,
+    /// What is left between measured points and the curves, in a lower frame.
+    pub residuals: Option<Box<Residuals>>,
     /// A small line under the picture: what is not drawn.
     pub note: Option<String>,
+}
+
+/// Differences of a computed curve and a measured one, drawn below the curves over the same horizontal axis, with a line at zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Residuals {
+    /// Their axis.
+    pub vertical: Axis,
+    /// Place and computed less measured value.
+    pub points: Vec<(f64, f64)>,
+    /// The sign on each point.
+    pub marker: Marker,
+    /// Its colour.
+    pub colour: Colour,
+    /// The root of their mean square, in the unit of their axis.
+    pub root_mean_square: Option<f64>,
+    /// One less the sum of their squares over that of the measured values from their mean.
+    pub determination: Option<f64>,
 }
 
 /// A rectangular grid of cells whose colours are values.
@@ -62,6 +81,7 @@ impl Figure {
             width: Width::OneColumn,
             inset: None,
             map: None,
+            residuals: None,
             note: None,
         }
     }
@@ -96,6 +116,13 @@ impl Figure {
     #[must_use]
     pub fn with_curve(mut self, curve: Curve) -> Self {
         self.curves.push(curve);
+        self
+    }
+
+    /// Draws residuals below the curves.
+    #[must_use]
+    pub fn with_residuals(mut self, residuals: Residuals) -> Self {
+        self.residuals = Some(Box::new(residuals));
         self
     }
 
@@ -284,6 +311,18 @@ pub enum Marker {
     Cross,
     /// An upright cross.
     Plus,
+    /// A small disc: one of very many.
+    Point,
+}
+
+impl Marker {
+    /// The sign of measured points, of so many.
+    #[must_use]
+    pub const fn of_measured(count: usize) -> Self {
+        /// More rings than these hide each other.
+        const MOST_RINGS: usize = 150;
+        if count <= MOST_RINGS { Self::OpenCircle } else { Self::Point }
+    }
 }
 
 /// On which points the marker is drawn.

@@ -21,7 +21,7 @@ pub(super) fn draw(canvas: &mut Canvas, inset: &Inset, frame: Area) -> Result<Ve
     let (width, height) = (SHARE.0 * (frame.right - frame.left), SHARE.1 * (frame.bottom - frame.top));
     let horizontal = Measured::new(&inset.horizontal, across, width, Direction::Horizontal);
     let vertical = Measured::new(&inset.vertical, up, height, Direction::Vertical);
-    let beside = vertical.label_depth() + vertical.widest_tick() + TICK_GAP;
+    let beside = vertical.beside();
     let above = if vertical.has_note() { 1.4 * style::TICK_SIZE } else { 0.5 * style::TICK_SIZE };
     let below = TICK_GAP + style::TICK_SIZE + horizontal.label_depth();
     let to_the_right = matches!(inset.place, LegendPlace::TopLeft | LegendPlace::BottomLeft);
@@ -31,7 +31,7 @@ pub(super) fn draw(canvas: &mut Canvas, inset: &Inset, frame: Area) -> Result<Ve
     let own = Area { left, top, right: left + width, bottom: top + height };
     canvas.open_group("inset");
     draw_frame(canvas, own);
-    draw_ticks(canvas, own, (&horizontal, &vertical));
+    draw_ticks(canvas, own, (&horizontal, &vertical), true);
     draw_labels(canvas, own, (&horizontal, &vertical), left - beside);
     if let (Some(across), Some(up)) = (across, up) {
         let traces: Vec<_> = figure.curves.iter().map(|curve| trace(curve, across, up, own)).collect();

@@ -47,6 +47,8 @@ mod legend;
 #[cfg(feature = "plots")]
 mod map;
 #[cfg(feature = "plots")]
+mod panel;
+#[cfg(feature = "plots")]
 mod raster;
 #[cfg(feature = "plots")]
 mod render;
@@ -59,7 +61,7 @@ mod typeface;
 #[cfg(feature = "plots")]
 mod vector;
 
-pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Map, Marker, MarkerSpacing, Scale, Width};
+pub use figure::{Axis, Colour, Curve, Figure, Inset, LegendPlace, Line, Map, Marker, MarkerSpacing, Residuals, Scale, Width};
 
 use thiserror::Error;
 

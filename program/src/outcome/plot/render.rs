@@ -9,7 +9,7 @@ use super::{
     inset,
     interval::{Interval, has_place},
     label::{self, Run},
-    legend, map, raster, style,
+    legend, map, panel, raster, style,
     ticks::{self, Direction, Ticks},
     vector,
 };
@@ -35,7 +35,7 @@ pub(super) fn png(figure: &Figure) -> Result<Vec<u8>, PlotError> {
 
 /// An axis with everything about it decided.
 pub(super) struct Measured {
-    interval: Option<Interval>,
+    pub(super) interval: Option<Interval>,
     ticks: Ticks,
     label: Vec<Vec<Run>>,
 }
@@ -51,6 +51,11 @@ impl Measured {
 
     pub(super) fn label_depth(&self) -> f64 {
         if self.label.iter().all(Vec::is_empty) { 0.0 } else { LABEL_GAP + self.label.len() as f64 * style::LEADING * style::LABEL_SIZE }
+    }
+
+    /// Room to the left of its frame.
+    pub(super) fn beside(&self) -> f64 {
+        self.label_depth() + self.widest_tick() + TICK_GAP
     }
 
     pub(super) fn widest_tick(&self) -> f64 {
@@ -71,10 +76,10 @@ impl Measured {
 /// One curve on the page.
 #[derive(Default)]
 pub(super) struct Trace {
-    strokes: Vec<Vec<Point>>,
+    pub(super) strokes: Vec<Vec<Point>>,
     /// Points that no stroke reaches.
-    lonely: Vec<Point>,
-    signs: Vec<Point>,
+    pub(super) lonely: Vec<Point>,
+    pub(super) signs: Vec<Point>,
 }
 
 fn compose(figure: &Figure) -> Result<Page, PlotError> {
@@ -90,7 +95,10 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     let colours = figure.map.as_ref().map(|map| map::Colours::new(map, frame_height)).transpose()?;
     let noted = vertical.has_note() || colours.as_ref().is_some_and(map::Colours::has_note);
     let note_height = if noted { 1.4 * style::TICK_SIZE } else { 0.0 };
-    let left = style::PAGE_MARGIN + vertical.label_depth() + vertical.widest_tick() + TICK_GAP;
+    let panel =
+        figure.residuals.as_deref().map(|residuals| panel::Panel::new(residuals, &figure.horizontal, frame_height)).transpose()?.flatten();
+    let beside = vertical.beside().max(panel.as_ref().map_or(0.0, panel::Panel::beside));
+    let left = style::PAGE_MARGIN + beside;
     let top = style::PAGE_MARGIN + title_height + note_height + 0.5 * style::TICK_SIZE;
 
     let mut right = page_width - style::PAGE_MARGIN - 1.0;
@@ -110,8 +118,14 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
     }
     draw_title(&mut canvas, &title, page_width);
     draw_frame(&mut canvas, frame);
-    draw_ticks(&mut canvas, frame, (&horizontal, &vertical));
-    let mut bottom = draw_labels(&mut canvas, frame, (&horizontal, &vertical), style::PAGE_MARGIN);
+    draw_ticks(&mut canvas, frame, (&horizontal, &vertical), panel.is_none());
+    let mut bottom = match &panel {
+        Some(panel) => {
+            draw_vertical_label(&mut canvas, frame, &vertical, style::PAGE_MARGIN);
+            panel.draw(&mut canvas, frame, &horizontal)
+        }
+        None => draw_labels(&mut canvas, frame, (&horizontal, &vertical), style::PAGE_MARGIN),
+    };
 
     let traces: Vec<Trace> = match (horizontal.interval, vertical.interval) {
         (Some(across), Some(up)) => figure.curves.iter().map(|curve| trace(curve, across, up, frame)).collect(),
@@ -158,7 +172,9 @@ pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Int
             Some(extent.map_or((value, value), |(least, greatest)| (least.min(value), greatest.max(value))))
         })
     };
-    let across = extent(&mut shown.iter().filter(|(_, y)| within(figure.vertical.range, *y)).map(|(x, _)| *x));
+    let below = figure.residuals.iter().flat_map(|residuals| &residuals.points).map(|point| point.0);
+    let below = below.filter(|x| has_place(figure.horizontal.scale, *x));
+    let across = extent(&mut shown.iter().filter(|(_, y)| within(figure.vertical.range, *y)).map(|(x, _)| *x).chain(below));
     let up = extent(&mut shown.iter().filter(|(x, _)| within(figure.horizontal.range, *x)).map(|(_, y)| *y));
     if let Some(map) = &figure.map {
         let [across, up] =
@@ -340,8 +356,9 @@ pub(super) fn draw_frame(canvas: &mut Canvas, frame: Area) {
     canvas.close_group();
 }
 
-pub(super) fn draw_ticks(canvas: &mut Canvas, frame: Area, (horizontal, vertical): (&Measured, &Measured)) {
-    draw_horizontal_ticks(canvas, frame, &horizontal.ticks);
+/// The ticks of both axes; the horizontal ones with or without their numbers.
+pub(super) fn draw_ticks(canvas: &mut Canvas, frame: Area, (horizontal, vertical): (&Measured, &Measured), numbered: bool) {
+    draw_horizontal_ticks(canvas, frame, &horizontal.ticks, numbered);
     draw_vertical_ticks(canvas, frame, &vertical.ticks);
 }
 
@@ -351,7 +368,7 @@ pub(super) fn draw_labels(canvas: &mut Canvas, frame: Area, (horizontal, vertica
     draw_horizontal_label(canvas, frame, horizontal)
 }
 
-fn draw_horizontal_ticks(canvas: &mut Canvas, frame: Area, ticks: &Ticks) {
+fn draw_horizontal_ticks(canvas: &mut Canvas, frame: Area, ticks: &Ticks, numbered: bool) {
     canvas.open_group("horizontal axis");
     let both = |canvas: &mut Canvas, place: f64, length: f64, width: f64| {
         let x = frame.left + place * (frame.right - frame.left);
@@ -363,6 +380,9 @@ fn draw_horizontal_ticks(canvas: &mut Canvas, frame: Area, ticks: &Ticks) {
     }
     for (place, runs) in &ticks.major {
         both(canvas, *place, style::MAJOR_LENGTH, style::FRAME_WIDTH);
+        if !numbered {
+            continue;
+        }
         let x = frame.left + place * (frame.right - frame.left);
         canvas.text(runs, (x, tick_baseline(frame)), style::TICK_SIZE, Anchor::Middle);
     }

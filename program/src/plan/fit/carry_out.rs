@@ -2,6 +2,7 @@
 
 use super::inspect;
 use super::setup::Setup;
+use super::solved::Solved;
 use std::ops::Range;
 use std::time::Instant;
 use viscotack::fit::{Fineness, Fitted, Group, Loss, Noise, Problem, akaike, fit};
@@ -54,10 +55,15 @@ pub fn carry_out(setup: Setup) -> Result<Fit, Refusal> {
     let data = data.ok_or_else(|| Refusal::Undefined { quantity: "a fit", reason: "a datum has no logarithm".into() })?;
     let tolerance = tolerance(&setup);
     let coarse = if setup.across { tolerance } else { LOOSEST };
-    let model = |values: &[f64], fineness: Fineness| setup.model(values, if fineness == Fineness::Coarse { coarse } else { tolerance });
+    let solved = Solved::default();
+    let model = |values: &[f64], fineness: Fineness| {
+        let tolerance = if fineness == Fineness::Coarse { coarse } else { tolerance };
+        solved.or_else(values, tolerance, || setup.model(values, tolerance))
+    };
     let loss = if setup.task.huber { Loss::Huber } else { Loss::Squares };
     let problem = Problem { parameters: setup.parameters.clone(), data, groups, model: &model, loss, starts: setup.task.starts };
-    let fitted = fit(&problem)?;
+    let mut fitted = fit(&problem)?;
+    fitted.evaluations = solved.count();
     let moved = setup.model(&fitted.values, 0.1 * tolerance).ok().and_then(|finer| moved(&problem, &fitted, &finer));
     let sums: Vec<(usize, f64)> = of
         .iter()

@@ -41,6 +41,8 @@ pub(super) struct Compared {
     pub(super) word: String,
     /// A number a row.
     pub(super) values: Vec<f64>,
+    /// Its SI unit; empty without units.
+    pub(super) unit: String,
     /// Standard deviation of its noise, guessed from the data.
     pub(super) noise: f64,
 }
@@ -53,6 +55,8 @@ pub(super) struct Comparison {
     pub(super) document: Document,
     /// What the data are given against: its word, and whether it is a number of the scene.
     pub(super) against: String,
+    /// The SI unit of that; empty without units.
+    pub(super) unit: String,
     pub(super) across: Option<Put>,
     pub(super) abscissa: Vec<f64>,
     pub(super) time: Option<Vec<f64>>,

@@ -1,55 +1,73 @@
-//! Plots of a fit: each curve with its data, and its residuals.
+//! Plots of a fit: each curve with its data, and below them what is left between both.
 
-use super::carry_out::Fit;
-use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
+use super::carry_out::{Fit, GroupOf};
+use super::compare::Comparison;
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker, Residuals};
+use crate::plan::axis_units::put_on;
+use crate::scene::written_units::WrittenUnits;
+
+/// Of measured points.
+const COLOUR: Colour = Colour::Index(1);
+/// An axis of places above zero that span more than this factor is logarithmic.
+const WIDE: f64 = 30.0;
+/// Of logarithms, which are compared where errors are relative.
+const PER_CENT: f64 = 100.0;
 
 impl Fit {
-    /// Plots by file stem: for each column of each test the data with the model, and the residuals over the noise.
+    /// Plots by file stem: for each column of each test the data with the model, and the residuals.
     #[must_use]
     pub fn figures(&self) -> Vec<(String, Figure)> {
-        let mut found = Vec::new();
-        for (group, sigma) in self.groups.iter().zip(&self.fitted.sigmas) {
-            let Some(test) = self.setup.tests.get(group.test) else { continue };
-            let Some(column) = group.column.and_then(|column| test.columns.get(column)) else { continue };
-            let model = self.fitted.model.get(group.places.clone()).unwrap_or(&[]);
-            let place = |row: &usize| test.abscissa.get(*row).copied().unwrap_or(f64::NAN);
-            let value = |row: &usize| column.values.get(*row).copied().unwrap_or(f64::NAN);
-            let axis = |label: String| if test.relative { Axis::logarithmic(label) } else { Axis::linear(label) };
-            let wide = {
-                let (low, high) = test.range();
-                low > 0.0 && high > 30.0 * low
-            };
-            let across = || {
-                let label = test.against.replace('_', " ");
-                if wide { Axis::logarithmic(label) } else { Axis::linear(label) }
-            };
-            let in_values = |model: f64| if test.relative { model.exp() } else { model };
-            let data: Vec<(f64, f64)> = test.rows.iter().map(|row| (place(row), value(row))).collect();
-            let line: Vec<(f64, f64)> = test.rows.iter().zip(model).map(|(row, model)| (place(row), in_values(*model))).collect();
-            let left: Vec<(f64, f64)> = test
-                .rows
-                .iter()
-                .zip(model)
-                .map(|(row, model)| (place(row), (model - if test.relative { value(row).ln() } else { value(row) }) / sigma))
-                .collect();
-            let stem = format!("{}_{}", column.word, group.test + 1);
-            let data = Curve::new("data", data).with_line(Line::None).with_marker(Marker::Circle);
-            found.push((
-                format!("fit_{stem}"),
-                Figure::new(across(), axis(column.word.replace('_', " ")))
-                    .with_curve(data)
-                    .with_curve(Curve::new("fit", line).with_line(Line::Solid)),
-            ));
-            let zero = {
-                let (low, high) = test.range();
-                Curve::new("", vec![(low, 0.0), (high, 0.0)]).with_line(Line::Solid)
-            };
-            let residuals = Curve::new("residuals over noise", left).with_line(Line::None).with_marker(Marker::Circle);
-            found.push((
-                format!("residuals_{stem}"),
-                Figure::new(across(), Axis::linear("(model − data)/noise")).with_curve(zero).with_curve(residuals),
-            ));
-        }
-        found
+        let units = WrittenUnits::of(&self.setup.document.root);
+        self.groups
+            .iter()
+            .enumerate()
+            .filter_map(|(place, group)| {
+                let test = self.setup.tests.get(group.test)?;
+                let column = test.columns.get(group.column?)?;
+                let mut figure = self.figure(place, group, test)?;
+                put_on(&units, &mut figure);
+                Some((format!("fit_{}_{}", column.word, group.test + 1), figure))
+            })
+            .collect()
+    }
+
+    fn figure(&self, place: usize, group: &GroupOf, test: &Comparison) -> Option<Figure> {
+        let column = test.columns.get(group.column?)?;
+        let model = self.fitted.model.get(group.places.clone())?;
+        let quality = self.fitted.quality.get(place)?;
+        let rows: Vec<(f64, f64, f64)> = test
+            .rows
+            .iter()
+            .zip(model)
+            .filter_map(|(row, model)| Some((*test.abscissa.get(*row)?, *column.values.get(*row)?, *model)))
+            .collect();
+        let marker = Marker::of_measured(rows.len());
+        let labelled = |word: &str, unit: &str| {
+            let words = word.replace('_', " ");
+            if unit.is_empty() || unit == "1" { words } else { format!("{words} ({unit})") }
+        };
+        let (low, high) = test.range();
+        let across = labelled(&test.against, &test.unit);
+        let across = if low > 0.0 && high > WIDE * low { Axis::logarithmic(across) } else { Axis::linear(across) };
+        let up = labelled(&column.word, &column.unit);
+        let up = if test.relative { Axis::logarithmic(up) } else { Axis::linear(up) };
+        let in_values = |model: f64| if test.relative { model.exp() } else { model };
+        let (unit, size) = if test.relative { ("%", PER_CENT) } else { (column.unit.as_str(), 1.0) };
+        let left = |value: f64, model: f64| size * (model - if test.relative { value.ln() } else { value });
+        let data = rows.iter().map(|(place, value, _)| (*place, *value)).collect();
+        let line = rows.iter().map(|(place, _, model)| (*place, in_values(*model))).collect();
+        Some(
+            Figure::new(across, up)
+                .with_curve(Curve::new("measured", data).with_line(Line::None).with_marker(marker).with(COLOUR))
+                .with_curve(Curve::new("fit", line).with_line(Line::Solid).with_colour(0))
+                .with_residuals(Residuals {
+                    vertical: Axis::linear(labelled("residual", unit)),
+                    points: rows.iter().map(|(place, value, model)| (*place, left(*value, *model))).collect(),
+                    marker,
+                    colour: COLOUR,
+                    root_mean_square: Some(size * quality.root_mean_square),
+                    determination: quality.determination,
+                }),
+        )
     }
 }

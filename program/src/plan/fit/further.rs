@@ -107,7 +107,7 @@ fn candidates(setup: &Setup, first: &Comparison) -> Vec<Candidate> {
         && let Some(column) = first.columns.first()
     {
         let mut test = first.clone();
-        test.columns.push(super::compare::Compared { word: "contact_radius".to_owned(), ..column.clone() });
+        test.columns.push(super::compare::Compared { word: "contact_radius".to_owned(), unit: "m".to_owned(), ..column.clone() });
         found.push(("the contact radius beside it".to_owned(), Ok(test)));
     }
     if setup.units == Units::Reduced {

@@ -11,6 +11,9 @@ use viscotack::fit::Parameter;
 /// Correlation of a model with the negative of the data beyond which it is like them, and by how much less any model must be like the data.
 const LIKE: f64 = 0.7;
 const LIKE_LESS: f64 = 0.2;
+/// Places between the bounds at which a suspicion is looked into, and the bases of their coordinates.
+const MANY: u64 = 64;
+const PRIMES: [u64; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
 /// How far data may reach beyond the history, as part of it.
 const BEYOND: f64 = 0.02;
 /// Ratio of data to model beyond which units differ.
@@ -59,17 +62,23 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
                 ),
             );
         }
-        let models: Vec<Vec<f64>> = places(setup)
-            .into_par_iter()
-            .filter_map(|values| test.model(&scene_values(setup, &values), super::compare::Offsets::default(), 1e-2).ok())
-            .collect();
+        let models = |places: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
+            let at = |values: Vec<f64>| test.model(&scene_values(setup, &values), super::compare::Offsets::default(), 1e-2).ok();
+            places.into_par_iter().filter_map(at).collect()
+        };
+        let few = models(places(setup));
+        let mut many: Option<Vec<Vec<f64>>> = None;
         for (number, column) in test.columns.iter().enumerate().filter(|_| !test.relative) {
             let rows = test.rows.len();
             let data: Vec<f64> = test.rows.iter().filter_map(|row| column.values.get(*row)).copied().collect();
-            let with = |model: &Vec<f64>| correlation(&data, model.get(number * rows..(number + 1) * rows).unwrap_or(&[]));
-            let (least, most) = models.iter().map(with).fold((0.0_f64, 0.0_f64), |(least, most), one| (least.min(one), most.max(one)));
             // Nowhere between the bounds is the model like the data, and somewhere like their negative.
-            if least < -LIKE && most < -least - LIKE_LESS {
+            let reversed = |models: &[Vec<f64>]| {
+                let with = |model: &Vec<f64>| correlation(&data, model.get(number * rows..(number + 1) * rows).unwrap_or(&[]));
+                let (least, most) = models.iter().map(with).fold((0.0_f64, 0.0_f64), |(least, most), one| (least.min(one), most.max(one)));
+                least < -LIKE && most < -least - LIKE_LESS
+            };
+            // A few places may all be unlike good data: a suspicion is held against many.
+            if reversed(&few) && reversed(many.get_or_insert_with(|| models(all_over(setup)))) {
                 let message =
                     format!("`{}` of {:?} goes the other way than that of the scene: its sign seems reversed", column.word, test.file);
                 return wrong(
@@ -102,6 +111,29 @@ fn places(setup: &Setup) -> Vec<Vec<f64>> {
         }
     }
     places
+}
+
+/// Many places between all bounds, evenly.
+fn all_over(setup: &Setup) -> Vec<Vec<f64>> {
+    let at = |place: u64| {
+        let part = |(number, parameter): (usize, &Parameter)| {
+            let [low, high] = parameter.ends();
+            parameter.value(low + (high - low) * radical_inverse(place, PRIMES.get(number % PRIMES.len()).copied().unwrap_or(2)))
+        };
+        setup.parameters.iter().enumerate().map(part).collect()
+    };
+    (1..=MANY).map(at).collect()
+}
+
+/// The digits of a number to a base, mirrored at the point (Halton, Numer. Math. 2 (1960) 84).
+fn radical_inverse(mut number: u64, base: u64) -> f64 {
+    let (mut value, mut digit) = (0.0, 1.0);
+    while number > 0 {
+        digit /= base as f64;
+        value += digit * (number % base) as f64;
+        number /= base;
+    }
+    value
 }
 
 fn scene_values<'s>(setup: &'s Setup, values: &[f64]) -> Vec<(&'s super::compare::Put, f64)> {

@@ -19,6 +19,7 @@ mod report;
 mod scene_file;
 mod screen;
 mod setup;
+mod solved;
 mod words;
 
 pub use carry_out::{Fit, carry_out};

@@ -8,6 +8,7 @@ use crate::scene::delimited::Scale;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Value};
 use crate::scene::typed::{FitFree, FitTask, FitTest, Problem};
+use crate::scene::units::Dimension;
 use crate::scene::{check, read};
 use viscotack::fit::Parameter;
 
@@ -244,6 +245,7 @@ fn comparison(
     let relative = task.relative.unwrap_or(across);
     let values_of = |word: &str| test.table.column(word).map(|column| column.values.clone());
     let abscissa = values_of(&word).unwrap_or_default();
+    let unit_of = |dimension: Dimension| if units == Units::Reduced { String::new() } else { dimension.si_unit() };
     let mut columns = Vec::new();
     for word in &task.compare {
         let Some(column) = test.table.column(word) else { continue };
@@ -267,7 +269,7 @@ fn comparison(
             return Err(SceneError::at(&column.place, message, "has no logarithm").help("write fit.errors = \"absolute\""));
         }
         let noise = if across { guessed(&column.values, relative) } else { noise::noise(&column.values) };
-        columns.push(Compared { word: word.clone(), values: column.values.clone(), noise });
+        columns.push(Compared { word: word.clone(), values: column.values.clone(), unit: unit_of(column.dimension), noise });
     }
     if abscissa.len() < 4 {
         let message = format!("{:?} has {} rows", test.table.file, abscissa.len());
@@ -284,6 +286,7 @@ fn comparison(
         file: test.table.file.clone(),
         document: own,
         across: across.then(|| Put { key: path.clone(), place }),
+        unit: test.table.column(&word).map(|column| unit_of(column.dimension)).unwrap_or_default(),
         against: word,
         rows: (0..abscissa.len()).collect(),
         abscissa,

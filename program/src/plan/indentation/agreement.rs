@@ -1,13 +1,16 @@
-//! A measured force beside the computed one: how far they are from each other, and the plot of that.
+//! A measured force beside the computed one: how far they are from each other, and both in a plot.
 
 use super::rows::INSTANT;
-use crate::outcome::plot::{Axis, Curve, Figure, Line, Marker};
+use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker, Residuals};
 use crate::outcome::{Column, Row};
 use crate::scene::typed::Units;
 use viscotack::estimate::Estimate;
 
 /// What differences and sums of numbers are rounded by, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Of measured points.
+const COLOUR: Colour = Colour::Index(1);
 
 /// Of the columns.
 pub(super) const DEVIATION: &str = "The computed force less the measured one.";
@@ -39,19 +42,28 @@ pub(super) fn put_into(rows: &mut [Row], columns: &[Column]) {
         put(row, deviation, Some(deviates));
     }
     let Some(answer) = rows.first_mut() else { return };
+    let Some((root, determination)) = measures(&pairs) else { return };
+    if let Some(place) = place("rms_deviation") {
+        put(answer, place, Some(root));
+    }
+    if let Some(place) = place("coefficient_of_determination") {
+        put(answer, place, determination);
+    }
+}
+
+/// Root mean square and coefficient of determination of deviations, each with the measured force that it is from; none of none.
+fn measures(pairs: &[(Estimate, f64)]) -> Option<(Estimate, Option<Estimate>)> {
+    if pairs.is_empty() {
+        return None;
+    }
     let mean = pairs.iter().map(|(_, measured)| measured / pairs.len() as f64).sum::<f64>();
     let root_mean_square = |of: &dyn Fn(&(Estimate, f64)) -> f64| root_mean_square(&pairs.iter().map(of).collect::<Vec<_>>());
     // The root of a mean square is a norm: errors change it by their own at most.
     let (rms, error) = (root_mean_square(&|(deviates, _)| deviates.value), root_mean_square(&|(deviates, _)| deviates.error));
     let spread = root_mean_square(&|(_, measured)| measured - mean);
     let determination = Estimate::new(1.0 - (rms / spread).powi(2), error / spread * ((2.0 * rms + error) / spread) + ROUNDING);
-    if let Some(place) = place("rms_deviation") {
-        put(answer, place, (!pairs.is_empty()).then_some(Estimate::new(rms, error)));
-    }
-    if let Some(place) = place("coefficient_of_determination") {
-        let finite = spread > 0.0 && determination.value.is_finite() && determination.error.is_finite();
-        put(answer, place, finite.then_some(determination));
-    }
+    let finite = spread > 0.0 && determination.value.is_finite() && determination.error.is_finite();
+    Some((Estimate::new(rms, error), finite.then_some(determination)))
 }
 
 /// Over the largest of them, whose square may be no number.
@@ -69,29 +81,26 @@ fn put(row: &mut Row, place: usize, value: Option<Estimate>) {
     }
 }
 
-/// The measured forces of one state as marks, over a quantity; none without any.
-pub(super) fn marks<'r>(rows: impl Iterator<Item = &'r Row>, [horizontal, measured]: [usize; 2]) -> Option<Curve> {
-    let points = points(rows, [horizontal, measured]);
-    (!points.is_empty()).then(|| Curve::new("measured", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1))
-}
-
-/// The deviations of one state over the time, with a line where there is none; no figure without any.
-pub(super) fn figure<'r>(rows: impl Iterator<Item = &'r Row>, places: [usize; 2], time: Axis, units: Units) -> Option<(String, Figure)> {
-    let points = points(rows, places);
-    let (first, last) = (points.first()?.0, points.last()?.0);
-    let label = match units {
-        Units::Si => r"computed less measured force $F - F_\mathrm{meas}$ (N)",
-        Units::Reduced => r"computed less measured force $(F - F_\mathrm{meas})/\pi E_0^* R^2$",
-    };
-    let none = Curve::new("", vec![(first, 0.0), (last, 0.0)]).with_line(Line::Dotted).with_colour(2);
-    let deviations = Curve::new("", points).with_line(Line::None).with_marker(Marker::OpenCircle).with_colour(1);
-    let figure = Figure::new(time, Axis::linear(label)).with_curve(none).with_curve(deviations);
-    Some(("force_deviation_against_time".to_owned(), figure))
-}
-
-fn points<'r>(rows: impl Iterator<Item = &'r Row>, [horizontal, vertical]: [usize; 2]) -> Vec<(f64, f64)> {
-    let instants = rows.filter(|row| row.label(0) == INSTANT);
-    instants.filter_map(|row| Some((row.value(horizontal)?, row.value(vertical)?))).collect()
+/// Puts the measured forces of one state on a figure as marks, over a quantity, and below the curves what is left between both forces.
+pub(super) fn put_on(mut figure: Figure, rows: &[&Row], [horizontal, measured, deviation]: [usize; 3], units: Units) -> Figure {
+    let instants = || rows.iter().filter(|row| row.label(0) == INSTANT);
+    let marks: Vec<(f64, f64)> = instants().filter_map(|row| Some((row.value(horizontal)?, row.value(measured)?))).collect();
+    let left: Vec<(f64, Estimate, f64)> = instants()
+        .filter_map(|row| Some((row.value(horizontal)?, row.values.get(deviation).copied().flatten()?, row.value(measured)?)))
+        .collect();
+    let pairs: Vec<(Estimate, f64)> = left.iter().map(|(_, deviates, measured)| (*deviates, *measured)).collect();
+    let Some((root, determination)) = measures(&pairs) else { return figure };
+    let marker = Marker::of_measured(marks.len());
+    // Below the computed curves, which many points would hide.
+    figure.curves.insert(0, Curve::new("measured", marks).with_line(Line::None).with_marker(marker).with(COLOUR));
+    figure.with_residuals(Residuals {
+        vertical: Axis::linear(if units == Units::Si { "residual (N)" } else { "residual" }),
+        points: left.into_iter().map(|(place, deviates, _)| (place, deviates.value)).collect(),
+        marker,
+        colour: COLOUR,
+        root_mean_square: Some(root.value),
+        determination: determination.map(|part| part.value),
+    })
 }
 
 #[cfg(test)]

@@ -54,8 +54,6 @@ impl IndentationPlan {
                 ("penetration_against_time", at::PENETRATION),
             ] {
                 figures.push((name.to_owned(), self.time_figure(&states, column)));
-                // The deviations follow the force that they are of.
-                figures.extend((column == at::FORCE).then(|| self.deviation_figure(&states)).flatten());
             }
         }
         figures.extend(self.own_time_figure(&states).map(|figure| ("force_against_own_time".to_owned(), figure)));
@@ -256,20 +254,13 @@ impl IndentationPlan {
         Some(figure)
     }
 
-    /// The measured force of the first state, as marks.
+    /// The measured force of the first state, as marks, and below the curves how far the computed force is from it.
     fn with_measured(&self, figure: Figure, states: &[State<'_>], horizontal: usize) -> Figure {
-        let marks = position(&self.indentation, at::MEASURED_FORCE)
-            .and_then(|measured| agreement::marks(states.first()?.rows.iter().copied(), [horizontal, measured]));
-        match marks {
-            Some(marks) => figure.with_curve(marks),
-            None => figure,
-        }
-    }
-
-    /// How far the computed force of the first state is from the measured one.
-    fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
-        let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
-        agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), self.units)
+        let place = |column: usize| position(&self.indentation, column);
+        let (Some(measured), Some(deviation), Some(state)) = (place(at::MEASURED_FORCE), place(at::FORCE_DEVIATION), states.first()) else {
+            return figure;
+        };
+        agreement::put_on(figure, &state.rows, [horizontal, measured, deviation], self.units)
     }
 
     /// Loss of an oscillation; else the pull-off force, or without adhesion the largest force.

@@ -50,8 +50,6 @@ impl FiniteRangePlan {
                 ("penetration_against_time", at::PENETRATION),
             ] {
                 figures.push((name.to_owned(), self.figure(&states, at::TIME, column)));
-                // The deviations follow the force that they are of.
-                figures.extend((column == at::FORCE).then(|| self.deviation_figure(&states)).flatten());
             }
         }
         figures = noted(figures, thinning(numbers.len(), MOST_STATES, "states"));
@@ -84,9 +82,10 @@ impl FiniteRangePlan {
             }
             figure = figure.with_curve(Curve::new(state.label.clone(), points).with(state.colour).with_line(Line::Solid));
         }
-        let measured = position(&self.indentation, at::MEASURED_FORCE).filter(|_| vertical == at::FORCE);
-        let measured = measured.and_then(|measured| agreement::marks(states.first()?.rows.iter().copied(), [horizontal, measured]));
-        figure = measured.into_iter().fold(figure, Figure::with_curve);
+        let place = |column: usize| position(&self.indentation, column).filter(|_| vertical == at::FORCE);
+        if let (Some(measured), Some(deviation), Some(state)) = (place(at::MEASURED_FORCE), place(at::FORCE_DEVIATION), states.first()) {
+            figure = agreement::put_on(figure, &state.rows, [horizontal, measured, deviation], self.units);
+        }
         let marked = |word: &str| -> Vec<(f64, f64)> {
             let rows = states.iter().flat_map(|state| &state.rows).filter(|row| row.label(1) == word);
             rows.map(|row| (value(row, horizontal), value(row, vertical))).collect()
@@ -100,12 +99,6 @@ impl FiniteRangePlan {
             }
         }
         figure
-    }
-
-    /// How far the computed force of the first state is from the measured one.
-    fn deviation_figure(&self, states: &[State<'_>]) -> Option<(String, Figure)> {
-        let deviation = position(&self.indentation, at::FORCE_DEVIATION)?;
-        agreement::figure(states.first()?.rows.iter().copied(), [at::TIME, deviation], self.axis(at::TIME), self.units)
     }
 
     /// Pull-off, or of what has no unit for it the largest force.
