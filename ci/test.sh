@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 full=${1:-}
 packages="python3 python3-numpy python3-scipy python3-mpmath python3-pytest"
-elements="python3-dolfinx"      # finite elements beside the solver; large, so apart
+elements="python3-dolfinx"      # finite elements beside the solver; large, so installed by itself
 
 # What comes next, and how long it has been since the beginning.
 step() { printf '\n== %s (after %d s)\n' "$*" "$SECONDS"; }
@@ -87,7 +87,7 @@ done
 step "studies: convergence, cost, hard cases, effects (viscotack verify)"
 studies=$(mktemp -d)
 trap 'rm -rf "$studies"' EXIT
-# Fails if an order, a counter or a hard case gets worse; times are printed, never judged.
+# Fails if an order, a counter or a hard case gets worse; times are printed, never compared.
 if cargo run --release --locked --quiet -- verify --out "$studies/report" > "$studies/log"; then grep '^verify' "$studies/log"; else cat "$studies/log"; exit 1; fi
 
 step "cargo install: the installed program solves a scene"
