@@ -264,11 +264,11 @@ fn what_is_left_out_has_no_columns() {
     assert!(moving >= 3);
 }
 
-/// An oscillation that begins anywhere in its cycle is the table of its values: end values and the contact there, of a sphere without adhesion, with an edge and
-/// with attraction at a distance, under a penetration and a force. Oracle: 400 rows a cycle, written here from the sine; a chord errs by 3e-5 of the amplitude.
+/// An oscillation that begins anywhere in its cycle is the table of its values: end values and the contact there, of a sphere with adhesion at its edge and
+/// without, under a penetration and a force. Oracle: 100 rows a cycle, written here from the sine; a chord errs by 5e-4 of the amplitude.
 #[test]
 fn a_phase_is_where_in_its_cycle_an_oscillation_begins() {
-    let material = "accuracy = 1e-5\n[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.5\nrelaxation = [{ modulus = 2e6, relaxation_time = 0.4 }]\n";
+    let material = "accuracy = 1e-4\n[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.5\nrelaxation = [{ modulus = 2e6, relaxation_time = 0.4 }]\n";
     let edge = "[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = { length = 2e-6 }\n";
     let sphere = "[indentation]\nsphere = { radius = 1e-3 }\ninstants = 2\n";
     let cases = [
@@ -291,7 +291,7 @@ fn a_phase_is_where_in_its_cycle_an_oscillation_begins() {
             let swings = solved(&scene(&format!(
                 "[[history]]\noscillation = {{ quantity = \"{word}\", amplitude = {amplitude:e}, frequency = {frequency}, duration = {duration}, phase = {phase} }}\n"
             )));
-            let rows = 520;
+            let rows = 130;
             let values: String = (1..=rows).fold(String::new(), |mut text, row| {
                 let part = f64::from(row) / f64::from(rows);
                 let to = present + amplitude * ((TAU * cycles * part + phase).sin() - phase.sin());

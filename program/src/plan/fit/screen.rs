@@ -107,7 +107,7 @@ pub fn screen(found: &Found) -> String {
 
 fn of_models(page: &mut String, models: &[Alternative]) {
     let _ = writeln!(page);
-    let rows: Vec<[String; 4]> = models
+    let rows: Vec<[String; 5]> = models
         .iter()
         .map(|model| match &model.fit {
             Ok(fit) => {
