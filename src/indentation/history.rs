@@ -26,7 +26,7 @@ pub struct Segment {
     pub end: f64,
     /// Of what.
     pub controlled: Controlled,
-    /// An oscillation about the straight way; it starts at its mean.
+    /// An oscillation upon the straight way; without a phase it starts at its mean.
     pub oscillation: Option<Oscillation>,
 }
 

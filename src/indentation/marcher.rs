@@ -136,7 +136,9 @@ impl<'a> Marcher<'a> {
         let largest = |controlled: Controlled| {
             let start = if problem.history.controlled == controlled { problem.history.start } else { 0.0 };
             let segments = problem.history.segments.iter().filter(|segment| segment.controlled == controlled);
-            segments.fold(start.abs(), |most, segment| most.max(segment.end.abs() + segment.oscillation.map_or(0.0, |it| it.amplitude)))
+            segments.fold(start.abs(), |most, segment| {
+                most.max(segment.end.abs() + segment.oscillation.map_or(0.0, |it| it.amplitude + it.offset().abs()))
+            })
         };
         let deepest = largest(Controlled::Penetration).max(largest(Controlled::Frame));
         // The smallest contact under the largest force: the glassy one.

@@ -163,8 +163,7 @@ impl Meter {
             let [(depth, depth_rate), (force, _), _] = [courses[0].at(time), courses[1].at(time), (0.0, 0.0)];
             self.sums.work += width * force * depth_rate;
             let since = (now + time - self.origin).clamp(0.0, self.duration);
-            let cycles = self.oscillation.cycles_at(since, self.duration);
-            let (sin, cos) = (TAU * (cycles - cycles.round())).sin_cos();
+            let (sin, cos) = self.oscillation.angle(since, self.duration).sin_cos();
             let pace = TAU * self.oscillation.frequency_at(since, self.duration) * width;
             for (moments, value) in self.sums.moments.iter_mut().zip([depth, force]) {
                 for (moment, factor) in moments.iter_mut().zip([1.0, sin, cos]) {
@@ -188,8 +187,7 @@ impl Meter {
     /// The weights of a value in its moments at a time: φ̇, φ̇ sin φ and φ̇ cos φ.
     pub(super) fn weights(&self, time: f64) -> [f64; 3] {
         let since = (time - self.origin).clamp(0.0, self.duration);
-        let cycles = self.oscillation.cycles_at(since, self.duration);
-        let (sin, cos) = (TAU * (cycles - cycles.round())).sin_cos();
+        let (sin, cos) = self.oscillation.angle(since, self.duration).sin_cos();
         let pace = TAU * self.oscillation.frequency_at(since, self.duration);
         [pace, pace * sin, pace * cos]
     }

@@ -1,6 +1,6 @@
 //! An oscillation about what a stretch of a history goes through: a sinus of one frequency, or of one that goes up or down.
 
-use crate::refusal::{Refusal, require_non_negative, require_positive};
+use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -27,6 +27,9 @@ pub struct Oscillation {
     pub end_frequency: f64,
     /// How it goes from one to the other.
     pub sweep: FrequencySweep,
+    /// Where in its cycle it begins (rad): 0 at the mean and going up, π/2 at the greatest value.
+    #[serde(default)]
+    pub phase: f64,
     /// Whether the stretch ends with the first cycle that is stationary, to the accuracy of the problem.
     pub until_stationary: bool,
 }
@@ -35,13 +38,13 @@ impl Oscillation {
     /// One frequency (1/s).
     #[must_use]
     pub const fn steady(amplitude: f64, frequency: f64) -> Self {
-        Self { amplitude, frequency, end_frequency: frequency, sweep: FrequencySweep::Linear, until_stationary: false }
+        Self { amplitude, frequency, end_frequency: frequency, sweep: FrequencySweep::Linear, phase: 0.0, until_stationary: false }
     }
 
     /// A frequency (1/s) that goes to another.
     #[must_use]
     pub const fn swept(amplitude: f64, frequency: f64, end_frequency: f64, sweep: FrequencySweep) -> Self {
-        Self { amplitude, frequency, end_frequency, sweep, until_stationary: false }
+        Self { amplitude, frequency, end_frequency, sweep, phase: 0.0, until_stationary: false }
     }
 
     /// Checks every number.
@@ -52,6 +55,7 @@ impl Oscillation {
         require_non_negative("amplitude", self.amplitude)?;
         require_positive("frequency", self.frequency)?;
         require_positive("end_frequency", self.end_frequency)?;
+        require_finite("phase", self.phase)?;
         Ok(())
     }
 
@@ -107,12 +111,23 @@ impl Oscillation {
         Some(time.min(duration))
     }
 
-    /// The deviation at a time of a stretch, in the unit of the controlled quantity.
+    /// Where in its cycle it is at a time of a stretch (rad), up to whole cycles: sin keeps its digits after a million of them.
+    #[must_use]
+    pub fn angle(&self, time: f64, duration: f64) -> f64 {
+        let cycles = self.cycles_at(time, duration);
+        TAU * (cycles - cycles.round()) + self.phase
+    }
+
+    /// How far it is at a time of a stretch from where it began, in the unit of the controlled quantity.
     #[must_use]
     pub fn deviation(&self, time: f64, duration: f64) -> f64 {
-        let cycles = self.cycles_at(time, duration);
-        // Whole cycles taken off: sin keeps its digits after a million of them.
-        self.amplitude * (TAU * (cycles - cycles.round())).sin()
+        self.amplitude * self.angle(time, duration).sin() - self.offset()
+    }
+
+    /// How far above its mean it begins.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        self.amplitude * self.phase.sin()
     }
 }
 

@@ -263,3 +263,72 @@ fn what_is_left_out_has_no_columns() {
     }
     assert!(moving >= 3);
 }
+
+/// An oscillation that begins anywhere in its cycle is the table of its values: end values and the contact there, of a sphere with adhesion at its edge and
+/// without, under a penetration and a force. Oracle: 100 rows a cycle, written here from the sine; a chord errs by 5e-4 of the amplitude.
+#[test]
+fn a_phase_is_where_in_its_cycle_an_oscillation_begins() {
+    let material = "accuracy = 1e-4\n[material]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.5\nrelaxation = [{ modulus = 2e6, relaxation_time = 0.4 }]\n";
+    let edge = "[adhesion]\nwork_of_adhesion = 0.05\nprocess_zone = { length = 2e-6 }\n";
+    let sphere = "[indentation]\nsphere = { radius = 1e-3 }\ninstants = 2\n";
+    let cases = [
+        (
+            "no adhesion",
+            material.to_owned(),
+            format!("{sphere}[[history]]\npenetration = 5e-6\nduration = 0.5\n"),
+            "penetration",
+            5e-6,
+            1e-6,
+        ),
+        ("no adhesion, force", material.to_owned(), format!("{sphere}[[history]]\nforce = 5e-4\nduration = 0.5\n"), "force", 5e-4, 1e-4),
+        ("an edge", format!("{material}{edge}"), format!("{sphere}start = \"relaxed\"\npenetration = 5e-6\n"), "penetration", 5e-6, 1e-6),
+    ];
+    for (name, head, indentation, word, present, amplitude) in cases {
+        for phase in [1.2_f64, PI, -2.0] {
+            let (frequency, cycles) = (0.8, 1.3);
+            let duration = cycles / frequency;
+            let scene = |rest: &str| format!("{head}{indentation}{rest}");
+            let swings = solved(&scene(&format!(
+                "[[history]]\noscillation = {{ quantity = \"{word}\", amplitude = {amplitude:e}, frequency = {frequency}, duration = {duration}, phase = {phase} }}\n"
+            )));
+            let rows = 130;
+            let values: String = (1..=rows).fold(String::new(), |mut text, row| {
+                let part = f64::from(row) / f64::from(rows);
+                let to = present + amplitude * ((TAU * cycles * part + phase).sin() - phase.sin());
+                text += &format!("[[history]]\n{word} = {to:e}\nduration = {:e}\n", duration / f64::from(rows));
+                text
+            });
+            let table = solved(&scene(&values));
+            for quantity in ["end_penetration", "end_force", "end_radius"] {
+                let [one, other] = [&swings, &table].map(|outcome| value(outcome, &outcome.rows[0], quantity));
+                let size = amplitude / present;
+                assert!((one / other - 1.0).abs() < 3e-3 * size, "{name}, phase {phase}: {quantity} {one:e} {other:e}");
+            }
+        }
+    }
+}
+
+/// Stiffness and loss of whole cycles do not depend on where they begin; from the top a cycle goes down by twice the amplitude.
+#[test]
+fn whole_cycles_are_the_same_from_any_phase() {
+    let of = |phase: f64| {
+        solved(&punch(
+            "{ modulus = 2e6, relaxation_time = 0.3 }",
+            &format!(
+                "[[history]]\noscillation = {{ quantity = \"penetration\", amplitude = 2e-6, frequency = 0.7, cycles = 12, phase = {phase} }}\n"
+            ),
+        ))
+    };
+    let plain = of(0.0);
+    for phase in [0.5 * PI, 2.5, -1.0] {
+        let other = of(phase);
+        for quantity in ["storage_stiffness", "loss_stiffness"] {
+            let [one, two] = [&plain, &other].map(|outcome| value(outcome, cycles(outcome).last().unwrap(), quantity));
+            assert!((one / two - 1.0).abs() < 1e-3, "{phase}: {quantity} {one:e} {two:e}");
+        }
+        let last = *cycles(&other).last().unwrap();
+        let [least, most] = ["smallest_penetration", "largest_penetration"].map(|quantity| value(&other, last, quantity));
+        let mean = 4e-5 - 2e-6 * phase.sin();
+        assert!((least / (mean - 2e-6) - 1.0).abs() < 1e-6 && (most / (mean + 2e-6) - 1.0).abs() < 1e-6, "{phase}: {least:e} {most:e}");
+    }
+}

@@ -56,7 +56,7 @@ fn of_pace(pace: Option<Pace>) -> String {
 }
 
 fn of_oscillation(oscillation: &HistoryOscillation) -> String {
-    let HistoryOscillation { quantity, amplitude, frequency, sweep, extent, to, until_stationary } = oscillation;
+    let HistoryOscillation { quantity, amplitude, frequency, sweep, extent, phase, to, until_stationary } = oscillation;
     let mut text = format!("quantity = \"{}\", amplitude = {amplitude:e}, frequency = {frequency:e}", quantity.word());
     text += &match extent {
         OscillationExtent::Cycles(cycles) => format!(", cycles = {cycles}"),
@@ -66,6 +66,9 @@ fn of_oscillation(oscillation: &HistoryOscillation) -> String {
     if let Some((end, how)) = sweep {
         let how = if *how == FrequencySweep::Logarithmic { "logarithmic" } else { "linear" };
         text += &format!(", to_frequency = {end:e}, frequency_sweep = \"{how}\"");
+    }
+    if *phase != 0.0 {
+        text += &format!(", phase = {phase:e}");
     }
     if let Some(to) = to {
         text += &format!(", to = {to:e}");

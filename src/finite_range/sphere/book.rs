@@ -164,7 +164,7 @@ fn deepest(problem: &Problem) -> f64 {
             Motion::Ramp { to, .. } => to,
             Motion::Hold(_) => continue,
             Motion::Oscillation { amplitude, .. } => amplitude.abs(),
-            Motion::Swing { to, oscillation, .. } => to + oscillation.amplitude,
+            Motion::Swing { to, oscillation, .. } => to + oscillation.amplitude - oscillation.offset(),
         };
         let depth = if leg.control == Control::Force { of_force(value) } else { value };
         now = if matches!(leg.motion, Motion::Oscillation { .. }) { most + depth } else { depth };

@@ -155,9 +155,8 @@ impl Motion {
             Self::Hold(_) => (from, 0.0),
             Self::Swing { to, duration, oscillation } => {
                 let slope = (to - from) / duration;
-                let cycles = oscillation.cycles_at(since, duration);
                 let speed = std::f64::consts::TAU * oscillation.frequency_at(since, duration);
-                let swing = oscillation.amplitude * speed * (std::f64::consts::TAU * (cycles - cycles.round())).cos();
+                let swing = oscillation.amplitude * speed * oscillation.angle(since, duration).cos();
                 (from + slope * since + oscillation.deviation(since, duration), slope + swing)
             }
             Self::Oscillation { amplitude, period, .. } => {

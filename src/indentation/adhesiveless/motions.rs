@@ -38,8 +38,7 @@ impl<'a> Course<'a> {
         if swept {
             return Drive::fitted(stretch.value(from), target - from, |time| stretch.value(from + time));
         }
-        let cycles = oscillation.cycles_at(from, duration);
-        let phase = TAU * (cycles - cycles.round());
+        let phase = oscillation.angle(from, duration);
         let mean = |time: f64| stretch.from + (stretch.segment.end - stretch.from) * (time / duration);
         let wave = Wave { amplitude: oscillation.amplitude, pace: TAU * oscillation.frequency, phase };
         let start = stretch.value(from);

@@ -126,7 +126,7 @@ impl Stretch {
 
     /// As a branch from an instant and a value on.
     pub(super) fn branch(&self, start: f64, value: f64, memory: Vec<f64>) -> Branch {
-        let (amplitude, omega) = self.oscillation.map_or((0.0, 0.0), |o| (o.amplitude, TAU * o.frequency));
+        let (amplitude, omega, phase) = self.oscillation.map_or((0.0, 0.0, 0.0), |o| (o.amplitude, TAU * o.frequency, o.phase));
         let control = self.control;
         // What is held is held, but for the rounding of how it came there.
         let value = if (self.end - value).abs() <= ROUNDING * value.abs() { self.end } else { value };
@@ -134,6 +134,6 @@ impl Stretch {
             return Branch { control, start, end: start, level: self.end, rate: 0.0, amplitude: 0.0, omega: 0.0, phase: 0.0, memory };
         }
         let rate = (self.end - value) / self.duration;
-        Branch { control, start, end: start + self.duration, level: value, rate, amplitude, omega, phase: 0.0, memory }
+        Branch { control, start, end: start + self.duration, level: value, rate, amplitude, omega, phase, memory }
     }
 }

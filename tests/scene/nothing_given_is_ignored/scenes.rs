@@ -108,6 +108,7 @@ pub(super) fn scenes() -> Vec<(&'static str, String)> {
         ("cyclic test", press(SOFT, "sphere = { radius = 1e-3 }\n", "[test]\nkind = \"cyclic\"\napproach_speed = 2e-6\ndepth = 2e-6\nretract_to = 1e-6\ncycles = 2\n")),
         ("punch that swings", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, cycles = 2, to = 3e-6 }\n")),
         ("punch that swings faster", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, to_frequency = 2.0, frequency_sweep = \"linear\", duration = 2.0 }\n")),
+        ("punch that swings from the top", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, cycles = 2, phase = 1.2 }\n")),
         ("punch that settles", press(SOFT, "flat_punch = { radius = 1e-4 }\n", "[[history]]\npenetration = 2e-6\n[[history]]\noscillation = { quantity = \"penetration\", amplitude = 1e-7, frequency = 1.0, cycles = 30, until_stationary = true }\n")),
         ("sphere that swings for ever", press(&format!("{SOFT}{STICKY}"), "sphere = { radius = 1e-3 }\nstart = \"relaxed\"\npenetration = 3e-6\n", "[[history]]\noscillation = { quantity = \"penetration\", amplitude = 3e-7, frequency = 1.0, periodic = true }\n")),
         ("cone", press(SOFT, "cone = { slope = 0.1 }\n", ramp)),

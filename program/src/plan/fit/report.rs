@@ -81,6 +81,8 @@ pub fn summary(found: &Found) -> Value {
             "refused": model.fit.as_ref().err(),
             "akaike_above_best": model.rise(&found.models),
             "excluded": model.is_excluded(&found.models),
+            "evaluations": model.fit.as_ref().ok().map(|fit| fit.fitted.evaluations),
+            "seconds": model.fit.as_ref().ok().map(|fit| fit.seconds),
             "parameters": model.fit.as_ref().ok().map(named),
             "fails": model.fails,
         })).collect::<Vec<_>>(),

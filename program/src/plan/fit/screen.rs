@@ -107,7 +107,7 @@ pub fn screen(found: &Found) -> String {
 
 fn of_models(page: &mut String, models: &[Alternative]) {
     let _ = writeln!(page);
-    let rows: Vec<[String; 4]> = models
+    let rows: Vec<[String; 5]> = models
         .iter()
         .map(|model| match &model.fit {
             Ok(fit) => {
@@ -121,12 +121,13 @@ fn of_models(page: &mut String, models: &[Alternative]) {
                     .collect();
                 let rise = model.rise(models).map_or_else(String::new, |rise| format!("{rise:.1}"));
                 let word = if model.is_excluded(models) { "excluded by these data" } else { "possible" };
-                [model.name.to_owned(), rise, word.to_owned(), values.join(", ")]
+                let cost = format!("{} models in {:.2} s", fit.fitted.evaluations, fit.seconds);
+                [model.name.to_owned(), rise, word.to_owned(), cost, values.join(", ")]
             }
-            Err(reason) => [model.name.to_owned(), "-".to_owned(), "no fit".to_owned(), reason.clone()],
+            Err(reason) => [model.name.to_owned(), "-".to_owned(), "no fit".to_owned(), "-".to_owned(), reason.clone()],
         })
         .collect();
-    table(page, &["model", "AICc above best", "these data", "numbers"].map(str::to_owned), &rows);
+    table(page, &["model", "AICc above best", "these data", "cost of the fit", "numbers"].map(str::to_owned), &rows);
     for model in models {
         for sentence in &model.fails {
             let _ = writeln!(page, "where it fails: {}: {sentence}", model.name);
@@ -149,11 +150,11 @@ fn of_further(page: &mut String, names: Vec<&str>, tests: &[Further]) {
     }
 }
 
-fn table(page: &mut String, head: &[String; 4], rows: &[[String; 4]]) {
+fn table<const N: usize>(page: &mut String, head: &[String; N], rows: &[[String; N]]) {
     let width = |column: usize| {
         std::iter::once(head).chain(rows).filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
-    let widths: Vec<usize> = (0..4).map(width).collect();
+    let widths: Vec<usize> = (0..N).map(width).collect();
     for row in std::iter::once(head).chain(rows) {
         let cells: Vec<String> =
             row.iter().zip(&widths).map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count()))).collect();

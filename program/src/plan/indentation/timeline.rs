@@ -308,7 +308,10 @@ impl Builder<'_> {
     fn oscillation(&mut self, given: &HistoryOscillation) -> Result<(), Refusal> {
         let (quantity, factor) = (given.quantity, self.factor);
         let (held, present) = self.here;
-        let Some(end) = given.to.map(|to| self.scale.coherent(quantity, to)).or((held == quantity).then_some(present)) else {
+        let amplitude = self.scale.coherent(quantity, given.amplitude);
+        // It begins at the present value; `to` is a mean, which lies as far from the value reached after whole cycles.
+        let above = amplitude * given.phase.sin();
+        let Some(end) = given.to.map(|to| self.scale.coherent(quantity, to) + above).or((held == quantity).then_some(present)) else {
             return Err(Refusal::Undefined {
                 quantity: "the mean of an oscillation right after a change of what is controlled",
                 reason: "it is only known when the history is solved; give `to`".into(),
@@ -317,17 +320,18 @@ impl Builder<'_> {
         self.timeline.periodic = given.is_periodic();
         let (end_frequency, sweep) = given.sweep.unwrap_or((given.frequency, FrequencySweep::Linear));
         let oscillation = Oscillation {
-            amplitude: self.scale.coherent(quantity, given.amplitude),
+            amplitude,
             frequency: given.frequency * factor,
             end_frequency: end_frequency * factor,
             sweep,
+            phase: given.phase,
             until_stationary: given.until_stationary,
         };
         oscillation.checked()?;
         let duration = given.duration() / factor;
         self.timeline.legs.push(Leg { quantity, duration, end, oscillation: Some(oscillation), segment: self.segment });
         self.time += duration;
-        // Whole cycles end at the mean itself.
+        // Whole cycles end where they began, but for the way of the mean.
         let reached = match given.extent {
             OscillationExtent::Cycles(_) | OscillationExtent::Periodic => end,
             OscillationExtent::Duration(_) => end + oscillation.deviation(duration, duration),

@@ -167,7 +167,7 @@ pub(super) const KEYS: &[Key] = &[
     Key {
         path: "history[].oscillation",
         kind: Kind::Table,
-        meaning: "Swing as a sinus about the present value of a quantity of a sphere, up first; every whole cycle gives its stiffness, loss and extremes. Holds exactly one of `cycles`, `duration`, `periodic = true`.",
+        meaning: "Swing as a sinus about the present value of a quantity of a sphere, up first unless `phase` says otherwise; every whole cycle gives its stiffness, loss and extremes. Holds exactly one of `cycles`, `duration`, `periodic = true`.",
     },
     Key { path: "history[].oscillation.quantity", kind: Kind::Choice(HistoryQuantity::OSCILLATING), meaning: "What oscillates." },
     Key {
@@ -195,6 +195,11 @@ pub(super) const KEYS: &[Key] = &[
         meaning: "How many cycles; with `until_stationary` how many at most.",
     },
     Key { path: "history[].oscillation.duration", kind: TIME, meaning: "How long it lasts, whole cycles or not." },
+    Key {
+        path: "history[].oscillation.phase",
+        kind: Kind::Number { dimension: Dimension::NUMBER, range: Range::Finite, reduced: "rad" },
+        meaning: "Where in its cycle it begins, in radians: 0 at the mean and up, the default; 1.5708 at the top; 3.1416 at the mean and down. It begins at the present value whatever its phase, and the mean lies as far from that.",
+    },
     Key {
         path: "history[].oscillation.to",
         kind: Kind::NumberOfSweptKey,

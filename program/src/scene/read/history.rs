@@ -191,14 +191,23 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
     let frequency = table.required_number("frequency")?;
     let flag = |key: &str| matches!(table.value(key).map(|node| &node.value), Some(Value::Flag(true)));
     if flag("periodic") {
-        let others = ["cycles", "duration", "to", "to_frequency", "frequency_sweep", "until_stationary"];
+        let others = ["cycles", "duration", "to", "to_frequency", "frequency_sweep", "phase", "until_stationary"];
         if let Some(key) = others.into_iter().find(|key| table.node().get(key).is_some()) {
             let message =
                 format!("`{}` = true excludes `{}`: its one cycle repeats itself for ever", table.full("periodic"), table.full(key));
             return Err(SceneError::at(&table.key_place(key), message, "leave one of the two out"));
         }
         let extent = OscillationExtent::Periodic;
-        return Ok(HistoryOscillation { quantity, amplitude, frequency, sweep: None, extent, to: None, until_stationary: false });
+        return Ok(HistoryOscillation {
+            quantity,
+            amplitude,
+            frequency,
+            sweep: None,
+            extent,
+            phase: 0.0,
+            to: None,
+            until_stationary: false,
+        });
     }
     let extent = match table.exactly_one(&["cycles", "duration"])? {
         "cycles" => OscillationExtent::Cycles(table.required_number("cycles")? as u32),
@@ -214,6 +223,7 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
         (None, None) => None,
     };
     let to = table.value("to").map(|_| dependent(&table, "to", quantity.dimension(), quantity.range())).transpose()?;
+    let phase = table.number("phase")?.unwrap_or(0.0);
     let until_stationary = flag("until_stationary");
     if until_stationary {
         let moving = ["to", "to_frequency"].into_iter().find(|key| table.node().get(key).is_some());
@@ -231,7 +241,7 @@ fn oscillation(item: &Section<'_>, allowed: &[HistoryQuantity], owner: &str) -> 
             return Err(SceneError::at(&table.key_place("duration"), message, "give `cycles` instead"));
         }
     }
-    Ok(HistoryOscillation { quantity, amplitude, frequency, sweep, extent, to, until_stationary })
+    Ok(HistoryOscillation { quantity, amplitude, frequency, sweep, extent, phase, to, until_stationary })
 }
 
 /// A number whose dimension is that of the segment's quantity.

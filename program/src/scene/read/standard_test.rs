@@ -180,6 +180,7 @@ impl Test<'_> {
                 frequency,
                 sweep: None,
                 extent: OscillationExtent::Cycles(cycles),
+                phase: 0.0,
                 to: None,
                 until_stationary: !self.rig.at_a_distance,
             })

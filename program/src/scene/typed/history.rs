@@ -238,6 +238,8 @@ pub struct HistoryOscillation {
     pub sweep: Option<(f64, FrequencySweep)>,
     /// How long it lasts.
     pub extent: OscillationExtent,
+    /// Where in its cycle it begins (rad).
+    pub phase: f64,
     /// The mean at the end, where it does not stay.
     pub to: Option<f64>,
     /// Whether it ends with the first stationary cycle.

@@ -128,6 +128,9 @@ fn sinus(problem: &IndentationProblem) -> Result<(Sinus, f64), Refusal> {
     if oscillation.frequency.to_bits() != oscillation.end_frequency.to_bits() || segment.end.to_bits() != history.start.to_bits() {
         return Err(refused("the frequency or the mean goes elsewhere"));
     }
+    if oscillation.phase != 0.0 {
+        return Err(refused("what goes on for ever begins at its mean here"));
+    }
     if oscillation.amplitude <= 0.0 {
         return Err(Refusal::out_of_range("amplitude", oscillation.amplitude, "greater than zero"));
     }

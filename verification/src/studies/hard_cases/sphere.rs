@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use viscotack::elastic::{JkrSphere, KendallPunch};
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{
-    Adhesion, Controlled, EventKind, FrequencySweep, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run,
+    Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, run,
 };
 use viscotack::material::{Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
@@ -374,8 +374,7 @@ fn punches(effort: Effort) -> Vec<HardCase> {
             vec![near("storage stiffness", 2.0 * radius * storage(omega), 2e-3), near("loss stiffness", 2.0 * radius * loss(omega), 2e-2)],
             move || {
                 let frequency = omega / (2.0 * PI);
-                let swing =
-                    Oscillation { amplitude, frequency, end_frequency: frequency, sweep: FrequencySweep::Linear, until_stationary: false };
+                let swing = Oscillation::steady(amplitude, frequency);
                 let history = History::from(Controlled::Penetration, 0.01).oscillate(swing, f64::from(cycles) / frequency);
                 let problem = IndentationProblem { profile: Profile::FlatPunch { radius }, ..asked(None, history, 1e-3) };
                 let found = run(&rubber(10.0)?, &problem.relaxed())?;

@@ -289,7 +289,7 @@ fn history(text: &mut Text, size: &Size, (span, first): (f64, &'static str), fra
         _ if swings => {
             let (amplitude, frequency) = (number(text, 0.1), text.number(5.0 / span, 1.0, FREQUENCY));
             let rest = match text.draw.below(4) {
-                0 => "cycles = 2".to_owned(),
+                0 => format!("cycles = 2, phase = {}", text.draw.between(-3.0, 3.0)),
                 1 => format!("cycles = 2, to = {}", number(text, 1.2)),
                 2 => "cycles = 12, until_stationary = true".to_owned(),
                 _ => {
