@@ -77,7 +77,7 @@ mod tests {
         assert_eq!(linkers_number(&note(20, 3)), Some(&[7; 20][..]));
         assert_eq!(linkers_number(&note(20, 1)), None);
         assert_eq!(linkers_number(&note(200, 3)), None);
-        assert_eq!(linkers_number(note(20, 3).get(..30).unwrap()), None);
+        assert_eq!(note(20, 3).get(..30).and_then(linkers_number), None);
         assert_eq!(linkers_number(&[]), None);
     }
 }
