@@ -111,13 +111,15 @@ impl Line<'_> {
         end.set_free(self.chain, drive, until);
         let this = self.without_stretches();
         let to = edge.map(|edge| edge.place(until));
-        let (mut moment, mut scratch, mut guesses) = (end.clone(), Vec::new(), Guesses::default());
+        let (mut moment, mut scratch) = (end.clone(), Vec::new());
         let (before, place, known) = match earlier {
             Some(earlier) => (Some(earlier.end), Some(earlier.place), earlier.stretches),
             None => (None, None, Vec::new()),
         };
-        if let (Some(before), Way::Outwards) = (&before, way) {
-            guesses.found(before.time);
+        let since = before.as_ref().map_or(0.0, |before| before.time);
+        let mut guesses = Guesses::default();
+        if way == Way::Outwards {
+            guesses.found(since);
         }
         let known = later(this.chain, known, before.as_ref(), &end, way);
         let count = match way {

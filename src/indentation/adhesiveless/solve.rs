@@ -254,12 +254,16 @@ pub(in crate::indentation) fn surface_at(
     let surface = |(grades, leaves): (i32, f64)| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| graded((low, high), grades, leaves, sample);
         let (mut load, mut displacement) = (Vec::new(), Vec::new());
+        let soft = chain.relaxed / chain.glassy;
         for stretch in &line.contact {
-            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * line.pressing_at(s)));
+            let springs = stretch.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
+            let pressing = |s: f64| soft * (depth - profile.line(s)) + stretch.value(s, &springs);
+            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * pressing(s)));
             displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s)));
         }
         for stretch in &line.free {
-            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s) - line.pressing_at(s)));
+            let strains = stretch.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
+            displacement.extend(graded(stretch.low, stretch.high, &|s| stretch.value(s, &strains)));
         }
         SurfaceFields::made_of(line.radius(), load, displacement)
     };

@@ -29,7 +29,7 @@ impl<'w, 'g, 'a> Walk<'w, 'g, 'a> {
     pub(super) fn line(&mut self, time: f64) -> Result<&Line<'a>, Refusal> {
         let (gone, way) = (self.gone, self.gone.way.filter(|_| time > 0.0));
         let earlier = way.and_then(|way| self.earlier(time, way));
-        self.line = gone.before.clone();
+        self.line.becomes(gone.before);
         if let Some(way) = way {
             self.last = Some(self.line.passed(&gone.drive, time, way, gone.edge.as_ref(), earlier)?);
         } else if time > 0.0 {
