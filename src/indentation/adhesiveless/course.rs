@@ -180,7 +180,7 @@ impl<'a> Course<'a> {
     /// The segments from one on through which a penetration goes on at one pace.
     fn goes_on(&self, index: usize, from: f64) -> &'a [Segment] {
         let rest = self.problem.history.segments.get(index..).unwrap_or(&[]);
-        let Some(first) = rest.first().filter(|_| self.until.is_infinite()) else { return &[] };
+        let Some(first) = rest.first() else { return &[] };
         let steady = |segment: &Segment| segment.controlled == first.controlled && segment.oscillation.is_none() && segment.duration > 0.0;
         let rate = (first.end - from) / first.duration;
         // What is held relaxes until rounding is left, which tells no way of the edge for long.
@@ -210,8 +210,20 @@ impl<'a> Course<'a> {
             (passed, value) = (passed + segment.duration, segment.end);
         }
         wanted.pop();
+        if self.until.is_finite() {
+            // Fields look at one time only.
+            wanted.clear();
+        }
         let stretch = Stretch { from, segment: Segment { duration: passed, end: last.end, ..*first } };
         self.begin_stretch(&stretch);
+        if self.origin + passed >= self.until {
+            let time = self.until - self.origin;
+            if time > 0.0 {
+                self.reach(&stretch, time)?;
+            }
+            self.stop = Some(self.line.clone());
+            return Ok(last.end);
+        }
         self.look_at = passed;
         self.go(&stretch, passed, &wanted)?;
         self.point(false);

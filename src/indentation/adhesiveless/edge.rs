@@ -174,7 +174,7 @@ impl Line<'_> {
                 }
                 way = Some(if inwards > outwards { Way::Inwards } else { Way::Outwards });
                 if self.radius() == 0.0 && !touched {
-                    let touch = self.touched_at(drive, time, &mut moment);
+                    let touch = self.touched_at(drive, time);
                     if touch > AT_ONCE * drive.duration {
                         self.pass_nothing(&drive.until(touch));
                         return Ok((touch, None, Ended::Touched));
@@ -283,12 +283,12 @@ impl Line<'_> {
     }
 
     /// When the chain on the axis is touched, at most at a time.
-    fn touched_at(&self, drive: &Drive, by: f64, moment: &mut Moment) -> f64 {
+    fn touched_at(&self, drive: &Drive, by: f64) -> f64 {
         let mut state = vec![0.0; self.chain.terms()];
         if let Some(stretch) = self.free.first() {
             stretch.at(0.0, &mut state);
         }
-        touching(self, drive, self.profile.line(0.0), &state, by, 0.0, moment)
+        touching(self, drive, self.profile.line(0.0), &state, by, 0.0)
     }
 
     /// When, between two times, the edge turns: where dS/dt at the edge vanishes.

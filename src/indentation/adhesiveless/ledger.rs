@@ -5,8 +5,8 @@ use super::drive::Drive;
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal, dot};
 use super::line::{Line, place_of};
-use super::moment::Moment;
 use super::passing::Edge;
+use super::walk::Walk;
 use crate::refusal::Refusal;
 
 /// Halvings of the time of a drive.
@@ -48,47 +48,6 @@ pub(super) struct Gone<'g, 'a> {
     pub(super) force: Option<&'g dyn Fn(f64) -> f64>,
 }
 
-impl<'a> Gone<'_, 'a> {
-    /// The line at a time.
-    pub(super) fn line(&self, time: f64) -> Result<Line<'a>, Refusal> {
-        let mut line = self.before.clone();
-        if time > 0.0 {
-            match self.way {
-                Some(way) => line.passed(&self.drive.until(time), way, self.edge.as_ref())?,
-                None => line.pass_nothing(&self.drive.until(time)),
-            }
-        }
-        Ok(line)
-    }
-
-    /// F and P_d at a time; P_d only where energies are asked for.
-    fn at(&self, time: f64, energies: bool) -> Result<(f64, f64), Refusal> {
-        if let (false, Some(force)) = (energies, self.force) {
-            return Ok((force(time), 0.0));
-        }
-        if !energies && self.edge.is_none() && self.way != Some(Way::Outwards) {
-            let force = match self.way {
-                Some(_) => self.before.receded(&self.drive, time).force,
-                None => self.before.pressing_after(&self.drive, time),
-            };
-            return Ok((force, 0.0));
-        }
-        let line = self.line(time)?;
-        let power = if energies { line.energies()[1] } else { 0.0 };
-        Ok((self.force.map_or_else(|| line.force(), |force| force(time)), power))
-    }
-}
-
-impl Line<'_> {
-    /// F of what is in contact, a time along a drive in which the edge rests.
-    fn pressing_after(&self, drive: &Drive, time: f64) -> f64 {
-        let mut moment = Moment::default();
-        moment.set(self.chain, drive, time);
-        let sum: f64 = self.contact.iter().map(|stretch| stretch.width() * GRID.integral(&self.pressed(stretch, &moment))).sum();
-        2.0 * self.chain.glassy * sum
-    }
-}
-
 impl<'a> Course<'a> {
     /// Whether anything is added up.
     pub(super) fn adds_up(&self) -> bool {
@@ -105,7 +64,8 @@ impl<'a> Course<'a> {
     pub(super) fn add_up(&mut self, gone: &Gone<'_, 'a>, mut times: &[f64]) -> Result<Vec<Sums>, Refusal> {
         let drive = &gone.drive;
         let mut parts = vec![(0.0, drive.duration, MOST_HALVINGS)];
-        let start = gone.at(0.0, false)?.0;
+        let mut walk = Walk::along(gone);
+        let start = walk.force(0.0)?;
         let mut sums = std::mem::take(&mut self.sums);
         let (mut found, mut depth) = (Vec::with_capacity(times.len()), drive.start);
         let mut swings = [0.0_f64; 2];
@@ -120,7 +80,7 @@ impl<'a> Course<'a> {
             for k in 0..NODES {
                 let time = place_of(low, high, k);
                 depths[k] = drive.value(time);
-                (forces[k], powers[k]) = gone.at(time, self.problem.energies)?;
+                (forces[k], powers[k]) = walk.at(time, self.problem.energies)?;
                 work[k] = (forces[k] - start) * drive.rate(time);
                 if let Some(meter) = &self.meter {
                     phases[k] = meter.weights(self.origin + gone.since + time);

@@ -20,7 +20,7 @@ use crate::refusal::Refusal;
 pub(super) const NARROWEST: f64 = 4e-15;
 
 /// A stretch of the line.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub(super) struct Stretch {
     pub(super) low: f64,
     pub(super) high: f64,
@@ -31,6 +31,18 @@ pub(super) struct Stretch {
     pub(super) off: f64,
     /// Whether it may be joined with the next one: not tried since it changed.
     pub(super) fresh: bool,
+}
+
+impl Clone for Stretch {
+    fn clone(&self) -> Self {
+        Self { state: self.state.clone(), ..*self }
+    }
+
+    fn clone_from(&mut self, other: &Self) {
+        let mut state = std::mem::take(&mut self.state);
+        state.clone_from(&other.state);
+        *self = Self { state, ..*other };
+    }
 }
 
 impl Stretch {
@@ -55,6 +67,11 @@ impl Stretch {
             }
         }
         sum
+    }
+
+    /// What has these values at its places, at any one.
+    pub(super) fn value(&self, place: f64, values: &Nodal) -> f64 {
+        dot(&GRID.at(place - self.low, self.high - place), values)
     }
 
     /// The state at a place, term after term.
@@ -112,6 +129,14 @@ impl<'a> Line<'a> {
             updates: 0,
             most_stretches: 0,
         }
+    }
+
+    /// As another line is, in the place of this one.
+    pub(super) fn becomes(&mut self, other: &Self) {
+        let (mut contact, mut free) = (std::mem::take(&mut self.contact), std::mem::take(&mut self.free));
+        contact.clone_from(&other.contact);
+        free.clone_from(&other.free);
+        *self = Self { contact, free, ..*other };
     }
 
     /// What is not known of any strain (m) beyond what another course tells.

@@ -42,6 +42,7 @@ mod settle;
 mod solve;
 mod state;
 mod times;
+mod walk;
 
 pub(super) use ledger::Sums;
 pub(super) use solve::{course, solve, surface_at};

@@ -45,7 +45,7 @@ impl Moment {
     }
 
     /// What is the same at all times of a drive.
-    fn prepare(&mut self, chain: &Chain, drive: &Drive) {
+    pub(super) fn prepare(&mut self, chain: &Chain, drive: &Drive) {
         if self.of.as_ref() == Some(drive) {
             return;
         }
@@ -62,9 +62,8 @@ impl Moment {
         }
     }
 
-    /// S of a chain in contact with u_i at the start, and its rate.
-    pub(super) fn pressing(&mut self, chain: &Chain, drive: &Drive, height: f64, state: &[f64], x: f64) -> (f64, f64) {
-        self.prepare(chain, drive);
+    /// S of a chain in contact with u_i at the start, and its rate, along the drive it is prepared for.
+    pub(super) fn pressing(&self, chain: &Chain, drive: &Drive, height: f64, state: &[f64], x: f64) -> (f64, f64) {
         let y = x / drive.duration;
         let [gained, losing] = self.sums.each_ref().map(|sum| sum.steady(y));
         let mut value = chain.relaxed / chain.glassy * (drive.value(x) - height) + gained;
@@ -84,8 +83,13 @@ impl Moment {
 
     /// For points that are in contact until then.
     pub(super) fn set(&mut self, chain: &Chain, drive: &Drive, x: f64) {
-        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
         self.prepare(chain, drive);
+        self.set_at(chain, drive, x);
+    }
+
+    /// The same along the drive it is prepared for.
+    pub(super) fn set_at(&mut self, chain: &Chain, drive: &Drive, x: f64) {
+        (self.time, self.depth, self.rate) = (x, drive.value(x), drive.rate(x));
         self.kept.clear();
         self.gained.clear();
         let y = x / drive.duration;
@@ -96,6 +100,20 @@ impl Moment {
                 Some(series) => series.steady(y) - series.lag() * kept,
                 None => drive.gained(rho, x, kept),
             });
+        }
+    }
+
+    /// What u_i, of a chain in contact from another time of the drive on, has become at this moment of it.
+    pub(super) fn held(&self, chain: &Chain, drive: &Drive, since: f64, state: &mut [f64]) {
+        let (part, time) = (since / drive.duration, self.time - since);
+        let whole = self.series.iter().zip(self.kept.iter().zip(&self.gained));
+        for ((u, &(_, rho)), (series, (whole_kept, whole))) in state.iter_mut().zip(&chain.maxwell).zip(whole) {
+            let kept = decayed(time / rho);
+            let before = match series {
+                Some(series) => series.steady(part) * kept - series.lag() * whole_kept,
+                None => drive.gained(rho, since, decayed(since / rho)) * kept,
+            };
+            *u = *u * kept + (whole - before);
         }
     }
 }

@@ -5,6 +5,7 @@ use super::drive::{Drive, Wave};
 use super::edge::{Ended, Way};
 use super::ledger::Gone;
 use super::state::Look;
+use super::walk::Walk;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
 use std::f64::consts::TAU;
@@ -105,17 +106,18 @@ impl<'a> Course<'a> {
         let sums = if self.adds_up() { self.add_up(gone, &inside)? } else { Vec::new() };
         let rest = std::mem::take(&mut self.sums);
         let energies = self.problem.energies;
+        let mut walk = Walk::along(gone);
         for (index, (instant, &at)) in seen.iter().zip(&inside).enumerate() {
             self.sums = sums.get(index).copied().unwrap_or_default();
             let look = if gone.way == Some(Way::Inwards) && gone.edge.is_none() && !energies {
                 // What is still in contact does not know of what has left it.
                 gone.before.receded(&gone.drive, at)
             } else {
-                let line = gone.line(at)?;
+                let line = walk.line(at)?;
                 self.line.updates += line.updates.saturating_sub(gone.before.updates);
                 self.line.cut = self.line.cut.max(line.cut);
                 self.line.joined = self.line.joined.max(line.joined);
-                Look::at(&line, true, energies)
+                Look::at(line, true, energies)
             };
             self.kept_at(instant, look);
         }

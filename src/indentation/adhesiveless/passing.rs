@@ -1,5 +1,6 @@
 //! What the edge does to the chains that it passes: each at its own time.
 
+use super::chain::Chain;
 use super::drive::{Drive, decayed};
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal};
@@ -45,6 +46,40 @@ impl Edge<'_> {
     }
 }
 
+/// What a look at the same line a shorter time along the same drive has found.
+pub(super) struct Earlier {
+    pub(super) end: Moment,
+    /// Where the edge was, and the stretches that it had passed.
+    pub(super) place: f64,
+    pub(super) stretches: Vec<Stretch>,
+}
+
+/// Stretches that the edge has passed by a moment, at a later one of the same drive.
+fn later(chain: &Chain, mut stretches: Vec<Stretch>, before: Option<&Moment>, end: &Moment, way: Way) -> Vec<Stretch> {
+    let Some(before) = before else { return stretches };
+    let time = end.time - before.time;
+    let changes: Vec<(f64, f64)> = match way {
+        Way::Inwards => chain.voigt.iter().map(|&(rate, _)| (decayed(rate * time), 0.0)).collect(),
+        Way::Outwards => {
+            let gained = chain.maxwell.iter().zip(before.gained.iter().zip(&end.gained));
+            gained
+                .map(|(&(_, rho), (before, whole))| {
+                    let kept = decayed(time / rho);
+                    (kept, whole - before * kept)
+                })
+                .collect()
+        }
+    };
+    for stretch in &mut stretches {
+        for (values, (kept, gained)) in stretch.state.chunks_exact_mut(NODES).zip(&changes) {
+            for value in values {
+                *value = *value * kept + gained;
+            }
+        }
+    }
+    stretches
+}
+
 impl Line<'_> {
     /// A time in which the edge rests.
     pub(super) fn pass_nothing(&mut self, drive: &Drive) {
@@ -55,26 +90,46 @@ impl Line<'_> {
 
     /// A whole drive along which the edge goes one way, to where S vanishes or where it is imposed.
     pub(super) fn pass(&mut self, drive: &Drive, way: Way, edge: Option<&Edge<'_>>) -> Result<(), Refusal> {
-        self.passed(drive, way, edge)?;
+        self.passed(drive, drive.duration, way, edge, None)?;
         self.tidy(false);
         Ok(())
     }
 
-    /// The same for a look at the line there, which is not gone on with: its stretches stay as they are.
-    pub(super) fn passed(&mut self, drive: &Drive, way: Way, edge: Option<&Edge<'_>>) -> Result<(), Refusal> {
-        self.depth = self.depth.max(drive.start.abs()).max(drive.end().abs());
-        let end = Moment::new(self.chain, drive, drive.duration);
+    /// The same up to a time of the drive, for a look at the line there, which is not gone on with: its stretches stay as they are. `earlier`: what a look at
+    /// an earlier time found. What it finds itself, without the stretches, and how many of these the edge has passed.
+    pub(super) fn passed(
+        &mut self,
+        drive: &Drive,
+        until: f64,
+        way: Way,
+        edge: Option<&Edge<'_>>,
+        earlier: Option<Earlier>,
+    ) -> Result<(Moment, usize), Refusal> {
+        self.depth = self.depth.max(drive.start.abs()).max(drive.value(until).abs());
+        let mut end = earlier.as_ref().map_or_else(Moment::default, |earlier| earlier.end.clone());
+        end.set(self.chain, drive, until);
+        end.set_free(self.chain, drive, until);
         let this = self.without_stretches();
-        let to = edge.map(|edge| edge.place(drive.duration));
-        let (mut moment, mut scratch, mut guesses) = (end.clone(), Vec::new(), Guesses::default());
-        match way {
-            Way::Inwards => self.recede(&end, to, &mut |place, height, state| {
+        let to = edge.map(|edge| edge.place(until));
+        let (mut moment, mut scratch) = (end.clone(), Vec::new());
+        let (before, place, known) = match earlier {
+            Some(earlier) => (Some(earlier.end), Some(earlier.place), earlier.stretches),
+            None => (None, None, Vec::new()),
+        };
+        let since = before.as_ref().map_or(0.0, |before| before.time);
+        let mut guesses = Guesses::default();
+        if way == Way::Outwards {
+            guesses.found(since);
+        }
+        let known = later(this.chain, known, before.as_ref(), &end, way);
+        let count = match way {
+            Way::Inwards => self.recede(&end, to, place.map(|place| (place, known)), &mut |place, height, state| {
                 let time = if let Some(edge) = edge {
-                    let time = edge.time(place, drive.duration);
-                    moment.set(this.chain, drive, time);
+                    let time = edge.time(place, until);
+                    moment.set_at(this.chain, drive, time);
                     time
                 } else {
-                    leaving(&this, drive, height, state, drive.duration, guesses.next(place), &mut moment)
+                    leaving(&this, drive, height, state, until, guesses.next(place), &mut moment)
                 };
                 guesses.found(time);
                 for ((u, kept), gained) in state.iter_mut().zip(&moment.kept).zip(&moment.gained) {
@@ -82,32 +137,29 @@ impl Line<'_> {
                 }
                 this.chain.released(moment.depth - height, state, &mut scratch);
                 for (e, &(rate, _)) in state.iter_mut().zip(&this.chain.voigt) {
-                    *e *= decayed(rate * (drive.duration - time));
+                    *e *= decayed(rate * (until - time));
                 }
             }),
-            Way::Outwards => self.advance(&end, to, &mut |place, height, state| {
-                let time = if let Some(edge) = edge {
-                    let time = edge.time(place, drive.duration);
-                    moment.set_free(this.chain, drive, time);
-                    time
-                } else {
-                    touching(&this, drive, height, state, drive.duration, guesses.next(place), &mut moment)
+            Way::Outwards => self.advance(&end, to, place.map(|place| (place, known)), &mut |place, height, state| {
+                let time = match edge {
+                    Some(edge) => edge.time(place, until),
+                    None => touching(&this, drive, height, state, until, guesses.next(place)),
                 };
                 guesses.found(time);
-                for (e, kept) in state.iter_mut().zip(&moment.recovered) {
-                    *e *= kept;
+                let displacement = drive.value(time) - height;
+                if state.iter().all(|e| *e == 0.0) {
+                    state.fill(displacement);
+                } else {
+                    for (e, &(rate, _)) in state.iter_mut().zip(&this.chain.voigt) {
+                        *e *= decayed(rate * time);
+                    }
+                    this.chain.touched(displacement, state, &mut scratch);
                 }
-                this.chain.touched(moment.depth - height, state, &mut scratch);
-                moment.set(this.chain, drive, time);
-                let passed = moment.gained.iter().zip(&this.chain.maxwell).zip(&end.gained);
-                for (u, ((gained, &(_, rho)), whole)) in state.iter_mut().zip(passed) {
-                    let kept = decayed((drive.duration - time) / rho);
-                    *u = *u * kept + (whole - gained * kept);
-                }
+                end.held(this.chain, drive, time, state);
             })?,
-        }
+        };
         self.went_to(end.depth);
-        Ok(())
+        Ok((end, count))
     }
 
     /// A step of the penetration, at once, and of the edge where that is imposed.
@@ -126,28 +178,35 @@ impl Line<'_> {
         let (chain, mut scratch) = (self.chain, Vec::new());
         let inwards = edge.map_or(to < before, |edge| edge < self.radius());
         if inwards {
-            self.recede(&end, edge, &mut |_, height, state| chain.released(before - height, state, &mut scratch));
+            self.recede(&end, edge, None, &mut |_, height, state| chain.released(before - height, state, &mut scratch));
         } else {
-            self.advance(&end, edge, &mut |_, height, state| chain.touched(to - height, state, &mut scratch))?;
+            self.advance(&end, edge, None, &mut |_, height, state| chain.touched(to - height, state, &mut scratch))?;
         }
         self.went_to(to);
         self.tidy(false);
         Ok(())
     }
 
-    /// The edge goes inwards: `released` takes a chain with its place and height from u_i at the start to e_j at the end.
-    fn recede(&mut self, end: &Moment, edge: Option<f64>, released: &mut dyn FnMut(f64, f64, &mut [f64])) {
-        let mut freed: Vec<Stretch> = Vec::new();
+    /// The edge goes inwards: `released` takes a chain with its place and height from u_i at the start to e_j at the end. `known`: the place from which on
+    /// outwards these stretches are what the edge has passed. How many stretches it has passed.
+    fn recede(
+        &mut self,
+        end: &Moment,
+        edge: Option<f64>,
+        known: Option<(f64, Vec<Stretch>)>,
+        released: &mut dyn FnMut(f64, f64, &mut [f64]),
+    ) -> usize {
+        let (from, mut freed) = known.unwrap_or((f64::INFINITY, Vec::new()));
         let mut cut = None;
         while let Some(stretch) = self.contact.pop() {
-            let place = snapped(&stretch, edge.unwrap_or_else(|| zero_in(&stretch, &self.pressed(&stretch, end))));
+            let place = snapped(&stretch, edge.unwrap_or_else(|| zero_in(&stretch, &self.pressed(&stretch, end)))).min(from);
             if place >= stretch.high {
                 self.contact.push(stretch);
                 break;
             }
             let mut parts = Vec::new();
             self.build(
-                (place, stretch.high),
+                (place.max(stretch.low), stretch.high.min(from)),
                 false,
                 &mut |s, height, state| {
                     stretch.at(s, state);
@@ -170,24 +229,37 @@ impl Line<'_> {
             self.contact.append(&mut parts);
         }
         self.age(end);
+        let count = freed.len();
         freed.append(&mut self.free);
         self.free = freed;
+        count
     }
 
-    /// The edge goes outwards: `touched` takes a chain with its place and height from e_j at the start to u_i at the end.
-    fn advance(&mut self, end: &Moment, to: Option<f64>, touched: &mut dyn FnMut(f64, f64, &mut [f64])) -> Result<(), Refusal> {
-        let (mut gained, mut rest): (Vec<Stretch>, Vec<Stretch>) = (Vec::new(), Vec::new());
-        let (mut reached, mut stopped) = (self.radius(), false);
+    /// The edge goes outwards: `touched` takes a chain with its place and height from e_j at the start to u_i at the end. `known`: the place up to which these
+    /// stretches are what the edge has passed. How many stretches it has passed.
+    fn advance(
+        &mut self,
+        end: &Moment,
+        to: Option<f64>,
+        known: Option<(f64, Vec<Stretch>)>,
+        touched: &mut dyn FnMut(f64, f64, &mut [f64]),
+    ) -> Result<usize, Refusal> {
+        let (from, mut gained) = known.unwrap_or((0.0, Vec::new()));
+        let mut rest: Vec<Stretch> = Vec::new();
+        let (mut reached, mut stopped) = (self.radius().max(from), false);
         for stretch in std::mem::take(&mut self.free) {
             if stopped {
                 rest.push(stretch);
                 continue;
             }
+            if stretch.high <= from {
+                continue;
+            }
             let (own, others) = (gained.len(), rest.len());
-            let place = snapped(&stretch, to.unwrap_or_else(|| zero_in(&stretch, &self.opened(&stretch, end))));
+            let place = snapped(&stretch, to.unwrap_or_else(|| zero_in(&stretch, &self.opened(&stretch, end)))).max(from);
             if place > stretch.low {
                 self.build(
-                    (stretch.low, place),
+                    (stretch.low.max(from), place),
                     true,
                     &mut |s, height, state| {
                         stretch.at(s, state);
@@ -221,8 +293,9 @@ impl Line<'_> {
             }
         }
         self.age(end);
+        let count = gained.len();
         self.contact.append(&mut gained);
-        Ok(())
+        Ok(count)
     }
 
     /// What rounding has left in contact when it was lost.

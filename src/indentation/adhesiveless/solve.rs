@@ -190,21 +190,22 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         not_known.sums * problem.history.segments.len() as f64 * solution.march.summary.scales[0] * solution.march.summary.scales[1];
     let (most_stored, most_power) = (largest(0), largest(1));
     let of_strain = unknown / solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
+    let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4]| {
+        // Both courses may take the same panels of time, and then agree about what these leave.
+        wider(work, of_sums);
+        // What is lost is a difference of sums.
+        wider(lost, (OF_DIFFERENCE * most_work).max(of_sums));
+        // Both are squares of strains.
+        wider(stored, 2.0 * of_strain * most_stored);
+        wider(power, 2.0 * of_strain * most_power);
+    };
     let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
     for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth(controlled));
         wider(&mut instant.force, of_force(a));
         wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
-        if let Some([stored, power, work, lost]) = &mut instant.energies {
-            // Both courses may take the same panels of time, and then agree about what these leave.
-            wider(work, of_sums);
-            // What is lost is a difference of sums.
-            wider(lost, (OF_DIFFERENCE * most_work).max(of_sums));
-            // Both are squares of strains.
-            wider(stored, 2.0 * of_strain * most_stored);
-            wider(power, 2.0 * of_strain * most_power);
-        }
+        instant.energies.iter_mut().for_each(widen_energies);
     }
     for cycle in &mut solution.cycles {
         // Fundamental amplitudes are sums over the time as well, of depth and of force.
@@ -229,6 +230,7 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     let depth = solution.march.summary.scales[0];
     for event in &mut solution.events {
         wider(&mut event.penetration, unknown);
+        event.energies.iter_mut().for_each(widen_energies);
         // It lets go as fast as the history passes its depth, on the whole.
         let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
         wider(&mut event.time, duration * unknown / depth.max(f64::MIN_POSITIVE));
@@ -254,12 +256,16 @@ pub(in crate::indentation) fn surface_at(
     let surface = |(grades, leaves): (i32, f64)| {
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| graded((low, high), grades, leaves, sample);
         let (mut load, mut displacement) = (Vec::new(), Vec::new());
+        let soft = chain.relaxed / chain.glassy;
         for stretch in &line.contact {
-            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * line.pressing_at(s)));
+            let springs = stretch.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
+            let pressing = |s: f64| soft * (depth - profile.line(s)) + stretch.value(s, &springs);
+            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * pressing(s)));
             displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s)));
         }
         for stretch in &line.free {
-            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s) - line.pressing_at(s)));
+            let strains = stretch.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
+            displacement.extend(graded(stretch.low, stretch.high, &|s| stretch.value(s, &strains)));
         }
         SurfaceFields::made_of(line.radius(), load, displacement)
     };

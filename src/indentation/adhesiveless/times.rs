@@ -13,18 +13,19 @@ const OF_SERIES: f64 = 1e-3;
 /// When a chain in contact with u_i (now) leaves: `moment` is then set to it.
 pub(super) fn leaving(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
     let chain = line.chain;
-    let time = rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), &mut |time| {
+    moment.prepare(chain, drive);
+    let time = rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), |time| {
         let (value, slope) = moment.pressing(chain, drive, height, state, time);
         (-value, -slope)
     });
-    moment.set(chain, drive, time);
+    moment.set_at(chain, drive, time);
     time
 }
 
-/// When a free chain with e_j (now) touches, at most at a time: `moment` is then set to it.
-pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64, moment: &mut Moment) -> f64 {
+/// When a free chain with e_j (now) touches, at most at a time.
+pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64], by: f64, guess: f64) -> f64 {
     let chain = line.chain;
-    let time = rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), &mut |time| {
+    rising_zero(by, guess, (OF_SERIES * line.tolerance).max(SETTLED), |time| {
         let (mut value, mut slope) = (drive.value(time) - height, drive.rate(time));
         for (&(rate, _), e) in chain.voigt.iter().zip(state) {
             // What has recovered counts no more.
@@ -35,9 +36,7 @@ pub(super) fn touching(line: &Line<'_>, drive: &Drive, height: f64, state: &[f64
             }
         }
         (value, slope)
-    });
-    moment.set_free(chain, drive, time);
-    time
+    })
 }
 
 /// Times of chain after chain along a stretch, each of which is guessed from those before it: they are smooth from place to place of its grid.
@@ -73,7 +72,7 @@ impl Guesses {
 }
 
 /// The time of 0…`by` at which a function rises through zero, by Newton's steps within a bracket.
-fn rising_zero(by: f64, guess: f64, settled: f64, function: &mut dyn FnMut(f64) -> (f64, f64)) -> f64 {
+fn rising_zero(by: f64, guess: f64, settled: f64, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (0.0, by);
     let mut time = if guess > 0.0 && guess < by { guess } else { by };
     let (mut step, mut last_step, mut newtons) = (by, by, false);
