@@ -223,11 +223,6 @@ impl Curve {
         self
     }
 
-    /// The points with the ends of the band above and below them.
-    pub(super) fn banded(&self) -> impl Iterator<Item = (f64, [f64; 2])> + '_ {
-        self.points.iter().zip(&self.band).map(|(&(x, y), half)| (x, [y - half, y + half]))
-    }
-
     /// Sets the stroke.
     #[must_use]
     pub fn with_line(mut self, line: Line) -> Self {

@@ -157,7 +157,7 @@ fn compose(figure: &Figure) -> Result<Page, PlotError> {
 
 /// The two intervals shown; `None` where there is nothing to show and no range given.
 pub(super) fn intervals(figure: &Figure) -> Result<(Option<Interval>, Option<Interval>), PlotError> {
-    let banded = figure.curves.iter().flat_map(|curve| curve.banded().flat_map(|(x, ends)| ends.map(|y| (x, y))));
+    let banded = figure.curves.iter().flat_map(|curve| banded(curve).flat_map(|(x, ends)| ends.map(|y| (x, y))));
     let shown: Vec<Point> = figure
         .curves
         .iter()
@@ -283,11 +283,15 @@ fn spread(stroke: &[Point]) -> Vec<Point> {
     places
 }
 
+/// The points of a curve with the ends of the band below and above them.
+fn banded(curve: &Curve) -> impl Iterator<Item = (f64, [f64; 2])> + '_ {
+    curve.points.iter().zip(&curve.band).map(|(&(x, y), half)| (x, [y - half, y + half]))
+}
+
 /// Pale bands around curves, under all of them, within the frame.
 fn draw_bands(canvas: &mut Canvas, figure: &Figure, (across, up): (Interval, Interval), frame: Area) {
     for (place, curve) in figure.curves.iter().enumerate().filter(|(_, curve)| !curve.band.is_empty()) {
-        let ends: Vec<Option<(f64, [f64; 2])>> = curve
-            .banded()
+        let ends: Vec<Option<(f64, [f64; 2])>> = banded(curve)
             .map(|(x, [below, above])| {
                 let x = across.fraction(x).filter(|x| (0.0..=1.0).contains(x))?;
                 // Below all decades of a logarithmic axis is its lower end.
