@@ -9,7 +9,7 @@ use super::law::{Asked, Law, places};
 use super::ledger::Gone;
 use super::linear::Row;
 use super::motions::Wanted;
-use super::passing::Edge;
+use super::path_history::Edge;
 use crate::indentation::history::Controlled;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;

@@ -5,7 +5,7 @@ use super::drive::Drive;
 use super::edge::Way;
 use super::grid::{GRID, NODES, Nodal, dot};
 use super::line::{Line, place_of};
-use super::passing::Edge;
+use super::path_history::Edge;
 use super::walk::Walk;
 use crate::refusal::Refusal;
 

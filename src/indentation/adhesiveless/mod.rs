@@ -34,7 +34,7 @@ mod line;
 mod linear;
 mod moment;
 mod motions;
-mod passing;
+mod path_history;
 mod points;
 mod rising;
 mod series;

@@ -6,7 +6,7 @@ use super::grid::GRID;
 use super::ledger::Gone;
 use super::line::Line;
 use super::moment::Moment;
-use super::passing::Earlier;
+use super::path_history::Earlier;
 use crate::refusal::Refusal;
 
 /// Stretches that are gone on with, at most: each look adds one of its own, however short, and all of them are looked at.
