@@ -322,3 +322,69 @@ fn hysteresis_of_the_stage_is_found() {
     let answer = folder.call(&["fit", "scene.toml"]);
     assert!(answer.stdout.contains("hysteresis of the stage"), "{}\n{}", answer.stdout, answer.stderr);
 }
+
+/// A small stiff bead with an attraction of 200 nm (Tabor number 1.2 relaxed, 0.4 glassy) and 50 mJ/m², pressed and pulled off; `{}` stands for the adhesion.
+const BEAD: &str = "[material]\nrelaxed_modulus = \"1 MPa\"\npoisson_ratio = 0.5\nrelaxation = [{ modulus = \"4 MPa\", relaxation_time = \"0.5 s\" }]\n\
+    [adhesion]\n{}\n\
+    [indentation]\nsphere = { radius = \"10 µm\" }\ninstants = 20\n\
+    [[history]]\npenetration = \"1 µm\"\nrate = \"1 µm/s\"\n\
+    [[history]]\npenetration = \"-1.5 µm\"\nrate = \"1 µm/s\"\n";
+
+/// Its forces with 1 % noise, and a fit of two numbers to them by a theory of adhesion.
+fn bead(adhesion: &str, second: &str) -> Folder {
+    let truth = BEAD.replace("{}", "work_of_adhesion = \"50 mJ/m²\"\nlaw = \"lennard_jones\"\nrange = \"200 nm\"");
+    let found = Folder::with(&format!("accuracy = 1e-3\n{truth}")).call(&["run", "scene.toml", "--json"]).ended(0).json();
+    let number = |row: &serde_json::Value, name: &str| row["values"][name]["value"].as_f64();
+    let rows: Vec<(f64, f64)> = found["results"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|row| row["row"] == "instant")
+        .filter_map(|row| number(row, "time").zip(number(row, "force")))
+        .collect();
+    let largest = rows.iter().map(|row| row.1.abs()).fold(0.0, f64::max);
+    let mut normal = Normal::of(11, 1);
+    let lines: Vec<String> = rows.iter().map(|(time, force)| format!("{time},{:e}\n", force + 0.01 * largest * normal.sample())).collect();
+    let fit = format!(
+        "[fit]\ncompare = \"force\"\nfree = [\n{{ key = \"adhesion.work_of_adhesion\", from = \"5 mJ/m²\", to = \"500 mJ/m²\" }},\n{second} ]\n[[fit.test]]\ndata = \"data.csv\"\n"
+    );
+    let folder = Folder::with(&format!("{}{fit}", BEAD.replace("{}", adhesion)));
+    folder.write("data.csv", format!("time [s],force [N]\n{}", lines.concat()));
+    folder
+}
+
+#[test]
+fn a_law_of_attraction_is_fitted_along_a_history() {
+    let folder = bead(
+        "work_of_adhesion = \"80 mJ/m²\"\nlaw = \"lennard_jones\"\nrange = \"100 nm\"",
+        "{ key = \"adhesion.range\", from = \"50 nm\", to = \"1 µm\" }",
+    );
+    let summary = folder.call(&["fit", "scene.toml", "--json"]).ended(0).json();
+    for (place, truth) in [0.05, 2e-7].into_iter().enumerate() {
+        let found = &summary["parameters"][place];
+        let [low, high] = ["lower", "upper"].map(|end| found["interval_by_profile_95"][end]["value"].as_f64().unwrap());
+        println!("{found}");
+        assert!((found["value"].as_f64().unwrap() - truth).abs() < high - low && high - low < 0.2 * truth, "{found}");
+    }
+}
+
+/// An edge with a process zone does not describe such a bead: the range of the attraction is found beside it, with the right numbers.
+#[test]
+fn a_bead_that_attracts_at_a_distance_excludes_the_theory_of_an_edge() {
+    let folder = bead(
+        "work_of_adhesion = \"50 mJ/m²\"\nprocess_zone = { length = \"100 nm\" }",
+        "{ key = \"adhesion.process_zone.length\", from = \"10 nm\", to = \"1 µm\" }",
+    );
+    let summary = folder.call(&["fit", "scene.toml", "--models", "--json"]).json();
+    let model = |name: &str| {
+        let models = summary["models"].as_array().unwrap();
+        models.iter().find(|model| model["name"].as_str().unwrap().contains(name)).unwrap().clone()
+    };
+    let (edge, range) = (model("as it is"), model("finite range"));
+    println!("{edge}\n{range}");
+    assert_eq!((&edge["excluded"], &range["excluded"]), (&true.into(), &false.into()));
+    for (key, truth, part) in [("adhesion.work_of_adhesion", 0.05, 0.05), ("adhesion.range", 2e-7, 0.15)] {
+        let value = range["parameters"][key].as_f64().unwrap();
+        assert!((value - truth).abs() < part * truth, "{key} = {value:e}");
+    }
+}

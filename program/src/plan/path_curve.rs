@@ -13,6 +13,8 @@ pub struct PathCurve {
     pub gained: Option<Vec<f64>>,
     /// Values of the columns where the contact was lost for good; none if it was not.
     pub lost: Option<Vec<f64>>,
+    /// Whether a force acts without contact.
+    pub at_a_distance: bool,
 }
 
 impl PathCurve {

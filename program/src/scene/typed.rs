@@ -23,7 +23,7 @@ pub use delayed::{DelayedFracture, LoadedStrip, OutputTimes};
 pub use fit::{FitColumn, FitFree, FitTable, FitTask, FitTest};
 pub use history::{
     Condition, CycleWave, History, HistoryOscillation, HistoryQuantity, HistorySegment, MeasuredColumn, MeasuredTable, OscillationExtent,
-    Pace, RecordThinning,
+    Pace, RecordThinning, Repetition,
 };
 pub use indentation::{
     CounterBody, Indentation, IndentationAdhesion, IndentationFields, IndentationShape, IndentationStart, IndentationZone, MeasuredShape,

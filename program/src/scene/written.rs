@@ -1,10 +1,11 @@
-//! A history as the [[history]] tables that one would type: a standard test, or groups that repeat, written out.
+//! A history as the [[history]] tables that one would type for a standard test.
 
 use super::Document;
 use super::typed::{Condition, CycleWave, History, HistoryOscillation, HistorySegment, OscillationExtent, Pace, Problem, Scene};
+use std::ops::Range;
 use viscotack::indentation::FrequencySweep;
 
-/// The tables of a scene's history, if they are others than those in its text: one text a segment, without its first line `[[history]]`.
+/// The tables of a scene's history, if they are others than those in its text: one text a table, without its first line `[[history]]`.
 ///
 /// Numbers are in SI units, or plain in a reduced scene, with all their digits.
 #[must_use]
@@ -15,8 +16,34 @@ pub fn history_written_out(scene: &Scene, document: &Document) -> Option<Vec<Str
         super::document::Value::List(items) => items.len(),
         _ => 0,
     });
-    let as_given = given == history.segments.len() && document.root.get("test").is_none();
-    (!as_given).then(|| history.segments.iter().map(segment).collect())
+    let written = tables(history, 0..history.segments.len(), usize::MAX);
+    let as_given = given == written.len() && document.root.get("test").is_none();
+    (!as_given).then_some(written)
+}
+
+/// The tables of some segments, with groups of fewer than so many as tables that repeat.
+fn tables(history: &History, segments: Range<usize>, fewer: usize) -> Vec<String> {
+    let (mut written, mut next) = (Vec::new(), segments.start);
+    while next < segments.end {
+        let begins = history.repetitions.iter().filter(|one| one.segments.start == next && one.number == 1 && one.segments.len() < fewer);
+        let Some(first) = begins.max_by_key(|one| one.segments.len()) else {
+            written.extend(history.segments.get(next).map(segment));
+            next += 1;
+            continue;
+        };
+        let length = first.segments.len();
+        let goes_on = |time: u64| {
+            let start = first.segments.start + length * time as usize;
+            history.repetitions.iter().any(|one| one.number == time + 1 && one.segments == (start..start + length))
+        };
+        let times = (1..).take_while(|time| goes_on(*time)).count() + 1;
+        let own = tables(history, first.segments.clone(), length);
+        let repeat = format!("repeat = {times}\nsegments = {}", own.len());
+        written.extend(own);
+        written.push(repeat);
+        next += length * times;
+    }
+    written
 }
 
 fn segment(segment: &HistorySegment) -> String {

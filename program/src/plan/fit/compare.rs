@@ -70,6 +70,8 @@ pub(super) struct Comparison {
     pub(super) relative: bool,
     /// Δγ of attraction beside a contact that it does not deform (Derjaguin, Muller and Toporov), in place of adhesion at its edge.
     pub(super) beside: Option<f64>,
+    /// Whether ranges of attraction that are so short that an edge is their limit have no numbers here.
+    pub(super) long_ranges_only: bool,
 }
 
 impl Comparison {
@@ -147,7 +149,12 @@ impl Comparison {
         }
         match &self.across {
             Some(across) => self.across_states(&document, across, tolerance),
-            None => self.along(&curve_of(&document, tolerance, beside)?, offsets),
+            None => {
+                if self.long_ranges_only {
+                    super::other_theory::has_a_long_range(&document)?;
+                }
+                self.along(&curve_of(&document, tolerance, beside)?, offsets)
+            }
         }
     }
 
@@ -195,6 +202,7 @@ impl Comparison {
         let whole = [branch(0, turn), branch(turn, last)];
         let touching = [branch(first_touch, turn.min(last_touch)), branch(turn.max(first_touch), last_touch)];
         let open = last_touch.checked_add(1).and_then(|from| branch(from, last));
+        let near = first_touch.checked_sub(1).and_then(|to| branch(0, to));
         let (gained, lost) = (curve.gained_at(&self.against), curve.lost_at(&self.against));
         let begin = self.time.as_ref().and_then(|time| time.first().copied()).unwrap_or(0.0);
         let mut model = Vec::with_capacity(self.rows.len() * self.columns.len() + 2);
@@ -219,7 +227,12 @@ impl Comparison {
                     None => side == 1 && lost.is_some_and(|lost| place <= lost),
                 };
                 let untouched = side == 0 && self.gain.is_none() && gained.is_some_and(|gained| place <= gained);
-                let value = if (free || gone || untouched) && vanishes {
+                let value = if curve.at_a_distance && (free || untouched) {
+                    near.as_ref()
+                        .and_then(|near| near.value(ordinate, place))
+                        .or_else(|| either(&whole))
+                        .ok_or("a row lies on no branch")?
+                } else if (free || gone || untouched) && vanishes && !curve.at_a_distance {
                     0.0
                 } else if gone {
                     open.as_ref()

@@ -15,6 +15,7 @@ mod inspect;
 mod interpolate;
 mod models;
 mod noise;
+mod other_theory;
 mod report;
 mod scene_file;
 mod screen;

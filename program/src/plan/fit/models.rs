@@ -3,12 +3,14 @@
 use super::carry_out::{Fit, carry_out};
 use super::compare::WORK;
 use super::noise::noise;
+use super::other_theory::{OtherTheory, is_length_of_the_edge, sticks, words};
 use super::setup::{Offset, Role, Setup};
 use super::words::quantity;
 use crate::outcome::Verdict;
 use crate::plan::Plan;
 use crate::scene::catalogue::Range;
 use crate::scene::check::{Units, number};
+use crate::scene::diagnostic::SceneError;
 use crate::scene::document::{Document, Node, Value};
 use crate::scene::read;
 use crate::scene::typed::{FitFree, Problem};
@@ -49,31 +51,45 @@ impl Alternative {
     }
 }
 
-/// The model of the scene and the simpler ones that it contains: without memory (JKR, or Hertz without adhesion; attraction beside the contact, DMT), without
-/// adhesion. Of other problems than an indentation the scene's own alone.
+/// The model of the scene, the other theory of its adhesion (an edge, or a range of attraction), and the simpler ones: without memory (JKR, or Hertz without
+/// adhesion; attraction beside the contact, DMT), without adhesion. Of other problems than an indentation the scene's own alone.
 #[must_use]
 pub fn models(setup: &Setup, own: &Fit) -> Vec<Alternative> {
     let mut found = vec![alternative("the scene as it is", Ok(own.clone()))];
     let Ok(scene) = read::read(&setup.document) else { return found };
     let Problem::Indentation(indentation) = &scene.problem else { return found };
-    let adhesion = indentation.adhesion.is_some();
+    let adhesion = sticks(&scene);
     let memory = !scene.material.series.relaxation_terms().is_empty();
     let elastic = memory && setup.units == Units::Si && scene.material.series.relaxed_modulus() > 0.0;
     let mut add = |name: &'static str, variant: Result<Setup, String>| {
         let fit = variant.and_then(|variant| carry_out(variant).map_err(|refusal| refusal.to_string()));
         found.push(alternative(name, fit));
     };
+    let own_theory = Change::default();
+    if adhesion && setup.units == Units::Si {
+        let other = put_found(setup, own).and_then(|found| {
+            let scene = read::read(&found.document).map_err(|error| error.to_string())?;
+            let Problem::Indentation(indentation) = &scene.problem else { return Err("the scene is of no indenter".to_owned()) };
+            variant(&found, &Change { other: Some(OtherTheory::of(&scene, indentation)?.bounded(&found.document)?), ..Change::default() })
+        });
+        add(words(indentation), other);
+    }
     if adhesion && memory {
-        add("viscoelastic, without adhesion", variant(setup, true, false, false));
+        add("viscoelastic, without adhesion", variant(setup, &Change { smooth: true, ..own_theory.clone() }));
     }
     if elastic && adhesion {
-        add("elastic, adhesion at the edge (JKR)", variant(setup, false, true, false));
+        let edge = if indentation.attraction.is_some() { OtherTheory::of(&scene, indentation).map(Some) } else { Ok(None) };
+        let jkr = edge.and_then(|other| variant(setup, &Change { elastic: true, other, ..own_theory.clone() }));
+        add("elastic, adhesion at the edge (JKR)", jkr);
     }
     if adhesion && (elastic || !memory) {
-        add("elastic, attraction beside the contact (DMT)", variant(setup, true, elastic, true));
+        add(
+            "elastic, attraction beside the contact (DMT)",
+            variant(setup, &Change { smooth: true, elastic, beside: true, ..own_theory.clone() }),
+        );
     }
     if elastic || (adhesion && !memory) {
-        add("elastic, without adhesion (Hertz)", variant(setup, true, elastic, false));
+        add("elastic, without adhesion (Hertz)", variant(setup, &Change { smooth: true, elastic, ..own_theory }));
     }
     let off: Vec<Vec<String>> = found.iter().map(|model| moved_numbers(model, &found)).collect();
     for (model, off) in found.iter_mut().zip(off) {
@@ -123,13 +139,50 @@ fn alternative(name: &'static str, fit: Result<Fit, String>) -> Alternative {
     Alternative { name, fit, fails }
 }
 
-/// The setup without some of its effects: `smooth` leaves adhesion out, `elastic` memory; `beside` puts attraction beside the contact.
-fn variant(setup: &Setup, smooth: bool, elastic: bool, beside: bool) -> Result<Setup, String> {
+/// How a model differs from that of the scene.
+#[derive(Debug, Clone, Default)]
+struct Change {
+    /// Without adhesion.
+    smooth: bool,
+    /// Without memory.
+    elastic: bool,
+    /// With attraction beside the contact.
+    beside: bool,
+    /// By the other theory of adhesion.
+    other: Option<OtherTheory>,
+}
+
+/// The setup with the numbers that a fit has found in place of those of the scene.
+fn put_found(setup: &Setup, fit: &Fit) -> Result<Setup, String> {
+    let mut changed = setup.clone();
+    for document in std::iter::once(&mut changed.document).chain(changed.tests.iter_mut().map(|test| &mut test.document)) {
+        put_values(document, fit).map_err(|error| error.to_string())?;
+    }
+    Ok(changed)
+}
+
+/// Puts the numbers that a fit has found into a scene.
+fn put_values(document: &mut Document, fit: &Fit) -> Result<(), SceneError> {
+    for ((role, _), value) in fit.setup.roles.iter().zip(&fit.fitted.values) {
+        if let Role::Scene(put) = role {
+            document.replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() })?;
+        }
+    }
+    Ok(())
+}
+
+/// The setup of a model that differs from that of the scene.
+fn variant(setup: &Setup, wanted: &Change) -> Result<Setup, String> {
+    let &Change { smooth, elastic, beside, .. } = wanted;
     let mut changed = setup.clone();
     let place = setup.task.compare_place.clone();
     let series = read::read(&setup.document).map_err(|error| error.to_string())?.material;
     let change = |document: &Document| -> Result<Document, String> {
-        let mut own = if smooth { document.without(&["adhesion"]) } else { document.clone() };
+        let mut own = match &wanted.other {
+            _ if smooth => document.without(&["adhesion"]),
+            Some(other) => other.put_into(document)?,
+            None => document.clone(),
+        };
         if elastic {
             own = own.without(&["material"]);
             let middle = (series.series.relaxed_modulus() * series.series.glassy_modulus()).sqrt();
@@ -151,10 +204,18 @@ fn variant(setup: &Setup, smooth: bool, elastic: bool, beside: bool) -> Result<S
             test.beside = Some(given.ok_or("the scene gives no work of adhesion")?);
         }
         test.document = change(&test.document)?;
+        test.long_ranges_only = wanted.other.as_ref().is_some_and(|other| other.at_a_distance);
     }
-    let gone =
-        |key: &str| (smooth && key.starts_with("adhesion.") && !(beside && key == WORK)) || (elastic && key.starts_with("material."));
-    let mut free: Vec<FitFree> = setup.task.free.iter().filter(|free| !gone(&free.key)).cloned().collect();
+    let gone = |key: &str| {
+        (smooth && key.starts_with("adhesion.") && !(beside && key == WORK))
+            || (elastic && (key.starts_with("material.") || is_length_of_the_edge(key)))
+    };
+    let kept = setup.task.free.iter().filter(|free| !gone(&free.key));
+    let mut free: Vec<FitFree> = kept.map(|free| wanted.other.as_ref().map_or_else(|| free.clone(), |other| other.free(free))).collect();
+    if wanted.other.as_ref().is_some_and(|other| other.at_a_distance) {
+        // A run takes a hundred times as long as one of an edge, and begins beside the numbers of that.
+        changed.task.starts = 1;
+    }
     if elastic {
         let bounds = Some([series.series.relaxed_modulus() / BEYOND, series.series.glassy_modulus() * BEYOND]);
         let key = "material.relaxed_modulus".to_owned();
@@ -185,12 +246,8 @@ fn fails(fit: &Fit) -> Vec<String> {
         return vec!["holds for Tabor numbers below about 0.1 only: stiff small spheres".to_owned()];
     }
     let mut document = test.document.clone();
-    for ((role, _), value) in fit.setup.roles.iter().zip(&fit.fitted.values) {
-        if let Role::Scene(put) = role
-            && document.replace(&put.key, Node { value: Value::Number(*value), place: put.place.clone() }).is_err()
-        {
-            return Vec::new();
-        }
+    if put_values(&mut document, fit).is_err() {
+        return Vec::new();
     }
     let Ok(mut scene) = read::read_state(&document) else { return Vec::new() };
     scene.accuracy = 1e-2;

@@ -296,6 +296,7 @@ fn comparison(
         loss: None,
         relative,
         beside: None,
+        long_ranges_only: false,
     };
     Ok(if across || relative { comparison } else { comparison.with_jumps() })
 }

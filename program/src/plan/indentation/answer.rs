@@ -4,8 +4,9 @@ use super::IndentationPlan;
 use super::columns::{COLUMNS, at};
 use super::events::is_loss;
 use super::rows::Values;
+use std::ops::Range;
 use viscotack::estimate::Estimate;
-use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
+use viscotack::indentation::{Cycle, IndentationSolution, Instant, PathPoint};
 
 impl IndentationPlan {
     /// The values of the state as a whole, coherent.
@@ -20,6 +21,11 @@ impl IndentationPlan {
         let exact = |number: f64| Some(Estimate::exact(number));
         let of_cycle = solution.cycles.last().map(|cycle| self.of_cycle(solution, cycle, scales));
         let cycle = |place: usize| cell(of_cycle.as_ref(), place);
+        let protocol = self.protocol(solution);
+        let dwell = protocol.dwell(solution.largest_tension.map_or(f64::INFINITY, |tension| tension.time.value));
+        let detachment = cell(lost.as_ref(), at::TIME);
+        let retraction = detachment.and_then(|lost| protocol.retraction(lost.value));
+        let repeated = self.timeline.repetitions.last().and_then(|last| self.of_repetition(solution, last));
         let radius = self.largest(solution, at::CONTACT_RADIUS, |point| point.contact_radius, |cycle| cycle.contact_radius.get(1).copied());
         let force = self.largest(solution, at::FORCE, |point| point.force, |cycle| cycle.force.get(1).copied());
         let cells = [
@@ -29,7 +35,9 @@ impl IndentationPlan {
             (at::PULL_OFF_RADIUS, pull(at::CONTACT_RADIUS)),
             (at::PULL_OFF_RATIO, pull(at::PULL_OFF_RATIO)),
             (at::WORK_OF_SEPARATION, work_of_separation(solution)),
-            (at::DETACHMENT_TIME, cell(lost.as_ref(), at::TIME)),
+            (at::DWELL_RADIUS, dwell.and_then(|end| solution.instants.get(end)).map(|instant| instant.contact_radius)),
+            (at::TIME_TO_DETACH, detachment.zip(retraction).map(|(lost, begin)| Estimate::new(lost.value - begin, lost.error))),
+            (at::DETACHMENT_TIME, detachment),
             (at::DETACHMENT_PENETRATION, cell(lost.as_ref(), at::PENETRATION)),
             (at::LARGEST_RADIUS, radius.filter(|radius| radius.value > 0.0)),
             (at::LARGEST_COMPRESSION, force.filter(|force| force.value > 0.0)),
@@ -41,9 +49,12 @@ impl IndentationPlan {
             (at::PANELS, exact(solution.march.work.most_panels as f64)),
         ];
         let of_last_cycle =
-            [at::FREQUENCY, at::WORK_PER_CYCLE, at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS, at::PHASE, at::DRIFT, at::SPREAD]
-                .map(|place| (place, cycle(place)));
-        for (place, value) in cells.into_iter().chain(of_last_cycle) {
+            [at::FREQUENCY, at::STORAGE_STIFFNESS, at::LOSS_STIFFNESS, at::PHASE, at::DRIFT, at::SPREAD].map(|place| (place, cycle(place)));
+        // Of whatever repeats last.
+        let time = |values: &Option<Values>| cell(values.as_ref(), at::TIME).map(|time| time.value);
+        let last = if time(&repeated) > time(&of_cycle) { &repeated } else { &of_cycle };
+        let work = (at::WORK_PER_CYCLE, cell(last.as_ref(), at::WORK_PER_CYCLE));
+        for (place, value) in cells.into_iter().chain(of_last_cycle).chain([work]) {
             if let Some(cell) = values.get_mut(place) {
                 *cell = value;
             }
@@ -59,24 +70,39 @@ impl IndentationPlan {
         of_point: fn(&PathPoint) -> f64,
         of_cycle: fn(&Cycle<Estimate>) -> Option<Estimate>,
     ) -> Option<Estimate> {
-        let path = &solution.march.path;
-        let peak = path.iter().enumerate().max_by(|one, other| of_point(one.1).total_cmp(&of_point(other.1)));
-        let on_path = peak.and_then(|(index, point)| {
-            let known = self.of_path_point(solution, point).get(place).copied().flatten()?;
-            let drop = |neighbour: Option<&PathPoint>| neighbour.map(|beside| known.value - of_point(beside));
-            let [before, after] = [index.checked_sub(1), index.checked_add(1)].map(|index| index.and_then(|index| path.get(index)));
-            let smooth = before.is_some_and(|before| before.piece == point.piece) && after.is_some_and(|after| after.piece == point.piece);
-            // Between smooth neighbours the maximum may lie beside the point; a corner of the history is the maximum itself.
-            let beyond = match (drop(before), drop(after)) {
-                (Some(before), Some(after)) if smooth => before.max(after),
-                (Some(before), Some(after)) => before.min(after),
-                _ => 0.0,
-            };
-            Some(Estimate::new(known.value, known.error + beyond))
-        });
+        let on_path = self.extreme(solution, 0..solution.march.path.len(), place, of_point, 1.0);
         let instants = solution.instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
         let cycles = solution.cycles.iter().filter_map(of_cycle).filter(|extreme| extreme.value.is_finite() && extreme.error.is_finite());
         instants.chain(cycles).chain(on_path).max_by(|one, other| one.value.total_cmp(&other.value))
+    }
+
+    /// The largest (`sign` 1) or smallest (−1) value at some points of the path: known as well as each, and as the points beside it show.
+    pub(super) fn extreme(
+        &self,
+        solution: &IndentationSolution,
+        points: Range<usize>,
+        place: usize,
+        of_point: fn(&PathPoint) -> f64,
+        sign: f64,
+    ) -> Option<Estimate> {
+        let path = &solution.march.path;
+        let size = |point: &PathPoint| sign * of_point(point);
+        let index = points.max_by(|one, other| {
+            let [one, other] = [one, other].map(|place| path.get(*place).map_or(f64::NEG_INFINITY, size));
+            one.total_cmp(&other)
+        })?;
+        let point = path.get(index)?;
+        let known = self.of_path_point(solution, point).get(place).copied().flatten()?;
+        let drop = |neighbour: Option<&PathPoint>| neighbour.map(|beside| sign * known.value - size(beside));
+        let [before, after] = [index.checked_sub(1), index.checked_add(1)].map(|index| index.and_then(|index| path.get(index)));
+        let smooth = before.is_some_and(|before| before.piece == point.piece) && after.is_some_and(|after| after.piece == point.piece);
+        // Between smooth neighbours the extreme may lie beside the point; a corner of the history is the extreme itself.
+        let beyond = match (drop(before), drop(after)) {
+            (Some(before), Some(after)) if smooth => before.max(after),
+            (Some(before), Some(after)) => before.min(after),
+            _ => 0.0,
+        };
+        Some(Estimate::new(known.value, known.error + beyond.max(0.0)))
     }
 }
 
@@ -99,31 +125,58 @@ fn work_of_separation(solution: &IndentationSolution) -> Option<Estimate> {
     let pulled = path.iter().skip(first.map_or(0, |first| first + 1)).take_while(|point| point.time <= lost.time.value);
     way.extend(pulled.filter(|point| point.contact_radius > 0.0).map(|point| (point.penetration, point.force, point.piece)));
     way.push((lost.penetration.value, lost.force.value, way.last()?.2));
+    let along = work_along(&way);
+    let tension = lost.force.value.abs() + largest_errors(solution)[1];
+    let at_the_end = tension * lost.penetration.error.min(along.depth_way);
+    let found = along.estimate(solution);
+    let error = found.error + at_the_end;
+    (found.value.is_finite() && error.is_finite()).then(|| Estimate::new(found.value, error))
+}
+
+/// ∫F dΔ along points of a path, and what its bound is made of.
+pub(super) struct Along {
+    work: f64,
+    /// What the path leaves open between its points.
+    open: f64,
+    /// The way that the force goes, and that the penetration goes.
+    force_way: f64,
+    depth_way: f64,
+}
+
+impl Along {
+    /// With the errors of force and penetration over the way that each goes.
+    pub(super) fn estimate(&self, solution: &IndentationSolution) -> Estimate {
+        let [depth_error, force_error] = largest_errors(solution);
+        Estimate::new(self.work, self.open + force_error * self.depth_way + depth_error * self.force_way)
+    }
+}
+
+/// The largest errors of penetration and force at instants.
+fn largest_errors(solution: &IndentationSolution) -> [f64; 2] {
+    let of: [fn(&Instant) -> f64; 2] = [|instant| instant.penetration.error, |instant| instant.force.error];
+    of.map(|of| solution.instants.iter().map(of).filter(|error| error.is_finite()).fold(0.0, f64::max))
+}
+
+/// Along points with penetration, force and stretch.
+pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
     let step = |from: (f64, f64, u32), to: (f64, f64, u32)| 0.5 * (from.1 + to.1) * (to.0 - from.0);
-    let (mut sum, mut open) = (0.0, 0.0);
-    let (mut force_way, mut depth_way) = (0.0, 0.0);
+    let mut along = Along { work: 0.0, open: 0.0, force_way: 0.0, depth_way: 0.0 };
     for pair in way.windows(2) {
         let [from, to] = pair else { continue };
-        sum += step(*from, *to);
-        force_way += (to.1 - from.1).abs();
-        depth_way += (to.0 - from.0).abs();
+        along.work += step(*from, *to);
+        along.force_way += (to.1 - from.1).abs();
+        along.depth_way += (to.0 - from.0).abs();
     }
     // Twice as wide steps within each smooth stretch; a step alone is known as well as the rectangle around it.
     for stretch in way.chunk_by(|from, to| from.2 == to.2) {
         let mut rest = stretch;
         while let [from, middle, to, ..] = rest {
-            open += (step(*from, *middle) + step(*middle, *to) - step(*from, *to)).abs();
+            along.open += (step(*from, *middle) + step(*middle, *to) - step(*from, *to)).abs();
             rest = rest.get(2..).unwrap_or(&[]);
         }
         if let [from, to] = rest {
-            open += 0.5 * ((to.1 - from.1) * (to.0 - from.0)).abs();
+            along.open += 0.5 * ((to.1 - from.1) * (to.0 - from.0)).abs();
         }
     }
-    let worst = |errors: &mut dyn Iterator<Item = f64>| errors.filter(|error| error.is_finite()).fold(0.0, f64::max);
-    let force_error = worst(&mut solution.instants.iter().map(|instant| instant.force.error));
-    let depth_error = worst(&mut solution.instants.iter().map(|instant| instant.penetration.error));
-    let tension = lost.force.value.abs() + force_error;
-    let at_the_end = tension * lost.penetration.error.min(depth_way);
-    let error = open + force_error * depth_way + depth_error * force_way + at_the_end;
-    (sum.is_finite() && error.is_finite()).then(|| Estimate::new(sum, error))
+    along
 }

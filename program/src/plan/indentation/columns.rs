@@ -70,26 +70,30 @@ pub(super) mod at {
     pub(crate) const PULL_OFF_PENETRATION: usize = 37;
     pub(crate) const PULL_OFF_RADIUS: usize = 38;
     pub(crate) const WORK_OF_SEPARATION: usize = 39;
-    pub(crate) const DETACHMENT_TIME: usize = 40;
-    pub(crate) const DETACHMENT_PENETRATION: usize = 41;
-    pub(crate) const LARGEST_RADIUS: usize = 42;
-    pub(crate) const LARGEST_COMPRESSION: usize = 43;
-    pub(crate) const END_PENETRATION: usize = 44;
-    pub(crate) const END_FORCE: usize = 45;
-    pub(crate) const END_RADIUS: usize = 46;
-    pub(crate) const RMS_DEVIATION: usize = 47;
-    pub(crate) const DETERMINATION: usize = 48;
+    pub(crate) const DWELL_RADIUS: usize = 40;
+    pub(crate) const TIME_TO_DETACH: usize = 41;
+    pub(crate) const DETACHMENT_TIME: usize = 42;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 43;
+    pub(crate) const LARGEST_RADIUS: usize = 44;
+    pub(crate) const LARGEST_COMPRESSION: usize = 45;
+    pub(crate) const END_PENETRATION: usize = 46;
+    pub(crate) const END_FORCE: usize = 47;
+    pub(crate) const END_RADIUS: usize = 48;
+    pub(crate) const RMS_DEVIATION: usize = 49;
+    pub(crate) const DETERMINATION: usize = 50;
     /// How many there are.
-    pub(crate) const ALL: usize = 49;
+    pub(crate) const ALL: usize = 51;
 
     /// Of the state as a whole, in the order of its table.
-    pub(crate) const OF_A_STATE: [usize; 25] = [
+    pub(crate) const OF_A_STATE: [usize; 27] = [
         PULL_OFF_FORCE,
         PULL_OFF_RATIO,
         PULL_OFF_TIME,
         PULL_OFF_PENETRATION,
         PULL_OFF_RADIUS,
         WORK_OF_SEPARATION,
+        DWELL_RADIUS,
+        TIME_TO_DETACH,
         DETACHMENT_TIME,
         DETACHMENT_PENETRATION,
         LARGEST_RADIUS,
@@ -115,6 +119,16 @@ pub(super) mod at {
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, measure, meaning }
 }
+
+/// What the columns of the same name mean in both theories of an indenter.
+pub(super) const DWELL_RADIUS: &str =
+    "Contact radius at the end of the last hold in contact before the largest tension; empty without a hold.";
+pub(super) const TIME_TO_DETACH: &str = "From the start of the last retraction, where what is imposed begins to fall (in a measured table, where it is largest), to the loss of contact.";
+pub(super) const SEGMENT: &str =
+    "In rows of cycles and repetitions: which segment of the history oscillates, or begins what repeats, from 0.";
+pub(super) const CYCLE: &str = "Which cycle of the segment, or which time through what repeats, from 1. Of more than 2000 some are rows, evenly, with the first and the last.";
+pub(super) const CYCLE_START: &str = "When the cycle or the repetition begins; its end is the row's time.";
+pub(super) const WORK_PER_CYCLE: &str = "∮F dΔ over the cycle: what the body and the edge dissipate of it. ∫F dΔ over a repetition; its bound is stated, not held to the accuracy.";
 
 /// All columns, of which a scene has those in [`present`].
 pub(super) const COLUMNS: [Definition; at::ALL] = [
@@ -159,15 +173,11 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::EnergyPerArea,
         "G = dU/dA − F dΔ/dA, the same less what the memory dissipates for each area; empty where the edge rests or turns.",
     ),
-    column("segment", Measure::Number, "In rows of cycles: which segment of the history oscillates, from 0."),
-    column(
-        "cycle",
-        Measure::Number,
-        "Which cycle of the segment, from 1. Of more than 2000 some are rows, evenly, with the first and the last.",
-    ),
-    column("cycle_start", Measure::Time, "When the cycle begins; its end is the row's time."),
+    column("segment", Measure::Number, SEGMENT),
+    column("cycle", Measure::Number, CYCLE),
+    column("cycle_start", Measure::Time, CYCLE_START),
     column("frequency", Measure::Frequency, "One over the cycle's length."),
-    column("work_per_cycle", Measure::Energy, "∮F dΔ over the cycle: what the body and the edge dissipate of it."),
+    column("work_per_cycle", Measure::Energy, WORK_PER_CYCLE),
     column(
         "storage_stiffness",
         Measure::Stiffness,
@@ -175,12 +185,12 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
     ),
     column("loss_stiffness", Measure::Stiffness, "Imaginary part of the same."),
     column("phase", Measure::Angle, "By which the force leads the penetration."),
-    column("smallest_penetration", Measure::Length, "Over the cycle."),
-    column("largest_penetration", Measure::Length, "Over the cycle."),
-    column("smallest_force", Measure::Force, "Over the cycle: the strongest pull, if negative."),
-    column("largest_force", Measure::Force, "Over the cycle."),
-    column("smallest_contact_radius", Measure::Length, "Over the cycle."),
-    column("largest_contact_radius", Measure::Length, "Over the cycle."),
+    column("smallest_penetration", Measure::Length, "Over the cycle or the repetition."),
+    column("largest_penetration", Measure::Length, "Over the cycle or the repetition."),
+    column("smallest_force", Measure::Force, "Over the cycle or the repetition: the strongest pull, if negative."),
+    column("largest_force", Measure::Force, "Over the cycle or the repetition."),
+    column("smallest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
+    column("largest_contact_radius", Measure::Length, "Over the cycle or the repetition."),
     column(
         "drift",
         Measure::Number,
@@ -206,6 +216,8 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         Measure::Energy,
         "∫F dΔ from where the force begins to pull, before the largest tension, to the loss of contact; its bound is stated, not held to the accuracy.",
     ),
+    column("dwell_radius", Measure::Length, DWELL_RADIUS),
+    column("time_to_detach", Measure::Time, TIME_TO_DETACH),
     column("detachment_time", Measure::Time, "When the contact is lost for the last time; empty if it is not lost."),
     column("detachment_penetration", Measure::Length, "Δ where the contact is lost for the last time."),
     column("largest_radius", Measure::Length, "Largest contact radius of the history; its bound is stated, not held to the accuracy."),
@@ -234,14 +246,21 @@ pub(super) fn oscillates(indentation: &Indentation) -> bool {
     indentation.history.segments.iter().any(|segment| matches!(segment, HistorySegment::Oscillation(_)))
 }
 
+/// Whether anything is gone through again and again, but for oscillations.
+pub(super) fn repeats(indentation: &Indentation) -> bool {
+    let cycles = |segment: &HistorySegment| matches!(segment, HistorySegment::Cycles { .. });
+    !indentation.history.repetitions.is_empty() || indentation.history.segments.iter().any(cycles)
+}
+
 /// Which of all columns a scene has, in order.
 pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
         at::TIP_RELEASE_RATE | at::ENERGY_RELEASE_RATE => indentation.energies,
-        place if place >= at::PULL_OFF_FORCE => true,
-        place => place < at::SEGMENT || oscillates(indentation),
+        at::FREQUENCY | at::STORAGE_STIFFNESS | at::LOSS_STIFFNESS | at::PHASE | at::DRIFT | at::SPREAD => oscillates(indentation),
+        place if (at::SEGMENT..at::STEPS).contains(&place) => oscillates(indentation) || repeats(indentation),
+        _ => true,
     };
     (0..at::ALL).filter(has).collect()
 }

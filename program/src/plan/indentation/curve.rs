@@ -1,20 +1,13 @@
 //! The way of an indenter by one time integration, without bounds: what a fit compares with data.
 
 use super::IndentationPlan;
-use super::columns::Measure;
+use super::scale::Scale;
 use crate::plan::path_curve::PathCurve;
-use viscotack::estimate::Estimate;
 use viscotack::indentation::{Event, EventKind, PathPoint, march};
 use viscotack::refusal::Refusal;
 
-/// The words of the columns, and what they measure.
-const WORDS: [(&str, Measure); 5] = [
-    ("time", Measure::Time),
-    ("penetration", Measure::Length),
-    ("force", Measure::Force),
-    ("contact_radius", Measure::Length),
-    ("frame", Measure::Length),
-];
+/// The words of the columns.
+const WORDS: [&str; 5] = ["time", "penetration", "force", "contact_radius", "frame"];
 
 impl IndentationPlan {
     /// The way at a tolerance; nearly all values err by less than a hundredth of it.
@@ -29,23 +22,9 @@ impl IndentationPlan {
             return resolved.way(tolerance);
         }
         let trace = march(&self.material, &self.problem()?, tolerance)?;
-        let values = |point: [f64; 4]| -> Vec<f64> {
-            let [time, penetration, force, radius] = point;
-            let frame = self.frame_displacement(penetration, force);
-            let all = [Some(time), Some(penetration), Some(force), Some(radius), frame];
-            all.into_iter()
-                .zip(WORDS)
-                .filter_map(|(value, (_, measure))| Some(self.in_units(Estimate::exact(value?), measure).value))
-                .collect()
-        };
+        let values = |point: [f64; 4]| row(point, self.indentation.frame_stiffness, &self.scale);
         let of_point = |point: &PathPoint| values([point.time, point.penetration, point.force, point.contact_radius]);
         let rows: Vec<Vec<f64>> = trace.path.iter().map(of_point).collect();
-        let columns = WORDS
-            .iter()
-            .enumerate()
-            .filter(|(place, _)| rows.first().is_some_and(|row| *place < row.len()))
-            .map(|(place, (word, _))| (*word, rows.iter().filter_map(|row| row.get(place).copied()).collect()))
-            .collect();
         let touching = |point: &PathPoint| point.contact_radius > 0.0;
         let contact = trace.path.iter().position(touching).zip(trace.path.iter().rposition(touching)).map(|(first, last)| [first, last]);
         let open = trace.path.last().is_some_and(|point| point.contact_radius == 0.0);
@@ -55,11 +34,22 @@ impl IndentationPlan {
         let closed = || contact.filter(|_| open).and_then(|[_, last]| trace.path.get(last + 1)).map(of_point);
         let lost = loss.map(of_event).or_else(closed);
         let gained = trace.events.iter().find(|event| event.kind == EventKind::JumpIn).map(of_event);
-        Ok(PathCurve { columns, pieces: trace.path.iter().map(|point| point.piece).collect(), contact, gained, lost })
+        let pieces = trace.path.iter().map(|point| point.piece).collect();
+        Ok(PathCurve { columns: columns(&rows), pieces, contact, gained, lost, at_a_distance: false })
     }
+}
 
-    /// Displacement of the far end of the frame, coherent.
-    fn frame_displacement(&self, penetration: f64, force: f64) -> Option<f64> {
-        Some(penetration + force / (self.indentation.frame_stiffness? * self.scale.force))
-    }
+/// Time, penetration, force and contact radius, coherent, as a row of a curve in the units of the scene, with the far end of a frame.
+pub(super) fn row([time, penetration, force, radius]: [f64; 4], frame_stiffness: Option<f64>, scale: &Scale) -> Vec<f64> {
+    // An open contact has the force 0, not −0.
+    let shown = force / scale.force + 0.0;
+    let frame = frame_stiffness.map(|stiffness| penetration + shown / stiffness);
+    [time, penetration, shown, radius].into_iter().chain(frame).collect()
+}
+
+/// Rows as columns with their words.
+pub(super) fn columns(rows: &[Vec<f64>]) -> Vec<(&'static str, Vec<f64>)> {
+    let width = rows.first().map_or(0, Vec::len);
+    let of = |(place, word): (usize, &'static str)| (word, rows.iter().filter_map(|row| row.get(place).copied()).collect());
+    WORDS.into_iter().take(width).enumerate().map(of).collect()
 }

@@ -60,10 +60,19 @@ impl IndentationPlan {
 
     /// Stiffness and work of cycles, and the last cycle of each state. `note`: that `states` are not all; the last cycles against the frequency are of all.
     pub(super) fn cycle_figures(&self, scene: &Scene, rows: &[Row], states: &[State<'_>], note: Option<&String>) -> Vec<(String, Figure)> {
-        if states.iter().all(|state| state.cycles.is_empty()) {
-            return Vec::new();
+        let repeated: Vec<Set<'_>> = states
+            .iter()
+            .filter(|state| state.repetitions.len() > 1)
+            .map(|state| Set { label: state.label.clone(), colour: state.colour, rows: state.repetitions.clone() })
+            .collect();
+        let mut figures = Vec::new();
+        if !repeated.is_empty() {
+            figures.push(("work_against_repetition".to_owned(), self.work_figure(&Axis::linear("repetition"), at::CYCLE, &repeated)));
         }
-        let (mut figures, mut whole) = (Vec::new(), Vec::new());
+        if states.iter().all(|state| state.cycles.is_empty()) {
+            return noted(figures, note.cloned());
+        }
+        let mut whole = Vec::new();
         let within = |state: &State<'_>| spread(state.cycles.iter().map(|row| self.of(row, at::FREQUENCY)));
         // A frequency that goes is the axis of each state; frequencies of several states are the axis of their last cycles.
         let last_cycles = Self::last_cycles(rows);
@@ -121,23 +130,32 @@ impl IndentationPlan {
         let values = || sets.iter().flat_map(|set| &set.rows).flat_map(|row| columns.map(|column| self.of(row, column)));
         let decades = axis.scale == Scale::Logarithmic && values().all(|value| value > 0.0) && spread(values()) > DECADE;
         let mut first = Figure::new(axis.clone(), if decades { Axis::logarithmic(stiffness) } else { Axis::linear(stiffness) });
-        let mut second = Figure::new(axis.clone(), Axis::linear(self.label("work per cycle", "$w$", " (J)", r"$w/\pi E_0^* R^3$")));
         for set in sets {
-            let curve = |label: &str, column: usize, line: Line| {
-                let points: Vec<(f64, f64)> = set.rows.iter().map(|row| (self.of(row, horizontal), self.of(row, column))).collect();
-                let joined = match (label.is_empty(), set.label.is_empty()) {
-                    (true, _) => set.label.clone(),
-                    (false, true) => label.to_owned(),
-                    (false, false) => format!("{label}, {}", set.label),
-                };
-                let marker = if points.len() < FEW { Marker::Circle } else { Marker::None };
-                Curve::new(joined, points).with_line(line).with(set.colour).with_marker(marker)
-            };
-            first = first.with_curve(curve("storage", at::STORAGE_STIFFNESS, Line::Solid));
-            first = first.with_curve(curve("loss", at::LOSS_STIFFNESS, Line::Dashed));
-            second = second.with_curve(curve("", at::WORK_PER_CYCLE, Line::Solid));
+            first = first.with_curve(self.curve_of(set, "storage", [horizontal, at::STORAGE_STIFFNESS], Line::Solid));
+            first = first.with_curve(self.curve_of(set, "loss", [horizontal, at::LOSS_STIFFNESS], Line::Dashed));
         }
-        vec![(format!("stiffness_against_{name}"), first), (format!("work_per_cycle_against_{name}"), second)]
+        vec![
+            (format!("stiffness_against_{name}"), first),
+            (format!("work_per_cycle_against_{name}"), self.work_figure(axis, horizontal, sets)),
+        ]
+    }
+
+    /// The work of cycles or repetitions against a column.
+    fn work_figure(&self, axis: &Axis, horizontal: usize, sets: &[Set<'_>]) -> Figure {
+        let vertical = Axis::linear(self.label("work per cycle", "$w$", " (J)", r"$w/\pi E_0^* R^3$"));
+        let curves = sets.iter().map(|set| self.curve_of(set, "", [horizontal, at::WORK_PER_CYCLE], Line::Solid));
+        curves.fold(Figure::new(axis.clone(), vertical), Figure::with_curve)
+    }
+
+    fn curve_of(&self, set: &Set<'_>, label: &str, [horizontal, vertical]: [usize; 2], line: Line) -> Curve {
+        let points: Vec<(f64, f64)> = set.rows.iter().map(|row| (self.of(row, horizontal), self.of(row, vertical))).collect();
+        let joined = match (label.is_empty(), set.label.is_empty()) {
+            (true, _) => set.label.clone(),
+            (false, true) => label.to_owned(),
+            (false, false) => format!("{label}, {}", set.label),
+        };
+        let marker = if points.len() < FEW { Marker::Circle } else { Marker::None };
+        Curve::new(joined, points).with_line(line).with(set.colour).with_marker(marker)
     }
 
     /// Force against penetration in the last cycle of each state, where its instants are rows.

@@ -85,15 +85,16 @@ impl IndentationPlan {
             known(event.force, at::FORCE),
             known(event.contact_radius, at::CONTACT_RADIUS),
         );
-        let energy = |which: usize| event.energies.and_then(|energies| energies.get(which).copied());
+        let energies = event.energies.filter(|_| self.indentation.energies);
+        let energy = |which: usize| energies.and_then(|energies| energies.get(which).copied());
         for (place, value) in [
             (at::STRESS_INTENSITY, self.indentation.adhesion.map(|_| event.stress_intensity_factor)),
             (at::STORED_ENERGY, energy(0)),
             (at::DISSIPATED_POWER, energy(1)),
             (at::EXTERNAL_WORK, energy(2)),
             (at::DISSIPATED_ENERGY, energy(3)),
-            (at::TIP_RELEASE_RATE, event.tip_release_rate),
-            (at::ENERGY_RELEASE_RATE, event.energy_release_rate),
+            (at::TIP_RELEASE_RATE, event.tip_release_rate.filter(|_| self.indentation.energies)),
+            (at::ENERGY_RELEASE_RATE, event.energy_release_rate.filter(|_| self.indentation.energies)),
         ] {
             if let (Some(cell), Some(value)) = (values.get_mut(place), value) {
                 *cell = Some(known(value, place));

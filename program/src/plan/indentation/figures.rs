@@ -1,7 +1,7 @@
 //! The plots of an indentation: a curve for every state, elastic limits, measured forces, fields.
 
 use super::columns::{at, field, position};
-use super::rows::{CYCLE, LARGEST_TENSION, SUMMARY};
+use super::rows::{CYCLE, LARGEST_TENSION, REPETITION, SUMMARY};
 use super::{IndentationPlan, agreement};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
@@ -31,6 +31,8 @@ pub(super) struct State<'a> {
     pub(super) rows: Vec<&'a Row>,
     /// Cycles of oscillations.
     pub(super) cycles: Vec<&'a Row>,
+    /// Groups of segments that repeat.
+    pub(super) repetitions: Vec<&'a Row>,
 }
 
 impl IndentationPlan {
@@ -82,8 +84,9 @@ impl IndentationPlan {
             .map(|(place, state)| {
                 let own = of(state).into_iter().filter(|row| row.label(0) != SUMMARY);
                 let (cycles, rows): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.label(0) == CYCLE);
+                let (repetitions, rows): (Vec<&Row>, Vec<&Row>) = rows.into_iter().partition(|row| row.label(0) == REPETITION);
                 let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
-                State { label, colour: shade(place, count), rows, cycles }
+                State { label, colour: shade(place, count), rows, cycles, repetitions }
             })
             .collect()
     }

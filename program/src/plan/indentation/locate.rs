@@ -6,7 +6,7 @@
 use super::known::{Known, Open, Start, Stop};
 use super::scale::Scale;
 use super::timeline::Timeline;
-use crate::outcome::Row;
+use crate::outcome::{Column, Row};
 use crate::scene::typed::{Condition, HistoryQuantity, HistorySegment, Indentation, IndentationStart};
 use viscotack::estimate::Estimate;
 use viscotack::refusal::Refusal;
@@ -80,12 +80,15 @@ pub(super) fn known(plan: &impl Followed) -> Result<Known, Refusal> {
     Ok(known)
 }
 
-/// Adds to the bounds of rows what the errors of starts may change: a rate that is off by a part moves what follows by at most that part.
-pub(super) fn of_starts(rows: &mut [Row], known: &Known) {
+/// Adds to the bounds of rows what the errors of starts may change: a rate that is off by a part moves what follows by at most that part. Counts stay exact.
+pub(super) fn of_starts(rows: &mut [Row], columns: &[Column], known: &Known) {
     let part = known.starts.iter().map(|start| start.error).sum::<f64>();
     if part > 0.0 {
-        let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().flatten());
-        values.for_each(|estimate| estimate.error += part * estimate.value.abs());
+        let values = rows.iter_mut().flat_map(|row| row.values.iter_mut().zip(columns));
+        let moved = values.filter_map(|(value, column)| Some((value.as_mut()?, column.unit != "1")));
+        for (estimate, _) in moved.filter(|(estimate, measured)| *measured || estimate.error > 0.0) {
+            estimate.error += part * estimate.value.abs();
+        }
     }
 }
 

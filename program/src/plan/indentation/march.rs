@@ -71,7 +71,8 @@ impl IndentationPlan {
                 IndentationStart::Relaxed => Start::Relaxed,
             },
             instants_per_segment: 1,
-            energies: self.indentation.energies,
+            // Without adhesion the path has few points, and the account of energies costs little: the work of repetitions is from there.
+            energies: self.indentation.energies || (self.indentation.adhesion.is_none() && !self.timeline.repetitions.is_empty()),
             accuracy: self.solver_accuracy,
         };
         problem.checked()?;

@@ -16,7 +16,9 @@ mod known;
 mod locate;
 mod march;
 mod parts;
+mod protocol;
 mod remarks;
+mod repetitions;
 mod rows;
 mod scale;
 mod scan;
@@ -250,14 +252,15 @@ impl ProblemPlan for IndentationPlan {
             Ok(None) => self.rows(state, swept, state_watch),
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
-        locate::of_starts(&mut rows, &self.known);
+        let table = columns::columns(&self.indentation, self.units);
+        locate::of_starts(&mut rows, &table, &self.known);
         if self.flow.is_some() && !self.without_steps {
             let values = rows
                 .iter_mut()
                 .flat_map(|row| row.values.iter_mut().flatten().chain(row.fields.iter_mut().flat_map(|point| &mut point.values)));
             values.filter(|estimate| estimate.error > 0.0).for_each(|estimate| estimate.error += OF_FLOW * estimate.value.abs());
         }
-        agreement::put_into(&mut rows, &columns::columns(&self.indentation, self.units));
+        agreement::put_into(&mut rows, &table);
         rows
     }
 

@@ -24,6 +24,7 @@ const ADMISSIBLE: f64 = 1e-7;
 pub(super) const SUMMARY: &str = crate::outcome::SUMMARY;
 pub(super) const INSTANT: &str = "instant";
 pub(super) const CYCLE: &str = "cycle";
+pub(super) const REPETITION: &str = "repetition";
 
 /// The word of the row of the largest tension.
 pub(super) const LARGEST_TENSION: &str = "largest_tension";
@@ -93,6 +94,11 @@ impl IndentationPlan {
         }
         for cycle in self.cycles_shown(solution) {
             add([CYCLE, ""], self.of_cycle(solution, cycle, &scales), 0.0)?;
+        }
+        for repetition in self.repetitions_shown() {
+            if let Some(values) = self.of_repetition(solution, repetition) {
+                add([REPETITION, ""], values, 0.0)?;
+            }
         }
         let mut field_rows = Vec::new();
         if let Some(wanted) = &self.indentation.fields {
@@ -216,15 +222,17 @@ impl IndentationPlan {
 
     pub(super) fn of_instant(&self, instant: &Instant) -> Values {
         let mut values = self.basic(Estimate::exact(instant.time), instant.penetration, instant.force, instant.contact_radius);
-        let energy = |which: usize| instant.energies.and_then(|energies| energies.get(which).copied());
+        // Without adhesion they are found for the work of repetitions, asked for or not.
+        let energies = instant.energies.filter(|_| self.indentation.energies);
+        let energy = |which: usize| energies.and_then(|energies| energies.get(which).copied());
         for (place, value) in [
             (at::STRESS_INTENSITY, self.indentation.adhesion.map(|_| instant.stress_intensity_factor)),
             (at::STORED_ENERGY, energy(0)),
             (at::DISSIPATED_POWER, energy(1)),
             (at::EXTERNAL_WORK, energy(2)),
             (at::DISSIPATED_ENERGY, energy(3)),
-            (at::TIP_RELEASE_RATE, instant.tip_release_rate),
-            (at::ENERGY_RELEASE_RATE, instant.energy_release_rate),
+            (at::TIP_RELEASE_RATE, instant.tip_release_rate.filter(|_| self.indentation.energies)),
+            (at::ENERGY_RELEASE_RATE, instant.energy_release_rate.filter(|_| self.indentation.energies)),
             (at::RESIDUAL, Some(Estimate::exact(instant.residual))),
         ] {
             if let Some(cell) = values.get_mut(place) {
@@ -273,7 +281,8 @@ impl IndentationPlan {
         // When and where the tension is largest is a matter of how flat the curve is; only the tension itself is judged.
         // G divides by the speed of the edge: beside a turn it is known as its bar says, and no better. Drift and spread are what is left between cycles.
         let judged = |place: usize| {
-            (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO))
+            row.label(0) != REPETITION
+                && (row.label(1) != LARGEST_TENSION || matches!(place, at::FORCE | at::PULL_OFF_RATIO))
                 && !matches!(place, at::ENERGY_RELEASE_RATE | at::DRIFT | at::SPREAD)
         };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {

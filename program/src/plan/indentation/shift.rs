@@ -91,7 +91,9 @@ pub(super) fn widened(values: &mut [Option<Estimate>], columns: &[(&str, Measure
         // The row of a state has values of several times; the others are of its end.
         let time = match name {
             _ if name.starts_with("pull_off") => of_row.or(of_pull_off),
-            _ if name.starts_with("detachment") || name.starts_with("work_of_separation") => of_row.or(of_loss),
+            _ if name.starts_with("detachment") || *name == "time_to_detach" || name.starts_with("work_of_separation") => {
+                of_row.or(of_loss)
+            }
             _ => of_row,
         };
         let time = time.unwrap_or(f64::INFINITY);
@@ -111,8 +113,10 @@ pub(super) fn widened(values: &mut [Option<Estimate>], columns: &[(&str, Measure
             "contact_radius" => parts[2],
             _ => parts.into_iter().fold(0.0, f64::max),
         };
-        let own = columns.iter().position(|other| other.0 == behind);
-        let scale = own.and_then(|place| scales.get(place)).copied().unwrap_or(0.0);
+        let scale_of =
+            |name: &str| columns.iter().position(|other| other.0 == name).and_then(|place| scales.get(place)).copied().unwrap_or(0.0);
+        // A loop is small against the work of the way in and of the way out, and its ends move on both.
+        let scale = if behind == "work_per_cycle" { scale_of("force") * scale_of("penetration") } else { scale_of(behind) };
         let more = if *measure == Measure::Time { late } else { part * scale.max(estimate.value.abs()) };
         if *measure != Measure::Number || estimate.error > 0.0 {
             *estimate = Estimate::new(estimate.value, estimate.error + more);

@@ -5,6 +5,7 @@ use super::scale::Scale;
 use crate::scene::typed::{
     Condition, CycleWave, HistoryOscillation, HistoryQuantity, HistorySegment, Indentation, MeasuredTable, OscillationExtent, Pace,
 };
+use std::ops::Range;
 use std::sync::Arc;
 use viscotack::finite_range::sphere::SUM_OF_DURATIONS;
 use viscotack::indentation::{FrequencySweep, Oscillation};
@@ -57,10 +58,22 @@ pub(super) struct Timeline {
     pub(super) open: Vec<Open>,
     /// Segments with a condition, and where they end.
     pub(super) ends: Vec<Ended>,
+    /// What is gone through again and again, in the order of the ends.
+    pub(super) repetitions: Vec<Repetition>,
     /// Whether something is held, or a table or cycles followed: then time is the axis of interest.
     pub(super) in_time: bool,
     /// Whether it is one cycle that repeats itself for ever.
     pub(super) periodic: bool,
+}
+
+/// One time through a group of segments that repeats, or through a cycle between two values.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Repetition {
+    /// The first segment of the group, from 0.
+    pub(super) segment: usize,
+    /// Which time it is, from 1.
+    pub(super) number: u64,
+    pub(super) legs: Range<usize>,
 }
 
 struct Builder<'s> {
@@ -94,6 +107,7 @@ impl Timeline {
             open_ramps: Vec::new(),
             open: Vec::new(),
             ends: Vec::new(),
+            repetitions: Vec::new(),
             in_time: false,
             periodic: false,
         };
@@ -107,13 +121,21 @@ impl Timeline {
             known,
             timeline,
         };
+        let mut begun = vec![0];
         for (index, segment) in indentation.history.segments.iter().enumerate() {
             builder.segment = index;
             builder.segment(segment)?;
             if builder.timeline.legs.len() > MOST_LEGS {
                 return Err(Refusal::out_of_range("history", builder.timeline.legs.len() as f64, "at most 100 000 straight pieces"));
             }
+            begun.push(builder.timeline.legs.len());
         }
+        let groups = indentation.history.repetitions.iter().filter_map(|group| {
+            let legs = *begun.get(group.segments.start)?..*begun.get(group.segments.end)?;
+            (!legs.is_empty()).then_some(Repetition { segment: group.segments.start, number: group.number, legs })
+        });
+        builder.timeline.repetitions.extend(groups);
+        builder.timeline.repetitions.sort_by_key(|repetition| repetition.legs.end);
         Ok(builder.timeline)
     }
 
@@ -192,7 +214,8 @@ impl Builder<'_> {
                 if *count as usize > MOST_LEGS / 4 {
                     return Err(Refusal::out_of_range("cycles", f64::from(*count), "at most 25 000"));
                 }
-                for _ in 0..*count {
+                for number in 1..=u64::from(*count) {
+                    let first = self.timeline.legs.len();
                     match wave {
                         CycleWave::Triangle => {
                             self.step(*quantity, lower);
@@ -206,6 +229,8 @@ impl Builder<'_> {
                             }
                         }
                     }
+                    let legs = first..self.timeline.legs.len();
+                    self.timeline.repetitions.push(Repetition { segment: self.segment, number, legs });
                 }
             }
         }

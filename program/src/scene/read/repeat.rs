@@ -2,7 +2,7 @@
 
 use super::section::Section;
 use crate::scene::diagnostic::SceneError;
-use crate::scene::typed::{History, HistoryQuantity, HistorySegment};
+use crate::scene::typed::{History, HistoryQuantity, HistorySegment, Repetition};
 use std::ops::Range;
 
 /// More segments than these are no history that a solver could follow.
@@ -16,6 +16,7 @@ pub(super) struct Tables {
     of: Vec<usize>,
     /// The segments of each table.
     ranges: Vec<Range<usize>>,
+    repetitions: Vec<Repetition>,
 }
 
 impl Tables {
@@ -48,20 +49,34 @@ impl Tables {
             let message = format!("`{}` = {times} makes {total} segments of this history", item.full("repeat"));
             return Err(item.wrong("repeat", message, format!("at most {MOST_SEGMENTS} segments")));
         }
-        for _ in 1..times {
-            for place in from..to {
-                let (Some(segment), Some(&of)) = (self.segments.get(place).cloned(), self.of.get(place)) else { continue };
-                let segment = held(segment, self.last_quantity());
-                self.segments.push(segment);
-                self.of.push(of);
-            }
-        }
+        self.go_through(from, times);
         self.ranges.push(to..self.segments.len());
         Ok(())
     }
 
+    /// The segments from a place on, so many times in all.
+    pub(super) fn go_through(&mut self, from: usize, times: usize) {
+        let to = self.segments.len();
+        let within = self.repetitions.iter().filter(|repetition| repetition.segments.start >= from).cloned();
+        let inner: Vec<Repetition> = within.collect();
+        for time in 0..times {
+            let later = time * (to - from);
+            let moved = |segments: &Range<usize>| segments.start + later..segments.end + later;
+            if time > 0 {
+                for place in from..to {
+                    let (Some(segment), Some(&of)) = (self.segments.get(place).cloned(), self.of.get(place)) else { continue };
+                    let segment = held(segment, self.last_quantity());
+                    self.segments.push(segment);
+                    self.of.push(of);
+                }
+                self.repetitions.extend(inner.iter().map(|one| Repetition { segments: moved(&one.segments), ..one.clone() }));
+            }
+            self.repetitions.push(Repetition { segments: moved(&(from..to)), number: time as u64 + 1 });
+        }
+    }
+
     pub(super) fn written_out(self) -> History {
-        History { segments: self.segments, tables: self.of }
+        History { segments: self.segments, tables: self.of, repetitions: self.repetitions }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The [test] table: a standard test of an indenter, written out as the segments of a history.
 
+use super::repeat::Tables;
 use super::section::Section;
 use crate::scene::diagnostic::SceneError;
 use crate::scene::typed::{
@@ -49,11 +50,12 @@ pub(super) fn read(top: &Section<'_>, rig: &Rig<'_>) -> Result<Option<History>, 
     match kind {
         "creep" => test.creep(&mut segments)?,
         "cyclic" => {
-            for _ in 0..test.table.required_number("cycles")? as u32 {
-                segments.push(test.approach()?);
-                segments.extend(test.dwell()?);
-                segments.push(test.retraction(Some(0.0))?);
-            }
+            let mut tables = Tables::default();
+            tables.add(test.approach()?);
+            test.dwell()?.into_iter().for_each(|dwell| tables.add(dwell));
+            tables.add(test.retraction(Some(0.0))?);
+            tables.go_through(0, test.table.required_number("cycles")? as usize);
+            return Ok(Some(tables.written_out()));
         }
         _ => {
             segments.push(test.approach()?);

@@ -107,6 +107,17 @@ pub struct History {
     pub segments: Vec<HistorySegment>,
     /// Which `[[history]]` table each segment is of, from 0; of a standard test, its own place.
     pub tables: Vec<usize>,
+    /// Every time through each group that repeats.
+    pub repetitions: Vec<Repetition>,
+}
+
+/// One time through a group of segments that repeats.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Repetition {
+    /// The segments, from 0.
+    pub segments: std::ops::Range<usize>,
+    /// Which time it is, from 1.
+    pub number: u64,
 }
 
 impl History {
@@ -114,7 +125,7 @@ impl History {
     #[must_use]
     pub fn of(segments: Vec<HistorySegment>) -> Self {
         let tables = (0..segments.len()).collect();
-        Self { segments, tables }
+        Self { segments, tables, repetitions: Vec::new() }
     }
 
     /// The segments of a `[[history]]` table.

@@ -70,17 +70,25 @@ impl FiniteRangePlan {
 
     /// The instants that become rows, of both runs.
     pub(super) fn instants<'r>(&self, runs: &'r Runs) -> Vec<(&'r Record, &'r Record)> {
-        let of = |run: &'r Run| -> Vec<Option<&'r Record>> {
-            let mut all = vec![run.rows.first()];
-            for (index, piece) in self.course.pieces.iter().enumerate() {
-                for time in &piece.instants {
-                    all.push(row_at(&run.rows, *time));
-                }
-                all.push(run.legs.get(index).map(|leg| &leg.end));
-            }
-            all
-        };
-        let (loose, tight) = (of(&runs.loose), of(&runs.tight));
+        let (loose, tight) = (self.instants_of(&runs.loose), self.instants_of(&runs.tight));
         loose.into_iter().zip(tight).filter_map(|(a, b)| a.zip(b)).collect()
+    }
+
+    /// All instants of a run; none where it ended before.
+    fn instants_of<'r>(&self, run: &'r Run) -> Vec<Option<&'r Record>> {
+        let mut all = vec![run.rows.first()];
+        for (index, piece) in self.course.pieces.iter().enumerate() {
+            for time in &piece.instants {
+                all.push(row_at(&run.rows, *time));
+            }
+            all.push(run.legs.get(index).map(|leg| &leg.end));
+        }
+        all
+    }
+
+    /// The states between the legs of the history, of a run.
+    pub(super) fn between_legs<'r>(&self, run: &'r Run) -> Vec<Option<&'r Record>> {
+        let all = self.instants_of(run);
+        self.course.boundaries.iter().map(|place| all.get(*place).copied().flatten()).collect()
     }
 }

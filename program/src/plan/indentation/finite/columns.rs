@@ -1,7 +1,7 @@
 //! The columns of an indenter that attracts at a distance.
 
 use super::super::agreement;
-use super::super::columns::{Measure, has_measured_force, unit};
+use super::super::columns::{self, Measure, has_measured_force, repeats, unit};
 use crate::outcome::{Column, Layout};
 use crate::scene::typed::{Indentation, Units};
 
@@ -29,30 +29,42 @@ pub(super) mod at {
     pub(crate) const FRAME: usize = 11;
     pub(crate) const MEASURED_FORCE: usize = 12;
     pub(crate) const FORCE_DEVIATION: usize = 13;
-    pub(crate) const PULL_OFF_FORCE: usize = 14;
-    pub(crate) const PULL_OFF_TIME: usize = 15;
-    pub(crate) const PULL_OFF_PENETRATION: usize = 16;
-    pub(crate) const PULL_OFF_RADIUS: usize = 17;
-    pub(crate) const WORK_OF_SEPARATION: usize = 18;
-    pub(crate) const WORK_TO_PULL_OFF: usize = 19;
-    pub(crate) const DETACHMENT_TIME: usize = 20;
-    pub(crate) const DETACHMENT_PENETRATION: usize = 21;
-    pub(crate) const LARGEST_RADIUS: usize = 22;
-    pub(crate) const LARGEST_COMPRESSION: usize = 23;
-    pub(crate) const END_PENETRATION: usize = 24;
-    pub(crate) const END_FORCE: usize = 25;
-    pub(crate) const END_RADIUS: usize = 26;
-    pub(crate) const RMS_DEVIATION: usize = 27;
-    pub(crate) const DETERMINATION: usize = 28;
-    pub(crate) const JUMPS: usize = 29;
-    pub(crate) const JUMP_LOSS: usize = 30;
-    pub(crate) const TABOR: usize = 31;
-    pub(crate) const GLASSY_TABOR: usize = 32;
-    pub(crate) const ENERGY_DEFECT: usize = 33;
-    pub(crate) const STEPS: usize = 34;
-    pub(crate) const NODES: usize = 35;
+    pub(crate) const SEGMENT: usize = 14;
+    pub(crate) const CYCLE: usize = 15;
+    pub(crate) const CYCLE_START: usize = 16;
+    pub(crate) const WORK_PER_CYCLE: usize = 17;
+    pub(crate) const SMALLEST_PENETRATION: usize = 18;
+    pub(crate) const LARGEST_PENETRATION: usize = 19;
+    pub(crate) const SMALLEST_FORCE: usize = 20;
+    pub(crate) const LARGEST_FORCE: usize = 21;
+    pub(crate) const SMALLEST_CONTACT_RADIUS: usize = 22;
+    pub(crate) const LARGEST_CONTACT_RADIUS: usize = 23;
+    pub(crate) const PULL_OFF_FORCE: usize = 24;
+    pub(crate) const PULL_OFF_TIME: usize = 25;
+    pub(crate) const PULL_OFF_PENETRATION: usize = 26;
+    pub(crate) const PULL_OFF_RADIUS: usize = 27;
+    pub(crate) const WORK_OF_SEPARATION: usize = 28;
+    pub(crate) const WORK_TO_PULL_OFF: usize = 29;
+    pub(crate) const DWELL_RADIUS: usize = 30;
+    pub(crate) const TIME_TO_DETACH: usize = 31;
+    pub(crate) const DETACHMENT_TIME: usize = 32;
+    pub(crate) const DETACHMENT_PENETRATION: usize = 33;
+    pub(crate) const LARGEST_RADIUS: usize = 34;
+    pub(crate) const LARGEST_COMPRESSION: usize = 35;
+    pub(crate) const END_PENETRATION: usize = 36;
+    pub(crate) const END_FORCE: usize = 37;
+    pub(crate) const END_RADIUS: usize = 38;
+    pub(crate) const RMS_DEVIATION: usize = 39;
+    pub(crate) const DETERMINATION: usize = 40;
+    pub(crate) const JUMPS: usize = 41;
+    pub(crate) const JUMP_LOSS: usize = 42;
+    pub(crate) const TABOR: usize = 43;
+    pub(crate) const GLASSY_TABOR: usize = 44;
+    pub(crate) const ENERGY_DEFECT: usize = 45;
+    pub(crate) const STEPS: usize = 46;
+    pub(crate) const NODES: usize = 47;
     /// How many there are.
-    pub(crate) const ALL: usize = 36;
+    pub(crate) const ALL: usize = 48;
 
     /// Energies, which turn into each other.
     pub(crate) const ENERGIES: [usize; 5] = [STORED_ENERGY, INTERFACE_ENERGY, EXTERNAL_WORK, DISSIPATED_ENERGY, RELEASED_ENERGY];
@@ -94,6 +106,16 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         "The force that the table of the history holds for this time, between its rows by straight lines.",
     ),
     column("force_deviation", Measure::Force, agreement::DEVIATION),
+    column("segment", Measure::Number, columns::SEGMENT),
+    column("cycle", Measure::Number, columns::CYCLE),
+    column("cycle_start", Measure::Time, columns::CYCLE_START),
+    column("work_per_cycle", Measure::Energy, columns::WORK_PER_CYCLE),
+    column("smallest_penetration", Measure::Length, "Over the repetition."),
+    column("largest_penetration", Measure::Length, "Over the repetition."),
+    column("smallest_force", Measure::Force, "Over the repetition: the strongest pull, if negative."),
+    column("largest_force", Measure::Force, "Over the repetition."),
+    column("smallest_contact_radius", Measure::Length, "Over the repetition."),
+    column("largest_contact_radius", Measure::Length, "Over the repetition."),
     column("pull_off_force", Measure::Force, "The largest tension of the history; empty if nothing pulls."),
     column("pull_off_time", Measure::Time, "When the tension is largest; soft where the maximum is flat."),
     column("pull_off_penetration", Measure::Length, "Δ where the tension is largest; soft where the maximum is flat."),
@@ -104,6 +126,8 @@ pub(super) const COLUMNS: [Definition; at::ALL] = [
         "∫F dΔ of whoever pulls, from where the force begins to pull before the largest tension to the end of that segment of the history (or its start, if it begins in tension); its bound is stated, not held to the accuracy.",
     ),
     column("work_to_pull_off", Measure::Energy, "The same to the largest tension only."),
+    column("dwell_radius", Measure::Length, columns::DWELL_RADIUS),
+    column("time_to_detach", Measure::Time, columns::TIME_TO_DETACH),
     column(
         "detachment_time",
         Measure::Time,
@@ -135,6 +159,7 @@ pub(super) fn present(indentation: &Indentation) -> Vec<usize> {
     let has = |place: &usize| match *place {
         at::FRAME => indentation.frame_stiffness.is_some(),
         at::MEASURED_FORCE | at::FORCE_DEVIATION | at::RMS_DEVIATION | at::DETERMINATION => has_measured_force(indentation),
+        place if (at::SEGMENT..at::PULL_OFF_FORCE).contains(&place) => repeats(indentation),
         place => indentation.energies || !at::ENERGIES.contains(&place),
     };
     (0..at::ALL).filter(has).collect()
@@ -148,7 +173,7 @@ pub(super) fn layout(indentation: &Indentation) -> Layout {
     };
     Layout {
         labels: Vec::new(),
-        states: of(&|place| place >= at::PULL_OFF_FORCE || place == at::PULL_OFF_RATIO),
+        states: of(&|place| place >= at::PULL_OFF_FORCE || matches!(place, at::PULL_OFF_RATIO | at::WORK_PER_CYCLE)),
         path: of(&|place| place < at::PULL_OFF_FORCE),
     }
 }

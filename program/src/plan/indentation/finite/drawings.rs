@@ -3,7 +3,7 @@
 use super::super::agreement;
 use super::FiniteRangePlan;
 use super::columns::{at, field, position};
-use super::rows::{DETACHMENT, LARGEST_TENSION, SUMMARY};
+use super::rows::{DETACHMENT, LARGEST_TENSION, REPETITION, SUMMARY};
 use crate::outcome::Row;
 use crate::outcome::plot::{Axis, Colour, Curve, Figure, Line, Marker};
 use crate::plan::curves::{axis_of, innermost, noted, shade, short, swept_axis, swept_label, thinned, thinning, value};
@@ -32,7 +32,7 @@ impl FiniteRangePlan {
             .iter()
             .enumerate()
             .map(|(place, &number)| {
-                let own = |row: &&Row| row.state == number && row.status.has_values() && row.label(0) != SUMMARY;
+                let own = |row: &&Row| row.state == number && row.status.has_values() && ![SUMMARY, REPETITION].contains(&row.label(0));
                 let rows: Vec<&Row> = rows.iter().filter(own).collect();
                 let label = rows.first().map_or_else(String::new, |row| swept_label(scene, &row.swept));
                 State { label, colour: shade(place, shown.len()), rows }

@@ -39,6 +39,8 @@ impl Piece {
 pub(super) struct Course {
     pub(super) start: Start,
     pub(super) pieces: Vec<Piece>,
+    /// The instant at the start of the history, and that at the end of each of its legs.
+    pub(super) boundaries: Vec<usize>,
     /// Times of surfaces, coherent.
     pub(super) surfaces: Vec<f64>,
 }
@@ -62,6 +64,8 @@ impl Course {
             (control, value) => Start::Held { control, value, relaxed },
         };
         let mut pieces: Vec<Piece> = Vec::new();
+        let mut boundaries = vec![0];
+        let mut ended = |instants: usize| boundaries.push(boundaries.last().copied().unwrap_or(0) + instants);
         let mut time = 0.0;
         let mut here = Some((quantity, value));
         for leg in &timeline.legs {
@@ -76,6 +80,7 @@ impl Course {
                 let motion = Motion::Swing { to, duration: leg.duration, oscillation: swing };
                 let instants = instants_of_a_swing(indentation.instants, &swing, begin, leg.duration);
                 let solver_leg = sphere::Leg { control: control(leg.quantity), motion };
+                ended(instants.len() + 1);
                 pieces.push(Piece {
                     leg: solver_leg,
                     instants,
@@ -91,6 +96,7 @@ impl Course {
             let goes_on = pieces.last_mut().filter(|piece| continues(piece, leg, from));
             if let Some(piece) = goes_on {
                 piece.instants.push(begin);
+                ended(1);
                 piece.end = time;
                 if let Motion::Ramp { to: end, duration } = &mut piece.leg.motion {
                     (*end, *duration) = (to, *duration + leg.duration);
@@ -100,7 +106,8 @@ impl Course {
             // What begins where only the solver knows is one leg: its rows are evenly spread.
             let open = from.is_none() && leg.duration > 0.0;
             let count = if open { indentation.instants } else { 1 };
-            let instants = (1..count).map(|k| begin + leg.duration * f64::from(k) / f64::from(count)).collect();
+            let instants: Vec<f64> = (1..count).map(|k| begin + leg.duration * f64::from(k) / f64::from(count)).collect();
+            ended(instants.len() + 1);
             let motion = Motion::Ramp { to, duration: leg.duration };
             let solver_leg = sphere::Leg { control: control(leg.quantity), motion };
             pieces.push(Piece {
@@ -114,7 +121,7 @@ impl Course {
             });
         }
         let surfaces = indentation.fields.iter().flat_map(|fields| &fields.times).map(|time| time / indentation.speed_factor);
-        Self { start, pieces, surfaces: surfaces.map(|wanted| wanted.min(time)).collect() }
+        Self { start, pieces, boundaries, surfaces: surfaces.map(|wanted| wanted.min(time)).collect() }
     }
 
     /// What the solver is asked.

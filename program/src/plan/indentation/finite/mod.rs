@@ -6,11 +6,13 @@ mod advice;
 mod bounds;
 mod columns;
 mod cost;
+mod curve;
 mod describe;
 mod drawings;
 mod fields;
 mod history;
 mod parts;
+mod repetitions;
 mod rows;
 mod scales;
 mod validity;
@@ -24,6 +26,7 @@ use crate::outcome::{Column, Effect, Group, Layout, Row, Validity, Work};
 use crate::plan::ProblemPlan;
 use crate::plan::citations::Citation;
 use crate::plan::maps::Answer;
+use crate::plan::path_curve::PathCurve;
 use crate::plan::plane_material::plane_material;
 use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Indentation, PoissonRatio, Scene, SceneAttraction, Units};
@@ -177,8 +180,9 @@ impl ProblemPlan for FiniteRangePlan {
             Ok(None) => self.rows(state, swept, state_watch),
             Err(refusal) => vec![self.refused(state, swept, &refusal)],
         };
-        super::locate::of_starts(&mut rows, &self.known);
-        super::agreement::put_into(&mut rows, &columns::columns(&self.indentation, self.units));
+        let table = columns::columns(&self.indentation, self.units);
+        super::locate::of_starts(&mut rows, &table, &self.known);
+        super::agreement::put_into(&mut rows, &table);
         rows
     }
 
@@ -188,6 +192,10 @@ impl ProblemPlan for FiniteRangePlan {
 
     fn figures(&self, scene: &Scene, rows: &[Row]) -> Vec<(String, Figure)> {
         self.drawings(scene, rows)
+    }
+
+    fn curve(&self, tolerance: f64) -> Option<Result<PathCurve, Refusal>> {
+        Some(self.way(tolerance))
     }
 
     fn answer(&self, _: &[Row]) -> Option<Answer> {

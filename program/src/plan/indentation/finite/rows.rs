@@ -20,6 +20,7 @@ use viscotack::refusal::Refusal;
 /// The words of rows.
 pub(super) const SUMMARY: &str = crate::outcome::SUMMARY;
 pub(super) const INSTANT: &str = "instant";
+pub(super) const REPETITION: &str = "repetition";
 pub(super) const LARGEST_TENSION: &str = "largest_tension";
 pub(super) const DETACHMENT: &str = "detachment";
 
@@ -74,6 +75,9 @@ impl FiniteRangePlan {
         }
         let ends = self.ends_of_segments(runs)?;
         all.extend(ends.iter().map(|(word, values, _)| (["event", *word], values.clone())));
+        let repetitions = self.of_repetitions(runs);
+        let last_repetition = repetitions.last().cloned();
+        all.extend(repetitions.into_iter().map(|values| ([REPETITION, ""], values)));
         all.iter_mut().for_each(|(_, values)| floors.raise(values));
         let end = all.iter().rfind(|(labels, _)| labels[0] == INSTANT).map(|(_, values)| values.clone());
         let mut scales = vec![0.0_f64; COLUMNS.len()];
@@ -122,6 +126,7 @@ impl FiniteRangePlan {
         let mut rows: Vec<Row> = timed.into_iter().map(|(_, row)| row).collect();
         let mut answer = self.row(state, swept, [SUMMARY, ""]);
         let mut values = self.of_state(runs, &floors, end.as_ref());
+        set(&mut values, [(at::WORK_PER_CYCLE, last_repetition.and_then(|row| row.get(at::WORK_PER_CYCLE).copied().flatten()))]);
         shift::widened(&mut values, &COLUMNS.map(|column| (column.name, column.measure)), &scales, &shifts);
         self.put(&mut answer, values, runs);
         self.conclude(&mut answer, &rows, runs);
@@ -198,11 +203,11 @@ impl FiniteRangePlan {
     }
 
     /// The tighter value, with the change between both runs as its bound.
-    fn between(&self, loose: f64, tight: f64, unit: f64) -> Estimate {
+    pub(super) fn between(&self, loose: f64, tight: f64, unit: f64) -> Estimate {
         self.reduced.of(tight, self.change(loose, tight), unit)
     }
 
-    fn depth(&self, loose: f64, tight: f64) -> Estimate {
+    pub(super) fn depth(&self, loose: f64, tight: f64) -> Estimate {
         self.reduced.penetration(tight, self.change(loose, tight))
     }
 
@@ -327,6 +332,10 @@ impl FiniteRangePlan {
             }
         }
         let loss = |place: usize| lost.as_ref().and_then(|row| row.get(place).copied().flatten());
+        let protocol = self.protocol(runs);
+        let pulled = self.pulling(runs).map_or(f64::INFINITY, |(_, tight)| tight.largest_tension.time);
+        let dwell = protocol.dwell(pulled);
+        let retraction = loss(at::TIME).and_then(|lost| protocol.retraction(lost.value));
         let last = |place: usize| end.and_then(|row| row.get(place).copied().flatten());
         let units = self.reduced.scales;
         let wider = |estimate: Estimate, place: usize| Estimate::new(estimate.value, estimate.error.max(floors.at(place)));
@@ -356,6 +365,8 @@ impl FiniteRangePlan {
             (at::PULL_OFF_RATIO, pull(at::PULL_OFF_RATIO)),
             (at::WORK_OF_SEPARATION, work(LegSummary::work_of_separation)),
             (at::WORK_TO_PULL_OFF, work(LegSummary::work_to_pull_off)),
+            (at::DWELL_RADIUS, dwell.and_then(|place| self.radius_between_legs(runs, place))),
+            (at::TIME_TO_DETACH, loss(at::TIME).zip(retraction).map(|(lost, begin)| Estimate::new(lost.value - begin, lost.error))),
             (at::DETACHMENT_TIME, loss(at::TIME)),
             (at::DETACHMENT_PENETRATION, loss(at::PENETRATION)),
             (at::LARGEST_RADIUS, largest(|row| row.contact_radius, units.radius, at::CONTACT_RADIUS)),
@@ -378,10 +389,14 @@ impl FiniteRangePlan {
     /// Puts coherent values into a row in the units of the scene; flags a row whose bounds are too wide.
     fn fill(&self, row: &mut Row, values: Values, scales: &[f64], runs: &Runs) {
         let event = row.label(0) == "event";
+        // Repetitions are stated.
+        let stated = row.label(0) == REPETITION;
         // Of events only the largest tension is held to the accuracy: when and where it acts, and where a fold is, is soft.
         let present = present(&self.indentation);
         let held = |place: usize| {
-            present.contains(&place) && (!event || (row.label(1) == LARGEST_TENSION && matches!(place, at::FORCE | at::PULL_OFF_RATIO)))
+            present.contains(&place)
+                && !stated
+                && (!event || (row.label(1) == LARGEST_TENSION && matches!(place, at::FORCE | at::PULL_OFF_RATIO)))
         };
         let shortfall = COLUMNS.iter().zip(&values).zip(scales).enumerate().find_map(|(place, ((definition, value), scale))| {
             let estimate = (*value)?;
@@ -424,7 +439,7 @@ impl FiniteRangePlan {
 }
 
 /// Puts values into their places.
-fn set<const N: usize>(values: &mut Values, cells: [(usize, Option<Estimate>); N]) {
+pub(super) fn set<const N: usize>(values: &mut Values, cells: [(usize, Option<Estimate>); N]) {
     for (place, value) in cells {
         if let Some(cell) = values.get_mut(place) {
             *cell = value;
