@@ -323,6 +323,49 @@ fn hysteresis_of_the_stage_is_found() {
     assert!(answer.stdout.contains("hysteresis of the stage"), "{}\n{}", answer.stdout, answer.stderr);
 }
 
+/// Force with a noise of 1 % and contact radius with one of 4 %, of one test: each column has its own noise, and both count.
+#[test]
+fn two_columns_have_each_their_noise() {
+    let scene = std::fs::read_to_string(repository("scenes/fits/pull_off.toml")).unwrap();
+    let (before, _) = scene.split_once("[fit]").unwrap();
+    let truth =
+        before.replace("\"100 mJ/m²\"", "\"55 mJ/m²\"").replace("\"100 N/m\"", "\"180 N/m\"").replace("start =", "instants = 60\nstart =");
+    let found = Folder::with(&truth).call(&["run", "scene.toml", "--json"]).json();
+    let number = |row: &serde_json::Value, name: &str| row["values"][name]["value"].as_f64().unwrap();
+    let rows: Vec<[f64; 3]> = found["results"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|row| row["row"] == "instant")
+        .map(|row| ["time", "force", "contact_radius"].map(|name| number(row, name)))
+        .collect();
+    let scale = |place: usize| rows.iter().map(|row| row[place].abs()).fold(0.0, f64::max);
+    let sigmas = [0.01 * scale(1), 0.04 * scale(2)];
+    let mut normal = Normal::of(21, 1);
+    let lines: Vec<String> = rows
+        .iter()
+        .map(|[time, force, radius]| {
+            format!("{time},{:e},{:e}\n", force + sigmas[0] * normal.sample(), radius + sigmas[1] * normal.sample())
+        })
+        .collect();
+    let folder = pull_off(
+        &FREE.replace("\"force\"", "[\"force\", \"contact_radius\"]"),
+        &format!("time [s],force [N],contact radius [m]\n{}", lines.concat()),
+    );
+    let summary = folder.call(&["fit", "scene.toml", "--json"]).ended(0).json();
+    println!("{}", summary["data"]);
+    for (place, truth) in [0.055, 180.0].into_iter().enumerate() {
+        let found = &summary["parameters"][place];
+        let [low, high] = ["lower", "upper"].map(|end| found["interval_by_profile_95"][end]["value"].as_f64().unwrap());
+        assert!((found["value"].as_f64().unwrap() - truth).abs() < high - low && high - low < 0.05 * truth, "{found}");
+    }
+    for (group, sigma) in summary["data"].as_array().unwrap().iter().zip(sigmas) {
+        let noise = group["root_mean_square"].as_f64().unwrap();
+        // 60 rows: 9 % is one standard deviation.
+        assert!((noise / sigma - 1.0).abs() < 0.35, "{group} {sigma:e}");
+    }
+}
+
 /// A small stiff bead with an attraction of 200 nm (Tabor number 1.2 relaxed, 0.4 glassy) and 50 mJ/m², pressed and pulled off; `{}` stands for the adhesion.
 const BEAD: &str = "[material]\nrelaxed_modulus = \"1 MPa\"\npoisson_ratio = 0.5\nrelaxation = [{ modulus = \"4 MPa\", relaxation_time = \"0.5 s\" }]\n\
     [adhesion]\n{}\n\

@@ -29,7 +29,7 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
     if setup.across {
         return Ok(());
     }
-    for (test, given) in setup.tests.iter().zip(&setup.task.tests) {
+    for (place, (test, given)) in setup.tests.iter().zip(&setup.task.tests).enumerate() {
         let wrong = |message: String, label: String, help: String| Err(SceneError::at(&given.table.place, message, label).help(help));
         // A scene that does not go at its own values may go elsewhere between the bounds.
         let Ok(curve) = curve_of(&test.document, 1e-2, test.beside) else { continue };
@@ -63,7 +63,7 @@ pub(super) fn before(setup: &Setup) -> Result<(), SceneError> {
             );
         }
         let models = |places: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-            let at = |values: Vec<f64>| test.model(&scene_values(setup, &values), super::compare::Offsets::default(), 1e-2).ok();
+            let at = |values: Vec<f64>| test.model(&scene_values(setup, &values), setup.offsets(place, &values), 1e-2).ok();
             places.into_par_iter().filter_map(at).collect()
         };
         let few = models(places(setup));

@@ -42,6 +42,15 @@ pub(super) fn loss(values: &[f64], pull_is_negative: bool) -> Option<[usize; 2]>
     (quiet && held && jump > 8.0 * sigma && fall > 8.0 * sigma).then_some([from, to])
 }
 
+/// Whether what is at rest before a jump into contact and after its loss is the same: that nothing touches. A load that begins to fall is no such jump.
+pub(super) fn rest_alike(values: &[f64], gain: [usize; 2], loss: [usize; 2]) -> bool {
+    let [before, after] = [values.get(..=gain[0]), values.get(loss[1]..)].map(|rows| rows.and_then(|rows| median(rows.to_vec())));
+    before
+        .zip(after)
+        .zip(values.get(gain[1]))
+        .is_some_and(|((before, after), first)| (before - after).abs() <= 0.5 * (first - before).abs())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,6 +85,18 @@ mod tests {
         let mut still: Vec<f64> = curve(1e-2).split_off(70);
         still[20] -= 0.5;
         assert_eq!(loss(&still, true), None);
+    }
+
+    /// A sphere that rests under a load and is then pulled off, in rows that stand close at first: nothing jumps into contact. One that comes from afar does.
+    #[test]
+    fn what_rests_before_a_contact_is_what_rests_after_it() {
+        let pull = |row: i32| 50.0 - f64::from(row).powi(2) / 8.0;
+        let values: Vec<f64> = (0..30).map(|row| if row < 24 { pull(row) } else { 0.0 }).collect();
+        let lost = loss(&values, true).expect("the contact is lost");
+        assert!(!rest_alike(&values, [4, 8], lost));
+        let approached: Vec<f64> =
+            std::iter::repeat_n(0.0, 10).chain((0..30).map(|row| if row < 24 { -10.0 + f64::from(row) } else { 0.1 })).collect();
+        assert!(rest_alike(&approached, [9, 10], [33, 34]));
     }
 
     #[test]

@@ -18,8 +18,8 @@ const PEAK: &str = "adhesion.peak_stress";
 /// Keys of [adhesion] that belong to one of both theories.
 const OF_AN_EDGE: [&str; 2] = ["process_zone", "interaction_range"];
 const OF_A_LAW: [&str; 4] = ["law", "range", "peak_stress", "ramp"];
-/// Above this glassy Tabor number the range is short against a contact: an edge is its limit, and a run takes thousands of steps.
-const SHORT_RANGE: f64 = 9.0;
+/// Above this glassy Tabor number an edge is the limit of a law: pull-offs of elastic spheres differ by less than 2 %, and a run takes thousands of steps.
+const SHORT_RANGE: f64 = 5.0;
 /// Below this one the range is so long that the contact is that of DMT.
 const LONG_RANGE: f64 = 0.05;
 /// Bounds of what takes the place of a free number, about its value, by this factor.
@@ -115,7 +115,7 @@ pub(super) fn has_a_long_range(document: &Document) -> Result<(), String> {
     let tabor = glassy_tabor_number(document)?;
     if tabor > SHORT_RANGE {
         return Err(format!(
-            "glassy Tabor number {tabor:.1}: the range is so short that an edge is its limit, and one run would take thousands of steps"
+            "glassy Tabor number {tabor:.1}: above {SHORT_RANGE} a range of attraction is so short that an edge is its limit (elastic pull-offs differ by less than 2 %)"
         ));
     }
     Ok(())
