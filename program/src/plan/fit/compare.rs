@@ -88,9 +88,7 @@ impl Comparison {
         self.loss = noise::loss(&column.values, pulls);
         let reversed: Vec<f64> = column.values.iter().rev().copied().collect();
         let gain = noise::loss(&reversed, pulls).map(|[inside, outside]| [count - 1 - outside, count - 1 - inside]);
-        let first_gain =
-            |gain: &[usize; 2]| self.loss.is_none_or(|loss| gain[1] < loss[0] && noise::rest_alike(&column.values, *gain, loss));
-        self.gain = gain.filter(first_gain);
+        self.gain = gain.filter(|gain| self.loss.is_none_or(|loss| gain[1] < loss[0]));
         let on_a_fall = |row: &usize| [self.gain, self.loss].into_iter().flatten().any(|[from, to]| *row > from && *row < to);
         let beside_loss = self.beside_loss();
         self.rows.retain(|row| !on_a_fall(row) && !beside_loss.contains(row));
