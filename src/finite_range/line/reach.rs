@@ -113,8 +113,10 @@ pub(super) fn every(problem: &Problem, largest: usize, cells: f64) -> Vec<Reache
     let range = if has_steep_ramp(problem) { Path::RangeThenRamp } else { Path::Range };
     for start in STARTS {
         for lift in search.lifts().into_iter().chain([CLOSED]) {
+            if search.work > SEARCH_BUDGET {
+                return all;
+            }
             let found = search.follow(range, lift, start);
-            search.work = 0;
             found.into_iter().for_each(|found| add(search.reached(found, range)));
         }
     }

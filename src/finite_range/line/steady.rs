@@ -6,7 +6,7 @@
 use super::bounds::{self, Convergence};
 use super::grid::{Equations, State};
 use super::newton;
-use super::problem::Problem;
+use super::problem::{Control, Problem};
 use super::reach::{self, Place, Reached};
 use super::solution::{self, Certificate, Differences, Fields, Numbers};
 use crate::finite_range::law::Law;
@@ -17,6 +17,11 @@ const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
 
 /// Nodes along x of the coarsest grid that a neighbour is followed on.
 const COARSEST_OF_A_NEIGHBOUR: usize = 128;
+
+/// A pull is reached in so many steps, halved down to this part of them; the accuracy on the way.
+const PULLS: f64 = 4.0;
+const SHORTER: f64 = 64.0;
+const ON_THE_WAY: f64 = 0.05;
 
 /// Numbers that differ by less than this part of themselves belong to one state.
 const SAME: f64 = 1e-3;
@@ -52,6 +57,8 @@ pub enum ReachedBy {
     ColdStart(reach::Path),
     /// Followed from a neighbouring state.
     Continuation,
+    /// Followed from no load by lowering the mean pressure, where the cold start at a pull is lost.
+    Unloading,
     /// The closed form of full contact.
     FullContact,
 }
@@ -139,6 +146,13 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
     if let Some(refusal) = lost_on_a_grid {
         return Err(refusal);
     }
+    // A long range holds no pull that a short one does: the load is lowered at the real range.
+    if let (Control::MeanPressure(wanted), true) = (problem.control, lost.is_some())
+        && wanted < 0.0
+        && let Ok(state) = unloaded(problem, request, wanted)
+    {
+        return Ok(state);
+    }
     // A search that found no partial contact leaves the full one; a search that was never made leaves nothing.
     match lost {
         Some(refusal) => super::full::full_contact(problem, request).map_err(|_| refusal),
@@ -150,6 +164,25 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
                 request.most_nodes
             ),
         }),
+    }
+}
+
+/// The state under a pull, from the one without load.
+fn unloaded(problem: &Problem, request: &Request, wanted: f64) -> Result<SteadyState, Refusal> {
+    let at = |load: f64| Problem { control: Control::MeanPressure(load), ..problem.clone() };
+    let rough = Request { accuracy: request.accuracy.max(ON_THE_WAY), ..*request };
+    let mut state = solve(&at(0.0), &rough)?;
+    let (mut load, mut step) = (0.0, wanted / PULLS);
+    let shortest = step.abs() / SHORTER;
+    loop {
+        let last = (wanted - load).abs() <= step.abs() * (1.0 + 1e-9);
+        let next = if last { wanted } else { load + step };
+        match follow(&at(next), &state, if last { request } else { &rough }) {
+            Ok(found) if last => return Ok(SteadyState { reached_by: ReachedBy::Unloading, ..found }),
+            Ok(found) => (state, load) = (found, next),
+            Err(refusal) if step.abs() < shortest => return Err(refusal),
+            Err(_) => step *= 0.5,
+        }
     }
 }
 
@@ -165,7 +198,8 @@ pub fn every(problem: &Problem, request: &Request) -> Result<Vec<SteadyState>, R
         let path = ReachedBy::ColdStart(reached.path);
         refine(problem, request, reached, path).ok()
     });
-    for found in others.chain(super::full::full_contact(problem, request)) {
+    // Full contact first: its closed form knows how it was reached.
+    for found in super::full::full_contact(problem, request).into_iter().chain(others) {
         if !all.iter().any(|other| other.is_same(&found)) {
             all.push(found);
         }

@@ -82,10 +82,7 @@ impl SurfacePlan {
             Ok(fold) if wanted < fold.numbers.mean_pressure - fold.errors.mean_pressure => {
                 let gap = self.in_units(Estimate::new(fold.numbers.mean_gap, fold.errors.mean_gap), Measure::Height);
                 let unit = if self.units == Units::Si { " m" } else { "" };
-                let reason = format!(
-                    "the contact parts at its fold, at the mean gap {:.6e}{unit}; the search at the wanted pressure ended with: {refusal}",
-                    gap.value
-                );
+                let reason = format!("the contact parts at its fold, at the mean gap {:.6e}{unit}", gap.value);
                 Refusal::NoSuchState { reason, limit_name: "least mean pressure of the contact", limit: fold.numbers.mean_pressure }
             }
             _ => refusal,
@@ -152,7 +149,7 @@ impl SurfacePlan {
         match (state.reached_by, self.sliding.reached_by) {
             (ReachedBy::FullContact, _) => "closed_form",
             (ReachedBy::Continuation, SurfacePath::Loading) => "loading",
-            (ReachedBy::Continuation, SurfacePath::Unloading) => "unloading",
+            (ReachedBy::Continuation, SurfacePath::Unloading) | (ReachedBy::Unloading, _) => "unloading",
             (ReachedBy::Continuation, SurfacePath::LongRange | SurfacePath::Every) => "neighbour",
             (ReachedBy::ColdStart(Path::Range | Path::RangeThenRamp), _) => "long_range",
             (ReachedBy::ColdStart(Path::ModulusThenRange | Path::RangeThenModulus), _) => "relaxed_solid",
@@ -174,7 +171,7 @@ impl SurfacePlan {
         row.labels[2] = self.way(state).to_owned();
         row.values = self.values(problem, state);
         let stability = state.stability(problem);
-        let full = state.reached_by != ReachedBy::FullContact && full_contact(problem, &self.request()).is_ok();
+        let full = fraction < 1.0 && full_contact(problem, &self.request()).is_ok();
         row.values.extend(self.stabilities(&stability, problem.control));
         row.values.push(Some(Estimate::exact(f64::from(u8::from(full)))));
         if stability.in_frame(problem.control.stiffness()) == Stability::Unstable {
