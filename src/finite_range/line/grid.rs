@@ -156,12 +156,21 @@ impl Equations {
         field.iter_mut().zip(&self.free).for_each(|(v, free)| *v = if *free { *v - middle } else { 0.0 });
     }
 
-    /// The linear part times a positive operator near its inverse, among these disturbances.
-    pub(super) fn held_gap_product(&mut self, input: &[f64], output: &mut [f64]) {
+    /// A symmetric positive operator of the size of the inverse: it leaves a stiffness that only loses energy on the right of the imaginary axis.
+    pub(super) fn positive_softness(&self) -> Vec<Complex64> {
+        let nodes = self.len() as f64;
+        let mut symbol: Vec<Complex64> =
+            self.stiffness.iter().map(|a| Complex64::from(((a.norm() * nodes + SHIFT) * nodes).recip())).collect();
+        symbol.iter_mut().take(1).for_each(|mean| *mean = Complex64::default());
+        symbol
+    }
+
+    /// The linear part times that operator, among these disturbances.
+    pub(super) fn held_gap_product(&mut self, softness: &[Complex64], input: &[f64], output: &mut [f64]) {
         let scale = |scaling: &Option<Vec<f64>>, i: usize| scaling.as_ref().map_or(1.0, |s| s[i]);
         self.products += 1;
         self.work.iter_mut().enumerate().for_each(|(i, w)| *w = input[i] * scale(&self.scaling, i));
-        self.grid.apply(&self.softness, &self.work, output);
+        self.grid.apply(softness, &self.work, output);
         output.iter_mut().enumerate().for_each(|(i, v)| *v *= scale(&self.scaling, i));
         self.onto_held_gap(output);
         self.work.copy_from_slice(output);

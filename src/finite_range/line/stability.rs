@@ -2,9 +2,10 @@
 //!
 //! A disturbance that grows without oscillating passes through rest at a fold: there the linearised steady equations are singular. On the
 //! way from a very fast disturbance, which meets a stiffer body, to a very slow one each growing disturbance leaves one negative
-//! eigenvalue of these equations. They are counted by Arnoldi's method on the preconditioned equations at a held mean gap, which cluster
-//! about one, so that few products find those that lie off. One more solve gives d(mean pressure)/d(mean gap) along the branch: a held
-//! pressure or a frame adds one growing disturbance where the pressure rises with the gap faster than the frame's.
+//! eigenvalue of these equations. They are counted by Arnoldi's method at a held mean gap, on the equations times a symmetric positive operator:
+//! without the law all eigenvalues lie right of the imaginary axis, so that few products find those on the left. One more solve gives
+//! d(mean pressure)/d(mean gap) along the branch: a held pressure or a frame adds one growing disturbance where the pressure rises with the
+//! gap faster than the frame's.
 
 use super::gmres;
 use super::grid::{Equations, State, mean};
@@ -116,12 +117,13 @@ fn growing(equations: &mut Equations) -> Option<usize> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut before: Option<(usize, f64)> = None;
     let mut largest = 0.0_f64;
+    let softness = equations.positive_softness();
     let mut product = vec![0.0; n];
     for size in SIZES {
         let mut complete = false;
         while columns.len() < size && !complete {
             let last = basis.last()?;
-            equations.held_gap_product(last, &mut product);
+            equations.held_gap_product(&softness, last, &mut product);
             let mut column = vec![0.0; basis.len()];
             // Twice: what rounding leaves of the wall and of the mean gap would show as eigenvalues near zero.
             for _ in 0..2 {

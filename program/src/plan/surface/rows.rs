@@ -92,10 +92,10 @@ impl SurfacePlan {
     /// The refusal in the units of the scene.
     pub(super) fn refuse(&self, row: &mut Row, refusal: &Refusal) {
         if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
-            let (factor, unit) = if limit_name.contains("gap") { (self.scales.height, "m") } else { (self.scales.pressure, "Pa") };
+            let (factor, unit) = if limit_name.contains("gap") { (self.scales.height, " m") } else { (self.scales.pressure, " Pa") };
             let unit = if self.units == Units::Si { unit } else { "" };
             let limit = limit * factor;
-            row.refuse(&Refusal::NoSuchState { reason: format!("{reason} ({limit_name}: {limit:.6e} {unit})"), limit_name, limit });
+            row.refuse(&Refusal::NoSuchState { reason: format!("{reason} ({limit_name}: {limit:.6e}{unit})"), limit_name, limit });
         } else {
             row.refuse(refusal);
         }
