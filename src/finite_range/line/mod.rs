@@ -8,8 +8,9 @@
 //! ```
 //! One state costs some ten to a hundred products with A, each two fast Fourier transforms, whatever the material.
 //!
-//! [`solve`] gives one state with error bounds from three grids or more, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
-//! [`locate`] a fold with its error, [`pull_off`] the one of a pulled contact, [`every`] the states that a search finds. Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came.
+//! [`solve`] gives one state with error bounds from three grids or more, [`follow`] the next one of a sweep, [`every`] the states that a search finds,
+//! [`full_contact`] the closed form, [`trace`] a branch through its folds, [`locate`] a fold with its error, [`pull_off`] the one of a pulled contact.
+//! Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came, [`SteadyState::stability`] whether it stays.
 //!
 //! | file | idea |
 //! |---|---|
