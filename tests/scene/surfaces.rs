@@ -293,6 +293,6 @@ fn every_state_of_one_load_is_a_row() {
     }
     let full = 0.5 * 0.05 * 0.9 / (1.0 + 0.005_f64.powi(2));
     assert!((value(&outcome, &outcome.rows[1], "friction_stress").value - full).abs() < 1e-12);
-    let edges = format!("{MATERIAL}[adhesion]\nwork_of_adhesion = 0.006\n{sliding}wave = {{}}\n");
+    let edges = format!("{MATERIAL}[adhesion]\nwork_of_adhesion = 0.006\nprocess_zone = {{ length = 0.1 }}\n{sliding}wave = {{}}\n");
     assert!(solved_in(&edges, Path::new(".")).unwrap_err().contains("every"));
 }

@@ -207,7 +207,7 @@ def main():
         start = line.solve(gap, gap <= 0, 0.1, (0, 1, 0.1))
         if start is None:
             continue
-        states = [state for state in line.branch(start, 40) if not state[1].all()]
+        states = [state for state in line.branch(start, 40) if state[1].any() and not state[1].all()]
         # Points next to a fold are left out: on this coarse grid they may lie on its other side.
         runs = lambda a, b, c: (b - a) * (c - b) > 0
         clear = [
@@ -218,7 +218,7 @@ def main():
         for state in clear[:: max(1, len(clear) // POINTS)]:
             candidates = [row for row in rows_of(options.program, scene(line, state[0].mean())) if row.get("mean_pressure")]
             near = lambda row: abs(float(row["mean_pressure"]) - state[2])
-            same = [row for row in candidates if near(row) <= 0.01 + 0.05 * abs(state[2])]
+            same = [row for row in candidates if near(row) <= 0.003 + 0.03 * abs(state[2])]
             if not same:
                 tally["not among the states of the program"] += 1
                 continue
