@@ -25,7 +25,7 @@ const SPREAD: f64 = 0.1;
 const STRAIGHT: f64 = 0.7;
 
 /// Nodes along x at least, and states at most, on the way to the fold of a pulled contact; the small load at which it may start, over half of the height.
-const PULL_OFF_NODES: usize = 512;
+const PULL_OFF_NODES: usize = 1024;
 const PULL_OFF_POINTS: usize = 200;
 const LIGHT: f64 = 0.1;
 
@@ -136,22 +136,21 @@ pub fn trace_refined(problem: &Problem, nodes: usize, direction: Direction, poin
 /// [`Refusal`] for a problem without meaning, and where no fold is found on the way down.
 pub fn pull_off(problem: &Problem, request: &Request) -> Result<Fold, Refusal> {
     let largest = request.most_nodes / 4;
-    let nodes = reach::nodes_for(problem, problem.attraction.range, 0.5).max(PULL_OFF_NODES).min(largest);
+    let own = problem.profile.own_nx().next_power_of_two().max(PULL_OFF_NODES);
+    let nodes = reach::nodes_for(problem, problem.attraction.range, 0.5).max(own).min(largest);
     let mut lost = Refusal::NotConverged { what: "the fold of a pulled contact", detail: "its branch ends before it turns".to_owned() };
-    for load in [0.0, LIGHT * problem.profile.half_height()] {
+    for (nodes, load) in [(nodes, 0.0), (2 * nodes, 0.0), (nodes, LIGHT * problem.profile.half_height())] {
         let problem = Problem { control: Control::MeanPressure(load), ..problem.clone() };
-        let start = match start(&problem, nodes) {
-            Ok(start) => start,
-            Err(refusal) => {
-                lost = refusal;
-                continue;
-            }
-        };
-        let mut tracer = Tracer::new(&problem, start.0, start.1, false);
-        tracer.until = Some(FoldKind::LeastPressure);
-        let branch = tracer.run(Direction::Unloading, PULL_OFF_POINTS);
-        if let Some(fold) = branch.folds.iter().find(|fold| fold.kind == FoldKind::LeastPressure) {
-            return locate(&problem, fold);
+        let located = start(&problem, nodes.min(largest)).map(|(equations, state)| {
+            let mut tracer = Tracer::new(&problem, equations, state, false);
+            tracer.until = Some(FoldKind::LeastPressure);
+            let branch = tracer.run(Direction::Unloading, PULL_OFF_POINTS);
+            branch.folds.iter().find(|fold| fold.kind == FoldKind::LeastPressure).map(|fold| locate(&problem, fold))
+        });
+        match located {
+            Ok(Some(Ok(fold))) => return Ok(fold),
+            Ok(Some(Err(refusal))) | Err(refusal) => lost = refusal,
+            Ok(None) => {}
         }
     }
     Err(lost)
