@@ -28,7 +28,7 @@ use viscotack::finite_range::line::{
 use viscotack::material::CreepTerm;
 use viscotack::sliding::layer::{Backing, Layer};
 
-fn reference() -> Value {
+pub(crate) fn reference() -> Value {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("reference_data/finite_range.json");
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
@@ -38,7 +38,7 @@ fn numbers(list: &Value) -> Vec<f64> {
 }
 
 /// A material with E0 = 1 and retardation times in units of the first one.
-fn material(beta: f64, strengths: &[f64], times: &[f64]) -> Modulus {
+pub(crate) fn material(beta: f64, strengths: &[f64], times: &[f64]) -> Modulus {
     let terms: Vec<CreepTerm> =
         strengths.iter().zip(times).map(|(&compliance, &retardation_time)| CreepTerm { compliance, retardation_time }).collect();
     modulus_of(&Material::from_creep(beta, &terms, None).unwrap()).unwrap()
@@ -53,7 +53,7 @@ fn wave() -> Profile {
 }
 
 /// One wave, β = 10, exponential law.
-fn usual(speed: f64, gamma: f64, range: f64, control: Control) -> Problem {
+pub(crate) fn usual(speed: f64, gamma: f64, range: f64, control: Control) -> Problem {
     let attraction = Attraction::new(Law::Exponential, TAU * gamma, range).unwrap();
     Problem { profile: wave(), modulus: standard(10.0), speed, attraction, layer: None, control }
 }
@@ -103,7 +103,7 @@ fn assert_certified(what: &str, problem: &Problem, state: &SteadyState) {
     assert!(balance.abs() <= 1e-8 + 10.0 * c.residual, "{what}: mean pressure off by {balance:e}");
 }
 
-fn assert_within(what: &str, got: f64, want: f64, bound: f64) {
+pub(crate) fn assert_within(what: &str, got: f64, want: f64, bound: f64) {
     assert!((got - want).abs() <= bound, "{what}: {got} is not {want} to {bound:.1e}: off by {:.1e}", got - want);
 }
 
@@ -269,10 +269,10 @@ fn what_has_no_meaning_or_no_state_is_refused() {
 }
 
 /// A number between 0 and 1 from a counter (splitmix64).
-struct Dice(u64);
+pub(crate) struct Dice(pub(crate) u64);
 
 impl Dice {
-    fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -280,7 +280,7 @@ impl Dice {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.unit())
     }
 }

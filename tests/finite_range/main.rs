@@ -4,3 +4,4 @@
 mod line;
 mod sphere;
 mod sphere_samples;
+mod stability;

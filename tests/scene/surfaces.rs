@@ -259,3 +259,40 @@ fn a_pull_without_adhesion_is_no_state() {
     assert_eq!(outcome.rows[0].status, Status::NoSuchState);
     assert_eq!(outcome.exit_code(), 3);
 }
+
+/// A pull beyond pull-off names the fold of `reference_data/finite_range.json` (panels, another discretisation), in both unit systems.
+#[test]
+fn a_pull_that_no_state_carries_is_refused_with_its_fold() {
+    let pulled = |load: &str| SLIDING.replace("speed = 0.5", "speed = 0.05").replace("0.12", load);
+    let outcome = solved(&format!("{MATERIAL}{LAW}{}wave = {{}}\n", pulled("-0.06")));
+    let row = &outcome.rows[0];
+    assert_eq!(row.status, Status::NoSuchState, "{row:?}");
+    let reason = row.reason.clone().unwrap();
+    let after = |word: &str| -> f64 {
+        let rest = reason.split(word).nth(1).unwrap_or_else(|| panic!("{reason}"));
+        rest.split([' ', ')', ';']).find(|part| !part.is_empty()).unwrap().parse().unwrap_or_else(|_| panic!("{reason}"))
+    };
+    let (pressure, gap) = (after("least mean pressure of the contact: "), after("mean gap "));
+    assert!((pressure + 0.041_227).abs() < 1e-5 && (gap - 1.154_8).abs() < 3e-3, "{reason}");
+    // A pull just below the fold has its stable state.
+    let held = solved(&format!("{MATERIAL}{LAW}{}wave = {{}}\n", pulled("-0.041")));
+    assert_eq!(first(&held, "stable_under_mean_pressure").value, 1.0);
+    assert!(first(&held, "mean_gap").value < gap);
+}
+
+/// Every state of one load: the partial contact and full contact, whose friction has a closed form.
+#[test]
+fn every_state_of_one_load_is_a_row() {
+    let sliding = SLIDING.replace("speed = 0.5", "speed = 0.05\nreached_by = \"every\"");
+    let outcome = solved(&format!("{MATERIAL}{LAW}{sliding}wave = {{}}\n"));
+    let labels: Vec<[&str; 2]> = outcome.rows.iter().map(|row| [row.label(1), row.label(2)]).collect();
+    assert_eq!(labels, [["partial", "long_range"], ["full", "closed_form"]]);
+    for row in &outcome.rows {
+        assert_eq!(value(&outcome, row, "other_states").value, 1.0);
+        assert_eq!(value(&outcome, row, "stable_under_mean_pressure").value, 1.0);
+    }
+    let full = 0.5 * 0.05 * 0.9 / (1.0 + 0.005_f64.powi(2));
+    assert!((value(&outcome, &outcome.rows[1], "friction_stress").value - full).abs() < 1e-12);
+    let edges = format!("{MATERIAL}[adhesion]\nwork_of_adhesion = 0.006\nprocess_zone = {{ length = 0.1 }}\n{sliding}wave = {{}}\n");
+    assert!(solved_in(&edges, Path::new(".")).unwrap_err().contains("every"));
+}

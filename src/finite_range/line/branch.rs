@@ -4,11 +4,14 @@
 //! under an imposed gap. Both are read off the branch and then located on three grids ([`super::fold`]).
 
 use super::bounds;
+use super::fold::{Fold, locate};
 use super::grid::{Equations, State};
 use super::newton;
 use super::problem::{Control, Problem};
 use super::reach::{self, Place};
 use super::solution::{self, Certificate, Numbers};
+use super::stability::{OnGrid, StateStability};
+use super::steady::Request;
 use crate::refusal::{Refusal, require_positive};
 
 /// Longest and shortest step (gap over half height and pressure over the stiffness of one wave, together).
@@ -20,6 +23,11 @@ const EASY: usize = 8;
 const SPREAD: f64 = 0.1;
 /// Least cosine between two successive steps of one branch.
 const STRAIGHT: f64 = 0.7;
+
+/// Nodes along x at least, and states at most, on the way to the fold of a pulled contact; the small load at which it may start, over half of the height.
+const PULL_OFF_NODES: usize = 1024;
+const PULL_OFF_POINTS: usize = 200;
+const LIGHT: f64 = 0.1;
 
 /// The way along the branch from the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,6 +110,8 @@ pub struct Refined {
     pub nodes: usize,
     /// Products, each times the nodes of its grid.
     pub node_products: usize,
+    /// Whether it stays where it is, on the two coarser grids.
+    pub stability: StateStability,
 }
 
 /// Follows the branch of the cold-started state of `problem` on `nodes` nodes along x.
@@ -120,9 +130,41 @@ pub fn trace_refined(problem: &Problem, nodes: usize, direction: Direction, poin
     trace_with(problem, nodes, direction, points, true)
 }
 
+/// The fold at which a contact parts under a falling mean pressure: of the state to which a long range of the law leads at no load, or at a small one.
+///
+/// # Errors
+/// [`Refusal`] for a problem without meaning, and where no fold is found on the way down.
+pub fn pull_off(problem: &Problem, request: &Request) -> Result<Fold, Refusal> {
+    let largest = request.most_nodes / 4;
+    let own = problem.profile.own_nx().next_power_of_two().max(PULL_OFF_NODES);
+    let nodes = reach::nodes_for(problem, problem.attraction.range, 0.5).max(own).min(largest);
+    let mut lost = Refusal::NotConverged { what: "the fold of a pulled contact", detail: "its branch ends before it turns".to_owned() };
+    for (nodes, load) in [(nodes, 0.0), (2 * nodes, 0.0), (nodes, LIGHT * problem.profile.half_height())] {
+        let problem = Problem { control: Control::MeanPressure(load), ..problem.clone() };
+        let located = start(&problem, nodes.min(largest)).map(|(equations, state)| {
+            let mut tracer = Tracer::new(&problem, equations, state, false);
+            tracer.until = Some(FoldKind::LeastPressure);
+            let branch = tracer.run(Direction::Unloading, PULL_OFF_POINTS);
+            branch.folds.iter().find(|fold| fold.kind == FoldKind::LeastPressure).map(|fold| locate(&problem, fold))
+        });
+        match located {
+            Ok(Some(Ok(fold))) => return Ok(fold),
+            Ok(Some(Err(refusal))) | Err(refusal) => lost = refusal,
+            Ok(None) => {}
+        }
+    }
+    Err(lost)
+}
+
 fn trace_with(problem: &Problem, nodes: usize, direction: Direction, points: usize, refine: bool) -> Result<Branch, Refusal> {
-    problem.check()?;
+    let (equations, state) = start(problem, nodes)?;
     require_positive("points", points as f64)?;
+    Ok(Tracer::new(problem, equations, state, refine).run(direction, points))
+}
+
+/// The cold-started state on the grid of a branch.
+fn start(problem: &Problem, nodes: usize) -> Result<(Equations, State), Refusal> {
+    problem.check()?;
     let reached = reach::cold(problem, nodes, 0.5)?;
     let (mut equations, mut state) = (reached.equations, reached.state);
     let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
@@ -133,7 +175,7 @@ fn trace_with(problem: &Problem, nodes: usize, direction: Direction, points: usi
             detail: format!("lost on {} nodes, residual {:.1e}", equations.grid.nx(), stalled.residual),
         })?;
     }
-    Ok(Tracer::new(problem, equations, state, refine).run(direction, points))
+    Ok((equations, state))
 }
 
 struct Tracer<'a> {
@@ -145,6 +187,8 @@ struct Tracer<'a> {
     points: Vec<Numbers>,
     states: Vec<State>,
     refined: Option<Vec<Option<Refined>>>,
+    /// The fold after which it may end.
+    until: Option<FoldKind>,
 }
 
 impl<'a> Tracer<'a> {
@@ -153,7 +197,7 @@ impl<'a> Tracer<'a> {
         let one_wave = equations.grid.ny();
         let stiffness = equations.stiffness[one_wave].norm() * equations.len() as f64;
         let units = [half_height, half_height * stiffness];
-        Self { problem, equations, state, units, points: Vec::new(), states: Vec::new(), refined: refine.then(Vec::new) }
+        Self { problem, equations, state, units, points: Vec::new(), states: Vec::new(), refined: refine.then(Vec::new), until: None }
     }
 
     fn keep(&mut self, report: newton::Report) {
@@ -175,11 +219,15 @@ impl<'a> Tracer<'a> {
         let place = Place { range: self.problem.attraction.range, stiffening: 1.0, ramp: None };
         let mut node_products = std::mem::take(&mut self.equations.products) * self.equations.len();
         let mut history = vec![numbers.list()];
+        let row = self.equations.row;
+        let mut grids = vec![OnGrid::of(&mut self.equations, &self.state)];
+        self.equations.row = row;
         let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
         let mut patches = (patches, patches);
         let mut last = None;
         for grid in 0..2 {
             if grid > 0 {
+                grids.push(OnGrid::of(&mut equations, &state));
                 (equations, state) = reach::refined(self.problem, &equations, &state, place);
             }
             equations.row = self.equations.row;
@@ -209,6 +257,7 @@ impl<'a> Tracer<'a> {
             certificate,
             nodes: equations.grid.nx(),
             node_products,
+            stability: StateStability { grids },
         })
     }
 
@@ -238,6 +287,9 @@ impl<'a> Tracer<'a> {
                 }
             }
             folds.extend(self.fold());
+            if folds.last().is_some_and(|fold| Some(fold.kind) == self.until) {
+                break;
+            }
             if let Some(reason) = self.finished() {
                 end = reason;
                 break;

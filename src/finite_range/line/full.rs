@@ -57,6 +57,7 @@ pub fn full_contact(problem: &Problem, request: &Request) -> Result<SteadyState,
         nodes_needed: nx,
         products: 2,
         node_products: 2 * n,
+        coarser: vec![(nx, state)],
     })
 }
 

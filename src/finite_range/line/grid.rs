@@ -147,6 +147,39 @@ impl Equations {
     }
 }
 
+/// Disturbances at a held mean gap: zero in contact, zero in the mean.
+impl Equations {
+    /// Takes from a field what the wall and the held mean gap forbid.
+    pub(super) fn onto_held_gap(&self, field: &mut [f64]) {
+        let free = self.free.iter().filter(|free| **free).count().max(1) as f64;
+        let middle = field.iter().zip(&self.free).filter(|(_, free)| **free).map(|(v, _)| v).sum::<f64>() / free;
+        field.iter_mut().zip(&self.free).for_each(|(v, free)| *v = if *free { *v - middle } else { 0.0 });
+    }
+
+    /// A symmetric positive operator of the size of the inverse: it leaves a stiffness that only loses energy on the right of the imaginary axis.
+    pub(super) fn positive_softness(&self) -> Vec<Complex64> {
+        let nodes = self.len() as f64;
+        let mut symbol: Vec<Complex64> =
+            self.stiffness.iter().map(|a| Complex64::from(((a.norm() * nodes + SHIFT) * nodes).recip())).collect();
+        symbol.iter_mut().take(1).for_each(|mean| *mean = Complex64::default());
+        symbol
+    }
+
+    /// The linear part times that operator, among these disturbances.
+    pub(super) fn held_gap_product(&mut self, softness: &[Complex64], input: &[f64], output: &mut [f64]) {
+        let scale = |scaling: &Option<Vec<f64>>, i: usize| scaling.as_ref().map_or(1.0, |s| s[i]);
+        self.products += 1;
+        self.work.iter_mut().enumerate().for_each(|(i, w)| *w = input[i] * scale(&self.scaling, i));
+        self.grid.apply(softness, &self.work, output);
+        output.iter_mut().enumerate().for_each(|(i, v)| *v *= scale(&self.scaling, i));
+        self.onto_held_gap(output);
+        self.work.copy_from_slice(output);
+        self.grid.apply(&self.stiffness, &self.work, output);
+        output.iter_mut().zip(self.work.iter().zip(&self.law_stiffness)).for_each(|(v, (z, k))| *v += k * z);
+        self.onto_held_gap(output);
+    }
+}
+
 impl LinearSystem for Equations {
     fn multiply(&mut self, input: &[f64], output: &mut [f64]) {
         let n = self.len();

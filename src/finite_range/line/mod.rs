@@ -8,8 +8,9 @@
 //! ```
 //! One state costs some ten to a hundred products with A, each two fast Fourier transforms, whatever the material.
 //!
-//! [`solve`] gives one state with error bounds from three grids or more, [`follow`] the next one of a sweep, [`full_contact`] the closed form, [`trace`] a branch through its folds,
-//! [`locate`] a fold with its error. Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came.
+//! [`solve`] gives one state with error bounds from three grids or more, [`follow`] the next one of a sweep, [`every`] the states that a search finds,
+//! [`full_contact`] the closed form, [`trace`] a branch through its folds, [`locate`] a fold with its error, [`pull_off`] the one of a pulled contact.
+//! Units: [`Problem`]. Several states may exist at one input; [`ReachedBy`] says from where one came, [`SteadyState::stability`] whether it stays.
 //!
 //! | file | idea |
 //! |---|---|
@@ -19,6 +20,7 @@
 //! | `reach` | from nothing to the state: range, modulus, grid |
 //! | `solution`, `steady`, `full` | numbers and identities; states; full contact |
 //! | `bounds` | errors from the differences between grids |
+//! | `stability` | whether a state stays under a held load, gap or frame |
 //! | `branch`, `fold` | pseudo-arclength; place of a fold |
 //! | `roughness`, `measured` | self-affine surfaces; levelling and periodic ends of measured ones |
 
@@ -35,9 +37,10 @@ mod problem;
 mod reach;
 mod roughness;
 mod solution;
+mod stability;
 mod steady;
 
-pub use branch::{Branch, Direction, End, FoldKind, Refined, RoughFold, trace, trace_refined};
+pub use branch::{Branch, Direction, End, FoldKind, Refined, RoughFold, pull_off, trace, trace_refined};
 pub use fold::{Fold, locate};
 pub use full::full_contact;
 pub use measured::{Ends, Levelling, level, periodic};
@@ -45,4 +48,5 @@ pub use problem::{Control, Harmonic, Modulus, Problem, Profile, Scales, modulus_
 pub use reach::Path;
 pub use roughness::{Roughness, rough};
 pub use solution::{Certificate, Fields, Numbers};
-pub use steady::{ReachedBy, Request, SteadyState, follow, solve};
+pub use stability::StateStability;
+pub use steady::{ReachedBy, Request, SteadyState, every, follow, solve};

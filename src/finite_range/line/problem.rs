@@ -257,6 +257,16 @@ pub enum Control {
 }
 
 impl Control {
+    /// The stiffness with which it is held: zero of a pressure, infinite of a gap.
+    #[must_use]
+    pub const fn stiffness(self) -> f64 {
+        match self {
+            Self::MeanPressure(_) => 0.0,
+            Self::MeanGap(_) => f64::INFINITY,
+            Self::Frame { stiffness, .. } => stiffness,
+        }
+    }
+
     /// The equation gap_factor · mean gap + pressure_factor · mean pressure = value.
     pub(super) const fn row(self) -> [f64; 3] {
         match self {

@@ -2,12 +2,15 @@
 //!
 //! At a long range the equations are nearly convex and few nodes tell everything; every later solve starts next to its solution.
 //! Two paths are tried: with the real modulus all the way, then from the relaxed elastic body with E^t, t from 0 to 1.
+//! Several states may exist. One that a small disturbance leaves is returned only where no start leads to a stable one.
 
 use super::grid::{Equations, State};
 use super::newton::{self, Report, Stalled};
 use super::problem::{Control, Problem};
+use super::stability::OnGrid;
 use crate::finite_range::law::Law;
 use crate::refusal::Refusal;
+use crate::sliding::branch::Stability;
 
 /// First guesses: the profile lifted by these parts of its highest point, cut at the wall.
 const LIFTS: [f64; 5] = [0.3, 0.6, 0.1, 1.0, 1.5];
@@ -15,6 +18,10 @@ const LIFTS: [f64; 5] = [0.3, 0.6, 0.1, 1.0, 1.5];
 const CLOSED: f64 = -100.0;
 /// The range at which a cold start begins, over half of the peak-to-valley height.
 const LONG_RANGE: f64 = 0.2;
+/// The same where every state is looked for: the shortest starts at the real range.
+const STARTS: [f64; 4] = [0.4, LONG_RANGE, 0.1, 0.0];
+/// Gaps that differ by less than this part of the half height belong to one state.
+const SAME: f64 = 1e-3;
 /// Largest step in ln(range) and in the power of the modulus times ln(stiffening).
 const LONGEST_STEP: f64 = 0.41;
 const SHORTEST_STEP: f64 = 4e-3;
@@ -72,7 +79,8 @@ pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
 
 /// A state from nothing, on the grid that puts `cells` nodes into the zone of the law, but no finer than `largest` nodes along x.
 pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reached, Refusal> {
-    let mut search = Search { problem, largest, cells, products: 0, work: 0, last: String::from("no start converged") };
+    let mut search = Search::new(problem, largest, cells);
+    let mut unstable = None;
     for path in [Path::RangeThenRamp, Path::Range, Path::ModulusThenRange, Path::RangeThenModulus, Path::Closed] {
         let closed_form =
             path == Path::Closed && problem.attraction.wall().is_some() || path == Path::RangeThenRamp && !has_steep_ramp(problem);
@@ -80,12 +88,57 @@ pub(super) fn cold(problem: &Problem, largest: usize, cells: f64) -> Result<Reac
             if closed_form || (search.work > SEARCH_BUDGET && path != Path::Closed) {
                 break;
             }
-            if let Some((equations, state, report)) = search.follow(path, lift) {
-                return Ok(Reached { equations, state, report, products: search.products, work: search.work, path });
+            let Some(found) = search.follow(path, lift, LONG_RANGE) else { continue };
+            let mut reached = search.reached(found, path);
+            if reached.grows(problem) {
+                unstable.get_or_insert(reached);
+            } else {
+                return Ok(reached);
             }
         }
     }
-    Err(Refusal::NotConverged { what: "the cold start of the steady state", detail: search.last })
+    unstable.ok_or(Refusal::NotConverged { what: "the cold start of the steady state", detail: search.last })
+}
+
+/// The states to which every start leads, each once.
+pub(super) fn every(problem: &Problem, largest: usize, cells: f64) -> Vec<Reached> {
+    let mut search = Search::new(problem, largest, cells);
+    let mut all: Vec<Reached> = Vec::new();
+    let mut add = |reached: Reached| {
+        if !all.iter().any(|other| other.is_same(&reached, problem)) {
+            all.push(reached);
+        }
+    };
+    cold(problem, largest, cells).into_iter().for_each(&mut add);
+    let range = if has_steep_ramp(problem) { Path::RangeThenRamp } else { Path::Range };
+    for start in STARTS {
+        for lift in search.lifts().into_iter().chain([CLOSED]) {
+            if search.work > SEARCH_BUDGET {
+                return all;
+            }
+            let found = search.follow(range, lift, start);
+            found.into_iter().for_each(|found| add(search.reached(found, range)));
+        }
+    }
+    all
+}
+
+impl Reached {
+    /// Whether a small disturbance grows under what is held.
+    fn grows(&mut self, problem: &Problem) -> bool {
+        let row = self.equations.row;
+        let stability = OnGrid::of(&mut self.equations, &self.state);
+        self.equations.row = row;
+        OnGrid::agreed(&[stability], problem.control.stiffness()) == Stability::Unstable
+    }
+
+    /// Whether another start led to the same state.
+    fn is_same(&self, other: &Self, problem: &Problem) -> bool {
+        let half_height = problem.profile.half_height();
+        let same_grid = self.state.gap.len() == other.state.gap.len();
+        let widest = self.state.gap.iter().zip(&other.state.gap).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        same_grid && widest <= SAME * half_height
+    }
 }
 
 struct Search<'a> {
@@ -97,7 +150,15 @@ struct Search<'a> {
     last: String,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(problem: &'a Problem, largest: usize, cells: f64) -> Self {
+        Self { problem, largest, cells, products: 0, work: 0, last: String::from("no start converged") }
+    }
+
+    fn reached(&self, (equations, state, report): (Equations, State, Report), path: Path) -> Reached {
+        Reached { equations, state, report, products: self.products, work: self.work, path }
+    }
+
     fn lifts(&self) -> Vec<f64> {
         match self.problem.control {
             Control::MeanGap(gap) => vec![gap / self.problem.profile.half_height(), 0.3, 1.0],
@@ -105,11 +166,12 @@ impl Search<'_> {
         }
     }
 
-    fn follow(&mut self, path: Path, lift: f64) -> Option<(Equations, State, Report)> {
+    /// Along a path from a profile lifted by a part of its highest point; `start`: the long range over half of the height.
+    fn follow(&mut self, path: Path, lift: f64, start: f64) -> Option<(Equations, State, Report)> {
         let problem = self.problem;
         let half_height = problem.profile.half_height();
         let target = if problem.attraction.attracts() { problem.attraction.range } else { LONG_RANGE * half_height };
-        let long = if path == Path::Closed { target } else { target.max(LONG_RANGE * half_height) };
+        let long = if path == Path::Closed { target } else { target.max(start * half_height) };
         let real_modulus = matches!(path, Path::Range | Path::RangeThenRamp | Path::Closed);
         let mut place = Place {
             range: long,

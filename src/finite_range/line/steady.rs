@@ -6,7 +6,7 @@
 use super::bounds::{self, Convergence};
 use super::grid::{Equations, State};
 use super::newton;
-use super::problem::Problem;
+use super::problem::{Control, Problem};
 use super::reach::{self, Place, Reached};
 use super::solution::{self, Certificate, Differences, Fields, Numbers};
 use crate::finite_range::law::Law;
@@ -17,6 +17,17 @@ const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
 
 /// Nodes along x of the coarsest grid that a neighbour is followed on.
 const COARSEST_OF_A_NEIGHBOUR: usize = 128;
+
+/// A pull is reached in so many steps, halved down to this part of them; the accuracy on the way.
+const PULLS: f64 = 4.0;
+const SHORTER: f64 = 64.0;
+const ON_THE_WAY: f64 = 0.05;
+
+/// Numbers that differ by less than this part of themselves belong to one state.
+const SAME: f64 = 1e-3;
+
+/// Grids below the finest one on which the stability is assessed.
+const GRIDS_OF_STABILITY: usize = 2;
 
 /// Friction below this part of pressure times slope is asked for absolutely.
 const SMALL_FRICTION: f64 = 1e-3;
@@ -46,6 +57,8 @@ pub enum ReachedBy {
     ColdStart(reach::Path),
     /// Followed from a neighbouring state.
     Continuation,
+    /// Followed from no load by lowering the mean pressure, where the cold start at a pull is lost.
+    Unloading,
     /// The closed form of full contact.
     FullContact,
 }
@@ -77,6 +90,8 @@ pub struct SteadyState {
     pub products: usize,
     /// The same, each times the nodes of its grid.
     pub node_products: usize,
+    /// The state on the two grids before, with their nodes along x.
+    pub(super) coarser: Vec<(usize, State)>,
 }
 
 impl SteadyState {
@@ -84,6 +99,13 @@ impl SteadyState {
     #[must_use]
     pub fn friction_coefficient(&self) -> Option<f64> {
         (self.numbers.mean_pressure > 0.0).then(|| self.numbers.friction_stress / self.numbers.mean_pressure)
+    }
+
+    /// Whether both are one state, as far as their errors say.
+    fn is_same(&self, other: &Self) -> bool {
+        let numbers = self.numbers.list().into_iter().zip(other.numbers.list());
+        let errors = self.errors.list().into_iter().zip(other.errors.list());
+        numbers.zip(errors).all(|((a, b), (e, f))| (a - b).abs() <= SAME * a.abs().max(b.abs()) + e + f)
     }
 
     /// Power dissipated per area, friction stress × kv (unit E0*kΛ²/2 × the unit of kv).
@@ -124,6 +146,13 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
     if let Some(refusal) = lost_on_a_grid {
         return Err(refusal);
     }
+    // A long range holds no pull that a short one does: the load is lowered at the real range.
+    if let (Control::MeanPressure(wanted), true) = (problem.control, lost.is_some())
+        && wanted < 0.0
+        && let Ok(state) = unloaded(problem, request, wanted)
+    {
+        return Ok(state);
+    }
     // A search that found no partial contact leaves the full one; a search that was never made leaves nothing.
     match lost {
         Some(refusal) => super::full::full_contact(problem, request).map_err(|_| refusal),
@@ -136,6 +165,46 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
             ),
         }),
     }
+}
+
+/// The state under a pull, from the one without load.
+fn unloaded(problem: &Problem, request: &Request, wanted: f64) -> Result<SteadyState, Refusal> {
+    let at = |load: f64| Problem { control: Control::MeanPressure(load), ..problem.clone() };
+    let rough = Request { accuracy: request.accuracy.max(ON_THE_WAY), ..*request };
+    let mut state = solve(&at(0.0), &rough)?;
+    let (mut load, mut step) = (0.0, wanted / PULLS);
+    let shortest = step.abs() / SHORTER;
+    loop {
+        let last = (wanted - load).abs() <= step.abs() * (1.0 + 1e-9);
+        let next = if last { wanted } else { load + step };
+        match follow(&at(next), &state, if last { request } else { &rough }) {
+            Ok(found) if last => return Ok(SteadyState { reached_by: ReachedBy::Unloading, ..found }),
+            Ok(found) => (state, load) = (found, next),
+            Err(refusal) if step.abs() < shortest => return Err(refusal),
+            Err(_) => step *= 0.5,
+        }
+    }
+}
+
+/// Every state of the problem that a search finds: profiles lifted by several parts of their height, from several ranges of the law down to
+/// the real one; full contact by its closed form. The one that [`solve`] returns comes first. There may be more.
+///
+/// # Errors
+/// As [`solve`], where no state is found.
+pub fn every(problem: &Problem, request: &Request) -> Result<Vec<SteadyState>, Refusal> {
+    let mut all = vec![solve(problem, request)?];
+    let cells = cells(problem, request).first().copied().unwrap_or(CELLS[0]);
+    let others = reach::every(problem, request.most_nodes / 4, cells).into_iter().filter_map(|reached| {
+        let path = ReachedBy::ColdStart(reached.path);
+        refine(problem, request, reached, path).ok()
+    });
+    // Full contact first: its closed form knows how it was reached.
+    for found in super::full::full_contact(problem, request).into_iter().chain(others) {
+        if !all.iter().any(|other| other.is_same(&found)) {
+            all.push(found);
+        }
+    }
+    Ok(all)
 }
 
 /// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do.
@@ -200,6 +269,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
     let place = Place { range: problem.attraction.range, stiffening: 1.0, ramp: None };
     let half_height = problem.profile.half_height();
     let mut history: Vec<[f64; 7]> = Vec::new();
+    let mut coarser: Vec<(usize, State)> = Vec::new();
     loop {
         let (numbers, certificate, fields) = solution::evaluate(&mut equations, &state, report);
         let here = std::mem::take(&mut equations.products);
@@ -227,7 +297,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         }
         let last = |nodes: usize| differences.largest(nodes, |age| convergence.weight(age));
         let floors = solution::field_floors(&equations, &report);
-        let finish = |met: bool, fields: Fields, products: usize| SteadyState {
+        let finish = |met: bool, fields: Fields, products: usize, coarser: Vec<(usize, State)>| SteadyState {
             numbers,
             errors: Numbers::from_list(errors),
             patches: solution::patches(&fields),
@@ -240,6 +310,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             accuracy_met: met,
             nodes_needed: ((nx as f64 * growth) as usize).next_power_of_two(),
             products,
+            coarser,
         };
         if met || 2 * nx > request.most_nodes {
             if history.len() < 3 {
@@ -251,7 +322,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
                     ),
                 });
             }
-            return Ok(finish(met, fields, products));
+            return Ok(finish(met, fields, products, coarser));
         }
         let (mut finer, start) = reach::refined(problem, &equations, &state, place);
         let mut next = start.clone();
@@ -259,7 +330,8 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             Ok(found) if !reach::is_jump(problem, &state, &next) => {
                 report = found;
                 equations = finer;
-                state = next;
+                coarser.push((nx, std::mem::replace(&mut state, next)));
+                coarser = coarser.split_off(coarser.len().saturating_sub(GRIDS_OF_STABILITY));
                 before = Some(fields);
             }
             Ok(_) => {
@@ -270,7 +342,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
             }
             // What so many grids agree on is an answer with its error, if not the wanted one; fewer may agree on a state that the next grid has not.
             Err(_) if history.len() >= grids && nx >= request.least_nodes => {
-                return Ok(finish(false, fields, products));
+                return Ok(finish(false, fields, products, coarser));
             }
             Err(stalled) => {
                 return Err(Refusal::NotConverged {

@@ -31,13 +31,14 @@ pub(super) mod at {
     pub(crate) const GAP: usize = 4;
     pub(crate) const CONTACT: usize = 5;
     pub(crate) const PATCHES: usize = 6;
+    pub(crate) const OTHERS: usize = 17;
 }
 
 const fn column(name: &'static str, measure: Measure, meaning: &'static str) -> Definition {
     Definition { name, measure, meaning }
 }
 
-pub(super) static COLUMNS: [Definition; 14] = [
+pub(super) static COLUMNS: [Definition; 18] = [
     column("speed", Measure::Speed, "v of the sliding surface along +x; a negative one slides the mirrored surface."),
     column(
         "friction_stress",
@@ -88,6 +89,18 @@ pub(super) static COLUMNS: [Definition; 14] = [
         "Mean of −p h′, h the profile: equal to the friction stress up to the grid, by another route.",
     ),
     column("nodes", Measure::Number, "Nodes along x of the finest grid."),
+    column(
+        "stable_under_mean_pressure",
+        Measure::Number,
+        "1 if every small disturbance dies out under a held mean pressure, 0 if one grows; none next to a fold. Growing oscillations are not assessed.",
+    ),
+    column("stable_under_mean_gap", Measure::Number, "The same under a held mean gap."),
+    column("stable_in_frame", Measure::Number, "The same in the frame of the scene; none without a frame."),
+    column(
+        "other_states",
+        Measure::Number,
+        "Other states known under what is held: full contact where it holds; with reached_by = every all that the search found. There may be more.",
+    ),
 ];
 
 impl Measure {

@@ -17,6 +17,8 @@ const WITHOUT_ADHESION: f64 = 0.3;
 /// Products with the stiffness of a state from nothing, and from a neighbour, counted on the finest grid.
 const COLD: f64 = 140.0;
 const NEIGHBOUR: f64 = 110.0;
+/// States from nothing that a search for every state is as dear as.
+const EVERY: f64 = 8.0;
 /// Steps of a load that is raised or lowered to the wanted one.
 const STEPS: f64 = 12.0;
 /// Bytes of a node while a state is solved: the vectors of the linear solver, the transforms, the fields.
@@ -48,6 +50,7 @@ impl SurfacePlan {
 
     pub(super) fn work_of_states(&self, states: u64) -> Work {
         let products = match self.sliding.task {
+            SurfaceTask::State if self.sliding.reached_by == SurfacePath::Every => EVERY * COLD,
             SurfaceTask::State => COLD,
             SurfaceTask::Loop { points, .. } => COLD + 2.0 * f64::from(points) * NEIGHBOUR,
             SurfaceTask::Branch { points } => 2.0 * (COLD + f64::from(points) * NEIGHBOUR),
@@ -55,7 +58,9 @@ impl SurfacePlan {
         let contacts = self.sliding.contacts.len() as u64;
         let nodes: f64 = self.sliding.contacts.iter().map(|&contact| self.expected_nodes(contact) as f64).sum();
         // The states on the way to a load that is raised or lowered are rough.
-        let on_the_way = if self.sliding.task == SurfaceTask::State && self.sliding.reached_by != SurfacePath::LongRange {
+        let on_the_way = if self.sliding.task == SurfaceTask::State
+            && matches!(self.sliding.reached_by, SurfacePath::Loading | SurfacePath::Unloading)
+        {
             self.sliding.contacts.iter().map(|&contact| STEPS * NEIGHBOUR * self.nodes_of(contact, self.rough_request()) as f64).sum()
         } else {
             0.0

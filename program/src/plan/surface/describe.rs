@@ -72,7 +72,7 @@ impl SurfacePlan {
     pub(super) fn sentences(&self) -> Vec<String> {
         let mut sentences = vec![
             "in the frame of the sliding surface all is steady: each wave of the pressure meets the complex modulus at one frequency, and the stress between the surfaces is the law at their gap; one nonlinear system on a grid, by fast Fourier transforms".to_owned(),
-            "contact set and law together by a semi-smooth Newton method; linear systems by GMRES".to_owned(),
+            "contact set and law together by a semi-smooth Newton method; linear systems by GMRES; eigenvalues of the linearised equations by Arnoldi's method".to_owned(),
             "grids are doubled until the accuracy is met; the error of a number is the larger of its last two changes, of earlier ones with their decay".to_owned(),
         ];
         sentences.push(
@@ -80,6 +80,7 @@ impl SurfacePlan {
                 (SurfaceTask::Loop { .. }, _) => "each state of the loop is followed from the one before; where that is lost in spite of short steps the contact jumps to the state that a long range of the law leads to",
                 (SurfaceTask::Branch { .. }, _) => "the branch is followed by arclength in mean gap and mean pressure, each state then on two finer grids; folds are located on three grids",
                 (_, SurfacePath::LongRange) => "the state is the one to which a long range of the law leads at the same load; several may exist",
+                (_, SurfacePath::Every) => "every state that a search finds: profiles lifted by several parts of their height, from several ranges of the law; there may be more",
                 (_, SurfacePath::Loading) => "the state is followed from a light contact by raising the load; several may exist",
                 (_, SurfacePath::Unloading) => "the state is followed from a heavy contact by lowering the load; several may exist",
             }
@@ -136,7 +137,7 @@ impl SurfacePlan {
         entries.push(not_judged(
             "stability",
             None,
-            "not assessed: a state is a solution of the equations; a loop follows states from their neighbours and reports its jumps",
+            "of steady disturbances only, by the negative eigenvalues of the linearised equations on two grids: a disturbance may still grow while it oscillates",
         ));
         if self.layer.is_some_and(|layer| layer.backing() == Backing::Free) {
             entries.push(not_judged(

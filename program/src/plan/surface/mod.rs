@@ -17,7 +17,7 @@ use crate::plan::maps::Answer;
 use crate::plan::plane_material::plane_material;
 use crate::plan::state_watch::StateWatch;
 use crate::scene::sweep::Sweep;
-use crate::scene::typed::{PoissonRatio, Scene, SlidingContact, SurfaceLoad, SurfaceSliding, SurfaceTask, Units};
+use crate::scene::typed::{PoissonRatio, Scene, SlidingContact, SurfaceLoad, SurfacePath, SurfaceSliding, SurfaceTask, Units};
 use columns::at;
 use std::f64::consts::TAU;
 use viscotack::finite_range::law::Attraction;
@@ -30,6 +30,9 @@ use viscotack::sliding::layer::Layer;
 const MOST_NODES: [usize; 2] = [1 << 16, 512];
 /// The first grid that may be the answer.
 const LEAST_NODES: [usize; 2] = [512, 128];
+
+/// States that one scene may have, at most, where every one is asked for.
+const STATES: u64 = 16;
 
 /// A sliding surface, ready to be solved.
 #[derive(Clone)]
@@ -204,6 +207,7 @@ impl ProblemPlan for SurfacePlan {
 
     fn rows_of_a_state(&self) -> u64 {
         match self.sliding.task {
+            SurfaceTask::State if self.sliding.reached_by == SurfacePath::Every => STATES * self.sliding.contacts.len() as u64,
             SurfaceTask::State => self.sliding.contacts.len() as u64,
             SurfaceTask::Loop { points, .. } => 2 * u64::from(points),
             SurfaceTask::Branch { points } => 2 * u64::from(points) + 16,
@@ -237,7 +241,7 @@ impl ProblemPlan for SurfacePlan {
 
     fn solve(&self, state: usize, swept: &[f64], _: &StateWatch<'_>) -> Vec<Row> {
         match self.sliding.task {
-            SurfaceTask::State => self.sliding.contacts.iter().map(|&contact| self.state_row(contact, state, swept)).collect(),
+            SurfaceTask::State => self.sliding.contacts.iter().flat_map(|&contact| self.state_rows(contact, state, swept)).collect(),
             SurfaceTask::Loop { to, points } => self.loop_rows(to, points, state, swept),
             SurfaceTask::Branch { points } => self.branch_rows(points, state, swept),
         }

@@ -1,12 +1,15 @@
 //! One state as a row: values with bounds, certificate, labels.
 
 use super::SurfacePlan;
-use super::columns::{COLUMNS, Measure, columns};
+use super::columns::{COLUMNS, Measure, at, columns};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::scene::typed::{SlidingContact, SurfacePath, Units};
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::line::{Control, Path, Problem, ReachedBy, Request, SteadyState, follow, solve};
+use viscotack::finite_range::line::{
+    Control, Path, Problem, ReachedBy, Request, StateStability, SteadyState, every, follow, full_contact, pull_off, solve,
+};
 use viscotack::refusal::Refusal;
+use viscotack::sliding::branch::Stability;
 
 /// Rounding of the conversion to SI units.
 const CONVERSION: f64 = 8.0 * f64::EPSILON;
@@ -30,31 +33,69 @@ impl SurfacePlan {
         row
     }
 
-    pub(super) fn state_row(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Row {
-        let mut row = self.empty_row(contact, state, swept);
-        let filled = self.problem(contact).and_then(|problem| {
-            let (found, note) = self.reached(&problem)?;
+    /// One row, or one of every state that a search finds.
+    pub(super) fn state_rows(&self, contact: SlidingContact, state: usize, swept: &[f64]) -> Vec<Row> {
+        let empty = || self.empty_row(contact, state, swept);
+        let found = self.problem(contact).and_then(|problem| {
+            let found = if self.sliding.reached_by == SurfacePath::Every && problem.attraction.attracts() {
+                every(&problem, &self.request()).map(|all| all.into_iter().map(|found| (found, None)).collect())
+            } else {
+                self.reached(&problem).map(|found| vec![found])
+            };
+            found.map(|found| (problem.clone(), found)).map_err(|refusal| self.with_fold(&problem, refusal))
+        });
+        let (problem, found) = match found {
+            Ok(found) => found,
+            Err(refusal) => {
+                let mut row = empty();
+                self.refuse(&mut row, &refusal);
+                return vec![row];
+            }
+        };
+        let others = (found.len() - 1) as f64;
+        let filled = |(found, note): (SteadyState, Option<String>)| {
+            let mut row = empty();
             row.reason = note;
-            self.fill(&problem, &found, &mut row)?;
-            if let Some(points) = self.sliding.field_points {
+            let filled = self.fill(&problem, &found, &mut row);
+            if let (Some(points), true) = (self.sliding.field_points, filled.is_ok()) {
                 row.fields = self.fields(&found, points as usize);
                 row.work.field_evaluations = row.fields.len() as u64;
             }
-            row.representable(&columns(self.units))
-        });
-        if let Err(refusal) = filled {
-            self.refuse(&mut row, &refusal);
+            if let (Some(Some(known)), SurfacePath::Every) = (row.values.get_mut(at::OTHERS), self.sliding.reached_by) {
+                *known = Estimate::exact(others);
+            }
+            if let Err(refusal) = filled.and_then(|()| row.representable(&columns(self.units))) {
+                self.refuse(&mut row, &refusal);
+            }
+            row
+        };
+        found.into_iter().map(filled).collect()
+    }
+
+    /// Of a pull that no state carries: with the fold at which the contact parts.
+    pub(super) fn with_fold(&self, problem: &Problem, refusal: Refusal) -> Refusal {
+        let Control::MeanPressure(wanted) = problem.control else { return refusal };
+        if wanted >= 0.0 || !problem.attraction.attracts() {
+            return refusal;
         }
-        row
+        match pull_off(problem, &self.request()) {
+            Ok(fold) if wanted < fold.numbers.mean_pressure - fold.errors.mean_pressure => {
+                let gap = self.in_units(Estimate::new(fold.numbers.mean_gap, fold.errors.mean_gap), Measure::Height);
+                let unit = if self.units == Units::Si { " m" } else { "" };
+                let reason = format!("the contact parts at its fold, at the mean gap {:.6e}{unit}", gap.value);
+                Refusal::NoSuchState { reason, limit_name: "least mean pressure of the contact", limit: fold.numbers.mean_pressure }
+            }
+            _ => refusal,
+        }
     }
 
     /// The refusal in the units of the scene.
     pub(super) fn refuse(&self, row: &mut Row, refusal: &Refusal) {
         if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
-            let (factor, unit) = if limit_name.contains("gap") { (self.scales.height, "m") } else { (self.scales.pressure, "Pa") };
+            let (factor, unit) = if limit_name.contains("gap") { (self.scales.height, " m") } else { (self.scales.pressure, " Pa") };
             let unit = if self.units == Units::Si { unit } else { "" };
             let limit = limit * factor;
-            row.refuse(&Refusal::NoSuchState { reason: format!("{reason} ({limit_name}: {limit:.6e} {unit})"), limit_name, limit });
+            row.refuse(&Refusal::NoSuchState { reason: format!("{reason} ({limit_name}: {limit:.6e}{unit})"), limit_name, limit });
         } else {
             row.refuse(refusal);
         }
@@ -71,7 +112,7 @@ impl SurfacePlan {
     fn reached(&self, problem: &Problem) -> Result<(SteadyState, Option<String>), Refusal> {
         let request = self.request();
         // Without attraction the equations are strictly monotone, since each wave loses energy: one state exists, whatever the way to it.
-        let several = self.sliding.reached_by != SurfacePath::LongRange && problem.attraction.attracts();
+        let several = matches!(self.sliding.reached_by, SurfacePath::Loading | SurfacePath::Unloading) && problem.attraction.attracts();
         let (Control::MeanPressure(wanted), true) = (problem.control, several) else {
             return solve(problem, &request).map(|state| (state, None));
         };
@@ -108,8 +149,8 @@ impl SurfacePlan {
         match (state.reached_by, self.sliding.reached_by) {
             (ReachedBy::FullContact, _) => "closed_form",
             (ReachedBy::Continuation, SurfacePath::Loading) => "loading",
-            (ReachedBy::Continuation, SurfacePath::Unloading) => "unloading",
-            (ReachedBy::Continuation, SurfacePath::LongRange) => "neighbour",
+            (ReachedBy::Continuation, SurfacePath::Unloading) | (ReachedBy::Unloading, _) => "unloading",
+            (ReachedBy::Continuation, SurfacePath::LongRange | SurfacePath::Every) => "neighbour",
             (ReachedBy::ColdStart(Path::Range | Path::RangeThenRamp), _) => "long_range",
             (ReachedBy::ColdStart(Path::ModulusThenRange | Path::RangeThenModulus), _) => "relaxed_solid",
             (ReachedBy::ColdStart(Path::Closed), _) => "closed_gap",
@@ -129,13 +170,20 @@ impl SurfacePlan {
         row.labels[1] = kind.to_owned();
         row.labels[2] = self.way(state).to_owned();
         row.values = self.values(problem, state);
+        let stability = state.stability(problem);
+        let full = fraction < 1.0 && full_contact(problem, &self.request()).is_ok();
+        row.values.extend(self.stabilities(&stability, problem.control));
+        row.values.push(Some(Estimate::exact(f64::from(u8::from(full)))));
+        if stability.in_frame(problem.control.stiffness()) == Stability::Unstable {
+            row.reason = Some(format!("{}a small disturbance leaves this state under what is held", after(row.reason.take())));
+        }
         row.work += Work { kernel_evaluations: state.node_products as u64, ..Work::default() };
         row.assumptions = self.assumptions();
         if !state.accuracy_met {
             row.status = Status::Inaccurate;
             row.reason = Some(format!(
                 "{}the accuracy {:.1e} is not met on {} nodes along x; about {} are expected to meet it: give sliding.most_nodes or a larger accuracy",
-                row.reason.take().map_or_else(String::new, |reason| format!("{reason}; ")),
+                after(row.reason.take()),
                 self.accuracy,
                 state.fields.nx,
                 state.nodes_needed
@@ -160,7 +208,17 @@ impl SurfacePlan {
         row.representable(&columns(self.units))
     }
 
-    /// The values in the units of the scene.
+    /// Whether a state stays under a held pressure, a held gap and in the frame, if there is one.
+    pub(super) fn stabilities(&self, stability: &StateStability, control: Control) -> [Option<Estimate>; 3] {
+        let frame = matches!(control, Control::Frame { .. }).then(|| stability.in_frame(control.stiffness()));
+        [Some(stability.under_mean_pressure()), Some(stability.under_mean_gap()), frame].map(|stability| match stability? {
+            Stability::Stable => Some(Estimate::exact(1.0)),
+            Stability::Unstable => Some(Estimate::exact(0.0)),
+            Stability::Marginal => None,
+        })
+    }
+
+    /// The values in the units of the scene, but for stability and other states.
     fn values(&self, problem: &Problem, state: &SteadyState) -> Vec<Option<Estimate>> {
         let (n, e) = (&state.numbers, &state.errors);
         let friction = Estimate::new(n.friction_stress, e.friction_stress);
@@ -214,4 +272,9 @@ impl SurfacePlan {
         let squares: f64 = self.profile.amplitudes().iter().enumerate().map(|(i, a)| 0.5 * ((i + 1) as f64 * a).powi(2)).sum();
         squares.sqrt() * self.scales.height / self.scales.length
     }
+}
+
+/// What was said before, for one more sentence.
+fn after(reason: Option<String>) -> String {
+    reason.map_or_else(String::new, |reason| format!("{reason}; "))
 }

@@ -5,8 +5,8 @@ use super::columns::{COLUMNS, columns};
 use crate::outcome::{Certificate, Row, Status, Work};
 use viscotack::estimate::Estimate;
 use viscotack::finite_range::line::{
-    Branch, Certificate as Identities, Control, Direction, End, FoldKind, Numbers, Problem, ReachedBy, SteadyState, follow, locate, solve,
-    trace_refined,
+    Branch, Certificate as Identities, Control, Direction, End, FoldKind, Numbers, Problem, ReachedBy, StateStability, SteadyState, follow,
+    locate, solve, trace_refined,
 };
 use viscotack::refusal::Refusal;
 
@@ -24,6 +24,8 @@ struct Point<'a> {
     patches: Option<(usize, usize)>,
     certificate: Option<&'a Identities>,
     nodes: usize,
+    /// None at a fold.
+    stability: Option<&'a StateStability>,
 }
 
 impl SurfacePlan {
@@ -57,7 +59,10 @@ impl SurfacePlan {
                     }
                     last = Some((load, found));
                 }
-                Err(refusal) => self.refuse(&mut row, &refusal),
+                Err(refusal) => {
+                    let here = Problem { control: Control::MeanPressure(load), ..problem.clone() };
+                    self.refuse(&mut row, &self.with_fold(&here, refusal));
+                }
             }
             row
         })
@@ -127,8 +132,14 @@ impl SurfacePlan {
                 let mut row = empty();
                 match locate(&problem, fold) {
                     Ok(found) => {
-                        let point =
-                            Point { numbers: &found.numbers, errors: &found.errors, patches: None, certificate: None, nodes: found.nodes };
+                        let point = Point {
+                            numbers: &found.numbers,
+                            errors: &found.errors,
+                            patches: None,
+                            certificate: None,
+                            nodes: found.nodes,
+                            stability: None,
+                        };
                         self.fill_point(&problem, &point, &mut row);
                     }
                     Err(refusal) => self.refuse(&mut row, &refusal),
@@ -168,6 +179,7 @@ impl SurfacePlan {
                             patches: Some((found.patches, found.patches_error)),
                             certificate: Some(&found.certificate),
                             nodes: found.nodes,
+                            stability: Some(&found.stability),
                         };
                         self.fill_point(&problem, &point, &mut row);
                     }
@@ -206,6 +218,8 @@ impl SurfacePlan {
             Some(Estimate::exact(point.nodes as f64)),
         ];
         row.values = COLUMNS.iter().zip(reduced).map(|(definition, value)| Some(self.in_units(value?, definition.measure))).collect();
+        let stabilities = point.stability.map_or([None; 3], |stability| self.stabilities(stability, problem.control));
+        row.values.extend(stabilities.into_iter().chain([None]));
         row.labels[1] = if n.contact_fraction >= 1.0 {
             "full"
         } else if n.contact_fraction > 0.0 {

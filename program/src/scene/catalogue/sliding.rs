@@ -107,6 +107,7 @@ pub(super) const KEYS: &[Key] = &[
                 word: "long_range",
                 meaning: "with a law of attraction: from a long range of the law at the same load; the default there",
             },
+            Word { word: "every", meaning: "with a law of attraction: a row of every state that a search finds" },
         ]),
         meaning: "How the mean pressure, load or penetration was reached: which contact is meant where several are stable. The column `other_contacts` says how many others there are.",
     },

@@ -93,8 +93,8 @@ fn reached_by(sliding: &Section<'_>, task: &SlidingTask, control: SlidingLoad) -
         let message = "`sliding.reached_by` tells how a load or penetration was reached, but the half-width is given";
         return Err(sliding.wrong("reached_by", message, "leave it out"));
     }
-    if word == "long_range" {
-        let message = "`sliding.reached_by` = \"long_range\" belongs to a law of attraction, but this scene has edges";
+    if matches!(word, "long_range" | "every") {
+        let message = format!("`sliding.reached_by` = \"{word}\" belongs to a law of attraction, but this scene has edges");
         return Err(sliding.wrong("reached_by", message, "must be \"loading\" or \"unloading\""));
     }
     Ok(if word == "unloading" { ReachedBy::Unloading } else { ReachedBy::Loading })

@@ -325,6 +325,7 @@ fn reached_by(sliding: &Section<'_>, control: SurfaceLoad, task: SurfaceTask) ->
     }
     match (word, control) {
         ("long_range", _) => Ok(SurfacePath::LongRange),
+        ("every", _) => Ok(SurfacePath::Every),
         (word, SurfaceLoad::MeanPressure(_)) => Ok(if word == "unloading" { SurfacePath::Unloading } else { SurfacePath::Loading }),
         _ => {
             let message = "`sliding.reached_by` tells how a mean pressure was reached, but a mean gap is given";

@@ -84,6 +84,8 @@ pub enum SurfacePath {
     Loading,
     /// By lowering the load from a heavy contact.
     Unloading,
+    /// Every state that a search finds.
+    Every,
 }
 
 /// What is looked for of a sliding surface.
