@@ -184,7 +184,7 @@ impl Course<'_> {
                 Drive::through(start, length, &points)
             };
             let mut drive = through(&met.depths);
-            self.left = allowed;
+            (self.left, self.left_of_panel) = (allowed, left);
             let before = self.before(wanted.first().is_some_and(|instant| instant.time - self.time < length));
             let edge = matches!(asked, Asked::Radius).then_some(Edge { given, since: at });
             let mut went = if edge.is_some() {

@@ -62,7 +62,7 @@ impl IndentationPlan {
         let path = &solution.march.path;
         let peak = path.iter().enumerate().max_by(|one, other| of_point(one.1).total_cmp(&of_point(other.1)));
         let on_path = peak.and_then(|(index, point)| {
-            let known = self.of_path_point(solution, point).get(place).copied().flatten()?;
+            let known = self.of_path_point(solution, index, point).get(place).copied().flatten()?;
             let drop = |neighbour: Option<&PathPoint>| neighbour.map(|beside| known.value - of_point(beside));
             let [before, after] = [index.checked_sub(1), index.checked_add(1)].map(|index| index.and_then(|index| path.get(index)));
             let smooth = before.is_some_and(|before| before.piece == point.piece) && after.is_some_and(|after| after.piece == point.piece);
@@ -74,9 +74,15 @@ impl IndentationPlan {
             };
             Some(Estimate::new(known.value, known.error + beyond))
         });
-        let instants = solution.instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
+        let instants = || solution.instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
         let cycles = solution.cycles.iter().filter_map(of_cycle).filter(|extreme| extreme.value.is_finite() && extreme.error.is_finite());
-        instants.chain(cycles).chain(on_path).max_by(|one, other| one.value.total_cmp(&other.value))
+        // A point that another march does not show is the largest, or the largest of the instants is.
+        let kept = || instants().max_by(|one, other| one.value.total_cmp(&other.value));
+        let on_path = on_path.map(|known| {
+            let least = kept().filter(|_| !known.error.is_finite()).map(|kept| known.value - kept.value + kept.error);
+            Estimate::new(known.value, least.map_or(known.error, f64::abs))
+        });
+        instants().chain(cycles).chain(on_path).max_by(|one, other| one.value.total_cmp(&other.value))
     }
 }
 
