@@ -7,7 +7,6 @@ mod command_support;
 mod support;
 
 mod axis_units;
-mod bounds_without_adhesion;
 mod bytes_mutated;
 mod cautions;
 mod decks;

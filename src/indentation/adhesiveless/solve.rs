@@ -1,4 +1,4 @@
-//! A contact without adhesion with errors: a course, judged by a coarser one.
+//! A contact without adhesion with errors: a course beside a finer one; the finest beside a coarser one.
 
 use super::chain::Chain;
 use super::course::{Course, Fineness, Left, Unknown};
@@ -16,7 +16,7 @@ use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Series of the finest course, and how much coarser the other is.
+/// Series of the finest course, and how much finer each is than the one before.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
 /// Tolerances that say so to who judges: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times missed one
@@ -64,56 +64,56 @@ pub(in crate::indentation) fn solve(
     let waits = |segment: &Segment| segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
     let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits) && !short(problem, &chain);
     let is_finest = |level: u32| fineness(problem.accuracy, level).series <= FINEST;
-    // Where the course that mostly suffices is the finest, a coarser one is asked.
+    // The numbers are those of the course that mostly suffices: a finer one shows its errors, those too that a coarser one has as well.
     let first = u32::from(!is_finest(1));
     let mut ahead = if alone { side_by_side(|| course(first, None, &[]), || course(first + 1, watch, &[])) } else { [None, None] };
-    let solved = |fine: &Trace, unknown: &Unknown, coarse: &Trace, told: usize, work: IndentationWork| {
+    let solved = |(fine, unknown): &(Trace, Unknown), (coarse, of_coarse): &(Trace, Unknown), told: usize, work: IndentationWork| {
         let tolerance = fine.tolerance * if told == 0 { BY_COARSER } else { BY_FINER };
         let courses = [fine.clone(), Trace { tolerance, ..coarse.clone() }];
         let mut solution = judged(problem, &courses, told)?.solution(work);
         // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
         solution.largest_tension = None;
-        widen(&mut solution, &chain, problem, unknown);
+        widen(&mut solution, &chain, problem, unknown, if told == 0 { unknown } else { of_coarse });
         Some(solution)
     };
     let mut last: Option<(Trace, Unknown)> = None;
     for level in first.. {
         let stops = last.as_ref().map_or(Vec::new(), |(trace, _)| trace.shortened.clone());
         let found = ahead.get_mut((level - first) as usize).and_then(Option::take).unwrap_or_else(|| course(level, watch, &stops));
-        let (fine, unknown) = match (found, last.take()) {
+        let fine = match (found, last.take()) {
             (Ok(found), before) => {
                 problem.profile.holds(found.0.summary.scales[2], 0.0)?;
                 work.add(&found.0.work);
-                let Some((coarse, _)) = before else {
+                let Some(coarse) = before else {
                     last = Some(found);
                     if is_finest(level) {
                         break;
                     }
                     continue;
                 };
-                let (fine, unknown) = found;
-                let alike = fine.events.iter().map(|event| event.kind).eq(coarse.events.iter().map(|event| event.kind));
+                let kinds = |course: &(Trace, Unknown)| course.0.events.iter().map(|event| event.kind).collect::<Vec<_>>();
+                let alike = kinds(&found) == kinds(&coarse);
                 if level > 1 {
-                    let told = solved(&fine, &unknown, &coarse, 1, work);
+                    let told = solved(&found, &coarse, 1, work);
                     if let Some(told) = told.filter(|told| alike && told.reached && within(told, problem.accuracy)) {
                         return Ok(told);
                     }
                 }
                 if is_finest(level) {
-                    return solved(&fine, &unknown, &coarse, 0, work).ok_or_else(none_left);
+                    return solved(&found, &coarse, 0, work).ok_or_else(none_left);
                 }
-                (fine, unknown)
+                found
             }
             // What series leave may be too much for a small contact: the course before is told, by one that is coarser.
-            (Err(Refusal::NotConverged { .. }), Some((told, unknown))) if level > 1 => {
-                let (coarse, _) = course(level - 2, watch, &stops)?;
-                work.add(&coarse.work);
-                return solved(&told, &unknown, &coarse, 0, work).ok_or_else(none_left);
+            (Err(Refusal::NotConverged { .. }), Some(told)) if level > 1 => {
+                let coarse = course(level - 2, watch, &stops)?;
+                work.add(&coarse.0.work);
+                return solved(&told, &coarse, 0, work).ok_or_else(none_left);
             }
             (Err(Refusal::NotConverged { .. }), _) if !is_finest(level) => continue,
             (Err(refusal), _) => return Err(refusal),
         };
-        last = Some((fine, unknown));
+        last = Some(fine);
     }
     Err(none_left())
 }
@@ -187,7 +187,8 @@ pub(in crate::indentation) fn course(material: &Material, problem: &IndentationP
 
 /// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
 /// is f′ in a fresh contact and at least f′/β: it is known at the instants.
-fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown) {
+/// Energies weigh stiff elements, whose strains hardly show in S: there what the course itself leaves counts (`own`), not what a finer one does.
+fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown, own: &Unknown) {
     let unknown = not_known.strain;
     let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
@@ -238,15 +239,17 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         ];
         errors.iter_mut().zip(wider).for_each(|(error, by)| *error += by);
     }
-    let at_the_end = Left { slope: 0.0, strain: unknown, work: not_known.kept.last().map_or(0.0, |left| left.work) };
-    let lefts = not_known.kept.iter().chain(std::iter::repeat(&at_the_end));
-    for ((instant, controlled), left) in solution.instants.iter_mut().zip(imposed).zip(lefts) {
+    let at_the_end =
+        |unknown: &Unknown| Left { slope: 0.0, strain: unknown.strain, work: unknown.kept.last().map_or(0.0, |left| left.work) };
+    let [last, own_last] = [not_known, own].map(at_the_end);
+    let lefts = not_known.kept.iter().chain(std::iter::repeat(&last)).zip(own.kept.iter().chain(std::iter::repeat(&own_last)));
+    for ((instant, controlled), (left, own)) in solution.instants.iter_mut().zip(imposed).zip(lefts) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth(controlled, left.strain));
         wider(&mut instant.force, of_force(a, left.strain));
         let of_edge = of_edge(a, Some(left.slope), left.strain);
         wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge });
-        instant.energies.iter_mut().for_each(|energies| widen_energies(energies, left));
+        instant.energies.iter_mut().for_each(|energies| widen_energies(energies, own));
     }
     for cycle in &mut solution.cycles {
         // Fundamental amplitudes are sums over the time as well, of depth and of force.
@@ -254,7 +257,7 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         // What is not known of the force does work there and back.
         let unknown_force = of_force(cycle.contact_radius[1].value.abs(), unknown);
         // Cycles that repeat the last one leave as much.
-        let of_cycles = &not_known.of_cycles;
+        let of_cycles = &own.of_cycles;
         let of_cycle = of_cycles.partition_point(|(which, _)| *which <= (cycle.segment, cycle.number)).checked_sub(1);
         let left = of_cycle.and_then(|place| of_cycles.get(place)).map_or([0.0; 3], |(_, left)| *left);
         wider(&mut cycle.work, OF_LAST * left[2] + 2.0 * swing(&cycle.penetration) * unknown_force);
@@ -274,7 +277,7 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     }
     for event in &mut solution.events {
         wider(&mut event.penetration, unknown);
-        event.energies.iter_mut().for_each(|energies| widen_energies(energies, &at_the_end));
+        event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
         // It lets go as fast as the history passes its depth, on the whole.
         let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
         wider(&mut event.time, duration * unknown / depth);

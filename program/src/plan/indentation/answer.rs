@@ -51,7 +51,7 @@ impl IndentationPlan {
         values
     }
 
-    /// The largest value on the way: of a point it is known as well as the instants beside it, and as the points beside it show.
+    /// The largest value on the way: of a point it is known as the other marches show it, and as the points beside it show.
     fn largest(
         &self,
         solution: &IndentationSolution,
