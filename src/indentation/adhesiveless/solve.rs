@@ -25,8 +25,8 @@ const BY_FINER: f64 = 300.0;
 const BY_COARSER: f64 = 50.0;
 /// What rounding leaves of the energy lost, over the work done; what series leave of both is mostly more.
 const OF_DIFFERENCE: f64 = 1e-13;
-/// What a series over the time leaves of a sum, over its last coefficients: where a kink is near, they fall slowly.
-const OF_LAST: f64 = 4.0;
+/// What a series over the time leaves, over its last coefficients: where a kink is near, they fall slowly.
+pub(super) const OF_LAST: f64 = 4.0;
 /// Both amplitudes of a cycle are half a swing, of which the sums leave their part.
 const OF_AMPLITUDES: f64 = 4.0;
 /// Slope of S over f′ that is told from none.
@@ -216,11 +216,14 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     };
     let (most_stored, most_power) = (largest(0), largest(1));
     let depth = solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
+    let widest = solution.march.summary.scales[2];
+    let fastest = 2.0 * chain.maxwell.iter().map(|(modulus, rho)| modulus / rho).sum::<f64>();
     let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4], left: &Left| {
-        // Both are squares of strains.
-        let of_stored = 2.0 * left.strain / depth * most_stored;
+        // Both are sums of squares of strains, of which each may be off by as much (Cauchy and Schwarz).
+        let of_square = |most: f64, stiffness: f64| 2.0 * left.strain * (most / depth).max((most * widest * stiffness).sqrt());
+        let of_stored = of_square(most_stored, chain.glassy);
         wider(stored, of_stored);
-        wider(power, 2.0 * left.strain / depth * most_power);
+        wider(power, of_square(most_power, fastest));
         // Both courses may take the same panels of time, and then agree about what these leave.
         wider(work, OF_LAST * left.work);
         // What is lost is a difference of sums.
