@@ -1,5 +1,6 @@
 //! Numbers of a march with errors, told by those behind it.
 
+use super::between;
 use super::convergence::{Heard, Ladder};
 use super::cycle::Cycle;
 use super::problem::IndentationProblem;
@@ -163,6 +164,7 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
         smallest_gap_factor: march.smallest_gap_factor,
         reached: excess.0 <= 1.0,
         residual,
+        path_errors: between::errors(&ladder, heard, march),
         march: march.clone(),
         by_panels: false,
         work: IndentationWork::default(),
@@ -238,9 +240,10 @@ fn judged_cycles(
             other.filter(|other| (other.segment, other.number) == (cycle.segment, cycle.number))
         });
         cycles.push(cycle.judged(heard, |place, value, heard| {
-            let error = ladder.error(heard) + ROUNDING * value.abs();
+            let scale = scales.get(place);
+            let error = ladder.error(heard) + ROUNDING * value.abs() + LAST_DIGITS * scale.copied().unwrap_or(0.0);
             // A drift is what is left between cycles: nothing is promised of it.
-            if let Some(scale) = scales.get(place) {
+            if let Some(scale) = scale {
                 excess.hear(error, problem.accuracy * scale);
             }
             Estimate::new(value, error)

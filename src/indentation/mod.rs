@@ -34,6 +34,7 @@
 
 mod adhesiveless;
 mod advance;
+mod between;
 pub mod by_panels;
 mod checkpoint;
 mod coarsening;

@@ -303,6 +303,8 @@ pub struct IndentationSolution {
     pub residual: f64,
     /// The march itself, or the path by panels.
     pub march: Trace,
+    /// Bounds on Δ, F, a and K at every point of its path, by the other marches; infinite where one of these does not show them, none of a periodic state.
+    pub path_errors: Vec<[f64; 4]>,
     /// Whether it is a path by panels.
     pub by_panels: bool,
     /// Counters of all marches together.

@@ -109,3 +109,53 @@ fn bars_cover_and_are_not_wide() {
     assert!(at(0.5) < 10.0 && at(0.95) < 100.0);
     assert_eq!(reached, 60);
 }
+
+/// Points of a path between kept instants: the same history, tighter, with an instant at the time of the point. What is imposed at the instants beside has no error there.
+#[test]
+fn points_of_a_path_have_bounds_that_cover() {
+    let material = Material::standard_solid(1.0, 30.0, 1.0).unwrap();
+    let adhesion = Adhesion { work_of_adhesion: 2e-3, process_zone: 5e-3 };
+    let (load, press, down, pull) = (0.02, 0.7, -0.03, 1.5);
+    let of = |adhesion: Option<Adhesion>, accuracy: f64, stop: Option<(f64, f64)>| {
+        let history = History::force(0.0).ramp(load, press);
+        let history = match stop {
+            Some((penetration, time)) => history.then(Controlled::Penetration, penetration, time),
+            None => history.then(Controlled::Penetration, down, pull),
+        };
+        IndentationProblem { accuracy, ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history) }
+    };
+    let mut compared = 0;
+    for adhesion in [None, Some(adhesion)] {
+        for accuracy in [1e-2, 1e-4] {
+            let found = run(&material, &of(adhesion, accuracy, None)).unwrap();
+            assert_eq!(found.path_errors.len(), found.march.path.len());
+            let start = found.instants[1].penetration.value;
+            let inside: Vec<usize> = (0..found.march.path.len())
+                .filter(|index| found.march.path[*index].time > press * 1.001 && !found.march.kept.contains(index))
+                .filter(|index| found.path_errors[*index].iter().all(|error| error.is_finite()))
+                .collect();
+            for index in inside.iter().step_by((inside.len() / 12).max(1)) {
+                let (point, errors) = (&found.march.path[*index], found.path_errors[*index]);
+                let time = point.time - press;
+                // The same ramp up to there, from where the tighter run has its start.
+                let begin = run(&material, &of(adhesion, 1e-3 * accuracy, Some((down, pull)))).unwrap().instants[1].penetration;
+                let there = begin.value + (down - begin.value) * time / pull;
+                let exact = run(&material, &of(adhesion, 1e-3 * accuracy, Some((there, time)))).unwrap();
+                let exact = exact.instants.last().unwrap();
+                let pairs = [
+                    ("penetration", point.penetration, exact.penetration, start.abs()),
+                    ("force", point.force, exact.force, load),
+                    ("radius", point.contact_radius, exact.contact_radius, start.abs().sqrt()),
+                ];
+                for (quantity, (name, value, exact, scale)) in pairs.into_iter().enumerate() {
+                    let off = (value - exact.value).abs();
+                    let allowed = errors[quantity] + exact.error + 1e-12 * scale;
+                    assert!(off <= allowed, "{name} at {time}: {value:e} ± {:e}, {:e}", errors[quantity], exact.value);
+                    assert!(errors[quantity] < 30.0 * accuracy * scale, "{name} at {time}: ± {:e} of {scale:e}", errors[quantity]);
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 60, "{compared}");
+}

@@ -7,6 +7,7 @@ mod support;
 mod after_turns;
 mod annuli_reference;
 mod approach;
+mod bounds_without_adhesion;
 mod by_panels;
 mod by_panels_against_march;
 mod by_panels_checkpoints;

@@ -104,6 +104,18 @@ impl Chain {
         }
     }
 
+    /// What a difference of the u_i becomes of the e_j once the chain is free, or of the e_j of what the u_i make of S once it is in contact: the largest part.
+    pub(super) fn beyond(&self, in_contact: bool, difference: &[f64], scratch: &mut Vec<f64>) -> f64 {
+        scratch.resize(difference.len(), 0.0);
+        if in_contact {
+            self.mapped(&self.to_voigt, difference, scratch);
+            return scratch.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+        }
+        self.mapped(&self.to_dashpots, difference, scratch);
+        let parts = scratch.iter().zip(&self.maxwell);
+        parts.fold(0.0, |most: f64, (part, (modulus, _))| most.max((part * modulus / self.glassy).abs()))
+    }
+
     fn mapped(&self, columns: &[f64], from: &[f64], to: &mut [f64]) {
         to.fill(0.0);
         for (column, state) in columns.chunks_exact(self.terms().max(1)).zip(from) {

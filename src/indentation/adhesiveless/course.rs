@@ -17,6 +17,9 @@ use crate::refusal::Refusal;
 /// Relative change of a rate that is no corner.
 const SAME_PACE: f64 = 1e-9;
 
+/// Cycles of a segment whose sums are kept one by one.
+const MOST_CYCLES: u64 = 10_000;
+
 /// How finely a course goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
@@ -30,10 +33,21 @@ pub(super) struct Fineness {
 pub(super) struct Unknown {
     /// Of any strain (m).
     pub(super) strain: f64,
-    /// Of any sum over the time, over what it is of.
-    pub(super) sums: f64,
-    /// How steeply S falls at the edge, at each kept instant: what the edge makes of it.
-    pub(super) slopes: Vec<f64>,
+    /// At each kept instant.
+    pub(super) kept: Vec<Left>,
+    /// What series over the time leave in each cycle, by segment and number, of the sums of Δ, of F and of the work.
+    pub(super) of_cycles: Vec<((usize, u64), [f64; 3])>,
+}
+
+/// What is left open at an instant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Left {
+    /// How steeply S falls at the edge: what the edge makes of a strain.
+    pub(super) slope: f64,
+    /// What is not known of any strain until then (m).
+    pub(super) strain: f64,
+    /// What series over the time leave of the work until then (J).
+    pub(super) work: f64,
 }
 
 /// A course under way.
@@ -52,12 +66,16 @@ pub(super) struct Course<'a> {
     pub(super) sums: Sums,
     /// The work of a relaxed contact as deep as the history reaches at least (J).
     pub(super) least_work: f64,
-    /// What the last panel left of Δ (m).
+    /// What the last panel was allowed to leave of Δ, and what it left (m).
     pub(super) left: f64,
+    pub(super) left_of_panel: f64,
     pace: Option<(Controlled, f64)>,
     pub(super) evaluations: u64,
-    /// How steeply S falls at the edge, at each kept instant.
-    slopes: Vec<f64>,
+    /// What series over the time have left so far of the work (J), and of the sums of Δ, of F and of the work in the cycle under way and in those before.
+    pub(super) left_work: f64,
+    pub(super) left_of_cycle: [f64; 3],
+    left_of_cycles: Vec<((usize, u64), [f64; 3])>,
+    kept: Vec<Left>,
     /// How long the next panel may be, and Δ̇ so far; 0 and none after a corner.
     pub(super) panel_length: f64,
     pub(super) depth_rate: Option<f64>,
@@ -84,9 +102,13 @@ impl<'a> Course<'a> {
             sums: Sums::default(),
             least_work: 0.0,
             left: 0.0,
+            left_of_panel: 0.0,
             pace: None,
             evaluations: 0,
-            slopes: Vec::new(),
+            left_work: 0.0,
+            left_of_cycle: [0.0; 3],
+            left_of_cycles: Vec::new(),
+            kept: Vec::new(),
             panel_length: 0.0,
             depth_rate: None,
             watch: None,
@@ -110,7 +132,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, Unknown { strain: self.line.unknown(), sums: self.fineness.sums, slopes: self.slopes }))
+        Ok((trace, Unknown { strain: self.line.unknown(), kept: self.kept, of_cycles: self.left_of_cycles }))
     }
 
     /// The line at a time of the history.
@@ -254,7 +276,7 @@ impl<'a> Course<'a> {
     /// Keeps the last point as an instant, where S falls so steeply at the edge.
     pub(super) fn keep(&mut self, slope: f64) {
         self.record.keep();
-        self.slopes.push(slope);
+        self.kept.push(Left { slope, strain: self.line.unknown(), work: self.left_work });
     }
 
     /// What a quantity is now.
@@ -342,6 +364,7 @@ impl<'a> Course<'a> {
                 self.reach(stretch, time)?;
             }
             if end_of_cycle.is_some_and(|end| end <= target) {
+                self.cycle_left((index, cycle));
                 cycle += 1;
                 self.line.tidy(true);
                 self.observe(index, Some(&segment));
@@ -362,6 +385,15 @@ impl<'a> Course<'a> {
         self.record.last_cycle(self.meter.take());
         self.end_stretch(stretch, duration);
         Ok(duration)
+    }
+
+    /// What sums over a cycle have left; of very many cycles the last one has the most of those after.
+    fn cycle_left(&mut self, which: (usize, u64)) {
+        let left = std::mem::take(&mut self.left_of_cycle);
+        match self.left_of_cycles.last_mut().filter(|(last, _)| last.0 == which.0 && last.1 >= MOST_CYCLES) {
+            Some((_, most)) => most.iter_mut().zip(left).for_each(|(most, left)| *most = most.max(left)),
+            None => self.left_of_cycles.push((which, left)),
+        }
     }
 
     /// Goes towards a time of a stretch; an oscillation takes some of these.

@@ -162,6 +162,11 @@ impl Grid {
         dot(&basis(&self.xi, xi), values)
     }
 
+    /// What gives the last coefficients of a series.
+    pub(super) fn last_coefficients(&self) -> impl Iterator<Item = &Nodal> {
+        self.tail.iter()
+    }
+
     /// The size of the last coefficients of a series.
     pub(super) fn tail(&self, values: &Nodal) -> f64 {
         self.tail.iter().fold(0.0, |most: f64, row| most.max(dot(row, values).abs()))

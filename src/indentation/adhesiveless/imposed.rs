@@ -10,6 +10,7 @@ use super::ledger::Gone;
 use super::linear::Row;
 use super::motions::Wanted;
 use super::path_history::Edge;
+use super::solve::OF_LAST;
 use crate::indentation::history::Controlled;
 use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
@@ -177,14 +178,14 @@ impl Course<'_> {
                 }
                 self.line.everywhere += left.min(own * MOST_NOISE);
             } else {
-                self.line.cut = self.line.cut.max(left);
+                self.line.cut = self.line.cut.max(OF_LAST * left);
             }
             let through = |depths: &Row| {
                 let points: Vec<(f64, f64)> = places().into_iter().zip(depths.map(|depth| depth - start)).collect();
                 Drive::through(start, length, &points)
             };
             let mut drive = through(&met.depths);
-            self.left = allowed;
+            (self.left, self.left_of_panel) = (allowed, left);
             let before = self.before(wanted.first().is_some_and(|instant| instant.time - self.time < length));
             let edge = matches!(asked, Asked::Radius).then_some(Edge { given, since: at });
             let mut went = if edge.is_some() {

@@ -102,12 +102,15 @@ impl<'a> Course<'a> {
                 .max(noise * width * powers.iter().fold(0.0, |most: f64, p| most.max(*p)));
             let mut ended = width * GRID.tail(&work) <= of_work && width * GRID.tail(&powers) <= of_power;
             let mut moments = [[0.0; 3]; 2];
+            let mut left_of = [0.0_f64; 3];
             if self.meter.is_some() {
                 for (quantity, values) in [&depths, &forces].into_iter().enumerate() {
                     for (index, moment) in moments[quantity].iter_mut().enumerate() {
                         let part: Nodal = std::array::from_fn(|k| phases[k][index] * values[k]);
                         let allowed = (self.fineness.sums * swings[quantity]).max(noise * largest[quantity]);
-                        ended &= width * GRID.tail(&part) <= allowed;
+                        let tail = width * GRID.tail(&part);
+                        left_of[quantity] = left_of[quantity].max(tail);
+                        ended &= tail <= allowed;
                         *moment = width * GRID.integral(&part);
                     }
                 }
@@ -118,6 +121,11 @@ impl<'a> Course<'a> {
                 parts.push((middle, high, halvings - 1));
                 parts.push((low, middle, halvings - 1));
                 continue;
+            }
+            left_of[2] = width * GRID.tail(&work);
+            self.left_work += left_of[2];
+            if self.meter.is_some() {
+                self.left_of_cycle.iter_mut().zip(left_of).for_each(|(left, own)| *left += own);
             }
             let [mut done, mut lost] = [width * GRID.integral(&work), width * GRID.integral(&powers)];
             if times.first().is_some_and(|time| *time < high) {
@@ -150,6 +158,10 @@ impl<'a> Course<'a> {
                 });
             }
         }
+        // Where Δ is found, what it is off by between the ends of a panel does work as the force changes.
+        let of_panel = self.left_of_panel * swings[1];
+        self.left_work += of_panel;
+        self.left_of_cycle[2] += of_panel;
         sums.work += start * (drive.end() - depth);
         self.sums = sums;
         Ok(found)

@@ -27,8 +27,9 @@ pub(super) struct Stretch {
     pub(super) heights: Nodal,
     /// u_i or e_j, term after term.
     pub(super) state: Vec<f64>,
-    /// What joining has changed in it (m).
+    /// What joining has changed in it, and what that makes once the edge has passed it (m).
     pub(super) off: f64,
+    pub(super) then: f64,
     /// Whether it may be joined with the next one: not tried since it changed.
     pub(super) fresh: bool,
 }
@@ -291,7 +292,10 @@ impl<'a> Line<'a> {
 
     /// Lets a time pass over all that the edge does not touch.
     pub(super) fn age(&mut self, moment: &Moment) {
+        let slowest = |rests: &[f64]| rests.iter().fold(0.0, |most: f64, rest| most.max(*rest));
+        let [relaxed, recovered] = [slowest(&moment.kept), slowest(&moment.recovered)];
         for stretch in &mut self.contact {
+            stretch.then *= relaxed;
             for (index, (kept, gained)) in moment.kept.iter().zip(&moment.gained).enumerate() {
                 for u in stretch.state.iter_mut().skip(index * NODES).take(NODES) {
                     *u = *u * kept + gained;
@@ -299,6 +303,7 @@ impl<'a> Line<'a> {
             }
         }
         for stretch in &mut self.free {
+            stretch.then *= recovered;
             for (index, kept) in moment.recovered.iter().enumerate() {
                 for e in stretch.state.iter_mut().skip(index * NODES).take(NODES) {
                     *e *= kept;

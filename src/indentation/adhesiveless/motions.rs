@@ -48,6 +48,7 @@ impl<'a> Course<'a> {
 
     /// Goes along a drive of the penetration; instants before its end are kept on the way.
     pub(super) fn along(&mut self, drive: &Drive, mut wanted: &[Wanted]) -> Result<(), Refusal> {
+        self.left_of_panel = 0.0;
         let end = self.time + drive.duration;
         let mut drive = *drive;
         if drive.start.to_bits() != self.line.penetration.to_bits() {

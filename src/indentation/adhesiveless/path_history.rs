@@ -204,6 +204,7 @@ impl Line<'_> {
                 self.contact.push(stretch);
                 break;
             }
+            self.passes(&stretch, true);
             let mut parts = Vec::new();
             self.build(
                 (place.max(stretch.low), stretch.high.min(from)),
@@ -214,7 +215,7 @@ impl Line<'_> {
                 },
                 &mut parts,
             );
-            parts.iter_mut().for_each(|part| part.off = stretch.off);
+            parts.iter_mut().for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
             parts.append(&mut freed);
             freed = parts;
             if place > stretch.low {
@@ -225,7 +226,7 @@ impl Line<'_> {
         if let Some((whole, place)) = cut {
             let mut parts = Vec::new();
             self.build((whole.low, place), true, &mut |s, _, state| whole.at(s, state), &mut parts);
-            parts.iter_mut().for_each(|part| part.off = whole.off);
+            parts.iter_mut().for_each(|part| (part.off, part.then) = (whole.off, whole.then));
             self.contact.append(&mut parts);
         }
         self.age(end);
@@ -258,6 +259,7 @@ impl Line<'_> {
             let (own, others) = (gained.len(), rest.len());
             let place = snapped(&stretch, to.unwrap_or_else(|| zero_in(&stretch, &self.opened(&stretch, end)))).max(from);
             if place > stretch.low {
+                self.passes(&stretch, false);
                 self.build(
                     (stretch.low.max(from), place),
                     true,
@@ -275,7 +277,11 @@ impl Line<'_> {
             } else if stopped {
                 rest.push(stretch.clone());
             }
-            gained.iter_mut().skip(own).chain(rest.iter_mut().skip(others)).for_each(|part| part.off = stretch.off);
+            gained
+                .iter_mut()
+                .skip(own)
+                .chain(rest.iter_mut().skip(others))
+                .for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
         }
         self.free = rest;
         if !stopped {
@@ -305,6 +311,7 @@ impl Line<'_> {
         let mut freed = Vec::new();
         let mut scratch = Vec::new();
         for stretch in std::mem::take(&mut self.contact) {
+            self.passes(&stretch, true);
             let own = freed.len();
             self.build(
                 (stretch.low, stretch.high),
@@ -315,7 +322,7 @@ impl Line<'_> {
                 },
                 &mut freed,
             );
-            freed.iter_mut().skip(own).for_each(|part| part.off = stretch.off);
+            freed.iter_mut().skip(own).for_each(|part| (part.off, part.then) = (stretch.off, stretch.then));
         }
         freed.append(&mut self.free);
         self.free = freed;

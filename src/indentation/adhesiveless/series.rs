@@ -68,7 +68,7 @@ impl Line<'_> {
             return self.build_parts((low, cut, high), knots, (shares, noise), at, into, halvings);
         }
         let terms = self.chain.terms();
-        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
+        let mut stretch = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, then: 0.0, fresh: true };
         let mut state = vec![0.0; terms];
         self.heights(&mut stretch);
         for k in 0..NODES {
@@ -136,8 +136,9 @@ impl Line<'_> {
                     if !(all || before.fresh || next.fresh) {
                         break;
                     }
-                    let Some((mut joined, change)) = self.joined(before, &next, &shares, allowed) else { break };
+                    let Some((mut joined, [change, beyond])) = self.joined(before, &next, &shares, (in_contact, allowed)) else { break };
                     joined.off = before.off.max(next.off) + change;
+                    joined.then = before.then.max(next.then) + beyond;
                     self.joined = self.joined.max(joined.off);
                     kept.pop();
                     next = joined;
@@ -151,11 +152,25 @@ impl Line<'_> {
         }
     }
 
-    /// Two neighbours as one, and what that changes in S at most; none where it would be more than is allowed.
-    fn joined(&self, first: &Stretch, second: &Stretch, shares: &[f64], allowed: f64) -> Option<(Stretch, f64)> {
+    /// The edge passes a stretch. Elements recover at their own times, and what its series leaves of each, which S hardly shows before, it shows then; parts of it
+    /// are built from the series as it is, and do not show it.
+    pub(super) fn passes(&mut self, stretch: &Stretch, in_contact: bool) {
+        let terms = self.chain.terms();
+        let (mut last, mut scratch) = (vec![0.0; terms], Vec::new());
+        for row in GRID.last_coefficients() {
+            for (index, value) in last.iter_mut().enumerate() {
+                *value = dot(row, stretch.term(index));
+            }
+            self.cut = self.cut.max(self.chain.beyond(in_contact, &last, &mut scratch));
+        }
+        self.joined = self.joined.max(stretch.then);
+    }
+
+    /// Two neighbours as one, and what that changes in S at most, now and once they are free or in contact; none where now it would be more than is allowed.
+    fn joined(&self, first: &Stretch, second: &Stretch, shares: &[f64], (in_contact, allowed): (bool, f64)) -> Option<(Stretch, [f64; 2])> {
         let (low, high) = (first.low, second.high);
         let terms = self.chain.terms();
-        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, fresh: true };
+        let mut whole = Stretch { low, high, heights: [0.0; NODES], state: vec![0.0; terms * NODES], off: 0.0, then: 0.0, fresh: true };
         self.heights(&mut whole);
         for k in 0..NODES {
             let place = whole.place(k);
@@ -167,23 +182,25 @@ impl Line<'_> {
                 }
             }
         }
-        let mut most = 0.0_f64;
+        let (mut most, mut beyond) = (0.0_f64, 0.0_f64);
+        let (mut difference, mut scratch) = (vec![0.0; terms], Vec::new());
         // The middle of both first: where it fails, it mostly fails at their border.
         for of in [first, second] {
             for k in (0..NODES).rev() {
                 let place = of.place(k);
                 let weights = GRID.at(place - low, high - place);
                 let mut change = (dot(&weights, &whole.heights) - of.heights[k]).abs();
-                for (index, share) in shares.iter().enumerate() {
-                    let there = of.term(index).get(k).copied().unwrap_or(0.0);
-                    change += share * (dot(&weights, whole.term(index)) - there).abs();
+                for ((index, share), difference) in shares.iter().enumerate().zip(&mut difference) {
+                    *difference = dot(&weights, whole.term(index)) - of.term(index).get(k).copied().unwrap_or(0.0);
+                    change += share * difference.abs();
                 }
                 most = most.max(change);
+                beyond = beyond.max(self.chain.beyond(in_contact, &difference, &mut scratch));
                 if most > allowed {
                     return None;
                 }
             }
         }
-        Some((whole, most))
+        Some((whole, [most, beyond]))
     }
 }

@@ -1,7 +1,7 @@
-//! A contact without adhesion with errors: a course, judged by a coarser one.
+//! A contact without adhesion with errors: a course beside a finer one; the finest beside a coarser one.
 
 use super::chain::Chain;
-use super::course::{Course, Fineness, Unknown};
+use super::course::{Course, Fineness, Left, Unknown};
 use super::fresh::Fresh;
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
@@ -16,13 +16,17 @@ use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant
 use crate::material::Material;
 use crate::refusal::Refusal;
 
-/// Series of the finest course, and how much coarser the other is.
+/// Series of the finest course, and how much finer each is than the one before.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
-/// Tolerances that say so to who judges: its bound is then six times the change. Three times missed one of 1,178,026 values of 10,000 scenes, by 2 %.
-const OF_CHANGE: f64 = 50.0;
+/// Tolerances that say so to who judges: the bound of a course that a finer one is beside is twice the change, of the finest course six times. Three times missed one
+/// of 1,178,026 values of 10,000 scenes, by 2 %.
+const BY_FINER: f64 = 300.0;
+const BY_COARSER: f64 = 50.0;
 /// What rounding leaves of the energy lost, over the work done; what series leave of both is mostly more.
 const OF_DIFFERENCE: f64 = 1e-13;
+/// What a series over the time leaves, over its last coefficients: where a kink is near, they fall slowly.
+pub(super) const OF_LAST: f64 = 4.0;
 /// Both amplitudes of a cycle are half a swing, of which the sums leave their part.
 const OF_AMPLITUDES: f64 = 4.0;
 /// Slope of S over f′ that is told from none.
@@ -56,46 +60,66 @@ pub(in crate::indentation) fn solve(
     let course = |level: u32, watch: Option<&dyn Watch>, stops: &[(usize, f64)]| -> Found {
         Course::new(&chain, problem, &fresh, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
     };
-    // A coarser course tells finer ones where an oscillation ends. Without one, the first two do not wait for each other; many states share the cores anyway.
+    // A course tells finer ones where an oscillation ends. Without one, the first two do not wait for each other; many states share the cores anyway.
     let waits = |segment: &Segment| segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
     let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits) && !short(problem, &chain);
-    let mut ahead = if alone { side_by_side(|| course(0, None, &[]), || course(1, watch, &[])) } else { [None, None] };
-    let (mut stops, mut coarser): (Vec<(usize, f64)>, Option<Trace>) = (Vec::new(), None);
-    for level in 0.. {
-        let finest = fineness(problem.accuracy, level).series <= FINEST;
-        let (fine, unknown) = match ahead.get_mut(level as usize).and_then(Option::take).unwrap_or_else(|| course(level, watch, &stops)) {
-            Ok(found) => found,
-            // What series leave may be too much for a small contact.
-            Err(Refusal::NotConverged { .. }) if !finest => {
-                coarser = None;
-                continue;
-            }
-            Err(refusal) => return Err(refusal),
-        };
-        problem.profile.holds(fine.summary.scales[2], 0.0)?;
-        work.add(&fine.work);
-        let Some(mut coarse) = coarser else {
-            stops.clone_from(&fine.shortened);
-            coarser = Some(fine);
-            if finest {
-                break;
-            }
-            continue;
-        };
-        let alike = fine.events.iter().map(|event| event.kind).eq(coarse.events.iter().map(|event| event.kind));
-        coarser = (!finest).then(|| fine.clone());
-        // The finer course errs by a small part of the change between both.
-        coarse.tolerance = fine.tolerance * OF_CHANGE;
-        let Some(verdict) = judged(problem, &[fine, coarse], 0) else { break };
-        let mut solution = verdict.solution(work);
+    let is_finest = |level: u32| fineness(problem.accuracy, level).series <= FINEST;
+    // The numbers are those of the course that mostly suffices: a finer one shows its errors, those too that a coarser one has as well.
+    let first = u32::from(!is_finest(1));
+    let mut ahead = if alone { side_by_side(|| course(first, None, &[]), || course(first + 1, watch, &[])) } else { [None, None] };
+    let solved = |(fine, unknown): &(Trace, Unknown), (coarse, of_coarse): &(Trace, Unknown), told: usize, work: IndentationWork| {
+        let tolerance = fine.tolerance * if told == 0 { BY_COARSER } else { BY_FINER };
+        let courses = [fine.clone(), Trace { tolerance, ..coarse.clone() }];
+        let mut solution = judged(problem, &courses, told)?.solution(work);
         // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
         solution.largest_tension = None;
-        widen(&mut solution, &chain, problem, &unknown);
-        if finest || (alike && solution.reached && within(&solution, problem.accuracy)) {
-            return Ok(solution);
-        }
+        widen(&mut solution, &chain, problem, unknown, if told == 0 { unknown } else { of_coarse });
+        Some(solution)
+    };
+    let mut last: Option<(Trace, Unknown)> = None;
+    for level in first.. {
+        let stops = last.as_ref().map_or(Vec::new(), |(trace, _)| trace.shortened.clone());
+        let found = ahead.get_mut((level - first) as usize).and_then(Option::take).unwrap_or_else(|| course(level, watch, &stops));
+        let fine = match (found, last.take()) {
+            (Ok(found), before) => {
+                problem.profile.holds(found.0.summary.scales[2], 0.0)?;
+                work.add(&found.0.work);
+                let Some(coarse) = before else {
+                    last = Some(found);
+                    if is_finest(level) {
+                        break;
+                    }
+                    continue;
+                };
+                let kinds = |course: &(Trace, Unknown)| course.0.events.iter().map(|event| event.kind).collect::<Vec<_>>();
+                let alike = kinds(&found) == kinds(&coarse);
+                if level > 1 {
+                    let told = solved(&found, &coarse, 1, work);
+                    if let Some(told) = told.filter(|told| alike && told.reached && within(told, problem.accuracy)) {
+                        return Ok(told);
+                    }
+                }
+                if is_finest(level) {
+                    return solved(&found, &coarse, 0, work).ok_or_else(none_left);
+                }
+                found
+            }
+            // What series leave may be too much for a small contact: the course before is told, by one that is coarser.
+            (Err(Refusal::NotConverged { .. }), Some(told)) if level > 1 => {
+                let coarse = course(level - 2, watch, &stops)?;
+                work.add(&coarse.0.work);
+                return solved(&told, &coarse, 0, work).ok_or_else(none_left);
+            }
+            (Err(Refusal::NotConverged { .. }), _) if !is_finest(level) => continue,
+            (Err(refusal), _) => return Err(refusal),
+        };
+        last = Some(fine);
     }
-    Err(Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() })
+    Err(none_left())
+}
+
+fn none_left() -> Refusal {
+    Refusal::NotConverged { what: "history of contact", detail: "no course is left".into() }
 }
 
 type Found = Result<(Trace, Unknown), Refusal>;
@@ -137,9 +161,13 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
         |cycle| cycle.contact_radius,
         |cycle| [cycle.storage_stiffness, cycle.loss_stiffness],
     ];
-    let energies: Vec<Estimate> =
-        solution.instants.iter().filter_map(|instant| instant.energies).flat_map(|[stored, _, work, lost]| [stored, work, lost]).collect();
-    let powers: Vec<Estimate> = solution.instants.iter().filter_map(|instant| instant.energies).map(|[_, power, ..]| power).collect();
+    let accounts: Vec<[Estimate; 4]> = {
+        let (instants, events) =
+            (solution.instants.iter().map(|instant| instant.energies), solution.events.iter().map(|event| event.energies));
+        instants.chain(events).flatten().collect()
+    };
+    let energies: Vec<Estimate> = accounts.iter().flat_map(|[stored, _, work, lost]| [*stored, *work, *lost]).collect();
+    let powers: Vec<Estimate> = accounts.iter().map(|[_, power, ..]| *power).collect();
     solution.smallest_gap_factor >= -OVERLAP * solution.march.summary.scales[0]
         && instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
         && cycles.iter().all(|of| within(&solution.cycles.iter().flat_map(of).collect::<Vec<_>>()))
@@ -159,13 +187,14 @@ pub(in crate::indentation) fn course(material: &Material, problem: &IndentationP
 
 /// What is not known of the strains (m) is not known of Δ where it is not given, of the load 2aE∞* times it, and of the edge that over the slope of S, which
 /// is f′ in a fresh contact and at least f′/β: it is known at the instants.
-fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown) {
+/// Energies weigh stiff elements, whose strains hardly show in S: there what the course itself leaves counts (`own`), not what a finer one does.
+fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &IndentationProblem, not_known: &Unknown, own: &Unknown) {
     let unknown = not_known.strain;
     let softest = (chain.glassy / chain.relaxed).min(SOFTEST);
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
-    let of_depth = |controlled: Controlled| if controlled == Controlled::Penetration { 0.0 } else { unknown };
-    let of_force = |a: f64| 2.0 * a * chain.glassy * unknown;
-    let of_edge = |a: f64, own: Option<f64>| {
+    let of_depth = |controlled: Controlled, unknown: f64| if controlled == Controlled::Penetration { 0.0 } else { unknown };
+    let of_force = |a: f64, unknown: f64| 2.0 * a * chain.glassy * unknown;
+    let of_edge = |a: f64, own: Option<f64>, unknown: f64| {
         let least = problem.profile.line_slope(a) / softest;
         let slope = own.unwrap_or(0.0).max(least);
         // An edge is known no worse than the whole contact.
@@ -185,55 +214,76 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         let energies = solution.instants.iter().filter_map(|instant| instant.energies);
         energies.filter_map(|energies| energies.get(place).copied()).fold(0.0, |most: f64, energy| most.max(energy.value.abs()))
     };
-    // Each segment may leave as much, over its way times its force.
-    let of_sums =
-        not_known.sums * problem.history.segments.len() as f64 * solution.march.summary.scales[0] * solution.march.summary.scales[1];
     let (most_stored, most_power) = (largest(0), largest(1));
-    let of_strain = unknown / solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
-    let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4]| {
+    let depth = solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
+    let widest = solution.march.summary.scales[2];
+    let fastest = 2.0 * chain.maxwell.iter().map(|(modulus, rho)| modulus / rho).sum::<f64>();
+    let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4], left: &Left| {
+        // Both are sums of squares of strains, of which each may be off by as much (Cauchy and Schwarz).
+        let of_square = |most: f64, stiffness: f64| 2.0 * left.strain * (most / depth).max((most * widest * stiffness).sqrt());
+        let of_stored = of_square(most_stored, chain.glassy);
+        wider(stored, of_stored);
+        wider(power, of_square(most_power, fastest));
         // Both courses may take the same panels of time, and then agree about what these leave.
-        wider(work, of_sums);
+        wider(work, OF_LAST * left.work);
         // What is lost is a difference of sums.
-        wider(lost, (OF_DIFFERENCE * most_work).max(of_sums));
-        // Both are squares of strains.
-        wider(stored, 2.0 * of_strain * most_stored);
-        wider(power, 2.0 * of_strain * most_power);
+        wider(lost, OF_DIFFERENCE * most_work + OF_LAST * left.work + of_stored);
     };
-    let slopes = not_known.slopes.iter().copied().map(Some).chain(std::iter::repeat(None));
-    for ((instant, controlled), slope) in solution.instants.iter_mut().zip(imposed).zip(slopes) {
+    // Points between instants: what two instants impose is imposed between them.
+    let controls: Vec<Controlled> = imposed.clone().collect();
+    for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.march.path).enumerate() {
+        let after = solution.march.kept.partition_point(|kept| *kept < index);
+        let given = |quantity: Controlled| [after.saturating_sub(1), after].iter().all(|kept| controls.get(*kept) == Some(&quantity));
+        let a = point.contact_radius;
+        let wider = [
+            if given(Controlled::Penetration) { 0.0 } else { unknown },
+            of_force(a, unknown),
+            if given(Controlled::ContactRadius) { 0.0 } else { of_edge(a, None, unknown) },
+        ];
+        errors.iter_mut().zip(wider).for_each(|(error, by)| *error += by);
+    }
+    let at_the_end =
+        |unknown: &Unknown| Left { slope: 0.0, strain: unknown.strain, work: unknown.kept.last().map_or(0.0, |left| left.work) };
+    let [last, own_last] = [not_known, own].map(at_the_end);
+    let lefts = not_known.kept.iter().chain(std::iter::repeat(&last)).zip(own.kept.iter().chain(std::iter::repeat(&own_last)));
+    for ((instant, controlled), (left, own)) in solution.instants.iter_mut().zip(imposed).zip(lefts) {
         let a = instant.contact_radius.value;
-        wider(&mut instant.penetration, of_depth(controlled));
-        wider(&mut instant.force, of_force(a));
-        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge(a, slope) });
-        instant.energies.iter_mut().for_each(widen_energies);
+        wider(&mut instant.penetration, of_depth(controlled, left.strain));
+        wider(&mut instant.force, of_force(a, left.strain));
+        let of_edge = of_edge(a, Some(left.slope), left.strain);
+        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge });
+        instant.energies.iter_mut().for_each(|energies| widen_energies(energies, own));
     }
     for cycle in &mut solution.cycles {
         // Fundamental amplitudes are sums over the time as well, of depth and of force.
         let swing = |range: &[Estimate; 2]| (range[1].value - range[0].value).abs();
-        // The mean of the force does no work in the end, but goes into the sums; what is not known of the force does work there and back.
-        let largest = |range: &[Estimate; 2]| range[0].value.abs().max(range[1].value.abs());
-        let unknown_force = of_force(largest(&cycle.contact_radius));
-        let of_work = swing(&cycle.penetration) * (not_known.sums * largest(&cycle.force) + 2.0 * unknown_force);
+        // What is not known of the force does work there and back.
+        let unknown_force = of_force(cycle.contact_radius[1].value.abs(), unknown);
+        // Cycles that repeat the last one leave as much.
+        let of_cycles = &own.of_cycles;
+        let of_cycle = of_cycles.partition_point(|(which, _)| *which <= (cycle.segment, cycle.number)).checked_sub(1);
+        let left = of_cycle.and_then(|place| of_cycles.get(place)).map_or([0.0; 3], |(_, left)| *left);
+        wider(&mut cycle.work, OF_LAST * left[2] + 2.0 * swing(&cycle.penetration) * unknown_force);
+        let part = |left: f64, swing: f64| if left > 0.0 { OF_AMPLITUDES * left / swing.max(f64::MIN_POSITIVE) } else { 0.0 };
+        let of_amplitudes = part(left[0], swing(&cycle.penetration)) + part(left[1], swing(&cycle.force));
         let stiffness = cycle.storage_stiffness.value.hypot(cycle.loss_stiffness.value);
-        wider(&mut cycle.work, of_work);
-        wider(&mut cycle.storage_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);
-        wider(&mut cycle.loss_stiffness, OF_AMPLITUDES * not_known.sums * stiffness);
-        wider(&mut cycle.phase, OF_AMPLITUDES * not_known.sums);
+        wider(&mut cycle.storage_stiffness, of_amplitudes * stiffness);
+        wider(&mut cycle.loss_stiffness, of_amplitudes * stiffness);
+        wider(&mut cycle.phase, of_amplitudes);
         let controlled = problem.history.segments.get(cycle.segment).map_or(Controlled::Force, |segment| segment.controlled);
         for k in 0..2 {
             let a = cycle.contact_radius[k].value;
-            wider(&mut cycle.penetration[k], of_depth(controlled));
-            wider(&mut cycle.force[k], of_force(a));
-            wider(&mut cycle.contact_radius[k], of_edge(a, None));
+            wider(&mut cycle.penetration[k], of_depth(controlled, unknown));
+            wider(&mut cycle.force[k], of_force(a, unknown));
+            wider(&mut cycle.contact_radius[k], of_edge(a, None, unknown));
         }
     }
-    let depth = solution.march.summary.scales[0];
     for event in &mut solution.events {
         wider(&mut event.penetration, unknown);
-        event.energies.iter_mut().for_each(widen_energies);
+        event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
         // It lets go as fast as the history passes its depth, on the whole.
         let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
-        wider(&mut event.time, duration * unknown / depth.max(f64::MIN_POSITIVE));
+        wider(&mut event.time, duration * unknown / depth);
     }
 }
 

@@ -62,7 +62,7 @@ impl IndentationPlan {
         values
     }
 
-    /// The largest value on the way: of a point it is known as well as the instants beside it, and as the points beside it show.
+    /// The largest value on the way.
     fn largest(
         &self,
         solution: &IndentationSolution,
@@ -70,17 +70,18 @@ impl IndentationPlan {
         of_point: fn(&PathPoint) -> f64,
         of_cycle: fn(&Cycle<Estimate>) -> Option<Estimate>,
     ) -> Option<Estimate> {
-        let on_path = self.extreme(solution, 0..solution.march.path.len(), place, of_point, 1.0);
-        let instants = solution.instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
+        let whole = self.extreme(solution, 0..solution.march.path.len(), &solution.instants, place, of_point, 1.0);
         let cycles = solution.cycles.iter().filter_map(of_cycle).filter(|extreme| extreme.value.is_finite() && extreme.error.is_finite());
-        instants.chain(cycles).chain(on_path).max_by(|one, other| one.value.total_cmp(&other.value))
+        cycles.chain(whole).max_by(|one, other| one.value.total_cmp(&other.value))
     }
 
-    /// The largest (`sign` 1) or smallest (−1) value at some points of the path: known as well as each, and as the points beside it show.
+    /// The largest (`sign` 1) or smallest (−1) value at some points of the path and the instants among them: known as the other marches show it, and as the points
+    /// beside it show.
     pub(super) fn extreme(
         &self,
         solution: &IndentationSolution,
         points: Range<usize>,
+        instants: &[Instant],
         place: usize,
         of_point: fn(&PathPoint) -> f64,
         sign: f64,
@@ -92,7 +93,7 @@ impl IndentationPlan {
             one.total_cmp(&other)
         })?;
         let point = path.get(index)?;
-        let known = self.of_path_point(solution, point).get(place).copied().flatten()?;
+        let known = self.of_path_point(solution, index, point).get(place).copied().flatten()?;
         let drop = |neighbour: Option<&PathPoint>| neighbour.map(|beside| sign * known.value - size(beside));
         let [before, after] = [index.checked_sub(1), index.checked_add(1)].map(|index| index.and_then(|index| path.get(index)));
         let smooth = before.is_some_and(|before| before.piece == point.piece) && after.is_some_and(|after| after.piece == point.piece);
@@ -102,7 +103,15 @@ impl IndentationPlan {
             (Some(before), Some(after)) => before.min(after),
             _ => 0.0,
         };
-        Some(Estimate::new(known.value, known.error + beyond.max(0.0)))
+        let kept = instants.iter().filter_map(|instant| self.of_instant(instant).get(place).copied().flatten());
+        let kept = kept.max_by(|one, other| (sign * one.value).total_cmp(&(sign * other.value)));
+        // A point that another march does not show is the extreme, or that of the instants is.
+        let error = match kept {
+            Some(kept) if !known.error.is_finite() => (known.value - kept.value).abs() + kept.error,
+            _ => known.error + beyond.max(0.0),
+        };
+        let on_path = Estimate::new(known.value, error);
+        kept.into_iter().chain([on_path]).max_by(|one, other| (sign * one.value).total_cmp(&(sign * other.value)))
     }
 }
 

@@ -39,7 +39,7 @@ impl IndentationPlan {
 
     /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its
     /// last cycle.
-    pub(super) fn in_oscillations<'s>(&self, solution: &'s IndentationSolution) -> Vec<&'s PathPoint> {
+    pub(super) fn in_oscillations<'s>(&self, solution: &'s IndentationSolution) -> Vec<(usize, &'s PathPoint)> {
         let instants = f64::from(self.indentation.instants);
         if instants < INSTANTS_PER_CYCLE {
             return Vec::new();
@@ -52,9 +52,9 @@ impl IndentationPlan {
             let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
             let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
             let mut next = from;
-            for point in solution.march.path.iter().filter(|point| point.time >= from && point.time < to) {
+            for (index, point) in solution.march.path.iter().enumerate().filter(|(_, point)| point.time >= from && point.time < to) {
                 if point.time >= next {
-                    found.push(point);
+                    found.push((index, point));
                     next = point.time.max(next + (to - from) / instants);
                 }
             }

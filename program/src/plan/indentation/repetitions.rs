@@ -48,7 +48,8 @@ impl IndentationPlan {
             }
         };
         type Of = fn(&PathPoint) -> f64;
-        let extreme = |place: usize, of: Of, sign: f64| self.extreme(solution, first..last + 1, place, of, sign);
+        let instants = solution.instants.get(ends[0]..=ends[1])?;
+        let extreme = |place: usize, of: Of, sign: f64| self.extreme(solution, first..last + 1, instants, place, of, sign);
         let [penetration, force, radius]: [Of; 3] = [|point| point.penetration, |point| point.force, |point| point.contact_radius];
         let cells = [
             (at::TIME, Some(Estimate::exact(to.time))),

@@ -89,8 +89,8 @@ impl IndentationPlan {
         if let Some(values) = self.of_largest_tension(solution, &scales) {
             add(["event", LARGEST_TENSION], values, 0.0)?;
         }
-        for point in self.between_instants(solution) {
-            add([INSTANT, ""], self.of_path_point(solution, point), point.residual)?;
+        for (index, point) in self.between_instants(solution) {
+            add([INSTANT, ""], self.of_path_point(solution, index, point), point.residual)?;
         }
         for cycle in self.cycles_shown(solution) {
             add([CYCLE, ""], self.of_cycle(solution, cycle, &scales), 0.0)?;
@@ -242,21 +242,24 @@ impl IndentationPlan {
         values
     }
 
-    /// Points of the path inside ramps that begin where only the march knows, and inside oscillations.
-    fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<&'p PathPoint> {
+    /// Points of the path inside ramps that begin where only the march knows, and inside oscillations; not those that another march does not show.
+    fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<(usize, &'p PathPoint)> {
+        let path = || solution.march.path.iter().enumerate();
         let inside = |&(from, to): &(f64, f64)| {
-            let points: Vec<&PathPoint> = solution.march.path.iter().filter(|point| point.time > from && point.time < to).collect();
+            let points: Vec<_> = path().filter(|(_, point)| point.time > from && point.time < to).collect();
             thinned(points, self.indentation.instants as usize)
         };
-        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).collect()
+        let known = |index: usize| solution.path_errors.get(index).is_some_and(|errors| errors.iter().all(|error| error.is_finite()));
+        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).filter(|(index, _)| known(*index)).collect()
     }
 
-    /// A point between two kept instants, known as well as the worse of them.
-    pub(super) fn of_path_point(&self, solution: &IndentationSolution, point: &PathPoint) -> Values {
+    /// A point between two kept instants, known as the other marches show it and no better than the worse of both: there a quantity may be imposed, and have no error.
+    pub(super) fn of_path_point(&self, solution: &IndentationSolution, index: usize, point: &PathPoint) -> Values {
         let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
-        let known = |value: f64, of: fn(&Instant) -> Estimate| {
+        let own = solution.path_errors.get(index).copied().unwrap_or([f64::INFINITY; 4]);
+        let known = |value: f64, own: f64, of: fn(&Instant) -> Estimate| {
             let neighbours = [after.saturating_sub(1), after].into_iter().filter_map(|place| solution.instants.get(place));
-            Estimate::new(value, neighbours.fold(0.0, |most: f64, instant| most.max(of(instant).error)))
+            Estimate::new(value, neighbours.fold(own, |most: f64, instant| most.max(of(instant).error)))
         };
         // Within a cycle not better than its extremes.
         let cycle = solution.cycles.iter().find(|cycle| cycle.start <= point.time && point.time <= cycle.end);
@@ -266,12 +269,12 @@ impl IndentationPlan {
         };
         let mut values = self.basic(
             Estimate::exact(point.time),
-            within(known(point.penetration, |instant| instant.penetration), |cycle| &cycle.penetration),
-            within(known(point.force, |instant| instant.force), |cycle| &cycle.force),
-            within(known(point.contact_radius, |instant| instant.contact_radius), |cycle| &cycle.contact_radius),
+            within(known(point.penetration, own[0], |instant| instant.penetration), |cycle| &cycle.penetration),
+            within(known(point.force, own[1], |instant| instant.force), |cycle| &cycle.force),
+            within(known(point.contact_radius, own[2], |instant| instant.contact_radius), |cycle| &cycle.contact_radius),
         );
         if let (Some(cell), true) = (values.get_mut(at::STRESS_INTENSITY), self.indentation.adhesion.is_some()) {
-            *cell = Some(known(point.stress_intensity_factor, |instant| instant.stress_intensity_factor));
+            *cell = Some(known(point.stress_intensity_factor, own[3], |instant| instant.stress_intensity_factor));
         }
         values
     }

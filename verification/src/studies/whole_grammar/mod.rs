@@ -163,7 +163,7 @@ fn checks(problem: Problem, judged: &[Judged], all: &Count) -> Vec<Check> {
 const fn wide(problem: Problem) -> Option<&'static str> {
     match problem {
         Problem::Indentation => Some(
-            "without adhesion a bound is six times the change from a course that is thirty times coarser, of which the finer one errs by a small part",
+            "without adhesion two courses may have the same panels: what series leave of a strain counts in full, against the glassy modulus, though a force is a mean of it",
         ),
         Problem::DelayedFracture => {
             Some("two runs may agree by chance: no difference counts as less than third order would make of the ones before")
