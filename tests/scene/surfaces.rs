@@ -276,7 +276,7 @@ fn a_pull_that_no_state_carries_is_refused_with_its_fold() {
     assert!((pressure + 0.041_227).abs() < 1e-5 && (gap - 1.154_8).abs() < 3e-3, "{reason}");
     // A pull just below the fold has its stable state.
     let held = solved(&format!("{MATERIAL}{LAW}{}wave = {{}}\n", pulled("-0.041")));
-    assert_eq!(first(&held, "stable_under_mean_pressure").value, 1.0);
+    assert_eq!(first(&held, "stable_under_mean_pressure").value as u8, 1);
     assert!(first(&held, "mean_gap").value < gap);
 }
 
@@ -288,8 +288,8 @@ fn every_state_of_one_load_is_a_row() {
     let labels: Vec<[&str; 2]> = outcome.rows.iter().map(|row| [row.label(1), row.label(2)]).collect();
     assert_eq!(labels, [["partial", "long_range"], ["full", "closed_form"]]);
     for row in &outcome.rows {
-        assert_eq!(value(&outcome, row, "other_states").value, 1.0);
-        assert_eq!(value(&outcome, row, "stable_under_mean_pressure").value, 1.0);
+        assert_eq!(value(&outcome, row, "other_states").value as u8, 1);
+        assert_eq!(value(&outcome, row, "stable_under_mean_pressure").value as u8, 1);
     }
     let full = 0.5 * 0.05 * 0.9 / (1.0 + 0.005_f64.powi(2));
     assert!((value(&outcome, &outcome.rows[1], "friction_stress").value - full).abs() < 1e-12);

@@ -58,7 +58,8 @@ impl<'p> Protocol<'p> {
         while self.way(leg) == 0.0 {
             leg = leg.checked_sub(1)?;
         }
-        if !(self.way(leg) < 0.0) {
+        let way = self.way(leg);
+        if way.is_nan() || way > 0.0 {
             return None;
         }
         loop {
