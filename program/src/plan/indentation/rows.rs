@@ -89,7 +89,7 @@ impl IndentationPlan {
         if let Some(values) = self.of_largest_tension(solution, &scales) {
             add(["event", LARGEST_TENSION], values, 0.0)?;
         }
-        for (index, point) in self.between_instants(solution) {
+        for (index, point) in self.between_instants(solution, &scales) {
             add([INSTANT, ""], self.of_path_point(solution, index, point), point.residual)?;
         }
         for cycle in self.cycles_shown(solution) {
@@ -242,15 +242,22 @@ impl IndentationPlan {
         values
     }
 
-    /// Points of the path inside ramps that begin where only the march knows, and inside oscillations; not those that another march does not show.
-    fn between_instants<'p>(&self, solution: &'p IndentationSolution) -> Vec<(usize, &'p PathPoint)> {
+    /// Points of the path inside ramps that begin where only the solver knows, and inside oscillations: those that the other paths show to the accuracy. Beside a corner
+    /// another path has no point, and between its points no more is known than their distance tells.
+    fn between_instants<'p>(&self, solution: &'p IndentationSolution, scales: &[f64]) -> Vec<(usize, &'p PathPoint)> {
+        let columns = [at::PENETRATION, at::FORCE, at::CONTACT_RADIUS, at::STRESS_INTENSITY];
+        let columns = columns.get(..if self.indentation.adhesion.is_some() { 4 } else { 3 }).unwrap_or(&columns);
+        let known = |&(index, _): &(usize, &PathPoint)| {
+            let errors = solution.path_errors.get(index);
+            let within = |(error, column): (&f64, &usize)| *error <= self.solver_accuracy * scales.get(*column).copied().unwrap_or(0.0);
+            errors.is_some_and(|errors| errors.iter().zip(columns).all(within))
+        };
         let path = || solution.march.path.iter().enumerate();
         let inside = |&(from, to): &(f64, f64)| {
-            let points: Vec<_> = path().filter(|(_, point)| point.time > from && point.time < to).collect();
+            let points: Vec<_> = path().filter(|(_, point)| point.time > from && point.time < to).filter(known).collect();
             thinned(points, self.indentation.instants as usize)
         };
-        let known = |index: usize| solution.path_errors.get(index).is_some_and(|errors| errors.iter().all(|error| error.is_finite()));
-        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution)).filter(|(index, _)| known(*index)).collect()
+        self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution).into_iter().filter(known)).collect()
     }
 
     /// A point between two kept instants, known as the other marches show it and no better than the worse of both: there a quantity may be imposed, and have no error.

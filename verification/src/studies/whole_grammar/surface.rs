@@ -226,7 +226,7 @@ fn load(text: &mut Text, scale: &Scale, adhesive: bool, is_line: bool) {
                 return;
             }
             2 | 3 => {
-                let word = text.word(&["loading", "unloading", "long_range"]);
+                let word = text.word(&["loading", "unloading", "long_range", "every"]);
                 text.put("sliding.reached_by", quoted(word));
             }
             _ => {}
