@@ -19,7 +19,7 @@ fn of(point: &PathPoint) -> [f64; QUANTITIES] {
     [point.penetration, point.force, point.contact_radius, point.stress_intensity_factor]
 }
 
-/// Bounds on Δ, F, a and K at every point of the path of the march whose numbers are told; infinite where another march does not show them.
+/// Bounds on Δ, F, a and K at every point of the path of the march whose numbers are shown; infinite where another march does not show them.
 pub(super) fn errors(ladder: &Ladder, heard: Heard<&Trace>, march: &Trace) -> Vec<[f64; QUANTITIES]> {
     let path = &march.path;
     let mut places = heard.map(|_| 0);
@@ -129,18 +129,18 @@ mod tests {
         Trace { path: times.map(|time| point(time, piece, off(time))).collect(), ..Trace::default() }
     }
 
-    fn found(told: &Trace, finer: &Trace) -> Vec<[f64; QUANTITIES]> {
+    fn found(own: &Trace, finer: &Trace) -> Vec<[f64; QUANTITIES]> {
         let ladder = Ladder { tolerances: [Some(1e-3), Some(1.0), None, None], told: 1, reduction: None };
-        errors(&ladder, [Some(finer), Some(told), None, None], told)
+        errors(&ladder, [Some(finer), Some(own), None, None], own)
     }
 
     /// Right at both ends, where something is imposed, and off between: by sin as the truth, which other times of the finer path do not hide.
     #[test]
     fn points_between_imposed_ones_have_their_own_error() {
         let away = |time: f64| OFF * time * (1.0 - time) * 4.0;
-        let told = trace((0..=20).map(|k| f64::from(k) / 20.0), 0, away);
+        let own = trace((0..=20).map(|k| f64::from(k) / 20.0), 0, away);
         let finer = trace((0..=333).map(|k| f64::from(k) / 333.0), 0, |_| 0.0);
-        for (point, errors) in told.path.iter().zip(found(&told, &finer)) {
+        for (point, errors) in own.path.iter().zip(found(&own, &finer)) {
             for error in errors.iter().take(3) {
                 assert!(*error >= away(point.time) && *error <= 1.5 * away(point.time) + 1e-7, "{error:e} at {}", point.time);
             }
@@ -151,9 +151,9 @@ mod tests {
     #[test]
     fn an_event_that_is_a_little_later_is_as_far_off_as_its_time_makes_it() {
         let late = 1e-6;
-        let told = trace([0.0, 0.4, 1.0].into_iter(), 0, |_| 0.0);
+        let own = trace([0.0, 0.4, 1.0].into_iter(), 0, |_| 0.0);
         let finer = trace([0.0, 0.4 + late, 1.0].into_iter(), 0, |_| 0.0);
-        let errors = found(&told, &finer);
+        let errors = found(&own, &finer);
         assert!(errors[1][0] > late && errors[1][0] < 20.0 * late, "{:e}", errors[1][0]);
         assert!(errors[0][0] == 0.0 && errors[2][0] == 0.0);
     }
@@ -161,8 +161,8 @@ mod tests {
     /// Where the other path has no point near and no smooth piece, nothing is known.
     #[test]
     fn what_another_path_does_not_show_is_not_known() {
-        let told = trace([0.0, 0.4, 1.0].into_iter(), 0, |_| 0.0);
+        let own = trace([0.0, 0.4, 1.0].into_iter(), 0, |_| 0.0);
         let finer = trace([0.0, 1.0].into_iter(), 0, |_| 0.0);
-        assert!(found(&told, &finer)[1][0].is_infinite());
+        assert!(found(&own, &finer)[1][0].is_infinite());
     }
 }

@@ -49,7 +49,7 @@ impl Excess {
 }
 
 /// Judges one of some marches, the finest first, by those behind it; nothing without a march there.
-pub(super) fn judged(problem: &IndentationProblem, marches: &[Trace], told: usize) -> Option<Verdict> {
+pub(super) fn with_errors(problem: &IndentationProblem, marches: &[Trace], told: usize) -> Option<Verdict> {
     compared(problem, marches, told, None)
 }
 
@@ -295,7 +295,7 @@ mod tests {
     }
 
     fn judged_alike(trace: &Trace) -> IndentationSolution {
-        judged(&problem(), &vec![trace.clone(); 3], 2).unwrap().solution(IndentationWork::default())
+        with_errors(&problem(), &vec![trace.clone(); 3], 2).unwrap().solution(IndentationWork::default())
     }
 
     /// Marches that agree to the last bit about a state out of balance.

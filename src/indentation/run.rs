@@ -5,7 +5,7 @@ use super::by_panels;
 use super::checkpoint::{Checkpoint, Observer, RunState, StepsState, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
 use super::fields::SurfaceFields;
-use super::judgement::{Verdict, judged};
+use super::judgement::{Verdict, with_errors};
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
 use super::profile::Profile;
@@ -130,7 +130,7 @@ fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<V
     let loosest = if last { BEHIND.min(marches.len().checked_sub(1)?) } else { BEHIND };
     let tightest = if last { 0 } else { BEHIND };
     for told in (tightest..=loosest).rev() {
-        let verdict = judged(problem, marches, told)?;
+        let verdict = with_errors(problem, marches, told)?;
         if verdict.excess <= 1.0 {
             return Some(verdict);
         }

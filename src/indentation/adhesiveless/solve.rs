@@ -8,7 +8,7 @@ use crate::indentation::checkpoint::Watch;
 use crate::indentation::cycle::Cycle;
 use crate::indentation::fields::SurfaceFields;
 use crate::indentation::history::{Controlled, Segment};
-use crate::indentation::judgement::judged;
+use crate::indentation::judgement::with_errors;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::profile::Profile;
@@ -67,13 +67,13 @@ pub(in crate::indentation) fn solve(
     // The numbers are those of the course that mostly suffices: a finer one shows its errors, those too that a coarser one has as well.
     let first = u32::from(!is_finest(1));
     let mut ahead = if alone { side_by_side(|| course(first, None, &[]), || course(first + 1, watch, &[])) } else { [None, None] };
-    let solved = |(fine, unknown): &(Trace, Unknown), (coarse, of_coarse): &(Trace, Unknown), told: usize, work: IndentationWork| {
-        let tolerance = fine.tolerance * if told == 0 { BY_COARSER } else { BY_FINER };
+    let solved = |(fine, unknown): &(Trace, Unknown), (coarse, of_coarse): &(Trace, Unknown), shown: usize, work: IndentationWork| {
+        let tolerance = fine.tolerance * if shown == 0 { BY_COARSER } else { BY_FINER };
         let courses = [fine.clone(), Trace { tolerance, ..coarse.clone() }];
-        let mut solution = judged(problem, &courses, told)?.solution(work);
+        let mut solution = with_errors(problem, &courses, shown)?.solution(work);
         // Without adhesion nothing pulls: below zero a force is rounding, or a polynomial between points.
         solution.largest_tension = None;
-        widen(&mut solution, &chain, problem, unknown, if told == 0 { unknown } else { of_coarse });
+        widen(&mut solution, &chain, problem, unknown, if shown == 0 { unknown } else { of_coarse });
         Some(solution)
     };
     let mut last: Option<(Trace, Unknown)> = None;
@@ -94,9 +94,9 @@ pub(in crate::indentation) fn solve(
                 let kinds = |course: &(Trace, Unknown)| course.0.events.iter().map(|event| event.kind).collect::<Vec<_>>();
                 let alike = kinds(&found) == kinds(&coarse);
                 if level > 1 {
-                    let told = solved(&found, &coarse, 1, work);
-                    if let Some(told) = told.filter(|told| alike && told.reached && within(told, problem.accuracy)) {
-                        return Ok(told);
+                    let shown = solved(&found, &coarse, 1, work);
+                    if let Some(shown) = shown.filter(|shown| alike && shown.reached && within(shown, problem.accuracy)) {
+                        return Ok(shown);
                     }
                 }
                 if is_finest(level) {
@@ -104,11 +104,11 @@ pub(in crate::indentation) fn solve(
                 }
                 found
             }
-            // What series leave may be too much for a small contact: the course before is told, by one that is coarser.
-            (Err(Refusal::NotConverged { .. }), Some(told)) if level > 1 => {
+            // What series leave may be too much for a small contact: the course before is shown, by one that is coarser.
+            (Err(Refusal::NotConverged { .. }), Some(shown)) if level > 1 => {
                 let coarse = course(level - 2, watch, &stops)?;
                 work.add(&coarse.0.work);
-                return solved(&told, &coarse, 0, work).ok_or_else(none_left);
+                return solved(&shown, &coarse, 0, work).ok_or_else(none_left);
             }
             (Err(Refusal::NotConverged { .. }), _) if !is_finest(level) => continue,
             (Err(refusal), _) => return Err(refusal),

@@ -175,6 +175,10 @@ pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
         along.work += step(*from, *to);
         along.force_way += (to.1 - from.1).abs();
         along.depth_way += (to.0 - from.0).abs();
+        // From one stretch to the next the force may go at once, along a way that no point shows.
+        if from.2 != to.2 {
+            along.open += 0.5 * ((to.1 - from.1) * (to.0 - from.0)).abs();
+        }
     }
     // Twice as wide steps within each smooth stretch; a step alone is known as well as the rectangle around it.
     for stretch in way.chunk_by(|from, to| from.2 == to.2) {
