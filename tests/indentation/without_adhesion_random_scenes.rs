@@ -92,7 +92,7 @@ fn what_a_panel_leaves_is_within_the_bound() {
         let row = instants.min_by(|one, other| away(one).total_cmp(&away(other))).unwrap();
         let reported = row.values[penetration].unwrap();
         assert!((reported.value - right).abs() <= reported.error + 1e-17, "{at}: {reported:?} {right}");
-        assert!(reported.error < 1e-6 * right, "{at}: {reported:?}");
+        assert!(reported.error < 1e-5 * right, "{at}: {reported:?}");
     }
 }
 

@@ -3,6 +3,7 @@
 use super::chain::Chain;
 use super::course::{Course, Fineness, Left, Unknown};
 use super::fresh::Fresh;
+use super::line::Line;
 use crate::estimate::Estimate;
 use crate::indentation::checkpoint::Watch;
 use crate::indentation::cycle::Cycle;
@@ -31,22 +32,17 @@ pub(super) const OF_LAST: f64 = 4.0;
 const OF_AMPLITUDES: f64 = 4.0;
 /// Slope of S over f′ that is told from none.
 const SOFTEST: f64 = 1e4;
-/// Series over the accuracy.
-const OF_ACCURACY: f64 = 1e-3;
-const LOOSEST: f64 = 1e-6;
-/// The same of sums over the time.
-const OF_SUMS: f64 = 1e-3;
+/// Series over the accuracy, and sums over the time: where they leave too much, a finer course shows it and is taken.
+const OF_ACCURACY: f64 = 3e-2;
+const LOOSEST: f64 = 3e-5;
 const FINEST_SUMS: f64 = 1e-12;
-const LOOSEST_SUMS: f64 = 1e-5;
 
 /// How finely courses go: the coarsest one (level 0), the one that mostly suffices, and finer ones.
 fn fineness(accuracy: f64, level: u32) -> Fineness {
     let coarser = COARSER.powi(1 - level as i32);
     let at_least = |finest: f64| if level == 0 { finest * COARSER } else { finest };
-    Fineness {
-        series: ((OF_ACCURACY * accuracy).min(LOOSEST) * coarser).max(at_least(FINEST)),
-        sums: ((OF_SUMS * accuracy).min(LOOSEST_SUMS) * coarser).max(at_least(FINEST_SUMS)),
-    }
+    let left = (OF_ACCURACY * accuracy).min(LOOSEST) * coarser;
+    Fineness { series: left.max(at_least(FINEST)), sums: left.max(at_least(FINEST_SUMS)) }
 }
 
 /// Solves a history without adhesion to its accuracy.
@@ -194,11 +190,17 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     let wider = |estimate: &mut Estimate, by: f64| *estimate = Estimate::new(estimate.value, estimate.error + by);
     let of_depth = |controlled: Controlled, unknown: f64| if controlled == Controlled::Penetration { 0.0 } else { unknown };
     let of_force = |a: f64, unknown: f64| 2.0 * a * chain.glassy * unknown;
+    // How much further out the surface may touch: the root of what is not known where a contact is small.
+    let further = |a: f64, unknown: f64| {
+        let reached = problem.profile.line(a) + softest * unknown;
+        Line::untouched(chain, &problem.profile, 0.0).virgin_edge(reached, a).map_or(f64::INFINITY, |edge| edge - a)
+    };
     let of_edge = |a: f64, own: Option<f64>, unknown: f64| {
-        let least = problem.profile.line_slope(a) / softest;
-        let slope = own.unwrap_or(0.0).max(least);
-        // An edge is known no worse than the whole contact.
-        if a > 0.0 && slope > 0.0 { (unknown / slope).min(a) } else { 0.0 }
+        let slope = own.unwrap_or(0.0).max(problem.profile.line_slope(a) / softest);
+        // All of a flat punch is in contact.
+        let straight = if slope > 0.0 { unknown / slope } else { 0.0 };
+        // Inwards an edge is known no worse than the whole contact.
+        if straight <= a { straight } else { straight.min(further(a, unknown).max(a)) }
     };
     // What is imposed at each instant: an edge that is imposed is known.
     let kept = |segment: &Segment| {
@@ -229,29 +231,44 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         // What is lost is a difference of sums.
         wider(lost, OF_DIFFERENCE * most_work + OF_LAST * left.work + of_stored);
     };
+    let at_the_end =
+        |unknown: &Unknown| Left { slope: 0.0, strain: unknown.strain, work: unknown.kept.last().map_or(0.0, |left| left.work) };
+    let [last, own_last] = [not_known, own].map(at_the_end);
+    for event in &mut solution.events {
+        wider(&mut event.penetration, unknown);
+        event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
+        // It lets go as fast as the history passes its depth, on the whole.
+        let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+        wider(&mut event.time, duration * unknown / depth);
+    }
+    // Nothing is in contact, unless the loss may be still to come: not where a step lets go, before which there is a point at the same time.
+    let at_a_step = |time: f64| solution.march.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
+    let lost: Vec<Estimate> = solution.events.iter().map(|event| event.time).filter(|time| !at_a_step(time.value)).collect();
+    let of_none = |time: f64, unknown: f64| {
+        let beside = lost.iter().any(|lost| (lost.value - time).abs() <= lost.error);
+        if beside { further(0.0, unknown) } else { 0.0 }
+    };
     // Points between instants: what two instants impose is imposed between them.
     let controls: Vec<Controlled> = imposed.clone().collect();
     for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.march.path).enumerate() {
         let after = solution.march.kept.partition_point(|kept| *kept < index);
         let given = |quantity: Controlled| [after.saturating_sub(1), after].iter().all(|kept| controls.get(*kept) == Some(&quantity));
         let a = point.contact_radius;
+        let of_radius = if a > 0.0 { of_edge(a, None, unknown) } else { of_none(point.time, unknown) };
         let wider = [
             if given(Controlled::Penetration) { 0.0 } else { unknown },
-            of_force(a, unknown),
-            if given(Controlled::ContactRadius) { 0.0 } else { of_edge(a, None, unknown) },
+            of_force(a.max(of_radius), unknown),
+            if given(Controlled::ContactRadius) { 0.0 } else { of_radius },
         ];
         errors.iter_mut().zip(wider).for_each(|(error, by)| *error += by);
     }
-    let at_the_end =
-        |unknown: &Unknown| Left { slope: 0.0, strain: unknown.strain, work: unknown.kept.last().map_or(0.0, |left| left.work) };
-    let [last, own_last] = [not_known, own].map(at_the_end);
     let lefts = not_known.kept.iter().chain(std::iter::repeat(&last)).zip(own.kept.iter().chain(std::iter::repeat(&own_last)));
     for ((instant, controlled), (left, own)) in solution.instants.iter_mut().zip(imposed).zip(lefts) {
         let a = instant.contact_radius.value;
         wider(&mut instant.penetration, of_depth(controlled, left.strain));
-        wider(&mut instant.force, of_force(a, left.strain));
-        let of_edge = of_edge(a, Some(left.slope), left.strain);
-        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_edge });
+        let of_radius = if a > 0.0 { of_edge(a, Some(left.slope), left.strain) } else { of_none(instant.time, left.strain) };
+        wider(&mut instant.force, of_force(a.max(of_radius), left.strain));
+        wider(&mut instant.contact_radius, if controlled == Controlled::ContactRadius { 0.0 } else { of_radius });
         instant.energies.iter_mut().for_each(|energies| widen_energies(energies, own));
     }
     for cycle in &mut solution.cycles {
@@ -275,15 +292,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
             let a = cycle.contact_radius[k].value;
             wider(&mut cycle.penetration[k], of_depth(controlled, unknown));
             wider(&mut cycle.force[k], of_force(a, unknown));
-            wider(&mut cycle.contact_radius[k], of_edge(a, None, unknown));
+            wider(&mut cycle.contact_radius[k], if a > 0.0 { of_edge(a, None, unknown) } else { 0.0 });
         }
-    }
-    for event in &mut solution.events {
-        wider(&mut event.penetration, unknown);
-        event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
-        // It lets go as fast as the history passes its depth, on the whole.
-        let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
-        wider(&mut event.time, duration * unknown / depth);
     }
 }
 
