@@ -128,7 +128,7 @@ impl Course<'_> {
     fn panel(&mut self, controlled: Controlled, given: &Drive, at: f64, most: f64, wanted: &mut &[Wanted]) -> Result<f64, Refusal> {
         let (asked, unit) = self.asked(controlled);
         let least = SHORTEST * self.chain.shortest_time().min(given.duration);
-        let mut length = if self.panel_length > 0.0 { self.panel_length } else { 0.1 * self.chain.shortest_time().min(most) };
+        let mut length = if self.panel_length > 0.0 { self.panel_length } else { self.chain.shortest_time().min(most) };
         length = length.min(most);
         if matches!(asked, Asked::Radius) {
             length = one_way(given, at, length);
