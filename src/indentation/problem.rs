@@ -89,12 +89,6 @@ impl IndentationProblem {
             require_positive("process_zone", adhesion.process_zone)?;
         }
         self.edge_law.checked()?;
-        if self.edge_law.growing_zone && !self.profile.is_flat() {
-            return Err(Refusal::Undefined {
-                quantity: "a process zone that grows with the load",
-                reason: "K at an advancing edge does not give it, and only a flat punch never needs one".into(),
-            });
-        }
         let radius_rests = self.edge_law.may_rest() || self.edge_law.growing_zone;
         if radius_rests && self.adhesion.is_some() && self.history.controls(Controlled::ContactRadius) {
             return Err(Refusal::Undefined {

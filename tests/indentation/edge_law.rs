@@ -24,7 +24,9 @@ use std::f64::consts::PI;
 use support::{Row, reference_rows};
 use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use viscotack::elastic::{EquilibriumBranch, JkrSphere};
-use viscotack::indentation::{Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Profile, run};
+use viscotack::indentation::{
+    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, run,
+};
 use viscotack::material::RelaxationTerm;
 use viscotack::{Material, Refusal};
 
@@ -228,5 +230,38 @@ fn refusals_have_reasons() {
     let radius = sphere(1e-3, 0.05, 2e-7, History::contact_radius(1e-4).hold(1.0)).relaxed();
     assert!(matches!(refusal(&with(&radius, two_works(0.5))), Refusal::Undefined { .. }));
     let growing = EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT };
-    assert!(matches!(refusal(&with(&approach, growing)), Refusal::Undefined { .. }));
+    assert!(matches!(refusal(&with(&radius, growing)), Refusal::Undefined { .. }));
+}
+
+/// A sphere that jumps in at once is a glassy contact whose zone is (Δγ/G or G/Δγ) times that at G = Δγ: K of the solution gives the zone of an elastic contact of the
+/// same radius. Pulled, the larger zone lets it off at a smaller force.
+#[test]
+fn a_zone_that_grows_on_a_sphere_is_that_of_its_edge() {
+    let (relaxed, glassy, work, zone) = (1.3e6, 1.3e7, 0.05, 2e-7);
+    let material = Material::standard_solid(relaxed, glassy, 1.0).unwrap();
+    let growing = EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT };
+    let touched = sphere(1e-3, work, zone, History::penetration(5e-7).ramp(5.000_001e-7, 1e-9));
+    let found = solved(&material, &with(&touched, growing.clone()));
+    let first = found.instants[0];
+    let pull = first.stress_intensity_factor.value.powi(2) / (2.0 * relaxed * work);
+    let contact = elastic_contact(&touched.profile, glassy, work, zone * pull.max(1.0 / pull), 5e-7).unwrap();
+    let constant = solved(&material, &touched).instants[0].contact_radius.value;
+    println!("G/Δγ {pull}: {} against {}, constant {constant}", first.contact_radius.value, contact.contact_radius);
+    assert!(pull > 5.0 && (first.contact_radius.value / contact.contact_radius - 1.0).abs() < 1e-4);
+    assert!((constant / contact.contact_radius - 1.0).abs() > 1e-3);
+    let pull_off = |zone: f64, rate: f64, law: &EdgeLaw| {
+        let history = History::penetration(5e-6).ramp(-40e-6, 45e-6 / rate);
+        let problem = IndentationProblem { accuracy: 1e-4, ..sphere(1e-3, work, zone, history).relaxed() };
+        solved(&material, &with(&problem, law.clone())).pull_off_force().unwrap().value
+    };
+    for rate in [1e-7, 1e-5] {
+        let [thin, constant, grows] =
+            [pull_off(0.2 * zone, rate, &EdgeLaw::CONSTANT), pull_off(zone, rate, &EdgeLaw::CONSTANT), pull_off(zone, rate, &growing)];
+        println!("rate {rate}: {thin} thin, {constant} constant, {grows} growing");
+        assert!(grows < constant && constant < thin);
+    }
+    // Where the edge hardly moves G = Δγ, and both zones are one.
+    let [constant, grows] = [EdgeLaw::CONSTANT, growing].map(|law| pull_off(zone, 1e-10, &law));
+    println!("slow: {constant} and {grows}");
+    assert!((grows / constant - 1.0).abs() < 1e-2);
 }
