@@ -274,8 +274,8 @@ fn what_is_not_allowed_is_refused() {
     assert!(run(&good, Accuracy { order: 8, ..Accuracy::new(1e-5) }, &mut mesher).is_err());
 }
 
-/// Relaxed contacts of large Tabor numbers are JKR's but for an excess that falls as μ^−1.4. A mesh whose nodes do not see the zone of tension holds the front at any place: the
-/// force was wrong by up to 0.3 of the pull-off.
+/// Relaxed contacts of large Tabor numbers are JKR's but for an excess that falls as μ^−1.4. A mesh whose nodes do not see the zone of tension
+/// holds the front at any place: the force was wrong by up to 0.3 of the pull-off.
 #[test]
 fn relaxed_starts_of_large_tabor_numbers_are_those_of_zero_range() {
     for tabor in [10.0, 20.0, 30.0, 60.0, 100.0_f64] {
