@@ -107,11 +107,7 @@ impl Edge {
 
     /// δ at an edge of a contact with Q(a).
     pub(super) fn zone_at(&self, contact: &Contact<'_>, radius: f64, edge_load: f64) -> f64 {
-        if self.law.growing_zone {
-            grown(&self.adhesion, contact.profile(), contact.springs().relaxed, (radius, edge_load))
-        } else {
-            self.zone()
-        }
+        if self.law.growing_zone { grown(&self.adhesion, contact.springs().relaxed, (radius, edge_load)) } else { self.zone() }
     }
 
     /// How far about an edge the closure may look: a zone that grows may do so within the step.
@@ -297,13 +293,10 @@ impl Edge {
     }
 }
 
-/// δ of a zone that grows, at an edge with Q(a). On a rim it shrinks with the pull. An edge that is free recedes at G ≥ Δγ and advances at G ≤ Δγ: its
-/// zone follows G/Δγ or Δγ/G.
-pub(super) fn grown(adhesion: &Adhesion, profile: &Profile, relaxed_modulus: f64, (radius, edge_load): (f64, f64)) -> f64 {
-    let pull = edge_load / (2.0 * PI * relaxed_modulus * adhesion.work_of_adhesion) * (edge_load / radius);
-    let growth = pull.max(LEAST_GROWTH);
-    let growth = if profile.is_flat() { growth } else { growth.max(growth.recip()) };
-    (growth * adhesion.process_zone).min(radius / SMALLEST)
+/// δ of a zone that grows, at an edge with Q(a).
+pub(super) fn grown(adhesion: &Adhesion, relaxed_modulus: f64, (radius, edge_load): (f64, f64)) -> f64 {
+    let growth = edge_load / (2.0 * PI * relaxed_modulus * adhesion.work_of_adhesion) * (edge_load / radius);
+    (growth.max(LEAST_GROWTH) * adhesion.process_zone).min(radius / SMALLEST)
 }
 
 /// Powers of the part of a time of an imposed Δ, less Δ now: straight if it is to rounding, else through five equal parts.

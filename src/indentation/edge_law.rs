@@ -3,7 +3,7 @@
 //! ```text
 //! Δγ = Δγ₀ · factor(|da/dt|)                 receding (trailing)
 //! Δγ = Δγ₀ · leading_ratio · factor(|da/dt|) advancing (leading)
-//! δ  = δ₀ · K_I²/(2E0*Δγ₀)                   growing zone, δ₀ at G = Δγ₀; on round indenters the inverse where that is less than 1 (advancing)
+//! δ  = δ₀ · K_I²/(2E0*Δγ₀)                   growing zone, δ₀ at G = Δγ₀
 //! ```
 //! An edge rests while C lies between the leading work and the trailing work at speed zero. A trailing work that falls with speed, or a leading one that rises, holds no
 //! edge at any speed: with v the speed and C_a > 0 the slope of C at once, a small change of the edge grows as e^{|C_a dv/dΔγ| t}.

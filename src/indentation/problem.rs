@@ -89,6 +89,13 @@ impl IndentationProblem {
             require_positive("process_zone", adhesion.process_zone)?;
         }
         self.edge_law.checked()?;
+        let withdrawn = self.start == Start::Relaxed && self.history.only_withdraws();
+        if self.edge_law.growing_zone && !self.profile.is_flat() && !withdrawn {
+            return Err(Refusal::Undefined {
+                quantity: "a process zone that grows with the pull",
+                reason: "K at an advancing edge does not give it: an indenter that is not flat takes it from a relaxed start, and is only withdrawn".into(),
+            });
+        }
         let radius_rests = self.edge_law.may_rest() || self.edge_law.growing_zone;
         if radius_rests && self.adhesion.is_some() && self.history.controls(Controlled::ContactRadius) {
             return Err(Refusal::Undefined {

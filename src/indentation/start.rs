@@ -102,7 +102,7 @@ fn with_grown_zone(problem: &IndentationProblem, adhesion: Adhesion, (modulus, r
     let mut zone = adhesion.process_zone;
     for _ in 0..ROUNDS_OF_GROWTH {
         let (a, depth) = at_edge(problem, Adhesion { process_zone: zone, ..adhesion }, modulus)?;
-        let next = grown(&adhesion, profile, relaxed, (a, modulus * (depth - profile.line(a))));
+        let next = grown(&adhesion, relaxed, (a, modulus * (depth - profile.line(a))));
         if (next - zone).abs() <= SAME_ZONE * zone {
             return Ok((a, depth));
         }

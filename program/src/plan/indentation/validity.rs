@@ -82,10 +82,7 @@ impl IndentationPlan {
         let law = &self.indentation.edge_law;
         let growth = |adhesion: &Adhesion| {
             let intensity = row.value(at::STRESS_INTENSITY).filter(|_| law.growing_zone);
-            let pull = intensity.map_or(1.0, |intensity| intensity * intensity / (2.0 * self.relaxed * adhesion.work_of_adhesion));
-            // Of an edge that is free the zone follows Δγ/G where it advances.
-            let flat = matches!(self.indentation.shape, IndentationShape::FlatPunch { .. });
-            if flat || pull == 0.0 { pull } else { pull.max(pull.recip()) }
+            intensity.map_or(1.0, |intensity| intensity * intensity / (2.0 * self.relaxed * adhesion.work_of_adhesion))
         };
         let zone = self.adhesion().map(|adhesion| adhesion.process_zone * growth(&adhesion)).filter(|zone| *zone > 0.0);
         let cohesive = match given.map(|adhesion| adhesion.process_zone) {
