@@ -61,7 +61,7 @@ impl Marcher<'_> {
     /// δ, at the present K where it grows.
     pub(super) fn zone_now(&self) -> f64 {
         let a = self.contact.radius();
-        if a > 0.0 { self.edge.zone_at(self.springs, a, self.contact.edge_load()).max(self.edge.zone()) } else { self.edge.zone() }
+        if a > 0.0 { self.edge.zone_at(&self.contact, a, self.contact.edge_load()).max(self.edge.zone()) } else { self.edge.zone() }
     }
 
     /// Keeps a place at which the line has a kink: a step ends there when the edge comes back.

@@ -11,7 +11,7 @@ use super::panel::value_at;
 use super::past::{Node, Past};
 use super::problem::Adhesion;
 use super::profile::Profile;
-use super::springs::{DEGREE, Springs};
+use super::springs::DEGREE;
 use super::stepping::SMALLEST;
 use super::window::Window;
 use super::zone::Zone;
@@ -105,14 +105,9 @@ impl Edge {
         self.adhesion.process_zone
     }
 
-    /// δ at an edge with Q(a).
-    pub(super) fn zone_at(&self, springs: &Springs, radius: f64, edge_load: f64) -> f64 {
-        if !self.law.growing_zone {
-            return self.zone();
-        }
-        let adhesion = self.adhesion;
-        let growth = edge_load / (2.0 * PI * springs.relaxed * adhesion.work_of_adhesion) * (edge_load / radius);
-        (growth.max(LEAST_GROWTH) * adhesion.process_zone).min(radius / SMALLEST)
+    /// δ at an edge of a contact with Q(a).
+    pub(super) fn zone_at(&self, contact: &Contact<'_>, radius: f64, edge_load: f64) -> f64 {
+        if self.law.growing_zone { grown(&self.adhesion, contact.springs().relaxed, (radius, edge_load)) } else { self.zone() }
     }
 
     /// How far about an edge the closure may look: a zone that grows may do so within the step.
@@ -120,7 +115,7 @@ impl Edge {
         if !self.law.growing_zone {
             return self.zone();
         }
-        ROOM * self.zone_at(contact.springs(), contact.radius(), contact.edge_load()).max(self.zone())
+        ROOM * self.zone_at(contact, contact.radius(), contact.edge_load()).max(self.zone())
     }
 
     /// Forgets what belongs to the state before a step.
@@ -223,7 +218,7 @@ impl Edge {
         let mut window = self.prepare(contact, motion, whole);
         self.updates += window.after(contact, motion);
         let edge_load = value_at(&window.loads, motion.to);
-        let length = self.zone_at(contact.springs(), motion.to, edge_load);
+        let length = self.zone_at(contact, motion.to, edge_load);
         if length > window.reach {
             window = Window::new(contact, motion.to, motion.time, ROOM * length, whole);
             self.updates += window.after(contact, motion);
@@ -288,7 +283,7 @@ impl Edge {
         self.evaluations += 1;
         let loads = next.line_load();
         let edge_load = value_at(&loads, radius);
-        let length = self.zone_at(contact.springs(), radius, edge_load);
+        let length = self.zone_at(&next, radius, edge_load);
         let kernel = self.kernel_at(radius, length)?;
         let gaps = next.gap_factor(radius + length);
         let work = zone_work(&kernel, &loads, &gaps) / self.adhesion.work_of_adhesion;
@@ -296,6 +291,12 @@ impl Edge {
         let g = self.signed(work, (edge_load, value_at(&gaps, radius)), radius - contact.radius(), f64::INFINITY);
         Ok((next, finite(g, radius)?))
     }
+}
+
+/// δ of a zone that grows, at an edge with Q(a).
+pub(super) fn grown(adhesion: &Adhesion, relaxed_modulus: f64, (radius, edge_load): (f64, f64)) -> f64 {
+    let growth = edge_load / (2.0 * PI * relaxed_modulus * adhesion.work_of_adhesion) * (edge_load / radius);
+    (growth.max(LEAST_GROWTH) * adhesion.process_zone).min(radius / SMALLEST)
 }
 
 /// Powers of the part of a time of an imposed Δ, less Δ now: straight if it is to rounding, else through five equal parts.

@@ -149,6 +149,17 @@ impl History {
         self.controlled == controlled || self.segments.iter().any(|segment| segment.controlled == controlled)
     }
 
+    /// Whether one quantity is controlled throughout, and never rises.
+    #[must_use]
+    pub fn only_withdraws(&self) -> bool {
+        let mut last = self.start;
+        self.segments.iter().all(|segment| {
+            let falls = segment.controlled == self.controlled && segment.oscillation.is_none() && segment.end <= last;
+            last = segment.end;
+            falls
+        })
+    }
+
     /// Checks every number.
     ///
     /// # Errors

@@ -89,10 +89,11 @@ impl IndentationProblem {
             require_positive("process_zone", adhesion.process_zone)?;
         }
         self.edge_law.checked()?;
-        if self.edge_law.growing_zone && !self.profile.is_flat() {
+        let withdrawn = self.start == Start::Relaxed && self.history.only_withdraws();
+        if self.edge_law.growing_zone && !self.profile.is_flat() && !withdrawn {
             return Err(Refusal::Undefined {
-                quantity: "a process zone that grows with the load",
-                reason: "K at an advancing edge does not give it, and only a flat punch never needs one".into(),
+                quantity: "a process zone that grows with the pull",
+                reason: "K at an advancing edge does not give it: an indenter that is not flat takes it from a relaxed start, and is only withdrawn".into(),
             });
         }
         let radius_rests = self.edge_law.may_rest() || self.edge_law.growing_zone;

@@ -1,5 +1,6 @@
 //! The first contact: relaxed or just touched, under any control.
 
+use super::edge::grown;
 use super::elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radius, trial_of_radius, widest_stable};
 use super::history::Controlled;
 use super::line::Contact;
@@ -8,6 +9,10 @@ use super::problem::{Adhesion, IndentationProblem, Start};
 use super::profile::Profile;
 use super::springs::Springs;
 use crate::refusal::Refusal;
+
+/// Rounds in which the process zone of a first contact settles with the pull at its edge, and the change of it that is rounding.
+const ROUNDS_OF_GROWTH: usize = 60;
+const SAME_ZONE: f64 = 1e-13;
 
 /// The radius at which a rising function reaches a value.
 pub(super) fn size_of(profile: &Profile, function: impl Fn(f64) -> f64, value: f64) -> f64 {
@@ -54,6 +59,7 @@ pub(super) fn started<'a>(springs: &'a Springs, problem: &IndentationProblem, ad
     };
     let (a, depth) = match at_rim(problem, adhesion, modulus)? {
         Some(held) => held,
+        None if problem.edge_law.growing_zone => with_grown_zone(problem, adhesion, (modulus, springs.relaxed))?,
         None => at_edge(problem, adhesion, modulus)?,
     };
     let profile = profile.clone();
@@ -88,6 +94,21 @@ fn at_rim(problem: &IndentationProblem, adhesion: Adhesion, modulus: f64) -> Res
 /// ∫₀^a f ds (m²).
 fn height_integral(profile: &Profile, a: f64) -> f64 {
     profile.breaks(a).windows(2).map(|pair| Panel::sampled(pair[0], pair[1], |s| profile.line(s)).integral()).sum()
+}
+
+/// The same with the process zone of its own edge.
+fn with_grown_zone(problem: &IndentationProblem, adhesion: Adhesion, (modulus, relaxed): (f64, f64)) -> Result<(f64, f64), Refusal> {
+    let profile = &problem.profile;
+    let mut zone = adhesion.process_zone;
+    for _ in 0..ROUNDS_OF_GROWTH {
+        let (a, depth) = at_edge(problem, Adhesion { process_zone: zone, ..adhesion }, modulus)?;
+        let next = grown(&adhesion, relaxed, (a, modulus * (depth - profile.line(a))));
+        if (next - zone).abs() <= SAME_ZONE * zone {
+            return Ok((a, depth));
+        }
+        zone = next;
+    }
+    Err(Refusal::NotConverged { what: "the first contact", detail: "its process zone does not settle with the pull at its edge".into() })
 }
 
 /// The radius and the penetration of a contact whose edge is free to move.

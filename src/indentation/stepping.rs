@@ -234,7 +234,7 @@ impl Stepper<'_, '_> {
         let here = self.contact.radius();
         let rim = self.contact.profile().rim();
         // A contact no larger than its process zone has no closure: further in is far.
-        let zone = self.edge.zone_at(self.contact.springs(), here, self.contact.edge_load()).max(self.edge.zone());
+        let zone = self.edge.zone_at(self.contact, here, self.contact.edge_load()).max(self.edge.zone());
         let inner = (here - reach).max(SMALLEST * zone).min(here);
         let outer = (here + reach).min(rim);
         let (mut search, mut pace) = (Search::new(), Pace::default());

@@ -24,7 +24,9 @@ use std::f64::consts::PI;
 use support::{Row, reference_rows};
 use viscotack::closure::work_by_speed::{WorkAtSpeed, WorkBySpeed};
 use viscotack::elastic::{EquilibriumBranch, JkrSphere};
-use viscotack::indentation::{Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Profile, run};
+use viscotack::indentation::{
+    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Profile, elastic_contact, run,
+};
 use viscotack::material::RelaxationTerm;
 use viscotack::{Material, Refusal};
 
@@ -228,5 +230,40 @@ fn refusals_have_reasons() {
     let radius = sphere(1e-3, 0.05, 2e-7, History::contact_radius(1e-4).hold(1.0)).relaxed();
     assert!(matches!(refusal(&with(&radius, two_works(0.5))), Refusal::Undefined { .. }));
     let growing = EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT };
-    assert!(matches!(refusal(&with(&approach, growing)), Refusal::Undefined { .. }));
+    // Untouched, or pressed in again.
+    let again = sphere(1e-3, 0.05, 2e-7, History::penetration(1e-6).ramp(0.0, 1.0).ramp(1e-6, 1.0)).relaxed();
+    for problem in [&radius, &approach, &again] {
+        assert!(matches!(refusal(&with(problem, growing.clone())), Refusal::Undefined { .. }));
+    }
+}
+
+/// A relaxed sphere is an elastic contact with the zone of its own K. Pulled, the larger zone lets it off at a smaller force; an elastic sphere as before.
+#[test]
+fn a_zone_that_grows_on_a_sphere_is_that_of_its_edge() {
+    let (relaxed, glassy, work, zone) = (1.3e6, 1.3e7, 0.05, 2e-7);
+    let material = Material::standard_solid(relaxed, glassy, 1.0).unwrap();
+    let growing = EdgeLaw { growing_zone: true, ..EdgeLaw::CONSTANT };
+    let wide = 40.0 * zone;
+    let held = sphere(1e-3, work, wide, History::penetration(5e-7).ramp(4.999_999e-7, 1e-9)).relaxed();
+    let first = solved(&material, &with(&held, growing.clone())).instants[0];
+    let growth = first.stress_intensity_factor.value.powi(2) / (2.0 * relaxed * work);
+    let contact = elastic_contact(&held.profile, relaxed, work, wide * growth, 5e-7).unwrap().contact_radius;
+    let constant = solved(&material, &held).instants[0].contact_radius.value;
+    println!("G/Δγ {growth}: {} against {contact}, constant {constant}", first.contact_radius.value);
+    assert!((first.contact_radius.value / contact - 1.0).abs() < 1e-6 && (constant / contact - 1.0).abs() > 1e-5);
+    let pull_off = |material: &Material, rate: f64, law: &EdgeLaw| {
+        let history = History::penetration(5e-6).ramp(-40e-6, 45e-6 / rate);
+        let problem = sphere(1e-3, work, zone, history).relaxed();
+        solved(material, &with(&problem, law.clone())).pull_off_force().unwrap().value
+    };
+    for rate in [1e-6, 1e-5] {
+        let [constant, grows] = [&EdgeLaw::CONSTANT, &growing].map(|law| pull_off(&material, rate, law));
+        println!("rate {rate}: {constant} constant, {grows} growing");
+        assert!(grows < 0.99 * constant && grows > 0.5 * constant);
+    }
+    // Where G = Δγ at every instant, both zones are one.
+    let elastic = Material::elastic(relaxed).unwrap();
+    let [constant, grows] = [&EdgeLaw::CONSTANT, &growing].map(|law| pull_off(&elastic, 1e-5, law));
+    println!("elastic: {constant} and {grows}");
+    assert!((grows / constant - 1.0).abs() < 1e-3);
 }

@@ -154,8 +154,8 @@ fn what_cannot_be_is_refused_with_its_place() {
         (with_works("work_of_adhesion = 1\nleading_work_of_adhesion = 1\ntrailing_work_of_adhesion = 1"), "exclude each other"),
         (with_works("work_of_adhesion = \"50 mJ/m²\"\nby_speed = { speed = \"1 µm/s\", exponent = 0.5 }"), "no speed is stable"),
         (
-            with_works("work_of_adhesion = 1").replace("{ length = \"0.1 µm\" }", "{ cohesive_stress = 1e5, law = \"growing\" }"),
-            "only a flat punch",
+            with_works("work_of_adhesion = 1").replace("{ length = \"0.1 µm\" }", "{ cohesive_stress = 1e5, law = \"schapery\" }"),
+            "is no law of an indenter's process zone",
         ),
     ] {
         let found = refused(&text);

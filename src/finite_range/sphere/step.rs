@@ -18,6 +18,8 @@ const FORCE_SCALE: f64 = 5.0;
 const WORK_SCALE: f64 = 3.0;
 /// Part of the error of the gap and the force that an element with a kink of the pressure may make.
 const AT_A_KINK: f64 = 0.1;
+/// Between two nodes on both sides of the largest tension the gap changes by so many ranges at most.
+const WIDEST_FRONT: f64 = 0.5;
 /// A correction of the gap that does not fall any more is rounding if it is smaller than this times the scale of the displacements.
 const ROUNDING: f64 = 1e-11;
 /// The same of the scale of the gap at the outer radius, which is half its square.
@@ -255,7 +257,17 @@ impl<'m> Solver<'m> {
 
     /// Elements on which a state is not resolved.
     pub(super) fn unresolved(&self, state: &State) -> Vec<bool> {
-        self.mesher.unresolved(&state.mesh, &self.watched(state))
+        let mut flags = self.mesher.unresolved(&state.mesh, &self.watched(state));
+        // A zone of tension between two nodes has no pressure of its own: every place of the front would be in equilibrium.
+        let (order, peak) = (self.mesher.order(), self.surface.peak_gap());
+        for (i, pair) in state.u.windows(2).enumerate() {
+            let [inside, outside] = [0, 1].map(|k| self.surface.gap(pair[k]));
+            if (inside <= peak) != (outside <= peak) && (inside - outside).abs() > WIDEST_FRONT {
+                flags[i / order] = true;
+                flags[(i + 1) / order] = true;
+            }
+        }
+        flags
     }
 
     /// The state on a mesh without needless elements; nothing if there are none.

@@ -158,7 +158,7 @@ pub(super) const KEYS: &[Key] = &[
         kind: Kind::Choice(&[
             Word {
                 word: "growing",
-                meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, and a choice of a flat punch",
+                meaning: "δ = α(K/(√(2π)σ_c))² at the current load (5.25, 5.41); the default of a crack, and a choice of a flat punch, or of another indenter that is only withdrawn from a relaxed start",
             },
             Word {
                 word: "constant",

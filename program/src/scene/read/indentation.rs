@@ -39,7 +39,7 @@ pub(super) fn read(document: &Document, top: &Section<'_>, material: &SceneMater
     let (shape, counter_body) = counter_body::of_indentation(&table, shape)?;
     let attraction = attraction::read(top, document, 1.0)?;
     // A law acts everywhere: there is no edge.
-    let (adhesion, edge_law) = if attraction.is_some() { (None, None) } else { adhesion(top, &shape)?.unzip() };
+    let (adhesion, edge_law) = if attraction.is_some() { (None, None) } else { adhesion(top)?.unzip() };
     let edge_law = edge_law.unwrap_or_default();
     let frame_stiffness = table.number("frame_stiffness")?;
     let rig = standard_test::Rig { shape: &shape, frame_stiffness, at_a_distance: attraction.is_some() };
@@ -177,7 +177,7 @@ fn means_are_known(top: &Section<'_>, history: &History, first: HistoryQuantity)
     Ok(())
 }
 
-fn adhesion(top: &Section<'_>, shape: &IndentationShape) -> Result<Option<(IndentationAdhesion, EdgeLaw)>, SceneError> {
+fn adhesion(top: &Section<'_>) -> Result<Option<(IndentationAdhesion, EdgeLaw)>, SceneError> {
     let (Some(table), Some(works)) = (top.table("adhesion"), works::of_indenter(top)?) else { return Ok(None) };
     let [work_of_adhesion, leading_work] = works.given;
     let mut edge_law = EdgeLaw { leading_ratio: leading_work / work_of_adhesion, by_speed: works.law, growing_zone: false };
@@ -189,16 +189,14 @@ fn adhesion(top: &Section<'_>, shape: &IndentationShape) -> Result<Option<(Inden
             IndentationZone::Length(zone.required_number("length")?)
         }
         _ => {
-            let rimmed = matches!(shape, IndentationShape::FlatPunch { .. });
-            match zone.text("law") {
-                None | Some("constant") => {}
-                Some("growing") if rimmed => edge_law.growing_zone = true,
+            edge_law.growing_zone = match zone.text("law") {
+                None | Some("constant") => false,
+                Some("growing") => true,
                 Some(law) => {
-                    let message =
-                        format!("`{}` = {law:?}: of indenters, only a flat punch has a process zone that grows", zone.full("law"));
-                    return Err(zone.wrong("law", message, "must be \"constant\", or left out"));
+                    let message = format!("`{}` = {law:?} is no law of an indenter's process zone", zone.full("law"));
+                    return Err(zone.wrong("law", message, "must be \"growing\" or \"constant\""));
                 }
-            }
+            };
             IndentationZone::Cohesive {
                 cohesive_stress: zone.required_number("cohesive_stress")?,
                 factor: zone.number("factor")?.unwrap_or(DEFAULT_FACTOR),

@@ -1,6 +1,7 @@
 //! Indenters that attract at a distance: random problems against far tighter runs, and what accuracy costs.
 
 pub mod cost;
+mod hard;
 pub mod problems;
 
 use super::cells::{count, number, word};
@@ -64,6 +65,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         long == 0,
     ));
     section.tables.push(table(&all));
+    hard::add_to(&mut section);
     section
 }
 

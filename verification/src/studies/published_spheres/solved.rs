@@ -3,7 +3,7 @@
 use super::published::Published;
 use std::f64::consts::PI;
 use viscotack::finite_range::sphere::{Accuracy, Mesher, run};
-use viscotack::indentation::{self, Adhesion, History, IndentationProblem, Profile};
+use viscotack::indentation::{self, Adhesion, EdgeLaw, History, IndentationProblem, Profile};
 use viscotack::material::{CreepTerm, Material};
 use viscotack::refusal::Refusal;
 
@@ -30,9 +30,12 @@ pub(super) struct Solved {
     pub(super) defect: f64,
     pub(super) nodes: usize,
     pub(super) steps: usize,
-    /// The ratio by the theory of an edge; none where it has no contact.
-    pub(super) edge: Option<f64>,
+    /// The ratio by the theory of an edge; none where it was not asked, or where it has no contact.
+    pub(super) edge: [Option<f64>; ZONES.len()],
 }
+
+/// Process zones of the edge: constant, and growing with the pull.
+pub(super) const ZONES: [(&str, bool); 2] = [("constant zone", false), ("growing zone", true)];
 
 /// Solves a row.
 pub(super) fn solved(row: &Published, with_edge: bool) -> Result<Solved, String> {
@@ -55,14 +58,14 @@ pub(super) fn solved(row: &Published, with_edge: bool) -> Result<Solved, String>
             defect: certificate.energy_residual / certificate.energy_scale,
             nodes: certificate.nodes,
             steps: certificate.steps,
-            edge: if with_edge { edge(row, to).ok().flatten() } else { None },
+            edge: ZONES.map(|(_, growing)| if with_edge { edge(row, to, growing).ok().flatten() } else { None }),
         });
     }
     Err("the tension rises to the end of every pull".into())
 }
 
-/// The same by an edge with the process zone (π²/4)a₀ of the law's peak: R = E0* = 1.
-fn edge(row: &Published, to: f64) -> Result<Option<f64>, Refusal> {
+/// The same by an edge with the process zone (π²/4)a₀ of the law's peak, constant or times G/Δγ: R = E0* = 1.
+fn edge(row: &Published, to: f64, growing: bool) -> Result<Option<f64>, Refusal> {
     let creep = row.creep();
     let gained = 1.0 - 1.0 / creep.stiffening;
     let terms: Vec<CreepTerm> = creep
@@ -78,6 +81,7 @@ fn edge(row: &Published, to: f64) -> Result<Option<f64>, Refusal> {
     let history = History::penetration(row.preload * RANGE).ramp(to * RANGE, (row.preload - to) / row.rate);
     let problem = IndentationProblem {
         accuracy: EDGE_ACCURACY,
+        edge_law: EdgeLaw { growing_zone: growing, ..EdgeLaw::CONSTANT },
         ..IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history).relaxed()
     };
     let solution = indentation::run(&material, &problem)?;
