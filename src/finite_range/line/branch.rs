@@ -247,7 +247,7 @@ impl<'a> Tracer<'a> {
         let scale = bounds::Scale::new(&equations, stress, self.units[0]);
         // Across the branch neither load nor gap is imposed.
         let free = Problem { control: Control::Frame { stiffness: 1.0, position: 0.0 }, ..self.problem.clone() };
-        let (errors, _) = bounds::of(&history, &free, &scale, residual);
+        let (errors, _) = bounds::of(&history, certificate.spread(), &free, &scale, residual);
         let errors = bounds::with_edges(errors, self.problem, &fields);
         Some(Refined {
             numbers,

@@ -279,7 +279,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let nx = equations.grid.nx();
         let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
         let scale = bounds::Scale::new(&equations, stress, half_height);
-        let (errors, factor) = bounds::of(&history, problem, &scale, report.mean_residual);
+        let (errors, factor) = bounds::of(&history, certificate.spread(), problem, &scale, report.mean_residual);
         let errors = bounds::with_edges(errors, problem, &fields);
         let floor = SMALL_FRICTION * stress * half_height;
         let worst = [
