@@ -272,6 +272,7 @@ fn a_pull_that_no_state_carries_is_refused_with_its_fold() {
         let rest = reason.split(word).nth(1).unwrap_or_else(|| panic!("{reason}"));
         rest.split([' ', ')', ';']).find(|part| !part.is_empty()).unwrap().parse().unwrap_or_else(|_| panic!("{reason}"))
     };
+    assert_eq!(reason.matches("least mean pressure").count(), 1, "{reason}");
     let (pressure, gap) = (after("least mean pressure of the contact: "), after("mean gap "));
     assert!((pressure + 0.041_227).abs() < 1e-5 && (gap - 1.154_8).abs() < 3e-3, "{reason}");
     // A pull just below the fold has its stable state.

@@ -1,17 +1,23 @@
 //! Error bounds of the numbers of a state from its differences between grids.
 //!
 //! A contact edge or a kink of the law falls between nodes, so that the coefficient of the error changes its sign from grid to grid and
-//! one or two differences may be small by chance. The larger of the last two counts, and of the earlier ones what 2^−1.5 a doubling
-//! leaves of them: errors with edges fall like N^−1.5 to N^−2. A smooth law without a wall converges faster with every doubling: the last
-//! difference times a geometric series of the last ratio bounds what is left.
+//! one or two differences may be small by chance. The larger of the last two counts, and of the earlier ones what 1/4 a doubling
+//! leaves of them: errors with edges fall like N^−1.5 to N^−2. Where the differences fall more slowly, what is left is a geometric series
+//! of their ratio. The friction has a bound beside these: by the profile and by the loss it is the same but for the discretisation.
+//! A smooth law without a wall converges faster with every doubling: the last difference times a geometric series of the last ratio bounds
+//! what is left of every number but those that part where the stress changes its sign.
 
 use super::grid::Equations;
 use super::problem::{Control, Problem};
 use super::solution::Fields;
 use crate::finite_range::law::Attraction;
 
-/// What a doubling of the grid leaves of an error with edges: 2^−1.5.
-const DECAY: f64 = 0.353_553_390_593_273_8;
+/// What a doubling of the grid leaves of an error of a number, with edges.
+const DECAY: f64 = 0.25;
+/// The same of a field next to an edge: 2^−1.5.
+const DECAY_OF_FIELDS: f64 = 0.353_553_390_593_273_8;
+/// The largest ratio of differences that counts: a larger one is chance.
+const SLOWEST: f64 = 0.75;
 /// Differences that count: the earliest grids of a search are too coarse to say anything.
 pub(super) const AGES: usize = 4;
 /// Safety factor of a geometric series.
@@ -24,6 +30,7 @@ const GAP: usize = 1;
 const FRICTION: usize = 2;
 const CONTACT: usize = 3;
 const ADHESIVE: usize = 4;
+const REPULSIVE: usize = 5;
 const ENERGY: usize = 6;
 
 /// How differences between grids fall.
@@ -48,15 +55,26 @@ impl Convergence {
     /// How much counts of a difference of a field of an age (0: the last).
     pub(super) fn weight(self, age: usize) -> f64 {
         match self {
-            Self::Edges => weight(age),
+            Self::Edges => weight(DECAY_OF_FIELDS, age),
             Self::Smooth => f64::from(u8::from(age == 0)),
         }
     }
 }
 
 /// The last two differences count as they are.
-fn weight(age: usize) -> f64 {
-    DECAY.powi(age.saturating_sub(1) as i32)
+fn weight(decay: f64, age: usize) -> f64 {
+    decay.powi(age.saturating_sub(1) as i32)
+}
+
+/// What is left over the last difference where differences fall slowly: the rest of a geometric series of their ratio, over two doublings where it is known.
+fn left(newest_first: &[[f64; 7]], i: usize) -> f64 {
+    let ratio = match newest_first {
+        [a, _, c, ..] => (a[i] / c[i]).sqrt(),
+        [a, b] => a[i] / b[i],
+        _ => SLOWEST,
+    };
+    let ratio = ratio.min(SLOWEST);
+    (ratio / (1.0 - ratio)).max(1.0)
 }
 
 /// What numbers are compared with.
@@ -87,14 +105,21 @@ impl Scale {
 }
 
 /// The bound of each number, and the factor from the last differences of a field to its bounds.
-pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residual: f64) -> ([f64; 7], f64) {
+/// `spread`: the difference between the friction by the loss and that by the profile.
+pub(super) fn of(history: &[[f64; 7]], spread: f64, problem: &Problem, scale: &Scale, residual: f64) -> ([f64; 7], f64) {
     let [.., before, last] = history else { return ([f64::INFINITY; 7], 1.0) };
     if history.len() < 3 {
         return ([f64::INFINITY; 7], 1.0);
     }
     let differences: Vec<[f64; 7]> =
         history.windows(2).rev().take(AGES).map(|pair| std::array::from_fn(|i| (pair[1][i] - pair[0][i]).abs())).collect();
-    let envelope = |i: usize| differences.iter().enumerate().map(|(age, list)| weight(age) * list[i]).fold(0.0, f64::max);
+    let grids = Convergence::Edges.grids(problem.profile.is_line());
+    // Of fewer grids than an accuracy takes both differences may be small by chance.
+    let few = if history.len() < grids { SAFETY } else { 1.0 };
+    let envelope = |i: usize| {
+        let largest = differences.iter().enumerate().map(|(age, list)| weight(DECAY, age) * list[i]).fold(0.0, f64::max);
+        few * left(&differences, i) * largest
+    };
     let units = [scale.stress, scale.half_height, scale.stress * scale.half_height];
     let convergence = Convergence::of(&problem.attraction);
     let mut factor = 1.0;
@@ -104,9 +129,11 @@ pub(super) fn of(history: &[[f64; 7]], problem: &Problem, scale: &Scale, residua
             let size = |list: &[f64; 7]| (0..3).map(|i| list[i] / units[i]).fold(0.0, f64::max);
             let ratio = size(&differences[0]) / size(&differences[1]);
             factor = if ratio < 0.5 { (SAFETY * ratio / (1.0 - ratio)).min(SAFETY) } else { SAFETY };
-            std::array::from_fn(|i| if i == CONTACT { envelope(i) } else { factor * differences[0][i] })
+            let parts = [CONTACT, ADHESIVE, REPULSIVE];
+            std::array::from_fn(|i| if parts.contains(&i) { envelope(i) } else { factor * differences[0][i] })
         }
     };
+    errors[FRICTION] = errors[FRICTION].max(spread);
     // All numbers come from one discrete edge.
     let largest = SHARED * (0..3).map(|i| errors[i] / units[i]).fold(0.0, f64::max);
     let units = [scale.stress, scale.half_height, last[FRICTION].abs(), 0.0, last[ADHESIVE].abs(), scale.stress, last[ENERGY].abs()];

@@ -221,6 +221,8 @@ impl<'a> Tracer<'a> {
         let mut history = vec![numbers.list()];
         let row = self.equations.row;
         let mut grids = vec![OnGrid::of(&mut self.equations, &self.state)];
+        // Counted with the stability.
+        self.equations.products = 0;
         self.equations.row = row;
         let (mut equations, mut state) = reach::refined(self.problem, &self.equations, &self.state, place);
         let mut patches = (patches, patches);
@@ -247,8 +249,9 @@ impl<'a> Tracer<'a> {
         let scale = bounds::Scale::new(&equations, stress, self.units[0]);
         // Across the branch neither load nor gap is imposed.
         let free = Problem { control: Control::Frame { stiffness: 1.0, position: 0.0 }, ..self.problem.clone() };
-        let (errors, _) = bounds::of(&history, &free, &scale, residual);
+        let (errors, _) = bounds::of(&history, certificate.spread(), &free, &scale, residual);
         let errors = bounds::with_edges(errors, self.problem, &fields);
+        let stability = StateStability { grids };
         Some(Refined {
             numbers,
             errors: Numbers::from_list(errors),
@@ -256,8 +259,8 @@ impl<'a> Tracer<'a> {
             patches_error: patches.0.abs_diff(patches.1),
             certificate,
             nodes: equations.grid.nx(),
-            node_products,
-            stability: StateStability { grids },
+            node_products: node_products + stability.node_products(),
+            stability,
         })
     }
 

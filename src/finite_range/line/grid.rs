@@ -17,6 +17,10 @@ use rustfft::num_complex::Complex64;
 /// The shift of the preconditioner 1/(A + shift): one wave of a half-space has A = 1.
 const SHIFT: f64 = 1.0;
 
+/// Steps to a gap of a wanted repulsion, and the length of those towards it over the range.
+const REPULSION_STEPS: usize = 40;
+const REPULSION_STEP: f64 = 0.04;
+
 /// A state on one grid.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct State {
@@ -102,6 +106,31 @@ impl Equations {
         self.wall = self.law.wall().unwrap_or(f64::NEG_INFINITY);
     }
 
+    /// The stress at a gap; beyond the wall, where a step may lead for a while, that of the wall.
+    pub(super) fn stress(&self, gap: f64) -> f64 {
+        self.law.stress(gap.max(self.wall))
+    }
+
+    /// Another range of the law, and the gaps of a state at which the new law repels as the old one did: the steep part of a law without a wall.
+    pub(super) fn set_range_of(&mut self, state: &mut State, range: f64) {
+        let old = self.law.clone();
+        self.set_range(range);
+        if self.wall.is_finite() {
+            return;
+        }
+        let (before, after) = (old.equilibrium_gap(), self.law.equilibrium_gap());
+        for gap in state.gap.iter_mut().filter(|gap| **gap < before) {
+            let wanted = old.stress(*gap);
+            let mut next = after;
+            for _ in 0..REPULSION_STEPS {
+                // From below the root these steps stay below it: repulsion is convex.
+                let lack = self.law.stress(next) - wanted;
+                next -= if lack < 0.0 { REPULSION_STEP * range } else { lack / self.law.slope(next) };
+            }
+            *gap = next;
+        }
+    }
+
     /// Another ramp of a Dugdale law; other laws have none.
     pub(super) fn set_ramp(&mut self, wanted: Option<f64>) {
         if let (Law::Dugdale { ramp }, Some(wanted)) = (&mut self.law.law, wanted) {
@@ -143,6 +172,20 @@ impl Equations {
             steepest = steepest.max(self.law_stiffness[i]);
         }
         // Repulsion without a wall is a stiff spring at every node in contact: both sides are scaled by it.
+        self.scale(steepest);
+    }
+
+    /// Adds a stiffness to every node off contact.
+    pub(super) fn damp(&mut self, stiffness: f64) {
+        let mut steepest = 0.0_f64;
+        for (k, free) in self.law_stiffness.iter_mut().zip(&self.free) {
+            *k += if *free { stiffness } else { 0.0 };
+            steepest = steepest.max(*k);
+        }
+        self.scale(steepest);
+    }
+
+    fn scale(&mut self, steepest: f64) {
         self.scaling = (steepest > SHIFT).then(|| self.law_stiffness.iter().map(|k| (SHIFT / (SHIFT + k.max(0.0))).sqrt()).collect());
     }
 }

@@ -2,6 +2,9 @@
 //!
 //! Each step solves the equations with the law linearised and the contact set held, then moves the set: a node is in contact where
 //! the contact pressure, taken as a length, exceeds the gap over the wall.
+//!
+//! Where a state has ceased to exist Newton's steps wander about the place where it was. [`relax`] adds a damping that falls with the residual
+//! (pseudo-transient continuation; Kelley & Keyes, 1998): the gap then moves on to the next state that stays.
 
 use super::gmres;
 use super::grid::{Equations, State};
@@ -18,6 +21,8 @@ const STEPS: usize = 120;
 const PATIENCE: usize = 4;
 /// Most halvings of one step.
 const HALVINGS: usize = 6;
+/// Steps without a wall within which the least residual must halve.
+const WANDERING: usize = 20;
 
 /// What a solve took and reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +51,15 @@ pub(super) struct Stalled {
 /// Moves `state` to a solution near it.
 /// Ends when the residual falls below `accepted` or rounding, or the budget of products is spent.
 pub(super) fn solve(equations: &mut Equations, state: &mut State, accepted: f64, budget: usize) -> Result<Report, Stalled> {
+    descend(equations, state, accepted, budget, false)
+}
+
+/// Moves `state` along a damped motion to a solution that may lie far from it.
+pub(super) fn relax(equations: &mut Equations, state: &mut State, accepted: f64, budget: usize) -> Result<Report, Stalled> {
+    descend(equations, state, accepted, budget, true)
+}
+
+fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: usize, damped: bool) -> Result<Report, Stalled> {
     let n = equations.len();
     let wall = equations.wall();
     let has_wall = wall.is_finite();
@@ -59,6 +73,7 @@ pub(super) fn solve(equations: &mut Equations, state: &mut State, accepted: f64,
     equations.pressure(state, &mut pressure);
     let mut residual = f64::INFINITY;
     let mut recent: Vec<f64> = Vec::new();
+    let least_of = |norms: &[f64]| norms.iter().copied().fold(f64::INFINITY, f64::min);
     for steps in 0..=STEPS {
         let mut changed = false;
         if has_wall {
@@ -70,7 +85,7 @@ pub(super) fn solve(equations: &mut Equations, state: &mut State, accepted: f64,
         let mut least = f64::INFINITY;
         residual = 0.0;
         for i in 0..n {
-            let stress = equations.law.stress(state.gap[i]);
+            let stress = equations.stress(state.gap[i]);
             let lack = stress - pressure[i];
             rhs[i] = if state.contact[i] { 0.0 } else { lack };
             if state.contact[i] {
@@ -93,11 +108,18 @@ pub(super) fn solve(equations: &mut Equations, state: &mut State, accepted: f64,
             return Ok(Report { steps, products, residual, mean_residual: square.sqrt(), least_contact_pressure });
         }
         let spent = equations.products - first;
-        if steps == STEPS || spent >= budget {
+        let (before, latest) = recent.split_at(recent.len().saturating_sub(WANDERING));
+        let wanders = !has_wall && !damped && !before.is_empty() && least_of(latest) > 0.5 * least_of(before);
+        if steps == STEPS || spent >= budget || wanders {
             break;
         }
         rhs[n] = control * (n as f64).sqrt();
+        recent.push(norm(&rhs[..n]));
         equations.linearise(state);
+        if damped {
+            let start = recent.first().copied().unwrap_or(1.0);
+            equations.damp(equations.law.steepest_slope() * (norm(&rhs[..n]) / start).min(1.0));
+        }
         step.fill(0.0);
         // No more digits than the next step can keep, and none beyond what is accepted.
         let accuracy = (0.1 * residual / (1.0 + peak)).max(0.1 * tolerance / residual).clamp(1e-10, 1e-3);
@@ -113,13 +135,12 @@ pub(super) fn solve(equations: &mut Equations, state: &mut State, accepted: f64,
         }
         // Without a wall the law bends within one step: the step is halved until the residual falls. With a wall the set takes that part.
         // It may rise for a while: a residual that may only fall gets caught between two edges that must move together.
-        recent.push(norm(&rhs[..n]));
         let start = recent.iter().rev().take(PATIENCE).fold(0.0_f64, |m, r| m.max(*r));
         for attempt in 0..=HALVINGS {
             state.gap.iter_mut().zip(&step).for_each(|(g, d)| *g += length * d);
             state.mean_pressure += length * step[n] * (n as f64).sqrt();
             equations.pressure(state, &mut pressure);
-            if has_wall || attempt == HALVINGS {
+            if has_wall || damped || attempt == HALVINGS {
                 break;
             }
             let lack: f64 = state.gap.iter().zip(&pressure).map(|(g, p)| (equations.law.stress(*g) - p).powi(2)).sum();

@@ -72,7 +72,11 @@ pub(super) fn nodes_for(problem: &Problem, range: f64, cells: f64) -> usize {
         return if problem.profile.is_line() { WITHOUT_ATTRACTION } else { COARSEST };
     }
     law.range = range;
-    let zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);
+    let mut zone = std::f64::consts::FRAC_2_PI * law.work_of_adhesion / law.peak_stress().powi(2);
+    if law.wall().is_none() {
+        // Repulsion is a spring as steep as the tension falls: its wave has to be seen, too.
+        zone = zone.min(std::f64::consts::FRAC_2_PI / law.steepest_slope());
+    }
     let nodes = (std::f64::consts::TAU * cells / zone).min(1e9) as usize;
     nodes.next_power_of_two().max(COARSEST)
 }
@@ -186,7 +190,7 @@ impl<'a> Search<'a> {
         let contact = equations.heights.iter().map(|&h| equations.wall().is_finite() && h >= top).collect();
         let mean_pressure = if let Control::MeanPressure(p) = problem.control { p } else { 0.0 };
         let mut state = State { gap, contact, mean_pressure };
-        let mut report = self.note(newton::solve(&mut equations, &mut state, newton::COARSE, SOLVE_BUDGET), &mut equations, place)?;
+        let mut report = self.solved(&mut equations, &mut state, place)?;
         let legs: &[Leg] = match path {
             Path::Range | Path::Closed => &[Leg::Range],
             Path::RangeThenRamp => &[Leg::Range, Leg::Ramp],
@@ -229,10 +233,16 @@ impl<'a> Search<'a> {
                 equations.set_stiffness(problem, next.stiffening);
             }
             let kept = state.clone();
-            equations.set_range(next.range);
+            equations.set_range_of(state, next.range);
             equations.set_ramp(next.ramp.or_else(|| has_steep_ramp(problem).then(|| own_ramp(problem))));
-            let solved = self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, next);
-            if let Some(found) = solved.filter(|_| !is_jump(problem, &before, state)) {
+            // Where the shortest step is one too many the state has ceased to exist: the next one that stays may lie far away.
+            let ceased = step < 2.0 * SHORTEST_STEP;
+            let solved = if ceased {
+                self.solved(equations, state, next)
+            } else {
+                self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, next)
+            };
+            if let Some(found) = solved.filter(|_| ceased || !is_jump(problem, &before, state)) {
                 *report = found;
                 *place = next;
                 step = (1.5 * step).min(LONGEST_STEP);
@@ -257,9 +267,20 @@ impl<'a> Search<'a> {
             let (finer, start) = refined(self.problem, equations, state, place);
             *equations = finer;
             *state = start;
-            *report = self.note(newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET), equations, place)?;
+            *report = self.solved(equations, state, place)?;
         }
         Some(())
+    }
+
+    /// Solves; where that wanders, moves on to the next state that stays.
+    fn solved(&mut self, equations: &mut Equations, state: &mut State, place: Place) -> Option<Report> {
+        let start = state.clone();
+        let solved = newton::solve(equations, state, newton::COARSE, SOLVE_BUDGET);
+        self.note(solved, equations, place).or_else(|| {
+            *state = start;
+            let relaxed = newton::relax(equations, state, newton::COARSE, SOLVE_BUDGET);
+            self.note(relaxed, equations, place)
+        })
     }
 
     fn note(&mut self, solved: Result<Report, Stalled>, equations: &mut Equations, place: Place) -> Option<Report> {

@@ -71,6 +71,13 @@ pub struct Certificate {
     pub products: usize,
 }
 
+impl Certificate {
+    /// By how much the friction by the loss and that by the profile differ: the discretisation of the gap.
+    pub(super) const fn spread(&self) -> f64 {
+        (self.friction_by_loss - self.friction_by_profile).abs()
+    }
+}
+
 /// The fields of a state, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {

@@ -33,16 +33,20 @@ pub(super) struct OnGrid {
     growing: Option<usize>,
     /// d(mean pressure)/d(mean gap) along the branch.
     pressure_by_gap: Option<f64>,
+    /// Products, each times the nodes.
+    node_products: usize,
 }
 
 impl OnGrid {
     /// Of a state of these equations; their control is replaced.
     pub(super) fn of(equations: &mut Equations, state: &State) -> Self {
+        let before = equations.products;
         equations.linearise(state);
         let growing = growing(equations);
+        let cost = |equations: &Equations| (equations.products - before) * equations.len();
         // Contact everywhere carries any pressure at one gap.
         if state.contact.iter().all(|contact| *contact) {
-            return Self { growing, pressure_by_gap: Some(f64::NEG_INFINITY) };
+            return Self { growing, pressure_by_gap: Some(f64::NEG_INFINITY), node_products: cost(equations) };
         }
         equations.row = [1.0, 0.0, 0.0];
         let n = equations.len();
@@ -50,7 +54,7 @@ impl OnGrid {
         let (mut rhs, mut step) = (vec![0.0; n + 1], vec![0.0; n + 1]);
         rhs[n] = unit;
         let solved = gmres::solve(equations, &rhs, &mut step, SLOPE, RESTART, PRODUCTS);
-        Self { growing, pressure_by_gap: (solved.residual <= SLOPE).then(|| step[n] * unit) }
+        Self { growing, pressure_by_gap: (solved.residual <= SLOPE).then(|| step[n] * unit), node_products: cost(equations) }
     }
 
     fn in_frame(self, stiffness: f64) -> Stability {
@@ -85,6 +89,12 @@ impl StateStability {
     #[must_use]
     pub fn under_mean_gap(&self) -> Stability {
         self.in_frame(f64::INFINITY)
+    }
+
+    /// What it took: products with the stiffness, each times the nodes of its grid.
+    #[must_use]
+    pub fn node_products(&self) -> usize {
+        self.grids.iter().map(|grid| grid.node_products).sum()
     }
 
     /// In a frame of a stiffness (pressure unit per Λ): zero for a held pressure, infinite for a held gap.

@@ -207,10 +207,16 @@ pub fn every(problem: &Problem, request: &Request) -> Result<Vec<SteadyState>, R
     Ok(all)
 }
 
-/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do.
+/// The cells in the zone that are tried. The tail of an exponential law is longer than a₀ tells, so that a quarter of the nodes may do;
+/// of a law without a wall half of them may see its spring.
 fn cells(problem: &Problem, request: &Request) -> Vec<f64> {
     let fits = |cells: f64| 4 * reach::nodes_for(problem, problem.attraction.range, cells) <= request.most_nodes;
-    if problem.attraction.law == Law::Exponential && !fits(CELLS[0]) { vec![0.25 * CELLS[0]] } else { CELLS.to_vec() }
+    let fewer = match problem.attraction.law {
+        Law::Exponential => 0.25 * CELLS[0],
+        _ if problem.attraction.wall().is_none() => 0.5 * CELLS[0],
+        _ => CELLS[0],
+    };
+    if fits(CELLS[0]) { CELLS.to_vec() } else { vec![fewer] }
 }
 
 /// The state next to a given one: another load, speed, range or material, the same profile. This is the way to go along a curve, to
@@ -279,7 +285,7 @@ pub(super) fn refine(problem: &Problem, request: &Request, reached: Reached, rea
         let nx = equations.grid.nx();
         let stress = numbers.mean_pressure.abs().max(numbers.repulsive_pressure).max(numbers.adhesive_pressure.abs()).max(1e-12);
         let scale = bounds::Scale::new(&equations, stress, half_height);
-        let (errors, factor) = bounds::of(&history, problem, &scale, report.mean_residual);
+        let (errors, factor) = bounds::of(&history, certificate.spread(), problem, &scale, report.mean_residual);
         let errors = bounds::with_edges(errors, problem, &fields);
         let floor = SMALL_FRICTION * stress * half_height;
         let worst = [

@@ -24,6 +24,7 @@ mod manufactured;
 pub mod order;
 pub mod precision;
 pub mod published_spheres;
+pub mod random_lines;
 mod reference;
 mod report;
 mod run;
@@ -81,6 +82,7 @@ pub const STUDIES: &[Study] = &[
     beside("held_contacts", held_contacts::study),
     beside("finite_spheres", finite_spheres::study),
     beside("published_spheres", published_spheres::study),
+    beside("random_lines", random_lines::study),
     beside("seeded_sweep", seeded_sweep::study),
     beside("event_lists", event_lists::study),
     beside("scene_bytes", scene_bytes::study),

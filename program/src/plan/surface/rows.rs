@@ -91,13 +91,13 @@ impl SurfacePlan {
 
     /// The refusal in the units of the scene.
     pub(super) fn refuse(&self, row: &mut Row, refusal: &Refusal) {
+        row.refuse(refusal);
         if let Refusal::NoSuchState { reason, limit_name, limit } = refusal {
             let (factor, unit) = if limit_name.contains("gap") { (self.scales.height, " m") } else { (self.scales.pressure, " Pa") };
             let unit = if self.units == Units::Si { unit } else { "" };
-            let limit = limit * factor;
-            row.refuse(&Refusal::NoSuchState { reason: format!("{reason} ({limit_name}: {limit:.6e}{unit})"), limit_name, limit });
-        } else {
-            row.refuse(refusal);
+            let value = limit * factor;
+            row.reason = Some(format!("no such state exists: {reason} ({limit_name}: {value:.6e}{unit})"));
+            row.witness = Some(Witness { name: (*limit_name).to_owned(), value });
         }
     }
 
@@ -177,7 +177,7 @@ impl SurfacePlan {
         if stability.in_frame(problem.control.stiffness()) == Stability::Unstable {
             row.reason = Some(format!("{}a small disturbance leaves this state under what is held", after(row.reason.take())));
         }
-        row.work += Work { kernel_evaluations: state.node_products as u64, ..Work::default() };
+        row.work += Work { kernel_evaluations: (state.node_products + stability.node_products()) as u64, ..Work::default() };
         row.assumptions = self.assumptions();
         if !state.accuracy_met {
             row.status = Status::Inaccurate;
