@@ -37,6 +37,27 @@ pub(super) struct Unknown {
     pub(super) kept: Vec<Left>,
     /// What series over the time leave in each cycle, by segment and number, of the sums of Δ, of F and of the work.
     pub(super) of_cycles: Vec<((usize, u64), [f64; 3])>,
+    /// How the contact was lost, each time.
+    pub(super) losses: Vec<Loss>,
+}
+
+/// A loss of contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Loss {
+    /// Δ̇ (m/s).
+    pub(super) depth_rate: f64,
+    /// How fast S falls on the axis (m/s): what the time makes of a strain.
+    pub(super) falling: f64,
+}
+
+impl Loss {
+    /// At a time that is given.
+    pub(super) const GIVEN: Self = Self { depth_rate: 0.0, falling: f64::INFINITY };
+
+    /// What is not known of its time, at most so much, for what is not known of a strain.
+    pub(super) fn late(self, unknown: f64, most: f64) -> f64 {
+        if self.falling > 0.0 { (unknown / self.falling).min(most) } else { most }
+    }
 }
 
 /// What is left open at an instant.
@@ -76,6 +97,7 @@ pub(super) struct Course<'a> {
     pub(super) left_of_cycle: [f64; 3],
     left_of_cycles: Vec<((usize, u64), [f64; 3])>,
     kept: Vec<Left>,
+    pub(super) losses: Vec<Loss>,
     /// How long the next panel may be, and Δ̇ so far; 0 and none after a corner.
     pub(super) panel_length: f64,
     pub(super) depth_rate: Option<f64>,
@@ -109,6 +131,7 @@ impl<'a> Course<'a> {
             left_of_cycle: [0.0; 3],
             left_of_cycles: Vec::new(),
             kept: Vec::new(),
+            losses: Vec::new(),
             panel_length: 0.0,
             depth_rate: None,
             watch: None,
@@ -132,7 +155,7 @@ impl<'a> Course<'a> {
         trace.work.history_updates = self.line.updates;
         trace.work.most_panels = self.line.most_stretches;
         trace.tolerance = self.fineness.series;
-        Ok((trace, Unknown { strain: self.line.unknown(), kept: self.kept, of_cycles: self.left_of_cycles }))
+        Ok((trace, Unknown { strain: self.line.unknown(), kept: self.kept, of_cycles: self.left_of_cycles, losses: self.losses }))
     }
 
     /// The line at a time of the history.
@@ -322,6 +345,7 @@ impl<'a> Course<'a> {
         let had = self.line.radius() > 0.0;
         self.settle(controlled, value)?;
         if had && self.line.radius() == 0.0 {
+            self.losses.push(Loss::GIVEN);
             self.record.happened(EventKind::Detachment);
         }
         self.point(true);

@@ -104,7 +104,7 @@ impl Course<'_> {
             if pulls && vanishes && soon {
                 self.time = start + gone;
                 self.let_go()?;
-                self.lost();
+                self.lost(None);
                 self.line.pass_nothing(&Drive::straight(self.line.penetration, self.line.penetration, gone - at));
                 at = gone;
                 continue;
@@ -228,7 +228,7 @@ impl Course<'_> {
             // A panel may end just where the edge reaches the axis.
             match ended {
                 Ended::Whole | Ended::Touched | Ended::Faint if self.line.radius() > 0.0 => {}
-                Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(),
+                Ended::Whole | Ended::Touched | Ended::Faint | Ended::Lost => self.lost(Some(drive.rate(passed))),
                 Ended::Turned => self.turned(),
             }
             return Ok(if rests { drive.duration } else { passed.max(f64::MIN_POSITIVE) });
@@ -321,7 +321,7 @@ fn imposed_rounding(asked: Asked, largest: f64, places: &Row) -> f64 {
     }
 }
 
-/// The last coefficients of the Chebyshev series through nodes.
+/// The last coefficients of the Chebyshev series through nodes: where a contact is lost on the way, one alone may be small by chance.
 fn tail(rises: &Row) -> f64 {
     let coefficient = |order: usize| {
         let whole = DEGREE as f64;
@@ -331,5 +331,5 @@ fn tail(rises: &Row) -> f64 {
         });
         (if order == DEGREE { 1.0 } else { 2.0 } / whole * terms.sum::<f64>()).abs()
     };
-    coefficient(DEGREE).max(0.1 * coefficient(DEGREE - 1))
+    coefficient(DEGREE).max(0.5 * coefficient(DEGREE - 1))
 }

@@ -73,7 +73,7 @@ impl<'a> Course<'a> {
                 Ended::Whole => {
                     self.time = end;
                     if had && self.line.radius() == 0.0 {
-                        self.lost();
+                        self.lost(Some(drive.rate(drive.duration)));
                     }
                     self.keep_reached(&mut wanted, f64::INFINITY);
                     return Ok(());
@@ -84,7 +84,7 @@ impl<'a> Course<'a> {
                     self.corner();
                 }
                 Ended::Turned | Ended::Faint => self.turned(),
-                Ended::Lost => self.lost(),
+                Ended::Lost => self.lost(Some(drive.rate(time))),
             }
             if rest <= 4.0 * f64::EPSILON * drive.duration {
                 self.line.leap(drive.end(), None)?;

@@ -1,13 +1,17 @@
 //! Points of the path of a course: events, the account of energies.
 
-use super::course::Course;
+use super::course::{Course, Loss};
 use super::ledger::Sums;
 use super::state::Look;
 use crate::indentation::solution::{Energies, EventKind, PathPoint};
 
 impl Course<'_> {
-    /// The contact has been lost now.
-    pub(super) fn lost(&mut self) {
+    /// The contact has been lost now; `rate`: Δ̇, none where the time is given.
+    pub(super) fn lost(&mut self, rate: Option<f64>) {
+        let at_axis = |index: usize| self.line.free.first().and_then(|stretch| stretch.term(index).first()).copied().unwrap_or(0.0);
+        let recovering: f64 = self.chain.voigt.iter().enumerate().map(|(index, (slowness, _))| slowness * at_axis(index)).sum();
+        // S = Δ − f − Σe_j on the axis, where the contact is lost last.
+        self.losses.push(rate.map_or(Loss::GIVEN, |rate| Loss { depth_rate: rate, falling: -(rate + recovering) }));
         self.point(false);
         self.record.happened(EventKind::Detachment);
         self.record.new_piece();

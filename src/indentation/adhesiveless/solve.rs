@@ -1,7 +1,7 @@
 //! A contact without adhesion with errors: a course beside a finer one; the finest beside a coarser one.
 
 use super::chain::Chain;
-use super::course::{Course, Fineness, Left, Unknown};
+use super::course::{Course, Fineness, Left, Loss, Unknown};
 use super::fresh::Fresh;
 use super::line::Line;
 use crate::estimate::Estimate;
@@ -13,7 +13,7 @@ use crate::indentation::judgement::with_errors;
 use crate::indentation::panel::Panel;
 use crate::indentation::problem::IndentationProblem;
 use crate::indentation::profile::Profile;
-use crate::indentation::solution::{IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
+use crate::indentation::solution::{EventKind, IndentationSolution, IndentationWork, Instant, PathPoint, Trace};
 use crate::material::Material;
 use crate::refusal::Refusal;
 
@@ -35,6 +35,8 @@ const SOFTEST: f64 = 1e4;
 /// Series over the accuracy, and sums over the time: where they leave too much, a finer course shows it and is taken.
 const OF_ACCURACY: f64 = 3e-2;
 const LOOSEST: f64 = 3e-5;
+/// The same with energies, which weigh stiff elements.
+const OF_ENERGIES: f64 = 1.0 / 3.0;
 const FINEST_SUMS: f64 = 1e-12;
 
 /// How finely courses go: the coarsest one (level 0), the one that mostly suffices, and finer ones.
@@ -53,13 +55,14 @@ pub(in crate::indentation) fn solve(
 ) -> Result<IndentationSolution, Refusal> {
     let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let mut work = IndentationWork::default();
+    let fineness = |level: u32| fineness(problem.accuracy * if problem.energies { OF_ENERGIES } else { 1.0 }, level);
     let course = |level: u32, watch: Option<&dyn Watch>, stops: &[(usize, f64)]| -> Found {
-        Course::new(&chain, problem, &fresh, fineness(problem.accuracy, level)).watched(watch, level + 1).through(stops)
+        Course::new(&chain, problem, &fresh, fineness(level)).watched(watch, level + 1).through(stops)
     };
     // A course tells finer ones where an oscillation ends. Without one, the first two do not wait for each other; many states share the cores anyway.
     let waits = |segment: &Segment| segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
     let alone = rayon::current_thread_index().is_none() && !problem.history.segments.iter().any(waits) && !short(problem, &chain);
-    let is_finest = |level: u32| fineness(problem.accuracy, level).series <= FINEST;
+    let is_finest = |level: u32| fineness(level).series <= FINEST;
     // The numbers are those of the course that mostly suffices: a finer one shows its errors, those too that a coarser one has as well.
     let first = u32::from(!is_finest(1));
     let mut ahead = if alone { side_by_side(|| course(first, None, &[]), || course(first + 1, watch, &[])) } else { [None, None] };
@@ -234,12 +237,17 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     let at_the_end =
         |unknown: &Unknown| Left { slope: 0.0, strain: unknown.strain, work: unknown.kept.last().map_or(0.0, |left| left.work) };
     let [last, own_last] = [not_known, own].map(at_the_end);
-    for event in &mut solution.events {
-        wider(&mut event.penetration, unknown);
+    let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
+    let losses = not_known.losses.iter().copied().chain(std::iter::repeat(Loss::GIVEN));
+    for (event, loss) in solution.events.iter_mut().filter(|event| event.kind == EventKind::Detachment).zip(losses) {
+        let late = loss.late(unknown, duration);
+        wider(&mut event.time, late);
+        wider(&mut event.penetration, unknown + loss.depth_rate.abs() * late);
+        // Before a step that lets go there is a contact.
+        let a = event.contact_radius.value;
+        wider(&mut event.force, of_force(a, unknown));
+        wider(&mut event.contact_radius, if a > 0.0 { of_edge(a, None, unknown) } else { 0.0 });
         event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
-        // It lets go as fast as the history passes its depth, on the whole.
-        let duration: f64 = problem.history.segments.iter().map(|segment| segment.duration).sum();
-        wider(&mut event.time, duration * unknown / depth);
     }
     // Nothing is in contact, unless the loss may be still to come: not where a step lets go, before which there is a point at the same time.
     let at_a_step = |time: f64| solution.march.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
