@@ -299,7 +299,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         for k in 0..2 {
             let a = cycle.contact_radius[k].value;
             wider(&mut cycle.penetration[k], of_depth(controlled, unknown));
-            wider(&mut cycle.force[k], of_force(a, unknown));
+            // The least force may be at another time than the least radius.
+            wider(&mut cycle.force[k], unknown_force);
             wider(&mut cycle.contact_radius[k], if a > 0.0 { of_edge(a, None, unknown) } else { 0.0 });
         }
     }
