@@ -35,8 +35,9 @@ const SOFTEST: f64 = 1e4;
 /// Series over the accuracy, and sums over the time: where they leave too much, a finer course shows it and is taken.
 const OF_ACCURACY: f64 = 3e-2;
 const LOOSEST: f64 = 3e-5;
-/// The same with energies, which weigh stiff elements.
+/// The same with energies, which weigh stiff elements, and with oscillations, of whose cycles small sums count.
 const OF_ENERGIES: f64 = 1.0 / 3.0;
+const OF_OSCILLATIONS: f64 = 1e-2;
 const FINEST_SUMS: f64 = 1e-12;
 
 /// How finely courses go: the coarsest one (level 0), the one that mostly suffices, and finer ones.
@@ -55,7 +56,15 @@ pub(in crate::indentation) fn solve(
 ) -> Result<IndentationSolution, Refusal> {
     let (chain, fresh) = (Chain::new(material)?, Fresh::of(&problem.profile));
     let mut work = IndentationWork::default();
-    let fineness = |level: u32| fineness(problem.accuracy * if problem.energies { OF_ENERGIES } else { 1.0 }, level);
+    let oscillates = problem.history.segments.iter().any(|segment| segment.oscillation.is_some());
+    let part = if oscillates {
+        OF_OSCILLATIONS
+    } else if problem.energies {
+        OF_ENERGIES
+    } else {
+        1.0
+    };
+    let fineness = |level: u32| fineness(part * problem.accuracy, level);
     let course = |level: u32, watch: Option<&dyn Watch>, stops: &[(usize, f64)]| -> Found {
         Course::new(&chain, problem, &fresh, fineness(level)).watched(watch, level + 1).through(stops)
     };
