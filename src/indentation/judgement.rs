@@ -22,16 +22,16 @@ const LAST_DIGITS: f64 = 256.0 * f64::EPSILON;
 /// Part of the largest force below which a tension is rounding of none.
 const NO_FORCE: f64 = 1e-12;
 
-/// A march, judged.
+/// One of some paths, with the errors of its numbers.
 #[derive(Debug)]
-pub(super) struct Verdict {
+pub(super) struct WithErrors {
     solution: IndentationSolution,
     /// The largest error over what was allowed: at most one where the accuracy is reached.
     pub(super) excess: f64,
 }
 
-impl Verdict {
-    /// What is told of the march, for the work of all of them.
+impl WithErrors {
+    /// The solution, with the work of all paths.
     pub(super) fn solution(self, work: IndentationWork) -> IndentationSolution {
         IndentationSolution { reached: self.excess <= 1.0, work, ..self.solution }
     }
@@ -48,16 +48,16 @@ impl Excess {
     }
 }
 
-/// Judges one of some marches, the finest first, by those behind it; nothing without a march there.
-pub(super) fn with_errors(problem: &IndentationProblem, marches: &[Trace], told: usize) -> Option<Verdict> {
-    compared(problem, marches, told, None)
+/// One of some paths, the finest first, with errors by those behind it; nothing without a path there.
+pub(super) fn with_errors(problem: &IndentationProblem, marches: &[Trace], shown: usize) -> Option<WithErrors> {
+    compared(problem, marches, shown, None)
 }
 
 /// The same; `reduction`: of paths by panels, as observed from one to the next.
-pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: usize, reduction: Option<f64>) -> Option<Verdict> {
+pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], shown: usize, reduction: Option<f64>) -> Option<WithErrors> {
     let heard: Heard<&Trace> = std::array::from_fn(|k| marches.get(k));
-    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told, reduction };
-    let march = marches.get(told)?;
+    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told: shown, reduction };
+    let march = marches.get(shown)?;
     let mut instants = Vec::with_capacity(march.kept.len());
     let mut scales = march.summary.scales;
     let [_, force, a, _] = scales;
@@ -169,7 +169,7 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], told: us
         by_panels: false,
         work: IndentationWork::default(),
     };
-    Some(Verdict { solution, excess: excess.0 })
+    Some(WithErrors { solution, excess: excess.0 })
 }
 
 /// Events and other states between the kept instants of a march.

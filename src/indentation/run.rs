@@ -5,7 +5,7 @@ use super::by_panels;
 use super::checkpoint::{Checkpoint, Observer, RunState, StepsState, Watch};
 use super::convergence::{BEHIND, HEARD, TIGHTER};
 use super::fields::SurfaceFields;
-use super::judgement::{Verdict, with_errors};
+use super::judgement::{WithErrors, with_errors};
 use super::marcher::{Guide, march_to};
 use super::problem::IndentationProblem;
 use super::profile::Profile;
@@ -125,8 +125,8 @@ pub fn surface_of(
 }
 
 /// The loosest march that two behind it find within the accuracy. Where no march is to follow, those behind are asked too, and the best is told.
-fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<Verdict> {
-    let mut best: Option<Verdict> = None;
+fn told(problem: &IndentationProblem, marches: &[Trace], last: bool) -> Option<WithErrors> {
+    let mut best: Option<WithErrors> = None;
     let loosest = if last { BEHIND.min(marches.len().checked_sub(1)?) } else { BEHIND };
     let tightest = if last { 0 } else { BEHIND };
     for told in (tightest..=loosest).rev() {
