@@ -10,20 +10,47 @@ const NEAR_POWER: i32 = 5;
 /// Sources farther from the target than this many of their lengths take the plain Gauss rule: its error is 1e-10 at ten nodes.
 const FAR: f64 = 2.0;
 
-/// The arithmetic-geometric mean of two numbers that are not negative.
-fn agm(mut a: f64, mut b: f64) -> f64 {
-    if b <= 0.0 {
-        return 0.0;
-    }
-    while (a - b).abs() > 1e-8 * a {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    0.5 * (a + b)
+/// Two numbers whose relative difference is less than this have their mean to rounding after one more step of the iteration.
+const ONE_MORE_STEP: f64 = 1e-8;
+/// Steps of the iteration, at most: 1e-300 needs 12.
+const MOST_STEPS: usize = 16;
+
+/// G(x, y) at one x: 2y/AGM(max(x, y), √(|x − y|(x + y))), from y and the distances (given by themselves, because they may be far smaller than both).
+struct Influence<'a> {
+    x: f64,
+    y: &'a [f64],
+    distances: &'a [f64],
+    /// Work space, of the same length.
+    means: &'a mut [f64],
+    out: &'a mut [f64],
 }
 
-/// G(x, y) from x, y and their distance (given by itself, because it may be far smaller than both).
-fn influence(x: f64, y: f64, distance: f64) -> f64 {
-    2.0 * y / agm(x.max(y), (distance * (x + y)).sqrt())
+impl pulp::WithSimd for Influence<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Self { x, y, distances, means, out } = self;
+        for (((a, b), &y), &distance) in means.iter_mut().zip(out.iter_mut()).zip(y).zip(distances) {
+            *a = x.max(y);
+            *b = (distance * (x + y)).sqrt();
+        }
+        for _ in 0..MOST_STEPS {
+            let mut differ = false;
+            for (a, b) in means.iter_mut().zip(out.iter_mut()) {
+                let (arithmetic, geometric) = (0.5 * (*a + *b), (*a * *b).sqrt());
+                (*a, *b) = (arithmetic, geometric);
+                differ |= arithmetic - geometric > ONE_MORE_STEP * arithmetic;
+            }
+            if !differ {
+                break;
+            }
+        }
+        for ((a, b), &y) in means.iter().zip(out.iter_mut()).zip(y) {
+            // At distance zero the mean is zero: a weight of zero goes with it.
+            *b = if *b > 0.0 { 4.0 * y / (a + *b) } else { 0.0 };
+        }
+    }
 }
 
 /// A Gauss–Legendre rule on [−1, 1] with what is needed to interpolate through its nodes.
@@ -102,6 +129,83 @@ pub(super) fn unit_rule(points: usize) -> Vec<(f64, f64)> {
     nodes.iter().zip(&weights).map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w)).collect()
 }
 
+/// Points at which an influence is integrated, with work space.
+#[derive(Default)]
+pub(super) struct Points {
+    y: Vec<f64>,
+    distances: Vec<f64>,
+    /// Weights of the rule, then times G.
+    values: Vec<f64>,
+    influence: Vec<f64>,
+    means: Vec<f64>,
+    /// bᵢ/(ξ − ξᵢ), by nodes, and their sums.
+    terms: Vec<f64>,
+    sums: Vec<f64>,
+}
+
+impl Points {
+    fn clear(&mut self) {
+        self.y.clear();
+        self.distances.clear();
+        self.values.clear();
+    }
+
+    fn push(&mut self, y: f64, distance: f64, weight: f64) {
+        self.y.push(y);
+        self.distances.push(distance);
+        self.values.push(weight);
+    }
+
+    /// Multiplies the weights by G(x, y).
+    fn times_influence(&mut self, x: f64) {
+        let count = self.y.len();
+        self.means.resize(count, 0.0);
+        self.influence.resize(count, 0.0);
+        let Self { y, distances, means, influence, .. } = self;
+        pulp::Arch::new().dispatch(Influence { x, y, distances, means, out: influence });
+        self.values.iter_mut().zip(&self.influence).for_each(|(value, influence)| *value *= influence);
+    }
+}
+
+/// Adds Σ value·ℓ_k(y) to the entry of every node k of a rule on an interval.
+struct Interpolated<'a> {
+    rule: &'a Rule,
+    middle: f64,
+    half: f64,
+    points: &'a mut Points,
+    out: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Interpolated<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Points { y, values, terms, sums, .. } = self.points;
+        let (count, scale) = (y.len(), 1.0 / self.half);
+        terms.resize(count * self.out.len(), 0.0);
+        sums.clear();
+        sums.resize(count, 0.0);
+        for ((node, weight), terms) in self.rule.nodes.iter().zip(&self.rule.barycentric).zip(terms.chunks_exact_mut(count)) {
+            for ((term, sum), y) in terms.iter_mut().zip(sums.iter_mut()).zip(y.iter()) {
+                let distance = (y - self.middle) * scale - node;
+                // On a node its own term outweighs all others.
+                *term = weight / if distance == 0.0 { f64::MIN_POSITIVE } else { distance };
+                *sum += *term;
+            }
+        }
+        values.iter_mut().zip(sums.iter()).for_each(|(value, sum)| *value /= sum);
+        for (out, terms) in self.out.iter_mut().zip(terms.chunks_exact(count)) {
+            let mut four = [0.0; 4];
+            let (mut a, mut b) = (terms.chunks_exact(4), values.chunks_exact(4));
+            for (a, b) in a.by_ref().zip(b.by_ref()) {
+                four.iter_mut().zip(a.iter().zip(b)).for_each(|(sum, (a, b))| *sum += a * b);
+            }
+            *out += four.iter().sum::<f64>() + a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum::<f64>();
+        }
+    }
+}
+
 /// Integrates G(x, y)·ℓ_k(y) over an interval for every node k of a rule.
 pub(super) struct Quadrature {
     pub(super) rule: Rule,
@@ -120,46 +224,44 @@ impl Quadrature {
     }
 
     /// The row of the influence matrix: target x, source interval.
-    pub(super) fn row(&self, x: f64, source: (f64, f64), out: &mut [f64]) {
+    pub(super) fn row(&self, x: f64, source: (f64, f64), points: &mut Points, out: &mut [f64]) {
         let (a, b) = source;
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+        points.clear();
         if self.is_far(x, source) {
-            for (k, value) in out.iter_mut().enumerate() {
-                let y = middle + half * self.rule.nodes[k];
-                *value = half * self.rule.weights[k] * influence(x, y, (x - y).abs());
+            for (node, weight) in self.rule.nodes.iter().zip(&self.rule.weights) {
+                let y = middle + half * node;
+                points.push(y, (x - y).abs(), half * weight);
             }
+            points.times_influence(x);
+            out.copy_from_slice(&points.values);
             return;
         }
-        out.fill(0.0);
-        let mut basis = vec![0.0; out.len()];
         if x > a {
-            self.side(x, -1.0, (x - b).max(0.0), x - a, source, &mut basis, out);
+            self.side(x, -1.0, (x - b).max(0.0), x - a, points);
         }
         if x < b {
             // The image of the target at −x is a second singularity: panels on this side grow with the distance from it.
             let (mut from, end) = ((a - x).max(0.0), b - x);
             while from < end {
                 let to = if end <= 3.0 * (x + from) { end } else { 2.0 * x + 3.0 * from };
-                self.side(x, 1.0, from, to, source, &mut basis, out);
+                self.side(x, 1.0, from, to, points);
                 from = to;
             }
         }
+        points.times_influence(x);
+        out.fill(0.0);
+        pulp::Arch::new().dispatch(Interpolated { rule: &self.rule, middle, half, points, out });
     }
 
-    /// The part of a source at distances `from`..`to` on one side of the target.
-    #[allow(clippy::too_many_arguments)]
-    fn side(&self, x: f64, sign: f64, from: f64, to: f64, source: (f64, f64), basis: &mut [f64], out: &mut [f64]) {
-        let (middle, half) = (0.5 * (source.0 + source.1), 0.5 * (source.1 - source.0));
+    /// The points at distances `from`..`to` on one side of the target.
+    fn side(&self, x: f64, sign: f64, from: f64, to: f64, points: &mut Points) {
         let power = f64::from(NEAR_POWER);
         let start = (from / to).powf(1.0 / power);
         for &(t, weight) in &self.near {
             let s = start + (1.0 - start) * t;
             let distance = to * s.powi(NEAR_POWER);
-            let y = (x + sign * distance).max(0.0);
-            let measure = weight * (1.0 - start) * power * to * s.powi(NEAR_POWER - 1);
-            let value = measure * influence(x, y, distance);
-            self.rule.basis((y - middle) / half, basis);
-            out.iter_mut().zip(basis.iter()).for_each(|(sum, b)| *sum += value * b);
+            points.push((x + sign * distance).max(0.0), distance, weight * (1.0 - start) * power * to * s.powi(NEAR_POWER - 1));
         }
     }
 }
@@ -192,7 +294,7 @@ mod tests {
             let sum: f64 = cells
                 .iter()
                 .map(|&cell| {
-                    quadrature.row(x, cell, &mut row);
+                    quadrature.row(x, cell, &mut Points::default(), &mut row);
                     row.iter().sum::<f64>()
                 })
                 .sum();
@@ -218,8 +320,8 @@ mod tests {
             let (mut row, mut exact) = (vec![0.0; 10], vec![0.0; 10]);
             for node in &fine.rule.nodes {
                 let x = 0.5 * (target.0 + target.1) + 0.5 * (target.1 - target.0) * node;
-                quadrature.row(x, source, &mut row);
-                fine.row(x, source, &mut exact);
+                quadrature.row(x, source, &mut Points::default(), &mut row);
+                fine.row(x, source, &mut Points::default(), &mut exact);
                 for (a, b) in row.iter().zip(&exact) {
                     assert!((a - b).abs() < 1e-11, "target {x}, source {source:?}: {:e}", a - b);
                 }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::kernel::{Quadrature, Rule};
+use super::kernel::{Points, Quadrature, Rule};
 
 /// Lengths of neighbours differ by this factor at most.
 pub(super) const GRADING: f64 = 4.0;
@@ -146,6 +146,7 @@ impl pulp::WithSimd for Product<'_> {
 /// Makes meshes of one order; owns the blocks of all of them.
 pub struct Mesher {
     pub(super) quadrature: Quadrature,
+    points: Points,
     blocks: HashMap<(Cell, Cell), Arc<[f64]>>,
     made: u64,
 }
@@ -154,7 +155,7 @@ impl Mesher {
     /// With this many nodes an element (10 is a good choice).
     #[must_use]
     pub fn new(order: usize) -> Self {
-        Self { quadrature: Quadrature::new(order), blocks: HashMap::new(), made: 0 }
+        Self { quadrature: Quadrature::new(order), points: Points::default(), blocks: HashMap::new(), made: 0 }
     }
 
     /// Nodes of an element.
@@ -163,13 +164,13 @@ impl Mesher {
         self.quadrature.rule.nodes.len()
     }
 
-    /// The coarsest mesh that reaches a radius.
-    pub(super) fn coarsest(&mut self, radius: f64) -> Arc<Mesh> {
-        self.build(Cell::roots(radius))
+    /// The elements of the coarsest mesh that reaches a radius.
+    pub(super) fn coarsest(radius: f64) -> Vec<Cell> {
+        Cell::roots(radius)
     }
 
-    /// The mesh of these elements.
-    pub(super) fn build(&mut self, cells: Vec<Cell>) -> Arc<Mesh> {
+    /// Elements and nodes without an influence matrix.
+    pub(super) fn outline(&mut self, cells: Vec<Cell>) -> Mesh {
         let order = self.order();
         let n = cells.len() * order;
         let (mut x, mut area) = (Vec::with_capacity(n), Vec::with_capacity(n));
@@ -181,12 +182,25 @@ impl Mesher {
                 area.push(PI * (b - a) * weight * radius);
             }
         }
+        self.made += 1;
+        Mesh { cells, x, area, matrix: Vec::new(), serial: self.made }
+    }
+
+    /// The mesh of these elements.
+    pub(super) fn build(&mut self, cells: Vec<Cell>) -> Arc<Mesh> {
+        let mesh = self.outline(cells);
+        self.filled(mesh)
+    }
+
+    /// The same with its influence matrix.
+    pub(super) fn filled(&mut self, mut mesh: Mesh) -> Arc<Mesh> {
+        let (order, n) = (self.order(), mesh.nodes());
         let mut matrix = vec![0.0; n * n];
         if self.blocks.len() * (8 * order * order + OF_A_BLOCK) > STORE {
             self.blocks.clear();
         }
-        for (j, &source) in cells.iter().enumerate() {
-            for (i, &target) in cells.iter().enumerate() {
+        for (j, &source) in mesh.cells.iter().enumerate() {
+            for (i, &target) in mesh.cells.iter().enumerate() {
                 let block = self.block(target, source);
                 for (k, column) in block.chunks_exact(order).enumerate() {
                     let start = (j * order + k) * n + i * order;
@@ -194,8 +208,8 @@ impl Mesher {
                 }
             }
         }
-        self.made += 1;
-        Arc::new(Mesh { cells, x, area, matrix, serial: self.made })
+        mesh.matrix = matrix;
+        Arc::new(mesh)
     }
 
     /// The block of a pair, by columns.
@@ -211,7 +225,7 @@ impl Mesher {
         for i in 0..order {
             let x = at((a, b), i);
             all_far &= self.quadrature.is_far(x, ends) && self.quadrature.is_far(at(ends, i), (a, b));
-            self.quadrature.row(x, ends, &mut row);
+            self.quadrature.row(x, ends, &mut self.points, &mut row);
             (0..order).for_each(|k| block[k * order + i] = row[k]);
         }
         if all_far {
@@ -231,10 +245,10 @@ impl Mesher {
         block
     }
 
-    /// Halves the flagged elements, and others until neighbours differ by the allowed factor.
-    pub(super) fn split(&mut self, mesh: &Mesh, flagged: &[bool]) -> Arc<Mesh> {
-        let mut cells: Vec<Cell> = Vec::with_capacity(2 * mesh.cells.len());
-        for (&cell, &flag) in mesh.cells.iter().zip(flagged) {
+    /// The elements with the flagged ones halved, and others until neighbours differ by the allowed factor.
+    pub(super) fn halved(all: &[Cell], flagged: &[bool]) -> Vec<Cell> {
+        let mut cells: Vec<Cell> = Vec::with_capacity(2 * all.len());
+        for (&cell, &flag) in all.iter().zip(flagged) {
             if flag && cell.level < DEEPEST { cells.extend(cell.halves()) } else { cells.push(cell) }
         }
         loop {
@@ -244,7 +258,7 @@ impl Mesher {
             let halves = cells[i].halves();
             cells.splice(i..=i, halves);
         }
-        self.build(cells)
+        cells
     }
 
     /// Carries fields from one mesh to another of the same radius.

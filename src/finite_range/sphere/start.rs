@@ -2,7 +2,9 @@
 
 use spec_math::Gamma;
 use std::f64::consts::{FRAC_2_PI, PI};
+use std::sync::Arc;
 
+use super::mesh::{Cell, Mesher};
 use super::newton::Row;
 use super::problem::{Control, Problem, Shape, Start};
 use super::state::State;
@@ -13,6 +15,8 @@ use crate::refusal::Refusal;
 const RELAXED: f64 = 1e200;
 /// Rounds of refinement of a first guess.
 const ROUNDS: usize = 40;
+/// The mesh tolerance of a first guess, at least: its edge is sharper than that of the state.
+const OF_A_GUESS: f64 = 0.1;
 /// The mesh reaches so many times the contact radius of the deepest penetration, and at least the outer radius of its fourth root.
 const MARGIN: f64 = 1.6;
 
@@ -33,34 +37,22 @@ impl Solver<'_> {
         let depth = first_depth(problem.shape, row, self.coupling * modulus);
         let deepest = deepest.max(depth).max(1.0);
         let reach = radius_at_depth(problem.shape, deepest).max(first_contact(problem.shape, deepest, self.coupling).unwrap_or(0.0));
-        let mesh = self.mesher.coarsest(MARGIN * reach);
-        let n = mesh.nodes();
-        let mut state = State {
-            undeformed: mesh.x.iter().map(|&x| self.surface.undeformed(x)).collect(),
-            mesh,
-            time: 0.0,
-            penetration: depth,
-            force: 0.0,
-            u: vec![0.0; n],
-            p: vec![0.0; n],
-            strains: vec![vec![0.0; n]; self.chain.terms.len()],
-            rate: None,
-            work: 0.0,
-            viscous: 0.0,
-            released: 0.0,
-        };
         let contact = first_contact(problem.shape, depth, self.coupling * modulus).filter(|_| relaxed || depth > 0.0 || of_force > 0.0);
+        let mut cells = Mesher::coarsest(MARGIN * reach);
+        let tolerance = self.accuracy.mesh;
+        self.accuracy.mesh = tolerance.max(OF_A_GUESS);
+        let mut state = self.guessed(problem.shape, depth, contact, modulus, cells.clone());
         for _ in 0..ROUNDS {
-            state.u = state.mesh.x.iter().map(|&x| self.first_guess(x, problem.shape, depth, contact, modulus)).collect();
-            state.p = state.u.iter().map(|&u| self.surface.pressure(u)).collect();
-            let flags = self.unresolved(&state);
-            match self.refined_if(&state, &flags) {
-                Some(finer) => state = finer,
-                None => break,
+            let finer = Mesher::halved(&cells, &self.unresolved(&state));
+            if finer == cells || finer.len() * self.mesher.order() > self.accuracy.most_nodes {
+                break;
             }
+            cells = finer;
+            state = self.guessed(problem.shape, depth, contact, modulus, cells.clone());
         }
         // A guess that no mesh resolves is a guess as well.
-        self.too_fine = None;
+        state.mesh = self.mesher.build(cells);
+        self.accuracy.mesh = tolerance;
         let z = vec![if relaxed { RELAXED } else { 0.0 }; self.chain.terms.len()];
         let settled = self.settle(&state, &z, row);
         self.fine_enough(0.0)?;
@@ -75,6 +67,26 @@ impl Solver<'_> {
                 }
             ),
         })
+    }
+
+    /// The first guess on these elements, without their influence matrix.
+    fn guessed(&mut self, shape: Shape, depth: f64, contact: Option<f64>, modulus: f64, cells: Vec<Cell>) -> State {
+        let mesh = self.mesher.outline(cells);
+        let u: Vec<f64> = mesh.x.iter().map(|&x| self.first_guess(x, shape, depth, contact, modulus)).collect();
+        State {
+            undeformed: mesh.x.iter().map(|&x| self.surface.undeformed(x)).collect(),
+            p: u.iter().map(|&u| self.surface.pressure(u)).collect(),
+            strains: vec![vec![0.0; mesh.nodes()]; self.chain.terms.len()],
+            mesh: Arc::new(mesh),
+            time: 0.0,
+            penetration: depth,
+            force: 0.0,
+            u,
+            rate: None,
+            work: 0.0,
+            viscous: 0.0,
+            released: 0.0,
+        }
     }
 
     /// The unknown on the surface of a JKR contact of radius a; without one, over the undeformed plane.

@@ -279,7 +279,7 @@ impl<'m> Solver<'m> {
 
     /// The state with the flagged elements halved.
     pub(super) fn refined(&mut self, state: &State, flags: &[bool]) -> State {
-        let mesh = self.mesher.split(&state.mesh, flags);
+        let mesh = self.mesher.build(Mesher::halved(&state.mesh.cells, flags));
         state.on(&mesh, self.mesher, &self.surface)
     }
 }
