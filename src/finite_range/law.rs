@@ -167,6 +167,12 @@ impl Attraction {
         self.law.kinks().into_iter().map(|u| u * self.range).collect()
     }
 
+    /// Whether the pressure has a kink or a square root somewhere: a hard wall, or a kink of the stress.
+    #[must_use]
+    pub fn is_kinked(&self) -> bool {
+        self.wall().is_some() || !self.kinks().is_empty()
+    }
+
     /// The gap at which the stress is zero and below which it repels; of a law with a hard wall, the wall.
     #[must_use]
     pub fn equilibrium_gap(&self) -> f64 {

@@ -4,11 +4,14 @@ use super::march::run;
 use super::mesh::Mesher;
 use super::problem::{Accuracy, Problem};
 use super::result::{LegSummary, Run};
+use crate::finite_range::law::Attraction;
 use crate::refusal::Refusal;
 
 /// The bound is the change from the looser run to the tighter one, whose values are returned, and at least this part of the tighter one's
 /// tolerance of a step: two runs may agree by chance.
 pub const BY_CHANCE: f64 = 0.5;
+/// Where the law has a kink or a hard wall, runs do not converge by an order: the bound is so many times the change.
+pub const KINKED: f64 = 3.0;
 
 /// Error bounds of a leg, absolute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +63,8 @@ pub struct Assessed {
 pub fn assessed(problem: &Problem, accuracy: Accuracy, mesher: &mut Mesher) -> Result<Assessed, Refusal> {
     let loose = run(problem, accuracy, mesher)?;
     let tight = run(problem, accuracy.tightened(), mesher)?;
-    let change = |a: f64, b: f64| (a - b).abs() + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
+    let factor = if Attraction::new(problem.law.clone(), 1.0, 1.0)?.is_kinked() { KINKED } else { 1.0 };
+    let change = |a: f64, b: f64| factor * (a - b).abs() + BY_CHANCE * tight.certificate.accuracy.step * b.abs();
     let legs = loose.legs.iter().zip(&tight.legs).map(|(a, b)| bounds(a, b, change)).collect();
     let instants = problem.instants.iter().filter_map(|&time| {
         let (a, b) = (loose.at(time)?, tight.at(time)?);

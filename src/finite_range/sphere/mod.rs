@@ -48,7 +48,7 @@ mod state;
 mod step;
 mod surface;
 
-pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, assessed};
+pub use assess::{Assessed, BY_CHANCE, Bounds, InstantBounds, KINKED, assessed};
 pub use exponential::run_by_exponentials;
 pub use kept_surface::{Place, Surface};
 pub use march::{run, run_watched};

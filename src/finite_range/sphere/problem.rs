@@ -5,7 +5,7 @@
 //! in RΔγh₀, times in the unit of the retardation times. Force and penetration are positive in compression and into the body.
 //! Penetration zero: the apex of the undeformed tip lies one range above the undeformed plane (at the wall, if the law has one).
 
-use crate::finite_range::law::Law;
+use crate::finite_range::law::{Attraction, Law};
 use crate::indentation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative, require_positive};
 
@@ -292,6 +292,14 @@ pub struct Accuracy {
     pub most_nodes: usize,
 }
 
+/// Nodes of an element where the law is kinked.
+const KINKED_ORDER: usize = 6;
+/// Tolerance of the mesh there over the relative error, and at most.
+const KINKED_MESH: f64 = 300.0;
+const COARSEST_KINKED_MESH: f64 = 0.1;
+/// Nodes of the mesh there, at most.
+const KINKED_NODES: usize = 2000;
+
 impl Accuracy {
     /// The tolerances that give about this relative error of the pull-off force (1e-3 to 1e-8).
     #[must_use]
@@ -300,6 +308,18 @@ impl Accuracy {
         let force = (1e-2 * (relative / 1e-5).powf(0.7)).clamp(2e-4, 5e-2);
         let mesh = (1e-2 * (relative / 1e-5)).clamp(1e-5, 1e-2);
         Self { order: 10, mesh, step: relative, force, newton: 0.05, budget: 100_000, most_nodes: 1200 }
+    }
+
+    /// The same for a law. Where it is kinked, elements of low order pay, the error falls in proportion to the tolerance of the mesh (the steps in
+    /// time leave kinks behind the edge), and more nodes are needed.
+    #[must_use]
+    pub fn of_law(relative: f64, law: &Attraction) -> Self {
+        let smooth = Self::new(relative);
+        if !law.is_kinked() {
+            return smooth;
+        }
+        let mesh = (KINKED_MESH * smooth.step).clamp(1e-5, COARSEST_KINKED_MESH);
+        Self { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh, ..smooth }
     }
 
     /// Checks every tolerance, and the order against that of the mesher.

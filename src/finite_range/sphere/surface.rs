@@ -95,7 +95,7 @@ impl Surface {
 
     /// Whether the pressure has kinks: at the edge of a hard wall, or where the law has one.
     pub(super) fn is_kinked(&self) -> bool {
-        self.wall.is_some() || !self.law.kinks().is_empty()
+        self.law.is_kinked()
     }
 
     /// The energy of the attraction per area at a gap: minus the work left.

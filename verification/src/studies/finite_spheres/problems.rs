@@ -1,12 +1,12 @@
 //! A random problem, and its runs against each other.
 
 use crate::studies::draw::Draw;
-use viscotack::finite_range::law::Law;
-use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
+use viscotack::finite_range::law::{Attraction, Law};
+use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Control, Creep, KINKED, Leg, Mesher, Motion, Problem, Run, Shape, Start, run};
 use viscotack::refusal::Refusal;
 
-/// Tolerance of the first of both runs that give bounds; the second, and the one that they are compared with, are tightened from it as a scene does.
-const TOLERANCE: f64 = 1e-4;
+/// Tolerance of the first of both runs that give bounds, for smooth and for kinked laws; the second, and the one that they are compared with, are tightened from it as a scene does.
+const TOLERANCES: [f64; 2] = [1e-4, 1e-3];
 /// Attempted steps of the first run; the others may take more.
 pub const MOST_STEPS: usize = 1500;
 const MORE: [usize; 3] = [1, 4, 12];
@@ -46,17 +46,35 @@ pub fn problem(seed: u64, number: u64) -> Problem {
         1 => Shape::Power { coefficient: draw.log_between(0.1, 1.0), exponent: draw.between(1.3, 4.0) },
         _ => Shape::Paraboloid,
     };
+    let law = match draw.below(8) {
+        0 => Law::Exponential,
+        1 => Law::Dugdale { ramp: draw.between(0.05, 0.5) },
+        2 => Law::Cosine,
+        _ => Law::LennardJones,
+    };
+    let control = match draw.below(6) {
+        0 => Control::Frame(draw.log_between(0.3, 1e3)),
+        1 => Control::Force,
+        _ => Control::Penetration,
+    };
     let depth = draw.log_between(1.0, 30.0);
     let end = -(4.0 + 3.0 * tabor * tabor.max(1.0).sqrt() + 0.3 * depth).min(60.0);
-    let leg = |motion| Leg { control: Control::Penetration, motion };
+    // A frame is pulled farther, by what it stretches; a force that is imposed pulls up to as many RΔγ.
+    let end = if let Control::Frame(stiffness) = control { end - 40.0 / stiffness } else { end };
+    let leg = |motion| Leg { control, motion };
     let (approach, retreat) = (draw.log_between(1e-3, 1e5), draw.log_between(1e-3, 1e5));
     let mut history = Vec::new();
-    let start = if draw.chance(0.5) {
-        Start::Relaxed(depth)
-    } else {
-        history.push(leg(Motion::Ramp { to: depth, duration: (depth + 8.0) / approach }));
-        Start::Unstrained(-8.0)
+    let (relaxed, held) = (draw.chance(0.5), control == Control::Force);
+    // An imposed force has no equilibrium far from contact.
+    let value = if relaxed || held { depth } else { -8.0 };
+    let start = match control {
+        Control::Penetration if relaxed => Start::Relaxed(value),
+        Control::Penetration => Start::Unstrained(value),
+        _ => Start::Held { control, value, relaxed },
     };
+    if !relaxed && !held {
+        history.push(leg(Motion::Ramp { to: depth, duration: (depth + 8.0) / approach }));
+    }
     match draw.below(4) {
         0 => history.push(leg(Motion::Hold(draw.log_between(1e-3, 1e3)))),
         1 => history.push(leg(Motion::Ramp { to: depth * draw.between(0.5, 1.2), duration: 0.0 })),
@@ -71,16 +89,22 @@ pub fn problem(seed: u64, number: u64) -> Problem {
     let pull = (depth - end) / retreat;
     history.push(leg(Motion::Ramp { to: end, duration: pull }));
     let instants = (1..8).map(|k| before + pull * f64::from(k) / 8.0).collect();
-    Problem { law: Law::LennardJones, tabor, shape, creep, start, history, instants, surfaces: Vec::new() }
+    Problem { law, tabor, shape, creep, start, history, instants, surfaces: Vec::new() }
 }
 
 /// Draws a problem and compares its runs.
 #[must_use]
 pub fn compared(seed: u64, number: u64) -> Compared {
     let problem = problem(seed, number);
-    let mut mesher = Mesher::new(Accuracy::new(TOLERANCE).order);
+    let law = match Attraction::new(problem.law.clone(), 1.0, 1.0) {
+        Ok(law) => law,
+        Err(refusal) => return Compared { failed: Some(format!("problem {number}: {refusal}")), ..Compared::default() },
+    };
+    let kinked = law.is_kinked();
+    let mut accuracy = Accuracy::of_law(TOLERANCES[usize::from(kinked)], &law);
+    let factor = if kinked { KINKED } else { 1.0 };
+    let mut mesher = Mesher::new(accuracy.order);
     let mut runs: Vec<Run> = Vec::new();
-    let mut accuracy = Accuracy::new(TOLERANCE);
     for (index, more) in MORE.into_iter().enumerate() {
         if index > 0 {
             accuracy = accuracy.tightened();
@@ -98,14 +122,21 @@ pub fn compared(seed: u64, number: u64) -> Compared {
     let [loose, tight, truth] = runs.as_slice() else { return compared };
     compared.steps = tight.certificate.steps;
     compared.defect = tight.certificate.energy_residual / tight.certificate.energy_scale.max(1.0);
+    // What is not imposed.
+    let held = problem.history.iter().any(|leg| leg.control == Control::Force);
     let forces = |run: &Run| -> Vec<Option<f64>> {
-        let at = |time: &f64| run.at(*time).map(|row| row.force);
-        problem.instants.iter().map(at).chain([Some(-run.pull_off_force())]).collect()
+        let at = |time: &f64| run.at(*time).map(|row| if held { row.penetration } else { row.force });
+        let last = if held {
+            run.detachment.map(|row| row.time / problem.instants.last().copied().unwrap_or(1.0))
+        } else {
+            Some(-run.pull_off_force())
+        };
+        problem.instants.iter().map(at).chain([last]).collect()
     };
     let all: Vec<[f64; 3]> =
         forces(loose).into_iter().zip(forces(tight)).zip(forces(truth)).filter_map(|((a, b), c)| Some([a?, b?, c?])).collect();
     // As the plan of a scene does: a bound is at least a part of the largest one, and those beside it.
-    let change = |index: usize| all.get(index).map_or(0.0, |[a, b, _]| (a - b).abs());
+    let change = |index: usize| all.get(index).map_or(0.0, |[a, b, _]| factor * (a - b).abs());
     let largest = (0..all.len()).map(change).fold(0.0, f64::max);
     for (index, [_, b, c]) in all.iter().enumerate() {
         let beside = change(index).max(change(index + 1)).max(index.checked_sub(1).map_or(0.0, change));

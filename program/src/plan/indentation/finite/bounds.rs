@@ -1,9 +1,8 @@
 //! The runs of a state: one, and one with every tolerance tightened, until both agree as well as is wanted.
 
 use super::FiniteRangePlan;
-use super::history::tolerances;
 use crate::plan::state_watch::StateWatch;
-use viscotack::finite_range::sphere::{Mesher, Problem, Record, Run, row_at, run_watched};
+use viscotack::finite_range::sphere::{Accuracy, Mesher, Problem, Record, Run, row_at, run_watched};
 use viscotack::indentation::Watch;
 use viscotack::refusal::Refusal;
 
@@ -29,7 +28,7 @@ impl FiniteRangePlan {
     /// The runs of the state.
     pub(super) fn runs(&self, state_watch: &StateWatch<'_>) -> Result<Runs, Refusal> {
         let problem = self.problem()?;
-        let mut accuracy = tolerances(self.solver_accuracy, &self.reduced.law);
+        let mut accuracy = Accuracy::of_law(self.solver_accuracy, &self.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
         let watched = |number: u32| move |part: f64| state_watch.passed(number, part.min(1.0));
         let mut loose = run_watched(&problem, accuracy, &mut mesher, &mut watched(1))?;

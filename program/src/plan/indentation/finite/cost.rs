@@ -1,9 +1,9 @@
 //! What an indenter that attracts at a distance is expected to cost: the one place to tune when the solver changes.
 
 use super::FiniteRangePlan;
-use super::history::{Piece, tolerances};
+use super::history::Piece;
 use crate::outcome::Work;
-use viscotack::finite_range::sphere::Motion;
+use viscotack::finite_range::sphere::{Accuracy, Motion};
 
 /// Steps of a segment at an accuracy of 1e-3: at least so many; where the surface peels so many at a Tabor number of 3, with the power of that number.
 const LEAST: f64 = 40.0;
@@ -41,7 +41,7 @@ impl FiniteRangePlan {
 
     /// Memory of a state besides its rows (bytes), at most.
     pub(super) fn most_memory(&self) -> u64 {
-        let nodes = tolerances(self.solver_accuracy, &self.reduced.law).most_nodes as u64;
+        let nodes = Accuracy::of_law(self.solver_accuracy, &self.reduced.law).most_nodes as u64;
         8 * MATRICES * nodes * nodes + BLOCKS + STEP * self.work_of_a_state().linear_solves / SYSTEMS_A_STEP
     }
 

@@ -2,10 +2,9 @@
 
 use super::super::curve::{columns, row};
 use super::FiniteRangePlan;
-use super::history::tolerances;
 use crate::plan::path_curve::PathCurve;
 use crate::plan::state_watch::StateWatch;
-use viscotack::finite_range::sphere::{Jump, Mesher, Record, Run, run_watched};
+use viscotack::finite_range::sphere::{Accuracy, Jump, Mesher, Record, Run, run_watched};
 use viscotack::refusal::Refusal;
 
 /// Points of a run in the order of time: time, penetration, force and contact radius in the units of the solver.
@@ -55,7 +54,7 @@ impl FiniteRangePlan {
         if let Some(resolved) = self.resolved(&watch)? {
             return resolved.way(tolerance);
         }
-        let accuracy = tolerances(tolerance, &self.reduced.law);
+        let accuracy = Accuracy::of_law(tolerance, &self.reduced.law);
         let run = run_watched(&self.problem()?, accuracy, &mut Mesher::new(accuracy.order), &mut |_| {})?;
         let units = &self.reduced.scales;
         let shown = |[time, penetration, force, radius]: [f64; 4]| {

@@ -4,8 +4,7 @@ use super::super::scale::Scale;
 use super::super::timeline::{Leg, Timeline};
 use super::scales::Reduced;
 use crate::scene::typed::{HistoryQuantity, Indentation, IndentationStart};
-use viscotack::finite_range::law::Attraction;
-use viscotack::finite_range::sphere::{self, Accuracy, Control, Motion, Problem, Start};
+use viscotack::finite_range::sphere::{self, Control, Motion, Problem, Start};
 use viscotack::indentation::Oscillation;
 
 /// Two rates nearer than this, relative, are one.
@@ -137,27 +136,6 @@ impl Course {
             surfaces: self.surfaces.clone(),
         }
     }
-}
-
-/// Nodes of an element where a hard wall or a kink of the law leaves one in the pressure: more do not pay there.
-const KINKED_ORDER: usize = 6;
-/// Tolerance of its mesh over that of a smooth law: the steps in time leave kinks behind the edge that need no more.
-const KINKED_MESH: f64 = 3.0;
-/// Nodes of its mesh, at most.
-const KINKED_NODES: usize = 2000;
-
-/// Whether the stress has a kink at some gap.
-pub(super) fn is_kinked(law: &Attraction) -> bool {
-    law.wall().is_some() || !law.kinks().is_empty()
-}
-
-/// Tolerances of the first of two runs, for a wanted accuracy.
-pub(super) fn tolerances(accuracy: f64, law: &Attraction) -> Accuracy {
-    let smooth = Accuracy::new(accuracy);
-    if !is_kinked(law) {
-        return smooth;
-    }
-    Accuracy { order: KINKED_ORDER, most_nodes: KINKED_NODES, mesh: KINKED_MESH * smooth.mesh, ..smooth }
 }
 
 /// Whether a leg goes on at the pace of a piece.

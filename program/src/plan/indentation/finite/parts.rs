@@ -5,11 +5,11 @@ use super::super::locate::{Followed, State, Way, known};
 use super::super::scale::Scale;
 use super::super::timeline::Timeline;
 use super::FiniteRangePlan;
-use super::history::{Course, tolerances};
+use super::history::Course;
 use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::Indentation;
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{Mesher, Record, run_watched};
+use viscotack::finite_range::sphere::{Accuracy, Mesher, Record, run_watched};
 use viscotack::indentation::Watch as _;
 use viscotack::refusal::Refusal;
 
@@ -62,7 +62,7 @@ impl Followed for Part<'_> {
     }
 
     fn search(&self, tolerance: f64) -> Result<Way, Refusal> {
-        let accuracy = tolerances(tolerance, &self.plan.reduced.law);
+        let accuracy = Accuracy::of_law(tolerance, &self.plan.reduced.law);
         let mut mesher = Mesher::new(accuracy.order);
         let run = run_watched(&self.plan.problem()?, accuracy, &mut mesher, &mut |part| self.state_watch.passed(1, part.min(1.0)))?;
         let losses = run.losses.iter().map(|record| record.time).collect();

@@ -7,14 +7,13 @@ use super::super::shift::{self, CONDITION_MET, LIMIT_REACHED, Shift};
 use super::FiniteRangePlan;
 use super::bounds::Runs;
 use super::columns::{COLUMNS, at, columns, present};
-use super::history::{is_kinked, tolerances};
 use super::widened::{Floors, widened};
 use crate::outcome::{Certificate, Row, Status, Witness, Work};
 use crate::plan::state_watch::StateWatch;
 use crate::scene::typed::{Condition, IndentationShape};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
-use viscotack::finite_range::sphere::{BY_CHANCE, Jump, LegSummary, Record};
+use viscotack::finite_range::sphere::{Accuracy, BY_CHANCE, Jump, KINKED, LegSummary, Record};
 use viscotack::refusal::Refusal;
 
 /// The words of rows.
@@ -28,8 +27,6 @@ pub(super) const DETACHMENT: &str = "detachment";
 const ADMISSIBLE: f64 = 1e-3;
 /// The end of a contact comes slowly, so that its instant settles later than all else: so many times the change between two runs.
 const SOFT: f64 = 4.0;
-/// Where the law has a kink or a hard wall, runs do not converge by an order: so many times the change between two.
-const KINKED: f64 = 3.0;
 /// A bound is never smaller than this part of its value.
 const ROUNDING: f64 = 1e-11;
 
@@ -213,8 +210,8 @@ impl FiniteRangePlan {
 
     /// The bound of a tighter value.
     fn change(&self, loose: f64, tight: f64) -> f64 {
-        let factor = if is_kinked(&self.reduced.law) { KINKED } else { 1.0 };
-        let by_chance = BY_CHANCE * tolerances(self.solver_accuracy, &self.reduced.law).tightened().step;
+        let factor = if self.reduced.law.is_kinked() { KINKED } else { 1.0 };
+        let by_chance = BY_CHANCE * Accuracy::of_law(self.solver_accuracy, &self.reduced.law).tightened().step;
         factor * (loose - tight).abs() + (by_chance + ROUNDING) * tight.abs()
     }
 
