@@ -29,6 +29,8 @@ const JUMP_STEP: f64 = 4.0;
 const LOST: f64 = 30.0;
 /// Meshes tried for one step.
 const REMESHES: usize = 60;
+/// Finer edges tried for one step before it is shortened.
+const SHIFTS: usize = 2;
 /// Steps between attempts to coarsen.
 const COARSEN_EVERY: usize = 3;
 
@@ -107,7 +109,7 @@ impl March<'_> {
         let first = self.book.record(&self.solver, &self.state);
         let (mut h, mut careful) = (first_step(&drive, end).min(longest), 0);
         let mut usual = h;
-        let mut remeshed = 0;
+        let (mut remeshed, mut shifted) = (0, 0);
         let mut detached = false;
         let mut known = None;
         while self.state.time < end {
@@ -121,7 +123,14 @@ impl March<'_> {
             let (step, next) = self.bounded(h, end);
             let Some(trial) = self.solver.step_again(&self.state, &drive, step, known.take().as_ref()) else {
                 self.book.failed += 1;
-                (h, careful) = (0.25 * step, CAREFUL_STEPS);
+                if shifted < SHIFTS
+                    && let Some(finer) = self.solver.refined_at_edge(&self.state)
+                {
+                    shifted += 1;
+                    self.state = finer;
+                    continue;
+                }
+                (h, careful, shifted) = (0.25 * step, CAREFUL_STEPS, 0);
                 let part = (FOLD_PER_ACCURACY * self.solver.accuracy.step).clamp(FOLD[0], FOLD[1]);
                 let fold = if leg.control == Control::Force { FOLD_OF_FORCE } else { part };
                 if h < fold * usual || self.state.time + h <= self.state.time {
@@ -149,7 +158,7 @@ impl March<'_> {
                 self.state = finer;
                 continue;
             }
-            remeshed = 0;
+            (remeshed, shifted) = (0, 0);
             let mut new = trial.state;
             new.time = next.unwrap_or(new.time);
             self.accepted(new, &drive, &mut window)?;

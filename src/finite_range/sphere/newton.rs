@@ -151,8 +151,9 @@ impl Newton {
                 made += 1;
             }
             let mut correction = self.correct(&residual, off, row, outside.1)?;
-            // Where the gap is wide its relative change counts: it is that of the pressure, and rounding is relative too.
-            let size = |c: &(Vec<f64>, f64)| c.0.iter().zip(&u).fold(c.1.abs(), |most, (value, u)| most.max(value.abs() / u.max(1.0)));
+            // Where the gap is wide, or the pressure on a wall is large, its relative change counts: rounding is relative too.
+            let size =
+                |c: &(Vec<f64>, f64)| c.0.iter().zip(&u).fold(c.1.abs(), |most, (value, u)| most.max(value.abs() / u.abs().max(1.0)));
             let allowed = (CONTRACTION * previous).max(equation.tolerance);
             if usable && ((size(&correction) > allowed && !free) || !correction.1.is_finite()) {
                 if made + followed >= most {

@@ -277,6 +277,19 @@ impl<'m> Solver<'m> {
         Some(state.on(&mesh, self.mesher, &self.surface))
     }
 
+    /// The state with other nodes at the edge of a hard wall, where a node may find no side that suits its neighbours; nothing without one.
+    pub(super) fn refined_at_edge(&mut self, state: &State) -> Option<State> {
+        let order = self.mesher.order();
+        let mut flags = vec![false; state.mesh.cells.len()];
+        for (i, pair) in state.u.windows(2).enumerate() {
+            if self.surface.touches(pair[0]) != self.surface.touches(pair[1]) {
+                flags[i / order] = true;
+                flags[(i + 1) / order] = true;
+            }
+        }
+        self.refined_if(state, &flags)
+    }
+
     /// The state with the flagged elements halved.
     pub(super) fn refined(&mut self, state: &State, flags: &[bool]) -> State {
         let mesh = self.mesher.build(Mesher::halved(&state.mesh.cells, flags));
