@@ -1,6 +1,10 @@
 //! Surfaces that attract at a distance.
 #![allow(missing_docs)]
 
+#[path = "../support/mod.rs"]
+mod support;
+
+mod independent;
 mod line;
 mod sphere;
 mod sphere_samples;

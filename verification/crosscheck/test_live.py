@@ -24,6 +24,7 @@ SCRIPTS = {
     "sphere_annuli": ["mpmath", "numpy", "scipy"],
     "elliptic": ["mpmath"],
     "delayed_fracture": ["mpmath"],
+    "line_panels": ["mpmath", "numpy"],
     "rolling_cylinders": ["mpmath", "numpy", "scipy"],
     "contact_rolling": ["mpmath", "numpy", "scipy"],
     "indentation_shape": ["mpmath"],

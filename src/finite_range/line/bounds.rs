@@ -136,6 +136,10 @@ pub(super) fn of(history: &[[f64; 7]], spread: f64, problem: &Problem, scale: &S
     errors[FRICTION] = errors[FRICTION].max(spread);
     // All numbers come from one discrete edge.
     let largest = SHARED * (0..3).map(|i| errors[i] / units[i]).fold(0.0, f64::max);
+    // The energy changes with the gap by the tension: its last difference alone may be small by chance.
+    if convergence == Convergence::Smooth {
+        errors[ENERGY] = errors[ENERGY].max(largest / SHARED * scale.half_height * last[ADHESIVE].abs());
+    }
     let units = [scale.stress, scale.half_height, last[FRICTION].abs(), 0.0, last[ADHESIVE].abs(), scale.stress, last[ENERGY].abs()];
     for (error, unit) in errors.iter_mut().zip(units) {
         *error = error.max(largest * unit);

@@ -19,64 +19,90 @@ pub(super) struct Outcome {
     pub(super) residual: f64,
 }
 
+/// The vectors of a solve, kept for the next one: on a surface it takes as long to ask the system for their memory as to use it.
+#[derive(Debug, Default)]
+pub(super) struct Vectors {
+    basis: Vec<Vec<f64>>,
+    residual: Vec<f64>,
+    z: Vec<f64>,
+    w: Vec<f64>,
+}
+
+impl Vectors {
+    /// Writes `values` over a length as the basis vector of an index, which is at most their number.
+    fn write(basis: &mut Vec<Vec<f64>>, index: usize, values: &[f64], length: f64) {
+        let scaled = values.iter().map(|v| v / length);
+        if let Some(vector) = basis.get_mut(index) {
+            vector.clear();
+            vector.extend(scaled);
+        } else {
+            basis.push(scaled.collect());
+        }
+    }
+}
+
 /// Adds to `x` (which starts at zero) the solution of matrix × x = `rhs`, until the residual falls below `tolerance` times the
 /// right-hand side, or `budget` products are spent. At most `restart` vectors are kept.
-pub(super) fn solve(system: &mut impl LinearSystem, rhs: &[f64], x: &mut [f64], tolerance: f64, restart: usize, budget: usize) -> Outcome {
+pub(super) fn solve(
+    system: &mut impl LinearSystem,
+    vectors: &mut Vectors,
+    rhs: &[f64],
+    x: &mut [f64],
+    tolerance: f64,
+    restart: usize,
+    budget: usize,
+) -> Outcome {
     let n = rhs.len();
     let scale = norm(rhs);
     let mut products = 0;
     if scale == 0.0 || !scale.is_finite() {
         return Outcome { products, residual: scale };
     }
-    let mut residual = rhs.to_vec();
-    let (mut z, mut w) = (vec![0.0; n], vec![0.0; n]);
-    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(restart + 1);
+    let Vectors { basis, residual, z, w } = vectors;
+    residual.clear();
+    residual.extend_from_slice(rhs);
+    z.resize(n, 0.0);
+    w.resize(n, 0.0);
     loop {
-        let start = norm(&residual);
+        let start = norm(residual);
         if start <= tolerance * scale || products >= budget || !start.is_finite() {
             return Outcome { products, residual: start / scale };
         }
-        basis.clear();
-        basis.push(residual.iter().map(|r| r / start).collect());
+        Vectors::write(basis, 0, residual, start);
         let mut triangle = Triangle::new(start);
         while triangle.columns() < restart && products < budget && triangle.residual() > tolerance * scale {
             let k = triangle.columns();
-            system.precondition(&basis[k], &mut z);
-            system.multiply(&z, &mut w);
+            system.precondition(&basis[k], z);
+            system.multiply(z, w);
             products += 1;
-            let mut column: Vec<f64> = Vec::with_capacity(k + 2);
-            for v in &basis {
-                let h = dot(v, &w);
-                add(&mut w, -h, v);
-                column.push(h);
-            }
-            let length = norm(&w);
+            let mut column = orthogonalise(&basis[..=k], w);
+            let length = norm(w);
             column.push(length);
             triangle.push(column);
             if length <= 1e-14 * scale || !length.is_finite() {
                 break;
             }
-            basis.push(w.iter().map(|v| v / length).collect());
+            Vectors::write(basis, k + 1, w, length);
         }
         // x += P⁻¹ V y, then the true residual for the next cycle.
         w.fill(0.0);
         for (v, y) in basis.iter().zip(triangle.solution()) {
-            add(&mut w, y, v);
+            add(w, y, v);
         }
-        system.precondition(&w, &mut z);
-        add(x, 1.0, &z);
+        system.precondition(w, z);
+        add(x, 1.0, z);
         let (before, expected) = (start, triangle.residual());
         if expected <= tolerance * scale {
             return Outcome { products, residual: expected / scale };
         }
-        system.multiply(x, &mut w);
+        system.multiply(x, w);
         products += 1;
         for i in 0..n {
             residual[i] = rhs[i] - w[i];
         }
         // A cycle that gains nothing will not gain in the next one.
-        if norm(&residual) > 0.999 * before {
-            return Outcome { products, residual: norm(&residual) / scale };
+        if norm(residual) > 0.999 * before {
+            return Outcome { products, residual: norm(residual) / scale };
         }
     }
 }
@@ -133,6 +159,36 @@ impl Triangle {
         }
         y
     }
+}
+
+/// Takes the parts along the basis from a vector, one after the other, and returns them. Each pass takes one part and measures the next one: what costs is memory.
+fn orthogonalise(basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
+    let mut column: Vec<f64> = Vec::with_capacity(basis.len() + 1);
+    let mut part = basis.first().map_or(0.0, |v| dot(v, w));
+    for (index, v) in basis.iter().enumerate() {
+        column.push(part);
+        match basis.get(index + 1) {
+            Some(next) => part = add_and_dot(w, -part, v, next),
+            None => add(w, -part, v),
+        }
+    }
+    column
+}
+
+/// [`add`], then [`dot`] of the sum with another vector.
+fn add_and_dot(to: &mut [f64], factor: f64, from: &[f64], with: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let whole = to.len() / 8 * 8;
+    let (to8, to_rest) = to.split_at_mut(whole);
+    for ((t, f), w) in to8.chunks_exact_mut(8).zip(from.chunks_exact(8)).zip(with.chunks_exact(8)) {
+        for i in 0..8 {
+            t[i] += factor * f[i];
+            lanes[i] += t[i] * w[i];
+        }
+    }
+    add(to_rest, factor, &from[whole..]);
+    let tail: f64 = to_rest.iter().zip(&with[whole..]).map(|(x, y)| x * y).sum();
+    lanes.iter().sum::<f64>() + tail
 }
 
 /// Sums in eight lanes, so that the compiler can use wide instructions.

@@ -19,6 +19,8 @@ pub(super) const COARSE: f64 = 1e-7;
 const STEPS: usize = 120;
 /// Steps over which the residual must fall.
 const PATIENCE: usize = 4;
+/// One more Newton step builds its Krylov space anew: it costs about as many products as three digits.
+const A_STEP_MORE: f64 = 1e3;
 /// Most halvings of one step.
 const HALVINGS: usize = 6;
 /// Steps without a wall within which the least residual must halve.
@@ -71,6 +73,7 @@ fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: 
     let first = equations.products;
     let (mut pressure, mut rhs, mut step) = (vec![0.0; n], vec![0.0; n + 1], vec![0.0; n + 1]);
     equations.pressure(state, &mut pressure);
+    let mut vectors = gmres::Vectors::default();
     let mut residual = f64::INFINITY;
     let mut recent: Vec<f64> = Vec::new();
     let least_of = |norms: &[f64]| norms.iter().copied().fold(f64::INFINITY, f64::min);
@@ -121,9 +124,11 @@ fn descend(equations: &mut Equations, state: &mut State, accepted: f64, budget: 
             equations.damp(equations.law.steepest_slope() * (norm(&rhs[..n]) / start).min(1.0));
         }
         step.fill(0.0);
-        // No more digits than the next step can keep, and none beyond what is accepted.
-        let accuracy = (0.1 * residual / (1.0 + peak)).max(0.1 * tolerance / residual).clamp(1e-10, 1e-3);
-        gmres::solve(equations, &rhs, &mut step, accuracy, RESTART, budget - spent);
+        // No more digits than the next step can keep, and none beyond what is accepted; all of these where the contact set of
+        // an answer rests and one step more would cost more than they do.
+        let (kept, enough) = (0.1 * residual / (1.0 + peak), 0.1 * tolerance / residual);
+        let accuracy = if accepted <= FINE && !changed && kept < A_STEP_MORE * enough { enough } else { kept }.clamp(1e-10, 1e-3);
+        gmres::solve(equations, &mut vectors, &rhs, &mut step, accuracy, RESTART, budget - spent);
         let mut length = 1.0_f64;
         if singular {
             // A gap may at most halve: the repulsion of the law grows by orders of magnitude there.

@@ -53,7 +53,7 @@ impl OnGrid {
         let unit = (n as f64).sqrt();
         let (mut rhs, mut step) = (vec![0.0; n + 1], vec![0.0; n + 1]);
         rhs[n] = unit;
-        let solved = gmres::solve(equations, &rhs, &mut step, SLOPE, RESTART, PRODUCTS);
+        let solved = gmres::solve(equations, &mut gmres::Vectors::default(), &rhs, &mut step, SLOPE, RESTART, PRODUCTS);
         Self { growing, pressure_by_gap: (solved.residual <= SLOPE).then(|| step[n] * unit), node_products: cost(equations) }
     }
 

@@ -18,8 +18,10 @@ const CELLS: [f64; 3] = [0.5, 2.0, 8.0];
 /// Nodes along x of the coarsest grid that a neighbour is followed on.
 const COARSEST_OF_A_NEIGHBOUR: usize = 128;
 
-/// A pull is reached in so many steps, halved down to this part of them; the accuracy on the way.
-const PULLS: f64 = 4.0;
+/// A state is reached from one whose gap or frame is this part of the half height further away, or nearer.
+const AWAY: f64 = 0.3;
+/// It is reached in so many steps, halved down to this part of them; the accuracy on the way.
+const LOADS: f64 = 4.0;
 const SHORTER: f64 = 64.0;
 const ON_THE_WAY: f64 = 0.05;
 
@@ -57,8 +59,8 @@ pub enum ReachedBy {
     ColdStart(reach::Path),
     /// Followed from a neighbouring state.
     Continuation,
-    /// Followed from no load by lowering the mean pressure, where the cold start at a pull is lost.
-    Unloading,
+    /// Followed from another mean pressure, gap or frame at the same range, where the starts from long ranges are lost.
+    AnotherLoad,
     /// The closed form of full contact.
     FullContact,
 }
@@ -125,7 +127,38 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
     if request.most_nodes < 64 || request.most_nodes > 1 << 22 || !request.most_nodes.is_power_of_two() {
         return Err(Refusal::out_of_range("most_nodes", request.most_nodes as f64, "a power of two between 64 and 4194304"));
     }
-    let (mut lost, mut lost_on_a_grid) = (None, None);
+    match from_long_ranges(problem, request) {
+        Cold::Found(state) => Ok(*state),
+        Cold::TooFewNodes => Err(Refusal::NotConverged {
+            what: "the steady state",
+            detail: format!(
+                "the range needs {} nodes, but at most {} are allowed",
+                4 * reach::nodes_for(problem, problem.attraction.range, CELLS[0]),
+                request.most_nodes
+            ),
+        }),
+        // What no long range leads to may lie next to a state under another load, at the real range.
+        Cold::Lost { refusal, on_a_grid } => from_another_load(problem, request).or_else(|_| {
+            // A search that found no partial contact leaves the full one. A state that a coarse grid has and a finer one loses may exist.
+            if on_a_grid { Err(refusal) } else { super::full::full_contact(problem, request).map_err(|_| refusal) }
+        }),
+    }
+}
+
+/// What the search from long ranges came to.
+enum Cold {
+    Found(Box<SteadyState>),
+    /// Every start was lost: on the way, or where the grid was doubled.
+    Lost {
+        refusal: Refusal,
+        on_a_grid: bool,
+    },
+    /// The range needs more nodes than are allowed.
+    TooFewNodes,
+}
+
+fn from_long_ranges(problem: &Problem, request: &Request) -> Cold {
+    let mut lost = Cold::TooFewNodes;
     for cells in cells(problem, request) {
         // Two doublings more are needed for the error.
         if 4 * reach::nodes_for(problem, problem.attraction.range, cells) > request.most_nodes {
@@ -135,55 +168,57 @@ pub fn solve(problem: &Problem, request: &Request) -> Result<SteadyState, Refusa
             Ok(reached) => {
                 let path = ReachedBy::ColdStart(reached.path);
                 match refine(problem, request, reached, path) {
-                    Ok(state) => return Ok(state),
-                    Err(refusal) => lost_on_a_grid = Some(refusal),
+                    Ok(state) => return Cold::Found(Box::new(state)),
+                    Err(refusal) => lost = Cold::Lost { refusal, on_a_grid: true },
                 }
             }
-            Err(refusal) => lost = Some(refusal),
+            Err(_) if matches!(lost, Cold::Lost { on_a_grid: true, .. }) => {}
+            Err(refusal) => lost = Cold::Lost { refusal, on_a_grid: false },
         }
     }
-    // A state that a coarse grid has and a finer one loses may exist: full contact is no answer then.
-    if let Some(refusal) = lost_on_a_grid {
-        return Err(refusal);
-    }
-    // A long range holds no pull that a short one does: the load is lowered at the real range.
-    if let (Control::MeanPressure(wanted), true) = (problem.control, lost.is_some())
-        && wanted < 0.0
-        && let Ok(state) = unloaded(problem, request, wanted)
-    {
-        return Ok(state);
-    }
-    // A search that found no partial contact leaves the full one; a search that was never made leaves nothing.
-    match lost {
-        Some(refusal) => super::full::full_contact(problem, request).map_err(|_| refusal),
-        None => Err(Refusal::NotConverged {
-            what: "the steady state",
-            detail: format!(
-                "the range needs {} nodes, but at most {} are allowed",
-                4 * reach::nodes_for(problem, problem.attraction.range, CELLS[0]),
-                request.most_nodes
-            ),
-        }),
-    }
+    lost
 }
 
-/// The state under a pull, from the one without load.
-fn unloaded(problem: &Problem, request: &Request, wanted: f64) -> Result<SteadyState, Refusal> {
-    let at = |load: f64| Problem { control: Control::MeanPressure(load), ..problem.clone() };
+/// The state, from one under another load: none, or a frame or a gap that is further away, then nearer.
+fn from_another_load(problem: &Problem, request: &Request) -> Result<SteadyState, Refusal> {
+    let away = AWAY * problem.profile.half_height();
+    let (wanted, starts) = match problem.control {
+        Control::MeanPressure(wanted) => (wanted, vec![0.0]),
+        Control::MeanGap(wanted) => (wanted, vec![wanted + away, wanted - away]),
+        Control::Frame { position, .. } => (position, vec![position + away, position - away]),
+    };
+    let mut last = Refusal::NotConverged { what: "the way from another load", detail: "it has no other load to start from".to_owned() };
+    for start in starts {
+        match along_loads(problem, request, start, wanted) {
+            Ok(state) => return Ok(state),
+            Err(refusal) => last = refusal,
+        }
+    }
+    Err(last)
+}
+
+fn along_loads(problem: &Problem, request: &Request, start: f64, wanted: f64) -> Result<SteadyState, Refusal> {
+    let at = |value: f64| Problem { control: problem.control.with_value(value), ..problem.clone() };
     let rough = Request { accuracy: request.accuracy.max(ON_THE_WAY), ..*request };
-    let mut state = solve(&at(0.0), &rough)?;
-    let (mut load, mut step) = (0.0, wanted / PULLS);
+    let lost = |detail: &str| Refusal::NotConverged { what: "the way from another load", detail: detail.to_owned() };
+    let mut state = match from_long_ranges(&at(start), &rough) {
+        Cold::Found(state) => *state,
+        Cold::Lost { refusal, .. } => return Err(refusal),
+        Cold::TooFewNodes => return Err(lost("its range needs more nodes than are allowed")),
+    };
+    let (mut value, mut step) = (start, (wanted - start) / LOADS);
     let shortest = step.abs() / SHORTER;
-    loop {
-        let last = (wanted - load).abs() <= step.abs() * (1.0 + 1e-9);
-        let next = if last { wanted } else { load + step };
+    while step.abs() > 0.0 {
+        let last = (wanted - value).abs() <= step.abs() * (1.0 + 1e-9);
+        let next = if last { wanted } else { value + step };
         match follow(&at(next), &state, if last { request } else { &rough }) {
-            Ok(found) if last => return Ok(SteadyState { reached_by: ReachedBy::Unloading, ..found }),
-            Ok(found) => (state, load) = (found, next),
+            Ok(found) if last => return Ok(SteadyState { reached_by: ReachedBy::AnotherLoad, ..found }),
+            Ok(found) => (state, value) = (found, next),
             Err(refusal) if step.abs() < shortest => return Err(refusal),
             Err(_) => step *= 0.5,
         }
     }
+    Err(lost("it has no other load to start from"))
 }
 
 /// Every state of the problem that a search finds: profiles lifted by several parts of their height, from several ranges of the law down to

@@ -68,6 +68,7 @@ pub const STUDIES: &[Study] = &[
     alone("precision_strength", precision::strength::study),
     alone("precision_sphere", precision::sphere::study),
     alone("precision_finite_spheres", finite_spheres::cost::study),
+    alone("precision_lines", precision::lines::study),
     alone("precision_growth", precision::growth::study),
     alone("precision_steady_crack", precision::steady_crack::study),
     alone("precision_peers", precision::peers::study),

@@ -149,7 +149,8 @@ impl SurfacePlan {
         match (state.reached_by, self.sliding.reached_by) {
             (ReachedBy::FullContact, _) => "closed_form",
             (ReachedBy::Continuation, SurfacePath::Loading) => "loading",
-            (ReachedBy::Continuation, SurfacePath::Unloading) | (ReachedBy::Unloading, _) => "unloading",
+            (ReachedBy::Continuation, SurfacePath::Unloading) => "unloading",
+            (ReachedBy::AnotherLoad, _) => "another_load",
             (ReachedBy::Continuation, SurfacePath::LongRange | SurfacePath::Every) => "neighbour",
             (ReachedBy::ColdStart(Path::Range | Path::RangeThenRamp), _) => "long_range",
             (ReachedBy::ColdStart(Path::ModulusThenRange | Path::RangeThenModulus), _) => "relaxed_solid",

@@ -7,12 +7,14 @@
 //! | `sphere` | a retraction | dense annuli, as printed and with factors kept |
 //! | `steady_crack` | G(v) of twelve terms | the raw double integral |
 //! | `growth` | delayed growth | stepping as printed |
+//! | `lines` | a line and a rough surface that attract at a distance | contMech, stored |
 //! | `peers` | what only other programs have run | theirs, stored |
 //!
 //! Truths come from elsewhere: stored reference values of other programs, or closed forms. Times are medians; they are stated, never failed on.
 
 mod domination;
 pub(super) mod growth;
+pub(super) mod lines;
 pub(super) mod peers;
 pub(super) mod sliding;
 pub(super) mod sphere;

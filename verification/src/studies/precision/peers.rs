@@ -13,8 +13,15 @@ use viscotack::refusal::Refusal;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, steady_sliding};
 
 /// Diagrams of the other sections, which draw their own stored runs.
-const ELSEWHERE: [&str; 6] =
-    ["sliding_one_term", "sliding_twelve_terms", "sphere_retraction", "delayed_fracture", "steady_crack_opening", "steady_crack_closing"];
+const ELSEWHERE: [&str; 7] = [
+    "sliding_one_term",
+    "sliding_twelve_terms",
+    "sphere_retraction",
+    "delayed_fracture",
+    "steady_crack_opening",
+    "steady_crack_closing",
+    "line_at_a_distance",
+];
 
 /// One of this program's runs: time, error.
 fn sample(setting: &str, Timed { seconds, runs, result: found }: Timed<Result<f64, Refusal>>) -> Vec<Method> {

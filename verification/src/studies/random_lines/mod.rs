@@ -60,6 +60,18 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
         format!("{refused} of {scenes}, {too_short} of them for their nodes"),
         refused == too_short,
     ));
+    let full = all.iter().filter(|scene| scene.full_contact).count();
+    let missed: Vec<&String> = all.iter().filter_map(|scene| scene.missed.as_ref()).collect();
+    section.checks.push(Check::statement(
+        "whether full contact hides a partial one",
+        "held mean gaps from far to near lead to no partial contact under the same load",
+        format!(
+            "{} of {full} full contacts{}",
+            missed.len(),
+            missed.first().map_or_else(String::new, |first| format!(", the first: {first}"))
+        ),
+        missed.is_empty(),
+    ));
     let mut ratios: Vec<f64> = all.iter().flat_map(|scene| scene.ratios.iter().copied()).collect();
     ratios.sort_by(f64::total_cmp);
     let quantile = |part: f64| ratios.get((part * ratios.len() as f64) as usize).copied().unwrap_or(0.0);
