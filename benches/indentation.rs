@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 use viscotack::Material;
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, march, run};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, Trace, integrate, run};
 use viscotack::material::RelaxationTerm;
 use viscotack_verification::rivals::annulus_indentation::{AnnulusScheme, AnnulusStart};
 
@@ -76,11 +76,11 @@ fn main() {
         exact = tension.value;
         core.push(time);
     }
-    let truth = march(&rubber, &cycle(1e-8), 1e-8).unwrap();
+    let truth = integrate(&rubber, &cycle(1e-8), 1e-8).unwrap();
     for tolerance in [1e-1, 1e-2, 1e-4, 1e-6] {
-        let (time, trace) = best(3, || march(&rubber, &cycle(tolerance), tolerance).unwrap());
+        let (time, trace) = best(3, || integrate(&rubber, &cycle(tolerance), tolerance).unwrap());
         println!(
-            "  one march without bars at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
+            "  one integration without bars at {tolerance:e}: {time:.2} ms, {} steps, {} balances; force and radius off by {:.1e} of the largest",
             trace.work.steps,
             trace.work.closure_evaluations,
             difference(&trace, &truth)

@@ -1,7 +1,8 @@
 //! Where a quantity turns along a curve: F₁ = F₂ = 0 and dg/ds = ∇g·t = 0, t = ∇F₁ × ∇F₂.
 //!
 //! The gradients are central differences, of fourth order where many digits are asked for, so that the third equation is known to some ten digits where the equations
-//! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the location enters it squared.
+//! themselves are known to rounding; of second order they take half the evaluations and leave five. The value of the quantity is stationary at a fold: an error of the
+//! location enters it squared.
 
 use super::curve::{CurveEquations, CurvePoint, Evaluated, Quantity, tangent_of};
 use super::three_unknowns::ThreeEquations;

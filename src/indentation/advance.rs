@@ -2,8 +2,8 @@
 
 use super::corners::{AT_MARK, PLACE_NOISE};
 use super::edge::{Drive, Imposed, Trial};
+use super::integrator::{HALF, Integrator, NEARLY};
 use super::line::NARROWEST;
-use super::marcher::{HALF, Marcher, NEARLY};
 use super::motion::Motion;
 use super::past::Node;
 use super::solution::EventKind;
@@ -46,7 +46,7 @@ enum Choice {
     Time { guess: f64 },
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// One step of at most `cap`.
     pub(super) fn advance(&mut self, cap: f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         let (mut reach, mut cap) = (self.reach.min(self.largest_reach()), cap);

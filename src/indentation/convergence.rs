@@ -1,17 +1,20 @@
-//! What is left of the error of a number, told by marches that are tighter than the one that it is of.
+//! What is left of the error of a number, told by integrations that are tighter than the one that it is of.
 //!
-//! The steps of a march follow its own errors, so that two marches take different ones and the errors of single numbers scatter, through zero as well: no march can tell
-//! from looser ones how far off it happens to be. Tighter ones can. The number is that of a march with two behind it, a hundred times tighter in all ([`TIGHTER`]):
+//! The steps of an integration follow its own errors, so that two integrations take different ones and the errors of single numbers scatter, through zero as well: no
+//! integration can tell
+//! from looser ones how far off it happens to be. Tighter ones can. The number is that of an integration with two behind it, a hundred times tighter in all
+//! ([`TIGHTER`]):
 //! its change to the finest is its error but for that of the finest, which is a hundredth as large as a rule. What the finest errs by is guessed from how far every other
-//! march is off from it, over how much looser that one was; the largest guess counts [`DOUBT`] times.
+//! integration is off from it, over how much looser that one was; the largest guess counts [`DOUBT`] times.
 
-/// Each march is tighter than the one before by this.
+/// Each integration is tighter than the one before by this.
 pub(super) const TIGHTER: f64 = 0.1;
-/// Marches behind the one whose numbers are told.
+/// Integrations behind the one whose numbers are told.
 pub(super) const BEHIND: usize = 2;
-/// Marches that are heard, at most: one looser, should the accuracy need it, the one whose numbers are told, and those behind it.
+/// Integrations that are heard, at most: one looser, should the accuracy need it, the one whose numbers are told, and those behind it.
 pub(super) const HEARD: usize = BEHIND + 2;
-/// Error of a number of the finest march, at most, over the largest guess of it. Needed were 218 and 88 once each and 61 otherwise in 100 000 values of 360 random spheres at
+/// Error of a number of the finest integration, at most, over the largest guess of it. Needed were 218 and 88 once each and 61 otherwise in 100 000 values of 360 random
+/// spheres at
 /// eleven tolerances.
 const DOUBT: f64 = 300.0;
 
@@ -19,10 +22,10 @@ const DOUBT: f64 = 300.0;
 /// path looser still, over the reduction observed, makes one expect where the two agree by accident.
 const OF_PANELS: f64 = 4.0;
 
-/// The same of each march that is heard, the finest first; none where there is none.
+/// The same of each integration that is heard, the finest first; none where there is none.
 pub(super) type Heard<T> = [Option<T>; HEARD];
 
-/// Marches by their tolerances, the finest first, and the place among them of the one whose numbers are told.
+/// Integrations by their tolerances, the finest first, and the place among them of the one whose numbers are told.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ladder {
     pub(super) tolerances: Heard<f64>,
@@ -32,7 +35,7 @@ pub(super) struct Ladder {
 }
 
 impl Ladder {
-    /// A bound on the error of the value told; infinite where the marches behind it do not have the value, or no other march has.
+    /// A bound on the error of the value told; infinite where the integrations behind it do not have the value, or no other integration has.
     pub(super) fn error(&self, values: Heard<f64>) -> f64 {
         let (Some(finest), [Some(tightest), ..]) = (values[0], self.tolerances) else { return f64::INFINITY };
         let others = self.tolerances.iter().zip(values).enumerate().skip(1);
@@ -60,7 +63,7 @@ impl Ladder {
 mod tests {
     use super::*;
 
-    /// Three marches at 1e-4, 1e-5 and 1e-6, the first told.
+    /// Three integrations at 1e-4, 1e-5 and 1e-6, the first told.
     const LADDER: Ladder = Ladder { tolerances: [Some(1e-6), Some(1e-5), Some(1e-4), None], told: 2, reduction: None };
 
     fn off(errors: [f64; 3]) -> f64 {
@@ -83,7 +86,7 @@ mod tests {
         assert!(off([1e-9, 1e-9, 1e-7]) > 1e-7);
     }
 
-    /// A finest march that errs by as much as the one told, the other way.
+    /// A finest integration that errs by as much as the one told, the other way.
     #[test]
     fn errors_that_do_not_fall_are_in_the_change() {
         let tight = Ladder { tolerances: [Some(1e-9), Some(1e-7), Some(1e-5), None], ..LADDER };
@@ -91,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_told_without_the_marches_behind() {
+    fn nothing_is_reported_without_the_integrations_behind() {
         let [fine, middle, told] = [Some(1.0), Some(1.0), Some(1.0)];
         assert_eq!(LADDER.error([fine, middle, told, None]).to_bits(), 0.0_f64.to_bits());
         for values in [[None, middle, told, None], [fine, None, told, None], [fine, middle, None, None]] {

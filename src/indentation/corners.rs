@@ -1,8 +1,8 @@
-//! Where the path of a march has a corner and starts anew: corners of the history, turns of the edge, and the places that the edge meets again.
+//! Where the path of an integration has a corner and starts anew: corners of the history, turns of the edge, and the places that the edge meets again.
 
 use super::edge::node_of;
+use super::integrator::{Integrator, LOOSEST};
 use super::line::NARROWEST;
-use super::marcher::{LOOSEST, Marcher};
 
 /// First step of an edge, over the process zone, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_REACH: f64 = 0.3;
@@ -22,7 +22,7 @@ pub(super) const PLACE_NOISE: f64 = 4.0;
 const AT_TURN: f64 = 3e-3;
 const LEAST_AT_TURN: f64 = 1e-5;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// Forgets the smooth path: a corner of the history, or an event.
     pub(super) fn restart(&mut self) {
         let node = node_of(self.contact.profile(), &self.contact, self.record.force());

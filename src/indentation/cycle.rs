@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Place of the drift among the quantities.
 const DRIFT: usize = 10;
 
-/// One whole cycle of a stretch that oscillates; `T` is `f64` in one march, [`Estimate`] in a solution.
+/// One whole cycle of a stretch that oscillates; `T` is `f64` in one integration, [`Estimate`] in a solution.
 ///
 /// Amplitudes are of the fundamental, x ≈ mean + in_phase·sin φ + quadrature·cos φ, φ the phase of what is controlled, with the straight line
 /// between both ends of the cycle taken off first, so that a ramp beneath does not count.
@@ -38,13 +38,13 @@ pub struct Cycle<T> {
     /// Largest change of mean, work and extremes against the cycle before, over their scales, carried on for the longest relaxation time: what
     /// the cycles may still drift. Infinite for the first.
     pub drift: f64,
-    /// Bound on the error of the drift; of one march none is known.
+    /// Bound on the error of the drift; of one integration none is known.
     #[serde(default)]
     pub drift_error: f64,
 }
 
 impl Cycle<f64> {
-    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all marches that are heard.
+    /// With errors by a function of the place of a quantity among eleven, the drift being the last, its value and those of all integrations that are heard.
     pub(super) fn judged(&self, heard: Heard<&Self>, mut estimate: impl FnMut(usize, f64, Heard<f64>) -> Estimate) -> Cycle<Estimate> {
         let drift_error = estimate(DRIFT, self.drift, heard.map(|cycle| cycle.map(|cycle| cycle.drift))).error;
         let mut place = 0;

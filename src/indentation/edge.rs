@@ -314,7 +314,7 @@ fn course(dt: f64, here: f64, scale: f64, history: &dyn Fn(f64) -> f64) -> [f64;
     std::array::from_fn(|power| rises.iter().zip(&THROUGH_FIFTHS).map(|(rise, row)| rise * row[power]).sum())
 }
 
-/// A point of the march that is now.
+/// A point of the integration that is now.
 pub(super) fn node_of(profile: &Profile, contact: &Contact<'_>, force: f64) -> Node {
     Node { time: 0.0, place: profile.coordinate(contact.radius()), penetration: contact.penetration(), force, radius: contact.radius() }
 }

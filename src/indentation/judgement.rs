@@ -1,4 +1,4 @@
-//! Numbers of a march with errors, told by those behind it.
+//! Numbers of an integration with errors, told by those behind it.
 
 use super::between;
 use super::convergence::{Heard, Ladder};
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// Error of the radius of an event, over the accuracy of radii, that is allowed: at a fold it goes with the root of what is not known of the load.
 const AT_FOLDS: f64 = 12.0;
-/// The place of K among the quantities: what panels leave unknown of it all marches have alike.
+/// The place of K among the quantities: what panels leave unknown of it all integrations have alike.
 const INTENSITY: usize = 3;
 const DISSIPATED: usize = 7;
 /// The place of ∫P_d dt among the numbers of an event.
@@ -49,17 +49,18 @@ impl Excess {
 }
 
 /// One of some paths, the finest first, with errors by those behind it; nothing without a path there.
-pub(super) fn with_errors(problem: &IndentationProblem, marches: &[Trace], shown: usize) -> Option<WithErrors> {
-    compared(problem, marches, shown, None)
+pub(super) fn with_errors(problem: &IndentationProblem, integrations: &[Trace], shown: usize) -> Option<WithErrors> {
+    compared(problem, integrations, shown, None)
 }
 
 /// The same; `reduction`: of paths by panels, as observed from one to the next.
-pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], shown: usize, reduction: Option<f64>) -> Option<WithErrors> {
-    let heard: Heard<&Trace> = std::array::from_fn(|k| marches.get(k));
-    let ladder = Ladder { tolerances: heard.map(|march| march.map(|march| march.tolerance)), told: shown, reduction };
-    let march = marches.get(shown)?;
-    let mut instants = Vec::with_capacity(march.kept.len());
-    let mut scales = march.summary.scales;
+pub(super) fn compared(problem: &IndentationProblem, integrations: &[Trace], shown: usize, reduction: Option<f64>) -> Option<WithErrors> {
+    let heard: Heard<&Trace> = std::array::from_fn(|k| integrations.get(k));
+    let ladder =
+        Ladder { tolerances: heard.map(|integration| integration.map(|integration| integration.tolerance)), told: shown, reduction };
+    let integration = integrations.get(shown)?;
+    let mut instants = Vec::with_capacity(integration.kept.len());
+    let mut scales = integration.summary.scales;
     let [_, force, a, _] = scales;
     if problem.adhesion.is_none() {
         // Without adhesion K is rounding; it is seen against the one that the force would have at the rim of a punch.
@@ -68,17 +69,17 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], shown: u
     let mut excess = Excess(0.0);
     // What does not balance up to a point is not known of what is dissipated.
     let (mut unbalanced, mut summed) = (0.0, 0);
-    for (index, &place) in march.kept.iter().enumerate() {
-        let Some(point) = march.path.get(place) else { continue };
+    for (index, &place) in integration.kept.iter().enumerate() {
+        let Some(point) = integration.path.get(place) else { continue };
         if reduction.is_some() {
-            let since = march.path.iter().take(place + 1).skip(summed);
+            let since = integration.path.iter().take(place + 1).skip(summed);
             unbalanced += since.filter_map(|point| point.energies).map(|energies| energies.balance_defect.abs()).sum::<f64>();
             summed = place + 1;
         }
-        let heard = heard.map(|march| march.and_then(|march| march.path.get(*march.kept.get(index)?)));
+        let heard = heard.map(|integration| integration.and_then(|integration| integration.path.get(*integration.kept.get(index)?)));
         // An indenter that flies is where its contact let go.
         let flies = |(event, _): &(&Event<f64>, &[f64; NUMBERS])| event.penetration.to_bits() == point.penetration.to_bits();
-        let let_go = march.events.iter().zip(&march.unknown_of_events).find(flies).filter(|_| point.contact_radius == 0.0);
+        let let_go = integration.events.iter().zip(&integration.unknown_of_events).find(flies).filter(|_| point.contact_radius == 0.0);
         let of_its_place = let_go.map_or(0.0, |(_, unknown)| unknown[1]);
         let mut estimate = |quantity: usize, of: &dyn Fn(&PathPoint) -> f64| {
             let value = of(point);
@@ -120,20 +121,22 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], shown: u
             residual: point.residual,
         });
     }
-    let on_the_way = OnTheWay { ladder: &ladder, march, scales, by_panels: reduction.is_some() };
-    let events: Vec<Event<Estimate>> = march
+    let on_the_way = OnTheWay { ladder: &ladder, integration, scales, by_panels: reduction.is_some() };
+    let events: Vec<Event<Estimate>> = integration
         .events
         .iter()
         .enumerate()
         .map(|(index, event)| {
-            let heard = heard.map(|march| march.and_then(|march| march.events.get(index)).filter(|other| other.kind == event.kind));
-            on_the_way.estimated(event, heard, march.unknown_of_events.get(index).copied().unwrap_or_default())
+            let heard = heard.map(|integration| {
+                integration.and_then(|integration| integration.events.get(index)).filter(|other| other.kind == event.kind)
+            });
+            on_the_way.estimated(event, heard, integration.unknown_of_events.get(index).copied().unwrap_or_default())
         })
         .collect();
-    let largest_tension = march.summary.peak().filter(|peak| -peak.force > NO_FORCE * scales[1]).map(|peak| {
-        let peaks = heard.map(|march| march.map(|march| march.summary.peak()));
+    let largest_tension = integration.summary.peak().filter(|peak| -peak.force > NO_FORCE * scales[1]).map(|peak| {
+        let peaks = heard.map(|integration| integration.map(|integration| integration.summary.peak()));
         let mut unknown = [0.0; NUMBERS];
-        unknown[4] = march.summary.intensity_floor_of_peak();
+        unknown[4] = integration.summary.intensity_floor_of_peak();
         let found = on_the_way.estimated(&peak, peaks.each_ref().map(|peak| peak.as_ref()?.as_ref()), unknown);
         // One that does not pull has the tension zero.
         let error = ladder.error(peaks.map(|peak| peak.map(|peak| peak.map_or(0.0, |peak| peak.force))));
@@ -150,40 +153,40 @@ pub(super) fn compared(problem: &IndentationProblem, marches: &[Trace], shown: u
             excess.hear(estimate.error, problem.accuracy * scale);
         }
     }
-    let cycles = judged_cycles(problem, &ladder, heard, march, &mut excess);
-    let residual = march.summary.residual;
-    // A state that is out of balance by more than was asked for is none, however well its marches agree.
+    let cycles = judged_cycles(problem, &ladder, heard, integration, &mut excess);
+    let residual = integration.summary.residual;
+    // A state that is out of balance by more than was asked for is none, however well its integrations agree.
     excess.hear(residual, problem.accuracy);
     let solution = IndentationSolution {
         instants,
         events,
         cycles,
         largest_tension,
-        balance_defect: march.balance_defect(),
-        smallest_stress_intensity_factor: march.smallest_stress_intensity_factor,
-        smallest_gap_factor: march.smallest_gap_factor,
+        balance_defect: integration.balance_defect(),
+        smallest_stress_intensity_factor: integration.smallest_stress_intensity_factor,
+        smallest_gap_factor: integration.smallest_gap_factor,
         reached: excess.0 <= 1.0,
         residual,
-        path_errors: between::errors(&ladder, heard, march),
-        march: march.clone(),
+        path_errors: between::errors(&ladder, heard, integration),
+        integration: integration.clone(),
         by_panels: false,
         work: IndentationWork::default(),
     };
     Some(WithErrors { solution, excess: excess.0 })
 }
 
-/// Events and other states between the kept instants of a march.
+/// Events and other states between the kept instants of an integration.
 struct OnTheWay<'a> {
     ladder: &'a Ladder,
-    march: &'a Trace,
+    integration: &'a Trace,
     scales: [f64; 4],
     by_panels: bool,
 }
 
 impl OnTheWay<'_> {
-    /// With errors by the same event of other marches, and by what none of them tells.
+    /// With errors by the same event of other integrations, and by what none of them tells.
     fn estimated(&self, event: &Event<f64>, heard: Heard<&Event<f64>>, unknown: [f64; NUMBERS]) -> Event<Estimate> {
-        let passed = self.march.path.iter().take_while(|point| self.by_panels && point.time <= event.time);
+        let passed = self.integration.path.iter().take_while(|point| self.by_panels && point.time <= event.time);
         let unbalanced: f64 = passed.filter_map(|point| point.energies).map(|energies| energies.balance_defect.abs()).sum();
         let estimate = |number: usize, value: f64| {
             let error = self.ladder.error(heard.map(|event| event?.number(number)));
@@ -216,27 +219,27 @@ fn judged_cycles(
     problem: &IndentationProblem,
     ladder: &Ladder,
     heard: Heard<&Trace>,
-    march: &Trace,
+    integration: &Trace,
     excess: &mut Excess,
 ) -> Vec<Cycle<Estimate>> {
-    let largest = |of: fn(&Cycle<f64>) -> f64| march.cycles.iter().fold(0.0, |most: f64, cycle| most.max(of(cycle).abs()));
+    let largest = |of: fn(&Cycle<f64>) -> f64| integration.cycles.iter().fold(0.0, |most: f64, cycle| most.max(of(cycle).abs()));
     let stiffness = largest(|cycle| cycle.storage_stiffness.hypot(cycle.loss_stiffness));
     let scales = [
         largest(|cycle| cycle.work.abs().max(0.25 * (cycle.force[1] - cycle.force[0]) * (cycle.penetration[1] - cycle.penetration[0]))),
         stiffness,
         stiffness,
         1.0,
-        march.summary.scales[0],
-        march.summary.scales[0],
-        march.summary.scales[1],
-        march.summary.scales[1],
-        march.summary.scales[2],
-        march.summary.scales[2],
+        integration.summary.scales[0],
+        integration.summary.scales[0],
+        integration.summary.scales[1],
+        integration.summary.scales[1],
+        integration.summary.scales[2],
+        integration.summary.scales[2],
     ];
-    let mut cycles = Vec::with_capacity(march.cycles.len());
-    for (index, cycle) in march.cycles.iter().enumerate() {
-        let heard = heard.map(|march| {
-            let other = march.and_then(|march| march.cycles.get(index));
+    let mut cycles = Vec::with_capacity(integration.cycles.len());
+    for (index, cycle) in integration.cycles.iter().enumerate() {
+        let heard = heard.map(|integration| {
+            let other = integration.and_then(|integration| integration.cycles.get(index));
             other.filter(|other| (other.segment, other.number) == (cycle.segment, cycle.number))
         });
         cycles.push(cycle.judged(heard, |place, value, heard| {
@@ -281,7 +284,7 @@ mod tests {
         }
     }
 
-    /// A march that pulls until the contact lets go at a depth that is known to a part of it, and flies from there.
+    /// An integration that pulls until the contact lets go at a depth that is known to a part of it, and flies from there.
     fn pulled(residual: f64, unknown_depth: f64) -> Trace {
         let path = vec![point(0.0, 1.0, 0.0), point(1.0, 0.8, residual), point(2.0, 0.0, 0.0)];
         let mut trace = Trace { kept: vec![0, 1, 2], tolerance: ACCURACY, ..Trace::default() };
@@ -298,7 +301,7 @@ mod tests {
         with_errors(&problem(), &vec![trace.clone(); 3], 2).unwrap().solution(IndentationWork::default())
     }
 
-    /// Marches that agree to the last bit about a state out of balance.
+    /// Integrations that agree to the last bit about a state out of balance.
     #[test]
     fn a_state_out_of_balance_is_not_reached() {
         assert!(judged_alike(&pulled(0.9 * ACCURACY, 0.0)).reached);

@@ -2,8 +2,8 @@
 
 use super::edge::Imposed;
 use super::folds::Fold;
+use super::integrator::Integrator;
 use super::line::Contact;
-use super::marcher::Marcher;
 use super::solution::EventKind;
 use crate::refusal::Refusal;
 
@@ -12,7 +12,7 @@ const SEARCH: f64 = 0.2;
 /// Iterations of a bracketed root.
 const MOST_ITERATIONS: u32 = 200;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// At a fixed instant, the nearest stable edge the way the residual points.
     pub(super) fn settle(&mut self, imposed: &Imposed<'_>) -> Result<(), Refusal> {
         let a = self.contact.radius();

@@ -326,7 +326,8 @@ impl<'a> Contact<'a> {
         self.edge_load_known().0
     }
 
-    /// Q(a), and what the panel that it is taken from leaves unknown of it: what one node changes of the extrapolation to the edge, and what the rounding of places does (Pa m).
+    /// Q(a), and what the panel that it is taken from leaves unknown of it: what one node changes of the extrapolation to the edge, and what the rounding of places does
+    /// (Pa m).
     fn edge_load_known(&self) -> (f64, f64) {
         let first_free = self.cells.partition_point(|cell| cell.bonded);
         let Some(last_bonded) = first_free.checked_sub(1).filter(|_| self.radius > 0.0) else { return (0.0, 0.0) };

@@ -1,7 +1,7 @@
-//! What is added up over each cycle of an oscillation, from the points of the march alone.
+//! What is added up over each cycle of an oscillation, from the points of the integration alone.
 //!
 //! Within a step Δ(t), F(t) and a(t) go along the polynomial through the last six points since a corner of the path, which is of the order of the
-//! march itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
+//! integration itself; near a corner points are close and fewer. Eight Gauss nodes a step integrate products of two of them, and sin and cos of the
 //! phase over 0.4 rad, to rounding.
 
 use super::adhesiveless::Sums as Added;

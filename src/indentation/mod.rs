@@ -26,9 +26,9 @@
 //!
 //! # How
 //! [`Contact`] carries the state on panels of Gauss nodes; an update is exact for any polynomial motion of edge and penetration, and any number
-//! of terms ([`Springs`]). [`zone_work`] is the closure. [`march`] goes step by step: the edge goes a given way and the time follows from the
+//! of terms ([`Springs`]). [`zone_work`] is the closure. [`integrate`] goes step by step: the edge goes a given way and the time follows from the
 //! closure, or a time goes by and the place of the edge follows, along the polynomial through the last points (up to the sixth order), with
-//! steps chosen by the error of the path. [`run`] tightens the march until the errors of what it reports meet the accuracy.
+//! steps chosen by the error of the path. [`run`] tightens the integration until the errors of what it reports meet the accuracy.
 //!
 //! Source: thesis chapter 4 (Eqs 4.1–4.33); Sneddon, Int. J. Engng Sci. 3 (1965) 47, [10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 
@@ -49,10 +49,10 @@ mod energies;
 mod fields;
 mod folds;
 mod history;
+mod integrator;
 mod judgement;
 mod jumps;
 mod line;
-mod marcher;
 mod meter;
 mod motion;
 mod open;
@@ -89,8 +89,8 @@ pub use elastic_zone::{ElasticContact, elastic_contact, elastic_contact_of_radiu
 pub use elliptic::elliptic_k;
 pub use fields::SurfaceFields;
 pub use history::{Controlled, History, Segment};
+pub use integrator::integrate;
 pub use line::{Contact, Sweep};
-pub use marcher::march;
 pub use oscillation::{FrequencySweep, Oscillation};
 pub use panel::{POINTS, Panel};
 pub use problem::{Adhesion, IndentationProblem, Start};

@@ -1,4 +1,4 @@
-//! The last points of a march, and the polynomials through them that the next step follows.
+//! The last points of an integration, and the polynomials through them that the next step follows.
 //!
 //! Between (0, 0) and (1, 1) a step goes as v = x[1 + (x − 1)q(x)], q the polynomial through what earlier points ask of it: a new point costs one unknown,
 //! however high the degree. C depends on t(s) − t(s′) with a smooth weight, an equation of the second kind in t(s): any such
@@ -15,7 +15,7 @@ const KEPT: usize = DEGREE;
 /// A term that does not fall to this part of the one before is noise, or the path is not smooth.
 const FALLS: f64 = 0.9;
 
-/// A point of the march.
+/// A point of the integration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Node {
     /// Since the newest point, so zero or less (s): an edge that runs away takes steps that no clock tells from the time since the start.

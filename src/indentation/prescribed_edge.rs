@@ -2,11 +2,11 @@
 
 use super::advance::{MOST_ATTEMPTS, SLOWEST};
 use super::elastic_zone::tension_root;
-use super::marcher::Marcher;
+use super::integrator::Integrator;
 use super::motion::{Motion, Passage};
 use crate::refusal::Refusal;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// A step of a prescribed edge.
     pub(super) fn prescribed_step(&mut self, value: &dyn Fn(f64) -> f64, cap: f64, left: f64, target: f64) -> Result<(), Refusal> {
         let mut cap = cap;

@@ -1,4 +1,4 @@
-//! The record of a march: points of its path, kept instants, events, the account of energies.
+//! The record of an integration: points of its path, kept instants, events, the account of energies.
 
 use super::checkpoint::ContactState;
 use super::cycle::Cycle;

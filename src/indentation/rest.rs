@@ -1,7 +1,7 @@
 //! An edge that rests between its two works of adhesion: whether it does, when it leaves, and when it comes to rest.
 
 use super::edge::{Drive, Imposed};
-use super::marcher::{CLOCK, Marcher};
+use super::integrator::{CLOCK, Integrator};
 use super::stepping::Way;
 use crate::refusal::Refusal;
 
@@ -15,7 +15,7 @@ const NO_WAY: f64 = 1e-3;
 /// g of an edge that is as good as balanced.
 const BALANCED: f64 = 1e-8;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// The way that the edge goes in a step of at most `cap`, which is made shorter where the edge comes to rest within it; none where the edge has rested until the
     /// instant at which it leaves, and is there now.
     pub(super) fn way(&mut self, cap: &mut f64, left: f64, target: f64, imposed: &Imposed<'_>) -> Result<Option<Way>, Refusal> {

@@ -1,4 +1,4 @@
-//! The stretch of a history that a march goes through.
+//! The stretch of a history that an integration goes through.
 
 use super::history::Segment;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ pub(super) struct Stretch {
     pub(super) segment: Segment,
 }
 
-/// Where a march is within a stretch, besides the time.
+/// Where an integration is within a stretch, besides the time.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub(super) struct Place {
     /// Which stretch of the history, from 0.
@@ -25,7 +25,7 @@ pub(super) struct Place {
     /// The next instant to keep and the next cycle to end, from 1.
     pub(super) instant: u32,
     pub(super) cycle: u64,
-    /// Steps of the march at which it gives up.
+    /// Steps of the integration at which it gives up.
     pub(super) budget: u64,
 }
 

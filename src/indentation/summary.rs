@@ -1,4 +1,4 @@
-//! What is told of every point of a march, whether or not the path still holds it.
+//! What is told of every point of an integration, whether or not the path still holds it.
 
 use super::solution::{Event, EventKind, PathPoint};
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 const BESIDE: usize = 4;
 const POINTS: usize = 5;
 
-/// Largest magnitudes, defects and the largest tension of a march.
+/// Largest magnitudes, defects and the largest tension of an integration.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Largest |Δ|, |F|, a and |K_I|.

@@ -7,7 +7,8 @@
 //! Each work is quadratic in the amplitude of its edge, so √(work_i/2πΓ_i) − 1 is nearly linear in the edges: that is the residual. The unknowns
 //! are the half-width and the eccentricity, or, at a prescribed half-width, the mean pressure and the eccentricity. Every adhesive contact has
 //! four roots, as a pressed edge with interpenetrating faces does the same work as a pulled one: the residual takes the sign of the amplitude, so
-//! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the penetration of the contact as it is, not its load.
+//! that three of them are none, and after each solve the signs, also in the moved contacts, and the gap are checked ([`Admissibility`]). The moved contacts keep the
+//! penetration of the contact as it is, not its load.
 //!
 //! Source: thesis Secs 3.2 and 3.3.
 

@@ -7,14 +7,15 @@
 //! Parameters: spheres under a force that falls before the edge turns: two solids of two terms, in Pa, m, s, moduli and sizes a thousandfold apart; quick
 //! retractions of soft solids (β = 9 and 20) from long contact.
 //!
-//! Oracle: K by the integral above over Δ(t) of the march's own path, from the time at which the edge passed the same place on its way out: it holds no
+//! Oracle: K by the integral above over Δ(t) of the integration's own path, from the time at which the edge passed the same place on its way out: it holds no
 //! state of the line and no panel. Events: a contact that is pulled off quickly is lost once.
 //!
-//! Tolerance: K to 1e-6 (the integral interpolates a path of tolerance 1e-7 by cubics; 7e-8 is the largest difference seen); before panels were graded towards a turn it was 3e-3 off.
+//! Tolerance: K to 1e-6 (the integral interpolates a path of tolerance 1e-7 by cubics; 7e-8 is the largest difference seen); before panels were graded towards a turn it
+//! was 3e-3 off.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::Material;
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, Trace, march};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, PathPoint, Profile, Trace, integrate};
 use viscotack::material::RelaxationTerm;
 
 /// The cubic through four points around the piece `index..index + 1`, at `x`.
@@ -61,7 +62,7 @@ fn by_residence(material: &Material, radius: f64, path: &[PathPoint]) -> Option<
 
 /// Instants of the way back, each against its integral; how many there were.
 fn way_back(name: &str, material: &Material, problem: &IndentationProblem, radius: f64) -> usize {
-    let trace = march(material, problem, 1e-7).unwrap();
+    let trace = integrate(material, problem, 1e-7).unwrap();
     let corner = problem.history.segments[0].duration;
     let mut seen = 0;
     for &kept in &trace.kept {
@@ -127,7 +128,7 @@ fn quick_retractions_are_lost_once_at_any_tolerance() {
     let adhesion = Some(Adhesion { work_of_adhesion: 1.457_923_95e-7, process_zone: 2.722_195_95e-8 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.535_268_49e-4 }, adhesion, history).relaxed();
     for tolerance in [0.03, 3e-3, 3e-4, 3e-5, 3e-7, 3e-9] {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         lost_once(&format!("relaxed, tolerance {tolerance:e}"), &trace, 12_000);
     }
     let material =
@@ -140,7 +141,7 @@ fn quick_retractions_are_lost_once_at_any_tolerance() {
     let adhesion = Some(Adhesion { work_of_adhesion: 7.036_031_643_717_781e-5, process_zone: 0.016_084_778_045_700_285 });
     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 43.635_136_983_429_11 }, adhesion, history);
     for tolerance in [0.03, 3e-3, 3e-4, 3e-5, 3e-6, 3e-7, 1e-8] {
-        let trace = march(&material, &problem, tolerance).unwrap();
+        let trace = integrate(&material, &problem, tolerance).unwrap();
         lost_once(&format!("after a dwell, tolerance {tolerance:e}"), &trace, 12_000);
     }
 }

@@ -15,7 +15,7 @@
 use std::f64::consts::TAU;
 use viscotack::Estimate;
 use viscotack::Material;
-use viscotack::indentation::by_panels::{End, PanelOptions, march_by_panels, solve_by_panels};
+use viscotack::indentation::by_panels::{End, PanelOptions, integrate_by_panels, solve_by_panels};
 use viscotack::indentation::{
     Adhesion, Controlled, Cycle, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Segment,
     elastic_contact, elastic_contact_of_radius, run,
@@ -45,7 +45,7 @@ fn agree(name: &str, material: &Material, problem: &IndentationProblem) -> [Inde
     let (panels, steps) = (solve_by_panels(material, problem).unwrap(), run(material, problem).unwrap());
     assert!(panels.by_panels && panels.reached && !steps.by_panels, "{name}");
     assert_eq!(panels.instants.len(), steps.instants.len(), "{name}");
-    let scales = steps.march.summary.scales;
+    let scales = steps.integration.summary.scales;
     for (ours, theirs) in panels.instants.iter().zip(&steps.instants) {
         let pairs = [(ours.penetration, theirs.penetration), (ours.force, theirs.force), (ours.contact_radius, theirs.contact_radius)];
         for (quantity, (one, other)) in pairs.into_iter().enumerate() {
@@ -74,7 +74,8 @@ fn a_large_step_finds_the_elastic_equilibrium_of_its_depth() {
     let elastic = Material::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         for (first, second) in [(0.01, 0.06), (0.02, 0.5), (0.01, 1.0), (0.01, 3.0), (0.5, 0.01), (3.0, 0.01)] {
-            let outcome = march_by_panels(&elastic, &sphere(zone, History::penetration(first).step(second)), USUAL, &[0.0, 0.0]).unwrap();
+            let outcome =
+                integrate_by_panels(&elastic, &sphere(zone, History::penetration(first).step(second)), USUAL, &[0.0, 0.0]).unwrap();
             assert_eq!(outcome.end, End::History);
             let (before, after) = (outcome.wanted[0], outcome.wanted[1]);
             for (row, depth) in [(before, first), (after, second)] {
@@ -92,7 +93,7 @@ fn a_large_step_finds_the_elastic_equilibrium_of_its_depth() {
 fn steps_there_and_back_leave_the_contact_as_it_was() {
     let history = History::penetration(0.03).step(0.05).step(0.03).hold(1.0);
     let problem = IndentationProblem { energies: true, ..sphere(1e-2, history) }.relaxed();
-    let outcome = march_by_panels(&rubber(), &problem, FINE, &[0.0, 0.0, 0.0]).unwrap();
+    let outcome = integrate_by_panels(&rubber(), &problem, FINE, &[0.0, 0.0, 0.0]).unwrap();
     let [before, there, back] = [0, 1, 2].map(|k| outcome.wanted[k]);
     println!("{before:?}\n{there:?}\n{back:?}");
     assert!(there.contact_radius > 1.03 * before.contact_radius && there.penetration.to_bits() == 0.05_f64.to_bits());
@@ -108,7 +109,7 @@ fn nothing_is_dissipated_by_a_step() {
         let solved = solve_by_panels(&material, &problem).unwrap();
         let ([stored, _, _, _], [after, _, external, dissipated]) =
             (solved.instants[0].energies.unwrap(), solved.instants[1].energies.unwrap());
-        let tip = solved.march.path.last().unwrap().energies.unwrap().tip_work;
+        let tip = solved.integration.path.last().unwrap().energies.unwrap().tip_work;
         println!("to {step}: U {} to {}, ∫F dΔ {}, ∫G dA {tip}, lost {}", stored.value, after.value, external.value, dissipated.value);
         let size = external.value.abs() + tip.abs();
         assert!((external.value + tip - (after.value - stored.value)).abs() < 1e-7 * size && dissipated.value.abs() < 1e-7 * size);
@@ -127,8 +128,9 @@ fn a_step_to_detachment_lets_go_where_the_fastest_ramp_does() {
     let (material, time) = (rubber(), 1e-8);
     for (depth, end) in [(0.03, -0.2), (0.05, -0.5)] {
         let step =
-            march_by_panels(&material, &sphere(1e-2, History::penetration(depth).step(end).hold(1.0)).relaxed(), USUAL, &[]).unwrap();
-        let ramp = march_by_panels(&material, &sphere(1e-2, History::penetration(depth).ramp(end, time)).relaxed(), USUAL, &[]).unwrap();
+            integrate_by_panels(&material, &sphere(1e-2, History::penetration(depth).step(end).hold(1.0)).relaxed(), USUAL, &[]).unwrap();
+        let ramp =
+            integrate_by_panels(&material, &sphere(1e-2, History::penetration(depth).ramp(end, time)).relaxed(), USUAL, &[]).unwrap();
         let least = [step.least_force, ramp.least_force].map(|row| [row.force, row.penetration, row.contact_radius]);
         println!("{least:?}");
         assert_eq!((step.end, ramp.end), (End::Lost, End::Lost));
@@ -164,8 +166,12 @@ fn steps_of_every_control_agree_with_time_steps() {
             agree(name, &material, &problem);
         }
     }
-    let held =
-        march_by_panels(&rubber(), &sphere(1e-2, History::contact_radius(0.15).step(0.18).hold(1e5)).relaxed(), USUAL, &[0.0, 0.0, 1e5]);
+    let held = integrate_by_panels(
+        &rubber(),
+        &sphere(1e-2, History::contact_radius(0.15).step(0.18).hold(1e5)).relaxed(),
+        USUAL,
+        &[0.0, 0.0, 1e5],
+    );
     let held = held.unwrap();
     let rest = elastic_contact_of_radius(&SPHERE, 1.0, WORK, 1e-2, 0.18).unwrap();
     println!("{held:?} {rest:?}");
@@ -178,7 +184,7 @@ fn an_elastic_surface_is_touched_where_it_was() {
     let elastic = Material::elastic(1.0).unwrap();
     for zone in [2e-3, 2e-4] {
         let history = History::penetration(0.01).ramp(-0.1, 1.0).ramp(0.02, 1.0);
-        let outcome = march_by_panels(&elastic, &sphere(zone, history), USUAL, &[2.0]).unwrap();
+        let outcome = integrate_by_panels(&elastic, &sphere(zone, history), USUAL, &[2.0]).unwrap();
         assert_eq!(outcome.end, End::History);
         let landed = outcome.jumps.last().unwrap();
         let touched = elastic_contact(&SPHERE, 1.0, WORK, zone, 0.0).unwrap();
@@ -229,7 +235,7 @@ fn numbers(cycle: &Cycle<Estimate>) -> [Estimate; 10] {
 
 fn cycles_agree(name: &str, panels: &IndentationSolution, steps: &IndentationSolution) {
     assert_eq!(panels.cycles.len(), steps.cycles.len(), "{name}");
-    assert_eq!(panels.march.spreads.len(), steps.march.spreads.len(), "{name}");
+    assert_eq!(panels.integration.spreads.len(), steps.integration.spreads.len(), "{name}");
     for (ours, theirs) in panels.cycles.iter().zip(&steps.cycles) {
         assert_eq!((ours.segment, ours.number), (theirs.segment, theirs.number), "{name}");
         assert!((ours.start - theirs.start).abs() < 1e-12 * ours.end && (ours.end - theirs.end).abs() < 1e-12 * ours.end, "{name}");
@@ -312,10 +318,10 @@ fn a_stretch_ends_when_its_cycles_are_stationary() {
         let history = history.then(controlled, 0.9 * start, 1.0);
         let problem = IndentationProblem { accuracy: 5e-2, ..sphere(1.3e-2, history).relaxed() };
         let [panels, steps] = agree("stationary", &two_terms(), &problem);
-        println!("{:?} {:?}", panels.march.shortened, steps.march.shortened);
-        assert_eq!(panels.march.shortened.len(), 1);
-        assert!((panels.march.shortened[0].1 - steps.march.shortened[0].1).abs() < 1e-9);
-        assert!((panels.instants.last().unwrap().time - panels.march.shortened[0].1 - 1.0).abs() < 1e-9);
+        println!("{:?} {:?}", panels.integration.shortened, steps.integration.shortened);
+        assert_eq!(panels.integration.shortened.len(), 1);
+        assert!((panels.integration.shortened[0].1 - steps.integration.shortened[0].1).abs() < 1e-9);
+        assert!((panels.instants.last().unwrap().time - panels.integration.shortened[0].1 - 1.0).abs() < 1e-9);
         cycles_agree("stationary", &panels, &steps);
     }
 }

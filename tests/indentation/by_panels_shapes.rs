@@ -285,7 +285,7 @@ fn compared(kind: &str, usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw)
         times[0] += old;
         times[1] += new;
         let scale = rival.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
-        let [depth, ..] = rival.march.summary.scales;
+        let [depth, ..] = rival.integration.summary.scales;
         for (row, instant) in panels.instants.iter().zip(&rival.instants) {
             if instant.contact_radius.value <= 0.0 || row.contact_radius.value <= 0.0 {
                 break;

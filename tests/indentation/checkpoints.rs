@@ -2,7 +2,7 @@
 //!
 //! Goal: a run that goes on from a checkpoint ends in the same numbers, whichever step it was taken after, whatever the history does there.
 //! Parameters: histories of every control, with energies, frames, turns, touching again, cycles, stretches that end when stationary; three to eight steps of each,
-//! drawn from all steps of all marches; a chain of checkpoints, each run taking over from the one before. Oracle: the run that was never stopped.
+//! drawn from all steps of all integrations; a chain of checkpoints, each run taking over from the one before. Oracle: the run that was never stopped.
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, errors and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -128,7 +128,7 @@ fn a_run_goes_on_from_any_step_to_the_same_bits() {
         let whole = run_watched(&material, &problem, None, Some(&counter)).unwrap();
         the_same(&run(&material, &problem).unwrap(), &whole, name);
         let steps = counter.asked.load(Ordering::Relaxed);
-        // Told in order, from march to march, and to the end of each.
+        // Told in order, from integration to integration, and to the end of each.
         let parts = counter.parts.into_inner().unwrap();
         assert!(parts.windows(2).all(|pair| pair[1].0 > pair[0].0 || pair[1].1 >= pair[0].1), "{name}: backwards");
         assert!(parts.iter().all(|(_, part)| (0.0..=1.0).contains(part)), "{name}: a part");

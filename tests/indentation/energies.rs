@@ -5,20 +5,20 @@
 //! start is monotone; the loss of a cycle largest near ωρ = 1.
 //!
 //! Parameters: one term, β = 10, γ̃ = 1.6e-4, δ̃ = 0.013, relaxed at Δ̃ = 0.032 (thesis Fig 4.8), speeds 1e-6 to 1e2 R/ρ.
-//! Tolerance: 1e-5 of G, as asked of two accounts; sums to the tolerance of the march.
+//! Tolerance: 1e-5 of G, as asked of two accounts; sums to the tolerance of the integration.
 #![allow(clippy::unwrap_used, clippy::float_cmp, missing_docs)]
 
 use crate::support;
 
 use std::f64::consts::{PI, TAU};
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
-use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Oscillation, Profile, Trace, march};
+use viscotack::indentation::{Adhesion, EventKind, History, IndentationProblem, Oscillation, Profile, Trace, integrate};
 
 fn retraction(speed: f64) -> Trace {
     let adhesion = Some(Adhesion { work_of_adhesion: WORK, process_zone: ZONE });
     let history = History::penetration(0.032).at_speed(-0.3, speed);
     let problem = IndentationProblem { energies: true, ..IndentationProblem::new(SPHERE, adhesion, history) }.relaxed();
-    march(&rubber(), &problem, 1e-5).unwrap()
+    integrate(&rubber(), &problem, 1e-5).unwrap()
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn the_loss_of_a_cycle_peaks_near_the_relaxation_time() {
             let cycles = (20.0 * frequency).ceil().max(2.0);
             let history = History::penetration(0.03).oscillate(Oscillation::steady(1e-4, frequency), cycles / frequency);
             let problem = IndentationProblem::new(profile.clone(), adhesion, history).relaxed();
-            let trace = march(&rubber(), &problem, 1e-4).unwrap();
+            let trace = integrate(&rubber(), &problem, 1e-4).unwrap();
             losses.push((omega, trace.cycles.last().unwrap().work));
         }
         let peak = losses.iter().copied().max_by(|one, other| one.1.total_cmp(&other.1)).unwrap();

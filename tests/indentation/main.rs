@@ -9,7 +9,7 @@ mod annuli_reference;
 mod approach;
 mod bounds_without_adhesion;
 mod by_panels;
-mod by_panels_against_march;
+mod by_panels_against_time_steps;
 mod by_panels_checkpoints;
 mod by_panels_histories;
 mod by_panels_shapes;

@@ -1,12 +1,12 @@
 //! Source: this crate's promise that a history always gives a result or a typed refusal with its reason.
 //!
-//! Goal: the hard cases of a march, each with what must happen stated beforehand.
+//! Goal: the hard cases of an integration, each with what must happen stated beforehand.
 //!
 //! Parameters: γ̃ = 1.6e-4, δ̃ = 0.013, E0* = R = 1 (chapter 4) unless a case says otherwise; requested accuracy 1e-4.
 //!
 //! Oracle: what each case is named for: a limit, an event that must or must not happen, a refusal.
 //!
-//! Tolerance: as each case says. Every march: residual below 1e-8, no pressed edge, no overlap, fewer than 40 000 closures in all its marches.
+//! Tolerance: as each case says. Every integration: residual below 1e-8, no pressed edge, no overlap, fewer than 40 000 closures in all its integrations.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 use support::indentation::{SPHERE, WORK, ZONE, rubber};
 use viscotack::indentation::{
     Adhesion, Controlled, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, elastic_contact,
-    elastic_contact_of_radius, march, run,
+    elastic_contact_of_radius, integrate, run,
 };
 use viscotack::material::RelaxationTerm;
 use viscotack::{Material, refusal::Refusal};
@@ -34,7 +34,7 @@ fn solved(name: &str, material: &Material, problem: &IndentationProblem) -> Inde
         found.events.iter().map(|event| (event.kind, event.time.value)).collect::<Vec<_>>()
     );
     assert!(found.reached, "{name} misses its accuracy");
-    for point in found.march.path.iter().filter(|point| point.residual.abs() > 1e-8) {
+    for point in found.integration.path.iter().filter(|point| point.residual.abs() > 1e-8) {
         println!("{point:?}");
     }
     assert!(found.residual < 1e-8, "{name}: residual {:e}", found.residual);
@@ -255,7 +255,7 @@ fn a_rim_gives_way_in_every_cycle() {
         let history = History::force(-pull).oscillate(Oscillation::steady(1.5e-3, 30.0), 1.0);
         let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
         let problem = IndentationProblem::new(Profile::FlatPunch { radius }, adhesion, history).relaxed();
-        let trace = march(&material, &problem, 1e-3).unwrap();
+        let trace = integrate(&material, &problem, 1e-3).unwrap();
         let least =
             trace.path.iter().filter(|point| point.contact_radius > 0.0).fold(radius, |least, point| least.min(point.contact_radius));
         println!(

@@ -4,7 +4,7 @@
 //!
 //! Goal: the state is the one that cycles without end lead to, its numbers lie within their bounds, and it costs a few cycles whatever the spectrum.
 //!
-//! Oracles: another program (its own errors named); sixty cycles by the time integration in steps (`march`, measured once at a tolerance of 1e-4: 40 s); the
+//! Oracles: another program (its own errors named); sixty cycles by the time integration in steps (`integrate`, measured once at a tolerance of 1e-4: 40 s); the
 //! fundamental of the elastic contact at rest (`elastic_contact`), which slow cycles follow; the power balance of the contact; the same in other units; the same
 //! at a tighter accuracy, which the bounds of the looser one must cover.
 //!

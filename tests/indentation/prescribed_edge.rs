@@ -17,7 +17,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use viscotack::Material;
-use viscotack::indentation::{Contact, History, IndentationProblem, Profile, Springs, Sweep, march};
+use viscotack::indentation::{Contact, History, IndentationProblem, Profile, Springs, Sweep, integrate};
 use viscotack::material::{CreepTerm, RelaxationTerm};
 use viscotack::special::gauss_legendre::UNIT_RULE_20;
 
@@ -96,7 +96,7 @@ fn a_cone_is_sneddons() {
         assert!(cone.stress_intensity_factor().abs() < 1e-12 * modulus * slope * a.sqrt());
         let problem =
             IndentationProblem { accuracy: 1e-8, ..IndentationProblem::new(Profile::Cone { slope }, None, History::penetration(depth)) };
-        let trace = march(&Material::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
+        let trace = integrate(&Material::elastic(modulus).unwrap(), &problem, 1e-6).unwrap();
         let start = trace.path[0];
         assert!((start.contact_radius / a - 1.0).abs() < 1e-12 && (start.force / exact - 1.0).abs() < 1e-12, "{start:?}");
     }
@@ -204,7 +204,7 @@ fn lee_radok_and_ting() {
         let (a_m, up, down) = (0.2e-3, 2.0, 1.5);
         let problem = |history| IndentationProblem { instants_per_segment: 4, ..IndentationProblem::new(SPHERE, None, history) };
         let history = History::contact_radius(1e-9 * a_m).ramp(a_m, up).ramp(0.25 * a_m, down);
-        let trace = march(&material, &problem(history), 1e-9).unwrap();
+        let trace = integrate(&material, &problem(history), 1e-9).unwrap();
         let peak = trace.path.iter().fold(0.0f64, |most, point| most.max(point.force));
         let mut worst: f64 = 0.0;
         for &kept in &trace.kept[1..] {
@@ -223,7 +223,7 @@ fn lee_radok_and_ting() {
         let depth = a_m * a_m / RADIUS;
         let solved = problem(History::penetration(0.0).ramp(depth, up).ramp(0.3 * depth, down));
         for tolerance in [1e-6, 1e-7] {
-            let trace = march(&material, &solved, tolerance).unwrap();
+            let trace = integrate(&material, &solved, tolerance).unwrap();
             let mut worst: f64 = 0.0;
             let mut worst_down: f64 = 0.0;
             for &kept in &trace.kept[1..] {

@@ -17,7 +17,7 @@
 use std::f64::consts::PI;
 use viscotack::Material;
 use viscotack::indentation::{
-    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, march, run,
+    Adhesion, EventKind, History, IndentationProblem, Profile, elastic_contact, elastic_contact_of_radius, integrate, run,
 };
 
 const WORK: f64 = 1.6e-4 * PI;
@@ -49,7 +49,7 @@ fn pull_off_converges_at_every_speed() {
             .iter()
             .map(|&tolerance| {
                 let problem = retraction(speed, end);
-                let trace = march(&rubber(), &problem, tolerance).unwrap();
+                let trace = integrate(&rubber(), &problem, tolerance).unwrap();
                 let balance = trace.balance_defect().unwrap();
                 println!(
                     "V {speed:e}: {tolerance:e}: {} steps, {} closures, {} panels, balance {balance:e}, {:?}",
@@ -73,16 +73,16 @@ fn pull_off_converges_at_every_speed() {
 #[test]
 fn slow_retraction_is_soft_and_fast_elastic_twins_agree() {
     let problem = retraction(1e-8, 0.0);
-    let trace = march(&rubber(), &problem, 1e-3).unwrap();
+    let trace = integrate(&rubber(), &problem, 1e-3).unwrap();
     for &kept in &trace.kept {
         let point = trace.path[kept];
         let elastic = elastic_contact(&SPHERE, 1.0, WORK, ZONE, point.penetration).unwrap();
         println!("slow: {:e} {:e}", point.contact_radius / elastic.contact_radius - 1.0, point.force / elastic.force - 1.0);
         assert!((point.contact_radius / elastic.contact_radius - 1.0).abs() < 1e-4);
     }
-    // An elastic material on the same march makes no error in time at all.
+    // An elastic material on the same integration makes no error in time at all.
     let elastic = Material::from_relaxation(1.0, &[]).unwrap();
-    let trace = march(&elastic, &problem, 1e-3).unwrap();
+    let trace = integrate(&elastic, &problem, 1e-3).unwrap();
     for point in &trace.path {
         let exact = elastic_contact_of_radius(&SPHERE, 1.0, WORK, ZONE, point.contact_radius).unwrap();
         assert!((point.penetration - exact.penetration).abs() < 1e-10 * 0.032);
@@ -101,7 +101,7 @@ fn fast_retraction_is_the_closed_form() {
             history: History::penetration(depth).at_speed(0.048, 1e5),
             ..retraction(1.0, 0.0)
         };
-        let trace = march(&rubber(), &problem, 1e-3).unwrap();
+        let trace = integrate(&rubber(), &problem, 1e-3).unwrap();
         let start = trace.path[0];
         let place = trace.path.iter().find(|point| point.contact_radius < start.contact_radius - 0.02).unwrap();
         let a = place.contact_radius;
@@ -121,7 +121,7 @@ fn fast_retraction_is_the_closed_form() {
     }
 }
 
-/// Pa, m, s → MPa, mm, ms: same numbers, and errors of the estimates that cover a march four times finer.
+/// Pa, m, s → MPa, mm, ms: same numbers, and errors of the estimates that cover an integration four times finer.
 #[test]
 fn units_and_error_bars() {
     let (modulus, radius, time) = (0.83e6, 2.7e-3, 0.4);
@@ -139,7 +139,7 @@ fn units_and_error_bars() {
     let si = run(&material, &problem(1.0, 1.0, 1.0)).unwrap();
     let other = Material::standard_solid(modulus * 1e-6, BETA * modulus * 1e-6, BETA * time * 1e3).unwrap();
     let mm = run(&other, &problem(1e3, 1e-6, 1e3)).unwrap();
-    let judge = march(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
+    let judge = integrate(&material, &problem(1.0, 1.0, 1.0), 1e-9).unwrap();
     for (index, (first, second)) in si.instants.iter().zip(&mm.instants).enumerate() {
         // The root of each step is found to 1e-10.
         assert!((first.contact_radius.value * 1e3 / second.contact_radius.value - 1.0).abs() < 1e-7);

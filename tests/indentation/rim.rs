@@ -26,7 +26,7 @@ use viscotack::Material;
 use viscotack::closure::work_by_speed::WorkBySpeed;
 use viscotack::elastic::KendallPunch;
 use viscotack::indentation::{
-    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Start, march, run,
+    Adhesion, EdgeLaw, EventKind, History, IndentationProblem, IndentationSolution, Oscillation, Profile, Start, integrate, run,
 };
 use viscotack::material::CreepTerm;
 
@@ -51,7 +51,7 @@ fn pull_off(found: &IndentationSolution) -> f64 {
 
 /// The last instant at the rim, and the pull there.
 fn let_go(found: &IndentationSolution, radius: f64) -> (f64, f64) {
-    let held = found.march.path.iter().take_while(|point| point.contact_radius >= radius).last().unwrap();
+    let held = found.integration.path.iter().take_while(|point| point.contact_radius >= radius).last().unwrap();
     (held.time, -held.force)
 }
 
@@ -59,7 +59,8 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
-/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one length each, chosen once.
+/// Process zone over the radius of a state. Dugdale: δ = (π²/6) K²/(2πσ_c²) is two thirds of the exact length z, and follows K. Smooth laws: one length each, chosen
+/// once.
 fn zone_of(state: &Value) -> (f64, bool) {
     match state["model"].as_str().unwrap() {
         "dugdale" => (2.0 / 3.0 * state["parameters"]["z"].as_f64().unwrap(), true),
@@ -121,7 +122,8 @@ fn twelve_exact_states() {
     }
 }
 
-/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any preload, the slow one that of a soft one.
+/// Rubber of E0 = 1 MPa, E∞ = 10 MPa under a punch of 100 µm, and the same in other units: the fast pull is that of a glassy punch after any preload, the slow one that
+/// of a soft one.
 #[test]
 fn kendall_at_both_ends_whatever_the_preload() {
     // E*, length, work, time.
@@ -317,8 +319,9 @@ fn an_edge_comes_back_to_the_rim() {
     let history = History::penetration(unit).ramp(-1.15 * unit, 3.0).ramp(2.0 * unit, 3.0).hold(100.0).at_speed(-12.0 * unit, 1e6);
     let problem = IndentationProblem { accuracy: 1e-4, ..punch(1.0, 1.0, 1e-2, history) };
     let found = solved(&material, &problem);
-    let smallest = found.march.path.iter().filter(|point| point.time < 3.5).fold(1.0_f64, |least, point| least.min(point.contact_radius));
-    let back = found.march.path.iter().any(|point| point.time > 4.0 && point.contact_radius >= 1.0);
+    let smallest =
+        found.integration.path.iter().filter(|point| point.time < 3.5).fold(1.0_f64, |least, point| least.min(point.contact_radius));
+    let back = found.integration.path.iter().any(|point| point.time > 4.0 && point.contact_radius >= 1.0);
     let fresh = solved(&material, &punch(1.0, 1.0, 1e-2, History::penetration(2.0 * unit).at_speed(-12.0 * unit, 1e6)));
     println!("the edge went in to {smallest}; {} and {} from fresh", pull_off(&found), pull_off(&fresh));
     assert!(smallest < 0.999 && back);
@@ -355,7 +358,7 @@ fn a_rim_that_holds_a_swinging_load() {
     let kendall = (8.0 * PI).sqrt();
     for mean in [0.3, 0.0, -0.3] {
         let history = History::force(mean * kendall).oscillate(Oscillation::steady(0.6 * kendall, 2.0), 5.0);
-        let trace = march(&material, &punch(1.0, 1.0, 1e-3, history), 1e-4).unwrap();
+        let trace = integrate(&material, &punch(1.0, 1.0, 1e-3, history), 1e-4).unwrap();
         assert!(trace.events.is_empty() && trace.path.iter().all(|point| point.contact_radius >= 1.0));
         let cycle = trace.cycles.last().unwrap();
         let modulus = material.complex_modulus(4.0 * PI).unwrap();

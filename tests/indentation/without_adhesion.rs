@@ -25,7 +25,7 @@ fn solved(material: &Material, profile: Profile, history: History, accuracy: f64
     let problem = IndentationProblem { accuracy, ..IndentationProblem::new(profile, None, history) };
     let solution = run(material, &problem).unwrap();
     assert!(solution.reached, "{:?}", solution.instants.last());
-    assert!(solution.smallest_gap_factor > -1e-12 * solution.march.summary.scales[0], "{}", solution.smallest_gap_factor);
+    assert!(solution.smallest_gap_factor > -1e-12 * solution.integration.summary.scales[0], "{}", solution.smallest_gap_factor);
     solution
 }
 
@@ -144,7 +144,7 @@ fn elastic_contacts_follow_at_every_instant() {
     let history = History::penetration(1e-4).oscillate(Oscillation::steady(3e-5, 2.0), 1.5).step(2e-4).ramp(5e-5, 0.1).hold(1e4);
     for history in [history, History::force(0.1).ramp(0.5, 2.0).hold(1e5).step(0.7).ramp(1.0, 1e-3)] {
         let solution = solved(&material, Profile::Paraboloid { radius }, history, 1e-7);
-        for point in &solution.march.path {
+        for point in &solution.integration.path {
             let a = (point.penetration * radius).sqrt();
             assert!((point.contact_radius - a).abs() < 1e-11 * a, "{point:?}");
             let force = 4.0 / 3.0 * 3e6 * radius.sqrt() * point.penetration.powf(1.5);

@@ -33,7 +33,7 @@ fn solved(material: &Material, profile: Profile, history: History, stiffness: Op
     };
     let solution = run(material, &problem).unwrap();
     assert!(solution.reached);
-    assert!(solution.smallest_gap_factor > -1e-11 * solution.march.summary.scales[0], "{}", solution.smallest_gap_factor);
+    assert!(solution.smallest_gap_factor > -1e-11 * solution.integration.summary.scales[0], "{}", solution.smallest_gap_factor);
     solution
 }
 

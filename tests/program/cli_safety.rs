@@ -1,6 +1,7 @@
 //! Nothing of the user's is lost, and nothing that is given commands the terminal or keeps the program waiting.
 //!
-//! Contract: `program/src/outcome/owned.rs` (folders with a mark), `program/src/outcome/journal.rs` (digests), `program/src/regular_file.rs`, `program/src/terminal_text.rs`, `program/src/threads.rs`.
+//! Contract: `program/src/outcome/owned.rs` (folders with a mark), `program/src/outcome/journal.rs` (digests), `program/src/regular_file.rs`,
+//! `program/src/terminal_text.rs`, `program/src/threads.rs`.
 //! Goal: files that the program has not written stay; flipped bits, foreign builds, full disks, refused threads, pipes and devices, Ctrl-C, escape sequences.
 //! Parameters: the faults themselves, made as they happen: bits flipped in files, a small tmpfs, a limit of the size of files, stacks too large to be
 //! given, FIFOs, signals.

@@ -24,7 +24,7 @@ use viscotack::Material;
 use viscotack::crack::delayed::{GrowthProblem, LoadHistory, Resolution as CrackResolution, trajectory};
 use viscotack::crack::virtual_work::VirtualWork;
 use viscotack::crack::{CrackBody, Interface, Motion, ProcessZone, at_speed};
-use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, march};
+use viscotack::indentation::{Adhesion, History, IndentationProblem, Profile, integrate};
 use viscotack::material::CreepTerm;
 use viscotack::sliding::steady::{Indenter, SlidingControl, SlidingOutcome, SlidingProblem, WaveAdhesion, steady_sliding};
 
@@ -138,7 +138,7 @@ fn the_edge_of_a_sphere_is_a_crack() {
                     let adhesion = Some(Adhesion { work_of_adhesion: work, process_zone: zone });
                     let history = History::contact_radius(start).at_speed(end, speed);
                     let problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, adhesion, history).relaxed();
-                    let trace = march(&material, &problem, 1e-5).unwrap();
+                    let trace = integrate(&material, &problem, 1e-5).unwrap();
                     let last = trace.path.last().unwrap();
                     // The very tip of a closing crack is stressed E∞/E0 times more than the far field says (5.35).
                     let far = if motion == Motion::Closing { material.glassy_modulus() } else { 1.0 };

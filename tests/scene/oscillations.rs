@@ -54,7 +54,7 @@ fn punch(terms: &str, history: &str) -> String {
 
 /// Each quantity of a row of a cycle is the library's, a frequency that goes up on a ramp under a speed factor.
 #[test]
-fn cycles_in_reduced_units_are_the_march() {
+fn cycles_in_reduced_units_are_those_of_the_solver() {
     let outcome = solved(&format!(
         "{REDUCED}[indentation]\nsphere = {{}}\nstart = \"relaxed\"\npenetration = 0.02\nspeed_factor = 2\ninstants = 1
 [[history]]\npenetration = 0.021\nduration = 2

@@ -12,7 +12,8 @@
 //! Oracle: Fourier's coefficients of the pressure by quadrature and the complex compliance of the material, harmonic by harmonic (no edge, no energy release, no
 //! eccentricity enters); Johnson's wave in closed form, as δ → 0, at the modulus formed from the complex modulus by hand.
 //!
-//! Tolerance: 1e-5 of the friction: 3000 harmonics, the mean of the rest by its asymptote, which begins at those of the thinnest layer at an edge (1e-3); 1e-8 for the limit of three process zones.
+//! Tolerance: 1e-5 of the friction: 3000 harmonics, the mean of the rest by its asymptote, which begins at those of the thinnest layer at an edge (1e-3); 1e-8 for the
+//! limit of three process zones.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use std::f64::consts::PI;

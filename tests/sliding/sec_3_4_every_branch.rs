@@ -1,4 +1,5 @@
-//! Source: theory of `sliding::branch::every` (both conditions are quadratic forms in cos e, sin e and p̄), thesis Sec 3.7, Johnson (1995); the asymptotics of narrow gaps below
+//! Source: theory of `sliding::branch::every` (both conditions are quadratic forms in cos e, sin e and p̄), thesis Sec 3.7, Johnson (1995); the asymptotics of narrow
+//! gaps below
 //! are our own.
 //!
 //! Goal: no contact and no branch is missed. Every contact of a half-width is found; a branch that neither the slow nor the fast contact belongs to is found; between
@@ -10,13 +11,17 @@
 //! ```
 //! The stress that a gap releases relaxes on the way over it by rσ per length, and only the slope of the pressure of the wave there, |E| sin(φ − e), can make up for it.
 //!
-//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ = 1e-6 to 1, δ = 1e-6 to 0.1.
+//! Parameters: β = 10 to 1000, ζ = 0.1 to 1e4, Γ = 1e-5 to 0.005, δ/a and δ/c from 0.1 to 1e-3, a and π − a from 2 to 1e-6; 80 random problems, Γ = 1e-6 to 1, δ = 1e-6
+//! to 0.1.
 //!
-//! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the speeds); the
+//! Oracle: Newton's method from random starts; collocation; p_out of the branches of loads (an isola in speed is where it is below its value at both ends of the speeds);
+//! the
 //! formulas above; Johnson's wave as δ → 0; the cylinder.
 //!
-//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated; folds of the
-//! isola where p_out passes the load to 1e-6. Bars of folds hold in at least 98 of 100, and their median is at most a hundred times the error; of random branches no end is a defect and at most one turn in twenty is unlocated (two in a hundred seen).
+//! Tolerance: near full contact 1e-8 of p̄ elastic, extrapolated over four δ; sliding 1e-4 (the next order is c/ε and δ/c squared); cylinder 1e-5 of p̄, extrapolated;
+//! folds of the
+//! isola where p_out passes the load to 1e-6. Bars of folds hold in at least 98 of 100, and their median is at most a hundred times the error; of random branches no end
+//! is a defect and at most one turn in twenty is unlocated (two in a hundred seen).
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use crate::support;
@@ -360,7 +365,8 @@ fn no_sliding_gap_is_narrower_than_its_relaxation_allows() {
 
 #[test]
 fn stability_is_told_to_a_gap_of_a_millionth() {
-    // Under a held load the determinant of the second variations changes its sign with dp̄/da of the branch alone: from the last turn of the load to full contact it has one
+    // Under a held load the determinant of the second variations changes its sign with dp̄/da of the branch alone: from the last turn of the load to full contact it has
+    // one
     // sign. There the load falls as the contact widens, and the gap closes by itself.
     for (beta, rate, work) in [(1.0, 0.0, 0.003), (1.0, 0.0, 1e-6), (10.0, 1e4, 1e-4), (3.0, 1e4, 0.003), (200.0, 1e5, 1e-4)] {
         let material = one_time(beta);

@@ -1,12 +1,14 @@
 //! Source: `reference_data/sliding_held_loads.csv`, written by `verification/references/sliding_held_loads.py` (thesis Secs 3.2 and 3.3, Eqs 3.23 to 3.30).
 //!
-//! Goal: under a held mean pressure the solver returns the contact that is stable under it; beyond the limits of this speed it says full contact or no such state, with the
+//! Goal: under a held mean pressure the solver returns the contact that is stable under it; beyond the limits of this speed it says full contact or no such state, with
+//! the
 //! limit of this speed.
 //!
 //! ```text
 //! reference:  the integral equation collocated; all eccentricities and half-widths scanned; stability by differences of collocated works
 //! ```
-//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works, negative snap-in; the scene of
+//! Parameters: one, two and six terms, β from 2 to 100, sliding ratios from 0.014 to 100, with and without adhesion, equal and unequal works, negative snap-in; the scene
+//! of
 //! `new sliding` at three speeds. E0 = 2.3 MPa and kv = 7/s, no units.
 //!
 //! Oracle: the file; limits without adhesion: |E*(kv)| in closed form.

@@ -7,7 +7,8 @@
 //! Oracle: central differences of whole solutions with Richardson's extrapolation, made in other numbers than those differentiated (all times by the rate, E0 by
 //! the material's modulus at a load in pascals, β by a material built anew); the scaling relations of dimensional analysis; Johnson's pull-off in closed form.
 //!
-//! Tolerance: the bar plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one set to its bars.
+//! Tolerance: the bar plus 1e-9 (strengths: 3e-9) of the extrapolated differences, which are made of solutions good to 1e-11 with steps of 1 to 4 %; relations of one set
+//! to its bars.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 use viscotack::material::CreepTerm;

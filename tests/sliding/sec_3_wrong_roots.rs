@@ -1,6 +1,7 @@
 //! Source: thesis Secs 3.2 and 3.3 (both closures are quadratic in the amplitude of their edge).
 //!
-//! Goal: each contact has four roots, sometimes two more a few process zones wide, that satisfy both closures to rounding; all but one cannot exist (a pressed edge, interpenetrating faces).
+//! Goal: each contact has four roots, sometimes two more a few process zones wide, that satisfy both closures to rounding; all but one cannot exist (a pressed edge,
+//! interpenetrating faces).
 //! All four are listed by brute force. From 1,000 random starts at fixed penetration, with bulk losses, the solver returns the one that can
 //! exist or refuses.
 //!

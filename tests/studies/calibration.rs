@@ -2,7 +2,8 @@
 //!
 //! Goal: the study sees dishonest bars: one that is too short, one that is a thousand times too wide, an answer that is lost; and it passes over honest ones.
 //!
-//! Parameters: forty steady contacts, a hundred steady cracks and eight spheres of the study's own scenes, the one crack under a history whose bar was missed, and one strength.
+//! Parameters: forty steady contacts, a hundred steady cracks and eight spheres of the study's own scenes, the one crack under a history whose bar was missed, and one
+//! strength.
 //!
 //! Oracle: falsification: bars divided by a thousand, values moved by two bars, bars times a thousand.
 //!

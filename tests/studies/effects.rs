@@ -1,6 +1,7 @@
 //! Source: `studies::effects`; the README's "a table that is absent is an effect that is not simulated".
 //!
-//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing; a thick layer is a half-plane,
+//! Goal: the study sees an effect that changes something, and one that costs nothing although it should; its neutral effects change nothing; a thick layer is a
+//! half-plane,
 //! to the bit, and a thinner one is not.
 //!
 //! Parameters: three of its effects.

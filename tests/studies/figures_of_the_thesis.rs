@@ -3,7 +3,7 @@
 //! Goal: every panel is there and every feature holds; features notice changed data and changed physics; numbers do not drift; what was computed is kept.
 //! Sketch: manifest ──► sources ──► curves ──► features, beside `verification/baselines/figures.csv`.
 //! Oracle: what the thesis states, closed forms and laws, as the manifest says feature by feature; the baseline guards against drift and is no evidence.
-//! Tolerance: that of each feature; drift by figure, 1e-6 for the steady problems (accuracy 1e-6), 2e-3 to 2e-2 for marches (accuracy 1e-3).
+//! Tolerance: that of each feature; drift by figure, 1e-6 for the steady problems (accuracy 1e-6), 2e-3 to 2e-2 for integrations (accuracy 1e-3).
 //! `VISCOTACK_WRITE_BASELINES=1` writes the baseline anew, of all figures.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 

@@ -1,9 +1,11 @@
 //! Source: `verification/src/studies/held_contacts`, the judge of sliding states under a held load, penetration or half-width.
 //!
 //! Goal: the judge finds all contacts, and it notices a wrong answer.
-//! Oracle: pairs of conics made to pass through four drawn points; the contacts of `reference_data/sliding_held_loads.csv` (collocation, another program and another search);
+//! Oracle: pairs of conics made to pass through four drawn points; the contacts of `reference_data/sliding_held_loads.csv` (collocation, another program and another
+//! search);
 //! small motions of two edges with drawn mobilities, integrated in time, for the criterion of stability; answers that are made wrong on purpose.
-//! Tolerance: 1e-8 of a point (rounding of a quartic with roots as near as drawn); 1e-6 of a contact (both discretisations confirm seven digits and more); 1e-4 of a limit (the
+//! Tolerance: 1e-8 of a point (rounding of a quartic with roots as near as drawn); 1e-6 of a contact (both discretisations confirm seven digits and more); 1e-4 of a
+//! limit (the
 //! reference takes the turn of the load, the judge also a contact just before it where one edge alone runs away); none for verdicts.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 

@@ -1,10 +1,12 @@
 //! The trajectory of the tip with an error for every number: four runs, each with half the step of the one before.
 //!
 //! # How the errors are known
-//! The runs have ½, 1, 2 and 4 times the lines per process zone. Where the last three do not have the same events in the same order, runs with half the step are added: what
+//! The runs have ½, 1, 2 and 4 times the lines per process zone. Where the last three do not have the same events in the same order, runs with half the step are added:
+//! what
 //! happens is no matter of accuracy. The values are those of the finest: of third order in the step, with a
 //! coefficient that is the same in all runs, as lines, starts, arrests and kinks are nodes of all of them. Where both ratios of neighbouring differences are near 8, the
-//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than third order would
+//! error is a seventh of the last difference and the bar is that difference; where the last ratio is of that kind, five times as much. No difference counts as less than
+//! third order would
 //! make of the ones before: two runs may agree by chance. Elsewhere (a term whose place ẋ₀τ is about a line, runs that tell different stories) the
 //! bar is two and a half times the greatest of the differences, the first one taken as a sixteenth.
 //!
@@ -149,7 +151,8 @@ pub fn trajectory(
     refined_until(problem, history, outputs, resolution, &|_| 0.0)
 }
 
-/// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved up to
+/// The same, where runs with half the step are added until the bounds are short enough: `excess` is how many times the longest one is what is wanted. Steps are halved up
+/// to
 /// 16 384 lines a process zone, and as long as that helps; the caller compares what comes out.
 ///
 /// # Errors

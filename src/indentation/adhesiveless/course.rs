@@ -146,7 +146,8 @@ impl<'a> Course<'a> {
         self
     }
 
-    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course tells.
+    /// The whole history; `stops`: stretches that end early, and how long they take. The path, and what is not known of any strain of it beyond what another course
+    /// tells.
     pub(super) fn through(mut self, stops: &[(usize, f64)]) -> Result<(Trace, Unknown), Refusal> {
         self.record.trace.shortened = stops.to_vec();
         self.run()?;

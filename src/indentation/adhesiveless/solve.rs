@@ -176,7 +176,7 @@ fn within(solution: &IndentationSolution, accuracy: f64) -> bool {
     };
     let energies: Vec<Estimate> = accounts.iter().flat_map(|[stored, _, work, lost]| [*stored, *work, *lost]).collect();
     let powers: Vec<Estimate> = accounts.iter().map(|[_, power, ..]| *power).collect();
-    solution.smallest_gap_factor >= -OVERLAP * solution.march.summary.scales[0]
+    solution.smallest_gap_factor >= -OVERLAP * solution.integration.summary.scales[0]
         && instants.iter().all(|of| within(&solution.instants.iter().map(of).collect::<Vec<_>>()))
         && cycles.iter().all(|of| within(&solution.cycles.iter().flat_map(of).collect::<Vec<_>>()))
         && within(&solution.cycles.iter().map(|cycle| cycle.work).collect::<Vec<_>>())
@@ -229,8 +229,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         energies.filter_map(|energies| energies.get(place).copied()).fold(0.0, |most: f64, energy| most.max(energy.value.abs()))
     };
     let (most_stored, most_power) = (largest(0), largest(1));
-    let depth = solution.march.summary.scales[0].max(f64::MIN_POSITIVE);
-    let widest = solution.march.summary.scales[2];
+    let depth = solution.integration.summary.scales[0].max(f64::MIN_POSITIVE);
+    let widest = solution.integration.summary.scales[2];
     let fastest = 2.0 * chain.maxwell.iter().map(|(modulus, rho)| modulus / rho).sum::<f64>();
     let widen_energies = |[stored, power, work, lost]: &mut [Estimate; 4], left: &Left| {
         // Both are sums of squares of strains, of which each may be off by as much (Cauchy and Schwarz).
@@ -259,7 +259,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
         event.energies.iter_mut().for_each(|energies| widen_energies(energies, &own_last));
     }
     // Nothing is in contact, unless the loss may be still to come: not where a step lets go, before which there is a point at the same time.
-    let at_a_step = |time: f64| solution.march.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
+    let at_a_step =
+        |time: f64| solution.integration.path.iter().any(|point| point.time.total_cmp(&time).is_eq() && point.contact_radius > 0.0);
     let lost: Vec<Estimate> = solution.events.iter().map(|event| event.time).filter(|time| !at_a_step(time.value)).collect();
     let of_none = |time: f64, unknown: f64| {
         let beside = lost.iter().any(|lost| (lost.value - time).abs() <= lost.error);
@@ -267,8 +268,8 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
     };
     // Points between instants: what two instants impose is imposed between them.
     let controls: Vec<Controlled> = imposed.clone().collect();
-    for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.march.path).enumerate() {
-        let after = solution.march.kept.partition_point(|kept| *kept < index);
+    for (index, (errors, point)) in solution.path_errors.iter_mut().zip(&solution.integration.path).enumerate() {
+        let after = solution.integration.kept.partition_point(|kept| *kept < index);
         let given = |quantity: Controlled| [after.saturating_sub(1), after].iter().all(|kept| controls.get(*kept) == Some(&quantity));
         let a = point.contact_radius;
         let of_radius = if a > 0.0 { of_edge(a, None, unknown) } else { of_none(point.time, unknown) };

@@ -6,7 +6,7 @@
 
 use super::drive::{Branch, Instant, Stretch};
 use super::followed::State;
-use super::march::March;
+use super::integration::Integration;
 use super::path::{Chart, passed};
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +27,7 @@ pub(super) struct AtOnce {
     value: f64,
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// t a time after the origin: a sudden step takes none.
     pub(super) fn time_after(&self, time: f64) -> f64 {
         self.at_once.map_or(self.line.time + time, |step| step.time)

@@ -8,8 +8,8 @@ use super::cycles::Cycles;
 use super::drive::{Branch, Stretch};
 use super::events::Mark;
 use super::followed::State;
+use super::integration::Integration;
 use super::line::{Line, Segment};
-use super::march::March;
 use super::path::Chart;
 use super::problem::{End, Outcome};
 use crate::indentation::checkpoint::{Checkpoint, RunState, foreign};
@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::indentation) struct PanelsState {
     pub(super) run: PathsState,
-    pub(super) march: MarchState,
+    pub(super) integration: IntegrationState,
 }
 
 /// What a run has besides the path under way.
@@ -43,7 +43,7 @@ pub(super) struct PathsState {
 
 /// A path between two panels.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct MarchState {
+pub(super) struct IntegrationState {
     line: Line,
     upcoming: usize,
     branch: Branch,
@@ -73,8 +73,8 @@ pub(super) struct PanelObserver<'a> {
     pub(super) run: &'a PathsState,
 }
 
-impl March<'_> {
-    fn checkpoint(&self) -> MarchState {
+impl Integration<'_> {
+    fn checkpoint(&self) -> IntegrationState {
         // Every field is named: a new one must be given a place, or a reason.
         let Self {
             problem: _,
@@ -107,7 +107,7 @@ impl March<'_> {
             budget_from,
             outcome,
         } = self;
-        MarchState {
+        IntegrationState {
             line: line.clone(),
             upcoming: *upcoming,
             branch: branch.clone(),
@@ -129,7 +129,7 @@ impl March<'_> {
     }
 
     /// A path as new, put where a checkpoint was taken.
-    pub(super) fn restore(&mut self, state: MarchState) -> Result<(), Refusal> {
+    pub(super) fn restore(&mut self, state: IntegrationState) -> Result<(), Refusal> {
         let n = self.problem.chain.terms();
         let segments = state.line.inside.iter().chain(&state.line.outside).chain(state.past.iter().map(|past| &past.1));
         if state.branch.memory.len() != n || segments.into_iter().any(|segment| !segment.states.len().is_multiple_of(n + 1)) {
@@ -144,7 +144,7 @@ impl March<'_> {
         if state.line.inside.is_empty() || state.line.outside.is_empty() {
             return Err(foreign("its line is empty"));
         }
-        let MarchState {
+        let IntegrationState {
             line,
             upcoming,
             branch,
@@ -178,7 +178,7 @@ impl March<'_> {
         let Some(PanelObserver { watch, run }) = self.observer else { return };
         watch.passed(run.finished + 1, self.progress());
         if watch.wants_checkpoint() {
-            let state = PanelsState { run: run.clone(), march: self.checkpoint() };
+            let state = PanelsState { run: run.clone(), integration: self.checkpoint() };
             watch.checkpoint(&Checkpoint { run: RunState::Panels(Box::new(state)) });
         }
     }

@@ -1,6 +1,6 @@
 //! The course of a history: contact and flight in turn; the scales of its errors; what a refused panel leads to.
 
-use super::march::{March, PATIENCE};
+use super::integration::{Integration, PATIENCE};
 use super::path::{Chart, Motion, Setting};
 use super::problem::{End, Outcome};
 use crate::indentation::{EventKind, Trace};
@@ -12,7 +12,7 @@ const SHORTEST: f64 = 1e-12;
 /// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
 const IDLE: f64 = 1e-12;
 
-impl March<'_> {
+impl Integration<'_> {
     pub(super) fn setting(&self, advances: bool) -> Setting<'_> {
         let problem = self.problem;
         let motion = self.state.as_ref().map_or(Motion::Given(&self.branch), |state| Motion::Followed(state, &self.branch));

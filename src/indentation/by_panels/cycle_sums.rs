@@ -2,7 +2,7 @@
 
 use super::cycles::Sample;
 use super::gauss::{Gauss, NODES};
-use super::march::March;
+use super::integration::Integration;
 use super::problem::Row;
 use crate::indentation::adhesiveless::Sums;
 use crate::indentation::meter::Meter;
@@ -12,7 +12,7 @@ const ENOUGH: f64 = 1e-3;
 /// Golden sections of the place of an extreme.
 const SECTIONS: u32 = 30;
 
-impl March<'_> {
+impl Integration<'_> {
     /// The sums between two parameters, in up to 2^`cuts` parts.
     pub(super) fn added(&self, meter: &Meter, (from, to): (f64, f64), sample: &impl Fn(&Self, f64) -> Sample, cuts: u32) -> Added {
         let middle = 0.5 * (from + to);

@@ -8,8 +8,8 @@
 
 use super::closure::Way;
 use super::events::first_crossing;
+use super::integration::Integration;
 use super::line::{Segment, series};
-use super::march::March;
 use super::problem::Row;
 use super::record::LATE;
 use crate::indentation::meter::Meter;
@@ -65,7 +65,7 @@ pub(super) fn point_of(row: &Row) -> PathPoint {
     }
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// A stretch that oscillates begins.
     pub(super) fn begins_cycles(&mut self, segment: usize, duration: f64, oscillation: Option<Oscillation>) {
         self.cycles = None;
@@ -129,10 +129,10 @@ impl March<'_> {
     /// Adds a panel up to a parameter.
     pub(super) fn meters_panel(&mut self, advances: bool, segment: &Segment, cut: f64) {
         let start = self.line.time;
-        let sample = |march: &Self, theta: f64| {
+        let sample = |integration: &Self, theta: f64| {
             let way = Way { panel: segment, advances, theta };
             let pace = series(&segment.times, theta).1;
-            Sample { pace, sink: pace * march.instant(Some(way), 0.0).rate, row: march.row(Some(way), segment.time_at(theta)) }
+            Sample { pace, sink: pace * integration.instant(Some(way), 0.0).rate, row: integration.row(Some(way), segment.time_at(theta)) }
         };
         let place = |time: f64| first_crossing(|theta| segment.time_at(theta) - (time - start)).map_or(cut, |theta| theta.min(cut));
         self.meters((-1.0, cut), start + segment.time_at(cut), place, sample, f64::INFINITY);
@@ -141,7 +141,11 @@ impl March<'_> {
     /// Adds a time in which the edge rests.
     pub(super) fn meters_rest(&mut self, time: f64) {
         let start = self.line.time;
-        let sample = |march: &Self, since: f64| Sample { pace: 1.0, sink: march.instant(None, since).rate, row: march.row(None, since) };
+        let sample = |integration: &Self, since: f64| Sample {
+            pace: 1.0,
+            sink: integration.instant(None, since).rate,
+            row: integration.row(None, since),
+        };
         let longest = self.cycles.as_ref().map_or(f64::INFINITY, |cycles| (PARTS_IN_FLIGHT * cycles.oscillation.frequency).recip());
         self.meters((0.0, time), start + time, |end| (end - start).min(time), sample, longest);
     }

@@ -12,8 +12,8 @@
 use super::drive::Instant;
 use super::followed::State;
 use super::force::force;
+use super::integration::Integration;
 use super::line::{Break, series};
-use super::march::March;
 use super::newton::Panel;
 use super::path::Chart;
 use super::prescribed::RADIUS;
@@ -39,7 +39,7 @@ pub(super) struct Mark {
     pub(super) jump: bool,
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// The next place where the closure has a kink, in the direction of the edge, and whether it is from a jump of the state in sight of
     /// the window.
     pub(super) fn next_kink(&self, advances: bool) -> (f64, bool, bool) {

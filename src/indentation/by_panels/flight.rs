@@ -10,9 +10,9 @@ use super::drive::{Branch, Instant};
 use super::energies::{TurnedOver, energies};
 use super::followed::State;
 use super::gauss::Gauss;
+use super::integration::Integration;
 use super::jump::FLOOR;
 use super::line::field;
-use super::march::March;
 use super::prescribed::RADIUS;
 use super::problem::{End, Row, Step};
 use super::surface::surface;
@@ -58,8 +58,8 @@ impl Flight {
     }
 }
 
-impl March<'_> {
-    /// The history without contact. Whether the surfaces touch again, at the time and in the stretch that the march then has.
+impl Integration<'_> {
+    /// The history without contact. Whether the surfaces touch again, at the time and in the stretch that the integration then has.
     pub(super) fn flies(&mut self) -> bool {
         self.ends_at_once(false);
         self.lets_go();

@@ -4,7 +4,7 @@
 //! the start, in strides within one segment of the past; the first that ends beyond equilibrium is halved down to the landing. Without one
 //! the contact is lost.
 
-use super::march::March;
+use super::integration::Integration;
 use super::problem::{End, Row};
 use crate::indentation::EventKind;
 
@@ -13,7 +13,7 @@ const FURTHEST: f64 = 1e3;
 /// Narrowest contact, in process zones.
 pub(super) const FLOOR: f64 = 1.05;
 
-impl March<'_> {
+impl Integration<'_> {
     /// The edge goes in no time to the next place where it is in equilibrium: the first crossing of the closure. A first stride that finds
     /// it where it started shows that it was stable there after all.
     pub(super) fn jumps(&mut self, advances: bool, first: f64) -> Option<End> {
@@ -36,7 +36,7 @@ impl March<'_> {
         let sign = if advances { 1.0 } else { -1.0 };
         self.start_residual = left;
         let start = self.line.edge;
-        let excess = |march: &mut Self, way: f64| sign * (march.sudden(sign * way) - left);
+        let excess = |integration: &mut Self, way: f64| sign * (integration.sudden(sign * way) - left);
         let mut stride = first;
         let mut gone = 0.0;
         self.past = None;

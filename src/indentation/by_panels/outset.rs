@@ -9,8 +9,8 @@ use super::closure::Way;
 use super::drive::Instant;
 use super::followed::State;
 use super::force::force_rate;
+use super::integration::{Integration, PATIENCE};
 use super::line::Segment;
-use super::march::{March, PATIENCE};
 use super::path::{Chart, passed};
 
 /// How an edge sets out.
@@ -30,7 +30,7 @@ const MOST_HALVINGS: u32 = 40;
 /// Change of speed at a kink that a panel's prediction still bears.
 const SAME_SPEED: f64 = 0.3;
 
-impl March<'_> {
+impl Integration<'_> {
     /// C − Δγ at the edge now, moved at once by a way (a panel without duration); Δ follows if it is not given.
     pub(super) fn sudden(&mut self, way: f64) -> f64 {
         let mut window = std::mem::take(&mut self.window);

@@ -11,8 +11,8 @@ use super::closure::{Way, Window};
 use super::drive::{Branch, Instant};
 use super::followed::Control;
 use super::gauss::solve;
+use super::integration::Integration;
 use super::line::{Line, Segment};
-use super::march::March;
 use super::newton::{Panel, tail};
 use super::path::{Chart, Points, Setting, continued, passed};
 use super::problem::{End, Problem};
@@ -64,7 +64,7 @@ pub(super) fn depth_of(problem: &Problem, modulus: f64, edge: f64) -> Option<f64
     Some(height - 0.5 * (low + high))
 }
 
-impl March<'_> {
+impl Integration<'_> {
     /// Whether the stretch under way gives the radius.
     pub(super) fn is_prescribed(&self) -> bool {
         self.branch.control == Some(RADIUS)

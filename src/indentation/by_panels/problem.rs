@@ -61,7 +61,7 @@ pub struct Row {
     pub stress_intensity: f64,
 }
 
-/// Why a march ended.
+/// Why an integration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum End {
     /// The history is over.
@@ -76,7 +76,7 @@ pub enum End {
     TouchesAgain,
 }
 
-/// What a march gives.
+/// What an integration gives.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// At time zero.

@@ -36,7 +36,9 @@ pub(super) fn supported(problem: &IndentationProblem) -> Result<(), Refusal> {
         (!history.segments.iter().filter_map(|segment| segment.oscillation.as_ref()).all(steady), "swept oscillations"),
     ];
     match refusals.iter().find(|(is, _)| *is) {
-        Some((_, what)) => Err(Refusal::Undefined { quantity: "the march by panels", reason: format!("it does not solve {what} yet") }),
+        Some((_, what)) => {
+            Err(Refusal::Undefined { quantity: "the integration by panels", reason: format!("it does not solve {what} yet") })
+        }
         None => Ok(()),
     }
 }

@@ -6,10 +6,10 @@
 //! Not the finest path is given, although it is closer: its error is some thirty times less than any distance, by much more or less, so that a bound that covers
 //! is more than a hundred times what is true.
 
-use super::checkpoint::{MarchState, PanelObserver, PanelsState, PathsState};
+use super::checkpoint::{IntegrationState, PanelObserver, PanelsState, PathsState};
 use super::energies::{Energies as Stored, TurnedOver};
 use super::problem::{End, Outcome, Step};
-use super::solve::{PanelOptions, marched, marched_from};
+use super::solve::{PanelOptions, integrated, integrated_from};
 use crate::indentation::checkpoint::{Checkpoint, RunState, Watch, foreign};
 use crate::indentation::judgement;
 use crate::indentation::summary::Summary;
@@ -68,12 +68,12 @@ pub(in crate::indentation) fn solve_from(
     }
     let instants = kept_instants(problem);
     let tolerance = (FIRST * problem.accuracy).clamp(TIGHTEST, LOOSEST);
-    let (mut run, mut march) = match from {
-        Some(state) => (state.run, Some(state.march)),
+    let (mut run, mut integration) = match from {
+        Some(state) => (state.run, Some(state.integration)),
         None => (PathsState { tolerance, ..PathsState::default() }, None),
     };
     loop {
-        let failed = match round(material, problem, &instants, (&mut run, march.take()), watch) {
+        let failed = match round(material, problem, &instants, (&mut run, integration.take()), watch) {
             Ok(()) => {
                 let solution = solution_of(problem, &run.traces, run.work)?;
                 if solution.reached {
@@ -101,7 +101,7 @@ pub(in crate::indentation) fn solve_from(
 /// Those of [`solve_by_panels`].
 pub fn path_by_panels(material: &Material, problem: &IndentationProblem, options: PanelOptions) -> Result<Trace, Refusal> {
     let instants = kept_instants(problem);
-    let outcome = marched(material, problem, options, (&instants, false), &[])?;
+    let outcome = integrated(material, problem, options, (&instants, false), &[])?;
     trace(&outcome, instants.len(), (options.tolerance, material.glassy_modulus()))
 }
 
@@ -121,14 +121,14 @@ fn round(
     material: &Material,
     problem: &IndentationProblem,
     instants: &[f64],
-    (run, mut march): (&mut PathsState, Option<MarchState>),
+    (run, mut integration): (&mut PathsState, Option<IntegrationState>),
     watch: Option<&dyn Watch>,
 ) -> Result<(), Refusal> {
     // The given one first: what it is refused for, all are.
     let [finest, given, loosest] = options(run.tolerance);
     for options in [given, finest, loosest].into_iter().skip(run.traces.len()) {
         let observer = watch.map(|watch| PanelObserver { watch, run });
-        let outcome = marched_from(material, problem, options, (instants, false), &run.stops, (march.take(), observer))?;
+        let outcome = integrated_from(material, problem, options, (instants, false), &run.stops, (integration.take(), observer))?;
         if run.stops.is_empty() {
             // Stretches that were stationary early are as long for every other path.
             run.stops.clone_from(&outcome.shortened);
@@ -191,7 +191,7 @@ pub(in crate::indentation) fn surface_at(
     let asked = as_planned(problem, &solved.shortened, time);
     let mut found = Vec::new();
     for options in [high, low] {
-        let outcome = marched(material, problem, options, (&[asked], true), &solved.shortened)?;
+        let outcome = integrated(material, problem, options, (&[asked], true), &solved.shortened)?;
         let step = outcome.path.iter().find(|step| step.wanted).copied().ok_or_else(|| not_converged("no state there".into()))?;
         let surface = outcome.surface.ok_or_else(|| not_converged("no surface there".into()))?;
         found.push((step, surface));

@@ -6,7 +6,8 @@
 //! | f(s) | line profile, s∫₀^s z′/√(s² − r²) dr | m |
 //!
 //! Between the points z is a cubic that rises; the slopes at the points are those of the spline with a continuous second derivative, cut back where
-//! they leave the range of the secants beside them, or are so steep that a cubic would not rise (Fritsch and Carlson, [10.1137/0717021](https://doi.org/10.1137/0717021)). On the axis the shape is even in r, z′ = 0, unless
+//! they leave the range of the secants beside them, or are so steep that a cubic would not rise (Fritsch and Carlson,
+//! [10.1137/0717021](https://doi.org/10.1137/0717021)). On the axis the shape is even in r, z′ = 0, unless
 //! the first points say that it has a sharp tip. f and f′ are then exact integrals ([`abel`]); because f has a weak root singularity at each
 //! point, (s − r_i)^{5/2}, they are kept as Chebyshev series in √(s − r_i) from point to point ([`series`]), to rounding.
 

@@ -30,7 +30,8 @@ pub enum BranchStart {
     Slow,
     /// Along speeds: the fast one.
     Fast,
-    /// Near given edges, half-width and eccentricity in 1/k, at a given mean pressure and parameter (rate kv in 1/s, Γ, or factor of the zones; along loads of no meaning).
+    /// Near given edges, half-width and eccentricity in 1/k, at a given mean pressure and parameter (rate kv in 1/s, Γ, or factor of the zones; along loads of no
+    /// meaning).
     Near {
         /// a.
         half_width: f64,

@@ -2,7 +2,8 @@
 //!
 //! The slow contact of a load is followed to growing speeds, the fast one to falling ones. Where the slow one turns back at a speed below that at which the fast one
 //! does, and each returns to the end it came from, every elastic contact of the load at either end belongs to one of the two curves: between
-//! the folds none of them is left. A closed curve that reaches neither end (an isola) is another matter: a scan of every contact looks for it, at rates between the folds, or at
+//! the folds none of them is left. A closed curve that reaches neither end (an isola) is another matter: a scan of every contact looks for it, at rates between the
+//! folds, or at
 //! all rates asked for where neither end has a contact: a load beyond both elastic limits may still be borne by speeds between.
 
 use super::conditions::{BranchPath, BranchProblem, BranchStart};

@@ -92,7 +92,8 @@ fn at_start<'a>(problem: &BranchProblem<'a>, rate: f64, control: SlidingControl)
     SlidingProblem { rate, indenter, adhesion, work_by_speed, control, accuracy: START_ACCURACY }
 }
 
-/// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest eccentricity.
+/// A contact among all of a row of half-widths (along loads), or among all of the control that is held: a stable one if there is one, else that of the smallest
+/// eccentricity.
 fn by_scan(material: &Material, problem: &BranchProblem, refusal: Refusal, work: &mut BranchWork) -> Result<[f64; 3], Refusal> {
     if matches!(refusal, Refusal::OutOfRange { .. } | Refusal::Undefined { .. }) {
         return Err(refusal);

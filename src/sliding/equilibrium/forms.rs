@@ -6,7 +6,8 @@
 //! uᵀA_iu = work_i/2πΓ_i = 1 = uᵀIu,    I = diag(1, 1, 0), of a parabola diag(1, 0, 0)        i = trailing, leading
 //! ```
 //! Two conics uᵀ(A_i − I)u = 0 in the projective plane meet in four points at most: these are the contacts, and there are no others. The points are seen from one that is
-//! on neither conic, so that no two of them lie in one direction: along each direction both conics are quadratics, which have a root in common where their resultant, a quartic of the
+//! on neither conic, so that no two of them lie in one direction: along each direction both conics are quadratics, which have a root in common where their resultant, a
+//! quartic of the
 //! direction, vanishes. Without adhesion both edge amplitudes, linear in u, vanish.
 
 use super::works::{Square, Works};

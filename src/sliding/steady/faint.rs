@@ -13,7 +13,8 @@ use crate::sliding::edge_balance::WaveAdhesion;
 
 /// Largest pull of an edge over the load that is faint beside a contact with edges of its own, whose bars are too wide.
 const FAINTEST: f64 = 1e-11;
-/// The same where no such contact is found. What is stronger has roots with digits of their own: works of 1e-13 and more (pulls of 2e-6) all of 800 tried, works of 1e-14 all but 6 of 96.
+/// The same where no such contact is found. What is stronger has roots with digits of their own: works of 1e-13 and more (pulls of 2e-6) all of 800 tried, works of 1e-14
+/// all but 6 of 96.
 const FAINT: f64 = 1e-5;
 /// Pull over the load of the adhesion that is felt.
 const FELT: f64 = 1e-4;

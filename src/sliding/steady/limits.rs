@@ -7,7 +7,8 @@
 //! | half-width | the narrowest, the widest contact | refused; that half-width |
 //! | anything | the longest process zone | refused; that zone over the one asked for |
 //!
-//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a contact that
+//! A limit where the curve turns is solved as a fold of the branch of loads. One where an edge would be pressed or the faces would meet is closed in on between a contact
+//! that
 //! can exist and one that cannot.
 
 use super::full::full_contact;

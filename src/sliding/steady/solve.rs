@@ -1,7 +1,9 @@
 //! A steady sliding contact: the one that what is held leads to, full contact, or the reason why there is neither.
 //!
-//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable ones the
-//! narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells what was passed. Of a
+//! The equilibrium curve of the speed ([`crate::sliding::equilibrium`]) knows every contact of a load or penetration and which of them are stable. Of several stable ones
+//! the
+//! narrowest is reached by a load that is raised from nothing, the widest by one that is lowered ([`ReachedBy`]). Where there is none, [`super::limits`] tells what was
+//! passed. Of a
 //! given half-width the contact of the smallest eccentricity is the one.
 
 use super::accuracy::solved;
@@ -49,7 +51,8 @@ pub fn steady_sliding(material: &Material, problem: &SlidingProblem<'_>) -> Resu
 /// The steady contact of a material on a sliding indenter.
 ///
 /// # Errors
-/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would meet;
+/// [`Refusal::OutOfRange`], [`Refusal::Undefined`] for a wrong problem; [`Refusal::NoSuchState`] below pull-off, and where an edge would be pressed or the faces would
+/// meet;
 /// [`Refusal::NotConverged`] is a defect.
 pub fn steady_sliding_reached_by(
     material: &Material,

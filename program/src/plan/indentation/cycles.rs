@@ -52,7 +52,7 @@ impl IndentationPlan {
             let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);
             let (from, to) = if all { (first.start, end) } else { (last.start, last.end) };
             let mut next = from;
-            for (index, point) in solution.march.path.iter().enumerate().filter(|(_, point)| point.time >= from && point.time < to) {
+            for (index, point) in solution.integration.path.iter().enumerate().filter(|(_, point)| point.time >= from && point.time < to) {
                 if point.time >= next {
                     found.push((index, point));
                     next = point.time.max(next + (to - from) / instants);
@@ -66,7 +66,7 @@ impl IndentationPlan {
         let mut values: Values = vec![None; COLUMNS.len()];
         let segment = self.timeline.legs.get(cycle.segment).map_or(0, |leg| leg.segment);
         let exact = |value: f64| Some(Estimate::exact(value));
-        let spread = solution.march.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
+        let spread = solution.integration.spreads.iter().find(|spread| (spread.segment, spread.cycles[1]) == (cycle.segment, cycle.number));
         // What is not known of the quantities of cycles, over their scales: a difference of two has it twice, and a drift carries that on.
         let unknown = solution.cycles.iter().filter(|other| other.segment == cycle.segment).map(relative_error).fold(0.0, f64::max);
         let longest = self.material.longest_relaxation_time().unwrap_or(0.0);
@@ -93,7 +93,7 @@ impl IndentationPlan {
         ];
         for (place, estimate) in cells {
             if let Some(cell) = values.get_mut(place) {
-                // What does not exist, such as the stiffness of a contact that is open, is an empty cell. A cycle that one march has and the
+                // What does not exist, such as the stiffness of a contact that is open, is an empty cell. A cycle that one integration has and the
                 // other has not is not known better than the whole.
                 let bound = |estimate: Estimate| estimate.value.abs().max(scales.get(place).copied().unwrap_or(0.0));
                 *cell = estimate

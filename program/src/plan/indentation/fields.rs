@@ -1,4 +1,4 @@
-//! Pressure and surface displacement at chosen times: a march is walked again along its own path, thinned; a history without steps, or by
+//! Pressure and surface displacement at chosen times: an integration is walked again along its own path, thinned; a history without steps, or by
 //! panels, is solved again up to each.
 
 use super::IndentationPlan;
@@ -27,7 +27,7 @@ pub(super) struct FieldRow {
 
 impl IndentationPlan {
     pub(super) fn fields_of(&self, solution: &IndentationSolution, wanted: &IndentationFields) -> Result<Vec<FieldRow>, Refusal> {
-        let path = &solution.march.path;
+        let path = &solution.integration.path;
         let end = path.last().map_or(0.0, |point| point.time);
         let problem = self.problem()?;
         let states: Vec<(PathPoint, [SurfaceFields; 2], f64)> = wanted
@@ -143,7 +143,7 @@ impl IndentationPlan {
 }
 
 fn no_path() -> Refusal {
-    Refusal::NotConverged { what: "the march", detail: "it has no path".into() }
+    Refusal::NotConverged { what: "the integration", detail: "it has no path".into() }
 }
 
 /// a and Δ within the step that begins at a place of the path: the polynomial in time through the nearest points of the same stretch.

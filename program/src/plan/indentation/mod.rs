@@ -14,8 +14,8 @@ mod figures;
 mod finite;
 mod known;
 mod locate;
-mod march;
 mod parts;
+mod problem;
 mod protocol;
 mod remarks;
 mod repetitions;
@@ -98,7 +98,7 @@ impl IndentationPlan {
             solver_accuracy: scene.accuracy * if timeline.searches() { parts::WITH_CONDITIONS } else { 1.0 },
             timeline,
             examples: examples(scene, indentation, &scale),
-            profile: march::profile(indentation)?,
+            profile: problem::profile(indentation)?,
             without_steps: false,
             called_for: finite::beside_an_edge(scene, indentation),
         };

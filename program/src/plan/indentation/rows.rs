@@ -76,7 +76,7 @@ impl IndentationPlan {
             let mut values = self.of_instant(instant);
             if index == last {
                 let count = |number: u64| Some(Estimate::exact(number as f64));
-                let [steps, panels] = [solution.march.work.steps, solution.march.work.most_panels].map(count);
+                let [steps, panels] = [solution.integration.work.steps, solution.integration.work.most_panels].map(count);
                 let told = [(at::BALANCE_DEFECT, solution.balance_defect.map(Estimate::exact)), (at::STEPS, steps), (at::PANELS, panels)];
                 for (place, value) in told {
                     if let Some(cell) = values.get_mut(place) {
@@ -147,7 +147,7 @@ impl IndentationPlan {
                 *scale = scale.max(value.map_or(0.0, |value| value.value.abs()));
             }
         }
-        // As the accuracy of the march is over the largest force.
+        // As the accuracy of the integration is over the largest force.
         let force = scales.get(at::FORCE).copied().unwrap_or(0.0).max(solution.pull_off_force().map_or(0.0, |tension| tension.value));
         let mut at_least = |place: usize, least: f64| {
             if let Some(scale) = scales.get_mut(place) {
@@ -252,7 +252,7 @@ impl IndentationPlan {
             let within = |(error, column): (&f64, &usize)| *error <= self.solver_accuracy * scales.get(*column).copied().unwrap_or(0.0);
             errors.is_some_and(|errors| errors.iter().zip(columns).all(within))
         };
-        let path = || solution.march.path.iter().enumerate();
+        let path = || solution.integration.path.iter().enumerate();
         let inside = |&(from, to): &(f64, f64)| {
             let points: Vec<_> = path().filter(|(_, point)| point.time > from && point.time < to).filter(known).collect();
             thinned(points, self.indentation.instants as usize)
@@ -260,7 +260,8 @@ impl IndentationPlan {
         self.timeline.open_ramps.iter().flat_map(inside).chain(self.in_oscillations(solution).into_iter().filter(known)).collect()
     }
 
-    /// A point between two kept instants, known as the other marches show it and no better than the worse of both: there a quantity may be imposed, and have no error.
+    /// A point between two kept instants, known as the other integrations show it and no better than the worse of both: there a quantity may be imposed, and have no
+    /// error.
     pub(super) fn of_path_point(&self, solution: &IndentationSolution, index: usize, point: &PathPoint) -> Values {
         let after = solution.instants.partition_point(|instant| instant.time < point.time).min(solution.instants.len().saturating_sub(1));
         let own = solution.path_errors.get(index).copied().unwrap_or([f64::INFINITY; 4]);

@@ -2,9 +2,11 @@
 //!
 //! # What it does
 //! The trajectory is a chain of pieces, each the parabola in time that starts with the speed at its start and whose end satisfies the closure to
-//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown is the
+//! rounding; each piece's memory is integrated exactly. While the tip runs it is carried from one line of a grid of m lines per process zone to the next, and the unknown
+//! is the
 //! time (t(x) is smooth where x(t) starts with a jump of speed; and the back of the window then lies on the grid as well). The grid starts where growth
-//! or a new stretch of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip slows
+//! or a new stretch of load starts, graded from the shortest time (`grid`), so the kink one process zone later is a line. Where the load is slow in coming, or the tip
+//! slows
 //! down, the time step is bounded (m/2 steps in a stretch of load) and the unknown is the place.
 //!
 //! # How good
@@ -16,7 +18,8 @@
 //!
 //! # What happens, and what is only rounding
 //! No event is inferred from a residual or from an equality of numbers. A line counts as reached from a thousandth of its distance on (`grid`); the tip stops where the
-//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step in
+//! speed is not above zero, by the held memory too, which decides at rest (else an arrest would be undone at once); only a load that jumps moves the tip at once; a step
+//! in
 //! which the closure gains less than its rounding goes by the speed.
 
 mod bracket;

@@ -86,7 +86,8 @@ pub(super) enum Between {
 /// What is not known of a speed within a step, over its difference to the slope of the cubic.
 const WITHIN_PART: f64 = 0.03;
 
-/// Both agree at the middle of a step and at its end, whatever they err by. There the error is that of the parabola: its way lacks the third power of the time, which is known
+/// Both agree at the middle of a step and at its end, whatever they err by. There the error is that of the parabola: its way lacks the third power of the time, which is
+/// known
 /// from the speed at its end, and so is by how much the closure then errs in the place. So many times that much: what follows is a step smaller (30 246 known places and
 /// speeds: no error beyond half of its bar, which is this part).
 const PARABOLA_PART: f64 = 2.0;

@@ -66,7 +66,7 @@ impl PeriodicState {
             balance_defect: None,
             smallest_gap_factor: self.smallest_gap,
             reached: self.reached,
-            march: Trace { work: self.work, ..Trace::default() },
+            integration: Trace { work: self.work, ..Trace::default() },
             path_errors: Vec::new(),
             by_panels: true,
             work: self.work,

@@ -7,7 +7,7 @@
 use super::super::table::Table;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
-use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, march};
+use viscotack::indentation::{Adhesion, FrequencySweep, History, IndentationProblem, Oscillation, Profile, Start, integrate};
 use viscotack::material::{Material, RelaxationTerm};
 use viscotack::refusal::Refusal;
 
@@ -31,7 +31,7 @@ pub(in crate::figures) struct SphereOscillation {
     amplitude: f64,
     /// ωρ at the start and at the end; none: no oscillation.
     frequencies: Option<[f64; 2]>,
-    /// Of one march, as of [`march`]; no second march judges it.
+    /// Of one integration, as of [`integrate`]; no second integration judges it.
     tolerance: f64,
 }
 
@@ -50,7 +50,7 @@ impl SphereOscillation {
         };
         let mut problem = IndentationProblem::new(Profile::Paraboloid { radius: 1.0 }, Some(adhesion), history);
         problem.start = Start::Relaxed;
-        let solution = march(&material, &problem, self.tolerance)?;
+        let solution = integrate(&material, &problem, self.tolerance)?;
         let mut columns = [const { Vec::new() }; 7];
         let mut push = |numbers: [f64; 7]| {
             for (column, number) in columns.iter_mut().zip(numbers) {

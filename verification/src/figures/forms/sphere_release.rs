@@ -1,4 +1,4 @@
-//! The energy release rate of a sphere, G = dU/dA − F dΔ/dA (thesis Eq 4.25), from the account of energies of a march: at pull-off of a retraction
+//! The energy release rate of a sphere, G = dU/dA − F dΔ/dA (thesis Eq 4.25), from the account of energies of an integration: at pull-off of a retraction
 //! from a relaxed contact, or at given penetrations of an approach.
 //!
 //! Over a stretch of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
@@ -49,7 +49,7 @@ impl SphereRelease {
                 problem = problem.relaxed();
             }
             let solution = run(&material, &problem)?;
-            let path = &solution.march.path;
+            let path = &solution.integration.path;
             let ratio = solution.pull_off_force().map_or(f64::NAN, |tension| tension.value / (1.5 * work * PI));
             let places: Vec<(f64, usize)> = if self.retraction_from.is_some() {
                 let largest = path.iter().enumerate().min_by(|one, other| one.1.force.total_cmp(&other.1.force));

@@ -127,7 +127,7 @@ pub fn study(effort: Effort, progress: &Progress) -> Section {
     section.say(
         "Random scenes, the same in every run. Each number is held against a truth: the same solver asked for a thousand times more accuracy (or for its floor), and for \
          every tenth scene a state that was drawn first and turned into a scene by another route. A bar misses where value and truth are further apart than both bars. \
-         What is not known of the truth of a sphere is what a second tight march, √10 looser, differs from it by. A quarter of the spheres are judged with their energies.",
+         What is not known of the truth of a sphere is what a second tight integration, √10 looser, differs from it by. A quarter of the spheres are judged with their energies.",
     );
     section.say(
         "How wide bars are can be told where the truth is known ten times better than the bar, and the bar is above rounding (of the stress intensity of a sphere, above \

@@ -7,20 +7,20 @@ use super::{ANOTHER_ROUTE, SEED};
 use std::f64::consts::PI;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{
-    Adhesion, Controlled, Energies, Event, EventKind, History, IndentationProblem, Instant, PathPoint, Profile, Trace, march, run,
+    Adhesion, Controlled, Energies, Event, EventKind, History, IndentationProblem, Instant, PathPoint, Profile, Trace, integrate, run,
 };
 use viscotack::material::Material;
 use viscotack::refusal::Refusal;
 
 /// Accuracies asked for, in turn.
 const ACCURACIES: [f64; 3] = [1e-2, 1e-3, 1e-4];
-/// Tolerance of the truth over that of the march whose numbers are told: what would be told at a thousandth of the accuracy.
+/// Tolerance of the truth over that of the integration whose numbers are told: what would be told at a thousandth of the accuracy.
 const TIGHTER: f64 = 1e-3;
-/// The truth of the tightest accuracies: half of what the solver's own marches go down to, so that it is none of them.
+/// The truth of the tightest accuracies: half of what the solver's own integrations go down to, so that it is none of them.
 const TIGHTEST: f64 = 5e-10;
-/// Tolerance of a second march over that of the truth: √10. What they differ by is not known of the truth.
+/// Tolerance of a second integration over that of the truth: √10. What they differ by is not known of the truth.
 const LOOSER: f64 = 3.162_277_660_168_379_5;
-/// What two tight marches have alike, over the scale: what the edge condition is solved to.
+/// What two tight integrations have alike, over the scale: what the edge condition is solved to.
 const ALIKE: f64 = 1e-11;
 /// Part of the scenes whose energies are added up and judged too.
 pub(super) const WITH_ENERGIES: f64 = 0.25;
@@ -52,7 +52,7 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
     Ok((material, if kind == 1 { problem.relaxed() } else { problem }))
 }
 
-/// Material and history of a scene whose truth is a tighter march.
+/// Material and history of a scene whose truth is a tighter integration.
 ///
 /// # Errors
 /// A drawn number out of range; none is.
@@ -87,16 +87,20 @@ pub(super) fn judged_of(mut draw: Draw, scene: u64, accuracies: &[f64], drawn: D
     judged
 }
 
-/// A number of an instant: in a march, as told, and what no march tells of it.
+/// A number of an instant: in an integration, as told, and what no integration tells of it.
 struct OfInstants {
     quantity: &'static str,
-    marched: fn(&PathPoint) -> Option<f64>,
+    integrated: fn(&PathPoint) -> Option<f64>,
     told: fn(&Instant) -> Option<Estimate>,
     floor: fn(&PathPoint) -> f64,
 }
 
-const fn of_instants(quantity: &'static str, marched: fn(&PathPoint) -> Option<f64>, told: fn(&Instant) -> Option<Estimate>) -> OfInstants {
-    OfInstants { quantity, marched, told, floor: |_| 0.0 }
+const fn of_instants(
+    quantity: &'static str,
+    integrated: fn(&PathPoint) -> Option<f64>,
+    told: fn(&Instant) -> Option<Estimate>,
+) -> OfInstants {
+    OfInstants { quantity, integrated, told, floor: |_| 0.0 }
 }
 
 const INSTANTS: [OfInstants; 10] = [
@@ -125,7 +129,7 @@ const INSTANTS: [OfInstants; 10] = [
 struct OfEvents {
     quantity: &'static str,
     of_peak: &'static str,
-    marched: fn(&Event<f64>) -> Option<f64>,
+    integrated: fn(&Event<f64>) -> Option<f64>,
     told: fn(&Event<Estimate>) -> Option<Estimate>,
     scale: fn(&PathPoint) -> f64,
 }
@@ -135,7 +139,7 @@ macro_rules! of_events {
         OfEvents {
             quantity: concat!($name, " of an event"),
             of_peak: concat!($name, " of the largest tension"),
-            marched: |$event| $value,
+            integrated: |$event| $value,
             told: |$event| $value,
             scale: |$point| $scale,
         }
@@ -163,8 +167,8 @@ const EVENTS: [OfEvents; 11] = [
 fn against_tighter((material, problem): &(Material, IndentationProblem), judged: &mut Judged) -> Result<Vec<Compared>, Refusal> {
     judged.described = format!("{material:?} {problem:?}");
     let found = run(material, problem)?;
-    let tolerance = (TIGHTER * found.march.tolerance).max(TIGHTEST);
-    let (exact, second) = (march(material, problem, tolerance)?, march(material, problem, LOOSER * tolerance)?);
+    let tolerance = (TIGHTER * found.integration.tolerance).max(TIGHTEST);
+    let (exact, second) = (integrate(material, problem, tolerance)?, integrate(material, problem, LOOSER * tolerance)?);
     if !found.reached {
         judged.trouble = Some("accuracy not reached".into());
     }
@@ -174,23 +178,23 @@ fn against_tighter((material, problem): &(Material, IndentationProblem), judged:
     let kept = |trace: &Trace, index: usize| trace.kept.get(index).and_then(|place| trace.path.get(*place)).copied();
     let of_path = &exact.path;
     let mut compared = Vec::new();
-    for OfInstants { quantity, marched, told, floor } in INSTANTS {
-        let scale = exact.path.iter().filter_map(marched).fold(0.0_f64, |most, value| most.max(value.abs()));
+    for OfInstants { quantity, integrated, told, floor } in INSTANTS {
+        let scale = exact.path.iter().filter_map(integrated).fold(0.0_f64, |most, value| most.max(value.abs()));
         for (index, instant) in found.instants.iter().enumerate().skip(1) {
-            let Some((point, exact)) = kept(&found.march, index).zip(kept(&exact, index)) else { continue };
-            let Some((found, exact)) = told(instant).zip(marched(&exact)) else { continue };
+            let Some((point, exact)) = kept(&found.integration, index).zip(kept(&exact, index)) else { continue };
+            let Some((found, exact)) = told(instant).zip(integrated(&exact)) else { continue };
             // What is imposed is exact on both sides.
             if found.value.to_bits() != exact.to_bits() {
-                let truth = truth(exact, kept(&second, index).and_then(|point| marched(&point)), scale);
+                let truth = truth(exact, kept(&second, index).and_then(|point| integrated(&point)), scale);
                 compared.push(Compared { quantity, found, truth, scale, floor: floor(&point) });
             }
         }
     }
     let mut compare = |found: &Event<Estimate>, floor: f64, [exact, second]: [Option<Event<f64>>; 2]| {
-        for OfEvents { quantity, of_peak, marched, told, scale } in EVENTS {
-            let Some((found_value, value)) = told(found).zip(exact.as_ref().and_then(marched)) else { continue };
+        for OfEvents { quantity, of_peak, integrated, told, scale } in EVENTS {
+            let Some((found_value, value)) = told(found).zip(exact.as_ref().and_then(integrated)) else { continue };
             let scale = of_path.iter().map(|point| scale(point).abs()).fold(0.0_f64, f64::max);
-            let truth = truth(value, second.as_ref().and_then(marched), scale);
+            let truth = truth(value, second.as_ref().and_then(integrated), scale);
             let quantity = if found.kind == EventKind::LargestTension { of_peak } else { quantity };
             // What panels beside the edge leave unknown of K, and of what goes with K².
             let floor = match quantity {
@@ -204,14 +208,14 @@ fn against_tighter((material, problem): &(Material, IndentationProblem), judged:
     for (index, event) in found.events.iter().enumerate() {
         let same = |trace: &Trace| trace.events.get(index).filter(|other| other.kind == event.kind).copied();
         let Some(exact) = same(&exact) else {
-            judged.trouble = Some(format!("{:?} is not there in a tighter march", event.kind));
+            judged.trouble = Some(format!("{:?} is not there in a tighter integration", event.kind));
             continue;
         };
-        let floor = found.march.unknown_of_events.get(index).map_or(0.0, |unknown| unknown[4]);
+        let floor = found.integration.unknown_of_events.get(index).map_or(0.0, |unknown| unknown[4]);
         compare(event, floor, [Some(exact), same(&second)]);
     }
     if let Some(tension) = &found.largest_tension {
-        compare(tension, found.march.summary.intensity_floor_of_peak(), [exact.summary.peak(), second.summary.peak()]);
+        compare(tension, found.integration.summary.intensity_floor_of_peak(), [exact.summary.peak(), second.summary.peak()]);
     }
     Ok(compared)
 }

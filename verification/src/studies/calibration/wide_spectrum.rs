@@ -45,7 +45,7 @@ fn drawn(draw: &mut Draw, accuracy: f64) -> Result<(Material, IndentationProblem
     Ok((material, if kind == 4 { problem.relaxed() } else { problem }))
 }
 
-/// Material and history of a scene whose truth is a tighter march.
+/// Material and history of a scene whose truth is a tighter integration.
 ///
 /// # Errors
 /// A drawn number out of range; none is.

@@ -405,7 +405,7 @@ fn spheres() -> Vec<Effect> {
         },
         Effect {
             name: "fields (sphere)",
-            neutral: "fields are computed along the same march",
+            neutral: "fields are computed along the same integration",
             tolerance: Tolerance::Exact,
             without: SPHERE.to_owned(),
             with: changed(SPHERE, &[("instants = 8", "instants = 8\n\n[indentation.fields]\ntimes = [0.1, 2]\npoints = 50")]),

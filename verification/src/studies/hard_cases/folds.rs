@@ -1,6 +1,7 @@
 //! Sliding contacts on, just before and just after folds; wrong roots; scenes with more than one contact.
 //!
-//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load of contacts of
+//! Folds of elastic waves are Johnson's; those of viscoelastic ones come from the fold equations of a branch ([`viscotack::sliding::branch`]), or are the largest load of
+//! contacts of
 //! given half-widths. All of these are found before the case runs.
 
 use super::case::{Expected, Found, HardCase, near};
@@ -223,7 +224,8 @@ fn largest_load(beta: f64, rate: f64, adhesion: WaveAdhesion) -> f64 {
     at_one.max(at_other)
 }
 
-/// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds before.
+/// The half-width of the contact that grows out of the slow one: the curve by arclength up to the rate, and the contact next to where it gets there; NaN if it folds
+/// before.
 fn slow_contact(material: &Material, load: f64, adhesion: WaveAdhesion, rate: f64) -> f64 {
     let control = SlidingControl::MeanPressure(load);
     let problem = BranchProblem::speeds(control, [1e-6, 2.0 * rate], BranchStart::Slow, adhesion, 1e-9);

@@ -8,7 +8,8 @@
 //! stability  ──► which of them stay, by second variations
 //! states     ──► which contact a held value has, and its limits      compared with the solver (answer)
 //! ```
-//! The comparison shares the fields of a contact with given edges with the solver (they have references of their own: `reference_data/sliding_wave.csv`), and nothing of the
+//! The comparison shares the fields of a contact with given edges with the solver (they have references of their own: `reference_data/sliding_wave.csv`), and nothing of
+//! the
 //! way to the edges: no continuation in speed or load, no choice of a root.
 
 pub mod answer;

@@ -66,7 +66,8 @@ pub struct Speed {
 const SAMPLES: usize = 4;
 /// Pieces of a smaller span, relative to the size of what is held, are rounding.
 const NOISE: f64 = 1e-7;
-/// A margin nearer to zero is not told. Both resolutions agree on smaller ones; along a gap of a hundredth, which both edges can move together, all margins are some 1e-5.
+/// A margin nearer to zero is not told. Both resolutions agree on smaller ones; along a gap of a hundredth, which both edges can move together, all margins are some
+/// 1e-5.
 const UNTOLD: f64 = 1e-5;
 /// Contacts nearer than this, over their size, are one.
 const SAME: f64 = 1e-3;

@@ -1,6 +1,7 @@
 //! All steady contacts of one half-width, by algebra alone.
 //!
-//! At given half-width and speed every field of a contact is linear in u = (cos e, sin e, p̄), of a parabola in (1, e, p̄); so are the fields of both contacts with a moved
+//! At given half-width and speed every field of a contact is linear in u = (cos e, sin e, p̄), of a parabola in (1, e, p̄); so are the fields of both contacts with a
+//! moved
 //! edge at the same penetration. The work of each edge is therefore a quadratic form, and an equilibrium is a common point of two conics,
 //! ```text
 //! uᵀA_i u = 2πΓ_i (u₁² + u₂²)        i = trailing, leading        (parabola: u₁²)

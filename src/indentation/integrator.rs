@@ -1,6 +1,6 @@
-//! One march through a history: segments, kept instants, and what happens between steps.
+//! One integration through a history: segments, kept instants, and what happens between steps.
 
-use super::checkpoint::{MarchState, Observer};
+use super::checkpoint::{IntegrationState, Observer};
 use super::edge::{Edge, Imposed, node_of};
 use super::history::Controlled;
 use super::line::Contact;
@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 
 /// First time step of a segment, over the shortest relaxation time and over the segment, at a tolerance of 1; it goes with the root of the tolerance.
 const FIRST_TIME: f64 = 0.1;
-/// Ulp of the time below which no step goes: a clock that does not move is a march that stands still.
+/// Ulp of the time below which no step goes: a clock that does not move is an integration that stands still.
 pub(super) const CLOCK: f64 = 4.0;
 /// Part of what is left of a stretch, or of a way, that is all of it; and the part that is gone when two steps go there.
 pub(super) const NEARLY: f64 = 0.999;
@@ -35,29 +35,29 @@ pub(super) const LOOSEST: f64 = 0.03;
 /// Parts of an instantaneous change, so that a path of equilibria is followed and not jumped over.
 const PARTS: u32 = 16;
 
-/// One march through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²). Where no steps
+/// One integration through a history, at a tolerance of its path (of the edge over the process zone, per step): `material` in moduli E* = E/(1 − ν²). Where no steps
 /// are needed ([`IndentationProblem::is_without_steps`]) one course of the exact method, as fine as the tolerance as an accuracy asks for.
 ///
 /// # Errors
 /// [`Refusal::OutOfRange`] for numbers out of range; [`Refusal::Undefined`] for a viscous material or a start that a control does not have;
 /// [`Refusal::NoSuchState`] for a start without equilibrium, or a contact beyond the last point of a table; [`Refusal::NotConverged`].
-pub fn march(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
+pub fn integrate(material: &Material, problem: &IndentationProblem, tolerance: f64) -> Result<Trace, Refusal> {
     if problem.is_without_steps() {
         problem.checked()?;
         return super::adhesiveless::course(material, problem, crate::refusal::require_positive("tolerance", tolerance)?);
     }
-    march_to(material, problem, tolerance, &[], Guide::default())
+    integrate_to(material, problem, tolerance, &[], Guide::default())
 }
 
-/// Where a march begins, and who watches it.
+/// Where an integration begins, and who watches it.
 #[derive(Default)]
 pub(super) struct Guide<'a> {
-    pub(super) from: Option<MarchState>,
+    pub(super) from: Option<IntegrationState>,
     pub(super) observer: Option<Observer<'a>>,
 }
 
 /// The same with stretches that end early: which, and how long they take (s).
-pub(super) fn march_to(
+pub(super) fn integrate_to(
     material: &Material,
     problem: &IndentationProblem,
     tolerance: f64,
@@ -66,18 +66,18 @@ pub(super) fn march_to(
 ) -> Result<Trace, Refusal> {
     problem.checked()?;
     let springs = Springs::new(material)?;
-    let mut marcher = Marcher::new(&springs, problem, tolerance)?;
-    let zone = marcher.edge.zone();
-    marcher.observer = guide.observer;
+    let mut integrator = Integrator::new(&springs, problem, tolerance)?;
+    let zone = integrator.edge.zone();
+    integrator.observer = guide.observer;
     let mut trace = match guide.from {
         Some(state) => {
-            marcher.restore(state)?;
-            marcher.through(true)?
+            integrator.restore(state)?;
+            integrator.through(true)?
         }
         None => {
-            marcher.record.trace.shortened = stops.to_vec();
-            marcher.begin()?;
-            marcher.through(false)?
+            integrator.record.trace.shortened = stops.to_vec();
+            integrator.begin()?;
+            integrator.through(false)?
         }
     };
     problem.profile.holds(trace.summary.scales[2], zone)?;
@@ -85,7 +85,7 @@ pub(super) fn march_to(
     Ok(trace)
 }
 
-pub(super) struct Marcher<'a> {
+pub(super) struct Integrator<'a> {
     pub(super) springs: &'a Springs,
     pub(super) problem: &'a IndentationProblem,
     pub(super) tolerance: f64,
@@ -122,12 +122,12 @@ pub(super) struct Marcher<'a> {
     pub(super) observer: Option<Observer<'a>>,
 }
 
-impl<'a> Marcher<'a> {
+impl<'a> Integrator<'a> {
     fn new(springs: &'a Springs, problem: &'a IndentationProblem, tolerance: f64) -> Result<Self, Refusal> {
         let tolerance = crate::refusal::require_positive("tolerance", tolerance)?.min(0.1);
         let Some(adhesion) = problem.adhesion else {
             return Err(Refusal::Undefined {
-                quantity: "a march without adhesion",
+                quantity: "an integration without adhesion",
                 reason: "such a contact is solved without steps".into(),
             });
         };
@@ -291,7 +291,7 @@ impl<'a> Marcher<'a> {
         };
     }
 
-    /// A stretch of the history from where the march is in it, landing on each kept instant and at the end of each cycle. How long it took: one
+    /// A stretch of the history from where the integration is in it, landing on each kept instant and at the end of each cycle. How long it took: one
     /// that oscillates may end early.
     fn segment(&mut self, stretch: &Stretch) -> Result<f64, Refusal> {
         let segment = stretch.segment;
@@ -307,7 +307,7 @@ impl<'a> Marcher<'a> {
             self.go_to(stretch, target)?;
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.place.cycle += 1;
-                // What one cycle leaves of its steps is not the next one's: a march that stands still would go through all of it.
+                // What one cycle leaves of its steps is not the next one's: an integration that stands still would go through all of it.
                 self.place.budget = self.record.trace.work.steps + self.most_steps();
                 let stationary =
                     self.meter.as_mut().and_then(|meter| self.record.cycle(meter, self.origin + target, self.problem.accuracy));
@@ -333,13 +333,13 @@ impl<'a> Marcher<'a> {
     fn go_to(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
         while self.time < target {
             self.observe();
-            // What a march with a checkpoint here would not have.
+            // What an integration with a checkpoint here would not have.
             self.edge.forget();
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
                 let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
                 return Err(Refusal::NotConverged {
-                    what: "the march",
+                    what: "the integration",
                     detail: format!("{} steps of one {what} reached t = {:e}", self.most_steps(), self.now()),
                 });
             }

@@ -33,8 +33,8 @@ pub(super) const PATIENCE: u32 = 5;
 /// Way of a held edge, in process zones, that is rounding.
 const REST: f64 = 1e-9;
 
-/// The state of the march.
-pub(super) struct March<'a> {
+/// The state of the integration.
+pub(super) struct Integration<'a> {
     pub(super) problem: &'a Problem,
     pub(super) observer: Option<PanelObserver<'a>>,
     pub(super) points: Points,
@@ -79,7 +79,7 @@ pub(super) struct March<'a> {
     pub(super) outcome: Outcome,
 }
 
-impl<'a> March<'a> {
+impl<'a> Integration<'a> {
     pub(super) fn new(problem: &'a Problem, edge: f64, depth: f64) -> Self {
         let mut line = Line::new(edge, &breaks(&problem.profile, edge));
         if !problem.relaxed {
@@ -108,7 +108,7 @@ impl<'a> March<'a> {
             spreads: vec![],
             shortened: vec![],
         };
-        let mut march = Self {
+        let mut integration = Self {
             problem,
             observer: None,
             points: Points::new(problem.degree),
@@ -138,15 +138,15 @@ impl<'a> March<'a> {
             budget_from: 0,
             outcome,
         };
-        march.window.blur = MERGE * problem.tolerance * march.displacement();
-        let row = march.row(None, 0.0);
-        (march.outcome.start, march.outcome.least_force) = (row, row);
-        march.record_rest(0.0);
+        integration.window.blur = MERGE * problem.tolerance * integration.displacement();
+        let row = integration.row(None, 0.0);
+        (integration.outcome.start, integration.outcome.least_force) = (row, row);
+        integration.record_rest(0.0);
         if !problem.relaxed && problem.adhesion.is_some() {
-            march.event(EventKind::JumpIn, &row);
+            integration.event(EventKind::JumpIn, &row);
         }
-        march.begins();
-        march
+        integration.begins();
+        integration
     }
 
     /// One panel, accepted or refused; or a jump; or a rest.

@@ -1,4 +1,4 @@
-//! Source: thesis chapter 4 by two methods of this crate: panels of the edge's path, and the march with its error bounds.
+//! Source: thesis chapter 4 by two methods of this crate: panels of the edge's path, and the integration with its error bounds.
 //!
 //! Goal: on scenes nobody chose, the two agree within the bounds of both. Prints how much faster the panels are, and the scene furthest apart.
 //!
@@ -124,12 +124,12 @@ fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
 }
 
 #[test]
-fn panels_and_march_agree_within_their_bounds() {
+fn panels_and_time_steps_agree_within_their_bounds() {
     compared(20, &mut Draw(20_261_125), scene);
 }
 
 #[test]
-fn panels_and_march_agree_on_every_shape_under_controls_that_change() {
+fn panels_and_time_steps_agree_on_every_shape_under_controls_that_change() {
     compared(12, &mut Draw(20_261_126), changing);
 }
 
@@ -140,14 +140,14 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
     for number in 0..scenes {
         let (name, material, problem) = scene(draw);
         let clock = Instant::now();
-        let marched = match run(&material, &problem) {
-            Ok(marched) => marched,
+        let integrated = match run(&material, &problem) {
+            Ok(integrated) => integrated,
             Err(refusal) => {
-                println!("scene {number} ({name}): the march refuses: {refusal}");
+                println!("scene {number} ({name}): the integration refuses: {refusal}");
                 continue;
             }
         };
-        let march_time = clock.elapsed().as_secs_f64();
+        let integration_time = clock.elapsed().as_secs_f64();
         let clock = Instant::now();
         let panels = match solve_by_panels(&material, &problem) {
             Ok(panels) => panels,
@@ -160,9 +160,9 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
                 continue;
             }
         };
-        ratios.push(march_time / clock.elapsed().as_secs_f64());
-        let scale = marched.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
-        for (row, instant) in panels.instants.iter().zip(&marched.instants) {
+        ratios.push(integration_time / clock.elapsed().as_secs_f64());
+        let scale = integrated.instants.iter().map(|instant| instant.force.value.abs()).fold(0.0, f64::max);
+        for (row, instant) in panels.instants.iter().zip(&integrated.instants) {
             if instant.contact_radius.value <= 0.0 {
                 break;
             }
@@ -187,7 +187,7 @@ fn compared(usual: usize, draw: &mut Draw, scene: impl Fn(&mut Draw) -> (&'stati
     }
     ratios.sort_by(f64::total_cmp);
     println!(
-        "{} scenes, {values} values, time of the march over that of the panels: {:.1} in the median",
+        "{} scenes, {values} values, time of the integration over that of the panels: {:.1} in the median",
         ratios.len(),
         ratios[ratios.len() / 2]
     );
