@@ -84,7 +84,7 @@ impl Integrator<'_> {
                 Some(choice) => choice,
                 None if way == Way::None => Choice::Time { guess: a },
                 None => match self.choose(reach, cap) {
-                    // An edge that would stop short of the end of the stretch: two equal steps of time.
+                    // An edge that would stop short of the end of the segment: two equal steps of time.
                     Choice::Edge { guess, .. } if guess > HALF * left && guess < NEARLY * left && cap > HALF * left => {
                         cap = HALF * left;
                         Choice::Time { guess: self.place_after(cap, reach) }

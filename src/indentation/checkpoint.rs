@@ -5,6 +5,7 @@
 //! checkpoints and one without take the same steps to the last bit.
 
 use super::by_panels::PanelsState;
+use super::current_segment::{Place, part, weight};
 use super::history::Controlled;
 use super::integrator::Integrator;
 use super::line::{Cell, Contact};
@@ -14,7 +15,6 @@ use super::past::Past;
 use super::record::{Record, RecordState};
 use super::rim::Rim;
 use super::solution::{IndentationWork, Trace};
-use super::stretch::{Place, part, weight};
 use crate::refusal::Refusal;
 use serde::{Deserialize, Serialize};
 
@@ -192,7 +192,7 @@ impl Integrator<'_> {
             place,
         } = state;
         if place.segment >= self.problem.history.segments.len() {
-            return Err(foreign("its history has fewer stretches"));
+            return Err(foreign("its history has fewer segments"));
         }
         self.record = Record::restored(record, &self.contact)?;
         self.contact = contact.restored(&self.contact)?;

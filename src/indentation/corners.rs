@@ -83,7 +83,7 @@ impl Integrator<'_> {
         // The surface keeps the corner: an edge that comes back meets it again.
         self.remember_turn(a);
         self.corner = corner;
-        // The edge keeps its pace; a short step begins the new stretch of the path, of the edge or, where it is slow, of time.
+        // The edge keeps its pace; a short step begins the new segment of the path, of the edge or, where it is slow, of time.
         self.dt = dt * (self.reach / self.largest_reach()).min(1.0);
         // Landmarks of the turn before stay.
         let reached = others.iter().find(|(mark, _)| (mark - a).abs() <= SAME_LANDMARK * self.length).map(|(_, generation)| *generation);

@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 /// Place of the drift among the quantities.
 const DRIFT: usize = 10;
 
-/// One whole cycle of a stretch that oscillates; `T` is `f64` in one integration, [`Estimate`] in a solution.
+/// One whole cycle of a segment that oscillates; `T` is `f64` in one integration, [`Estimate`] in a solution.
 ///
 /// Amplitudes are of the fundamental, x ≈ mean + in_phase·sin φ + quadrature·cos φ, φ the phase of what is controlled, with the straight line
 /// between both ends of the cycle taken off first, so that a ramp beneath does not count.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cycle<T> {
-    /// Which stretch of the history, from 0.
+    /// Which segment of the history, from 0.
     pub segment: usize,
     /// Which cycle of it, from 1.
     pub number: u64,

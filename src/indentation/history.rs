@@ -1,10 +1,10 @@
-//! What is imposed in time: a quantity that goes from value to value, linearly, oscillating, or at once; each stretch names its quantity.
+//! What is imposed in time: a quantity that goes from value to value, linearly, oscillating, or at once; each segment names its quantity.
 
 use super::oscillation::Oscillation;
 use crate::refusal::{Refusal, require_finite, require_non_negative};
 use serde::{Deserialize, Serialize};
 
-/// What a stretch of a history controls.
+/// What a segment of a history controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Controlled {
     /// Δ (m).
@@ -17,7 +17,7 @@ pub enum Controlled {
     Frame,
 }
 
-/// A stretch of a history.
+/// A segment of a history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// How long (s); zero is a step.
@@ -40,14 +40,14 @@ impl Segment {
     }
 }
 
-/// A history of stretches, straight or with an oscillation.
+/// A history of segments, straight or with an oscillation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct History {
     /// The value at time zero.
     pub start: f64,
     /// Of what.
     pub controlled: Controlled,
-    /// The stretches in order.
+    /// The segments in order.
     pub segments: Vec<Segment>,
 }
 
@@ -143,7 +143,7 @@ impl History {
         self.segments.last().map_or(self.controlled, |segment| segment.controlled)
     }
 
-    /// Whether any stretch controls a quantity.
+    /// Whether any segment controls a quantity.
     #[must_use]
     pub fn controls(&self, controlled: Controlled) -> bool {
         self.controlled == controlled || self.segments.iter().any(|segment| segment.controlled == controlled)

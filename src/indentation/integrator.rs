@@ -1,6 +1,7 @@
 //! One integration through a history: segments, kept instants, and what happens between steps.
 
 use super::checkpoint::{IntegrationState, Observer};
+use super::current_segment::{CurrentSegment, Place};
 use super::edge::{Edge, Imposed, node_of};
 use super::history::Controlled;
 use super::line::Contact;
@@ -12,7 +13,6 @@ use super::solution::{EventKind, Trace};
 use super::springs::Springs;
 use super::start::{size_of, started};
 use super::step_sizes::towards;
-use super::stretch::{Place, Stretch};
 use crate::material::Material;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 const FIRST_TIME: f64 = 0.1;
 /// Ulp of the time below which no step goes: a clock that does not move is an integration that stands still.
 pub(super) const CLOCK: f64 = 4.0;
-/// Part of what is left of a stretch, or of a way, that is all of it; and the part that is gone when two steps go there.
+/// Part of what is left of a segment, or of a way, that is all of it; and the part that is gone when two steps go there.
 pub(super) const NEARLY: f64 = 0.999;
 pub(super) const HALF: f64 = 0.5;
 /// Relative change of a rate that is no corner.
@@ -56,7 +56,7 @@ pub(super) struct Guide<'a> {
     pub(super) observer: Option<Observer<'a>>,
 }
 
-/// The same with stretches that end early: which, and how long they take (s).
+/// The same with segments that end early: which, and how long they take (s).
 pub(super) fn integrate_to(
     material: &Material,
     problem: &IndentationProblem,
@@ -92,7 +92,7 @@ pub(super) struct Integrator<'a> {
     pub(super) contact: Contact<'a>,
     pub(super) edge: Edge,
     pub(super) past: Past,
-    /// Start of the stretch under way, and the time since: steps stay sharp after any dwell.
+    /// Start of the segment under way, and the time since: steps stay sharp after any dwell.
     pub(super) origin: f64,
     pub(super) time: f64,
     /// Next steps of the edge and of time.
@@ -206,7 +206,7 @@ impl<'a> Integrator<'a> {
         Ok(())
     }
 
-    /// The stretches one after the other; `restored`: from within the one that a checkpoint was taken in.
+    /// The segments one after the other; `restored`: from within the one that a checkpoint was taken in.
     fn through(mut self, restored: bool) -> Result<Trace, Refusal> {
         let history = &self.problem.history;
         let mut last = (history.controlled, history.start);
@@ -220,15 +220,15 @@ impl<'a> Integrator<'a> {
             } else {
                 self.present(segment.controlled)
             };
-            let stretch = Stretch { from, segment: *segment };
+            let current = CurrentSegment { from, segment: *segment };
             let duration = if segment.duration == 0.0 {
-                self.suddenly(&stretch)?;
+                self.suddenly(&current)?;
                 0.0
             } else {
                 if !under_way {
-                    self.enter(index, &stretch);
+                    self.enter(index, &current);
                 }
-                self.segment(&stretch)?
+                self.segment(&current)?
             };
             last = (segment.controlled, segment.value(from, duration));
         }
@@ -255,25 +255,25 @@ impl<'a> Integrator<'a> {
         }
     }
 
-    /// An instantaneous stretch.
-    fn suddenly(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
-        // The line keeps where the edge was; where it comes to rest the next stretch begins.
+    /// An instantaneous segment.
+    fn suddenly(&mut self, current: &CurrentSegment) -> Result<(), Refusal> {
+        // The line keeps where the edge was; where it comes to rest the next segment begins.
         self.remember_turn(self.contact.radius());
-        self.at_once(stretch)?;
+        self.at_once(current)?;
         self.pace = None;
         self.record.keep();
         Ok(())
     }
 
-    /// The start of a stretch.
-    fn enter(&mut self, index: usize, stretch: &Stretch) {
-        let segment = stretch.segment;
-        let rate = stretch.rate();
+    /// The start of a segment.
+    fn enter(&mut self, index: usize, current: &CurrentSegment) {
+        let segment = current.segment;
+        let rate = current.rate();
         let same = segment.oscillation.is_none()
             && self
                 .pace
                 .is_some_and(|(controlled, last)| controlled == segment.controlled && (rate - last).abs() <= SAME_PACE * rate.abs());
-        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(stretch.longest_step(0.0));
+        self.first = FIRST_TIME * self.springs.shortest_time().min(segment.duration).min(current.longest_step(0.0));
         if !same {
             self.restart_at_corner();
         }
@@ -283,7 +283,7 @@ impl<'a> Integrator<'a> {
         });
         self.place = Place {
             segment: index,
-            from: stretch.from,
+            from: current.from,
             duration: self.record.end_of(index).unwrap_or(segment.duration),
             instant: 1,
             cycle: 1,
@@ -291,20 +291,20 @@ impl<'a> Integrator<'a> {
         };
     }
 
-    /// A stretch of the history from where the integration is in it, landing on each kept instant and at the end of each cycle. How long it took: one
+    /// A segment of the history from where the integration is in it, landing on each kept instant and at the end of each cycle. How long it took: one
     /// that oscillates may end early.
-    fn segment(&mut self, stretch: &Stretch) -> Result<f64, Refusal> {
-        let segment = stretch.segment;
+    fn segment(&mut self, current: &CurrentSegment) -> Result<f64, Refusal> {
+        let segment = current.segment;
         let until_stationary = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
-        // Instants of a stretch whose end is not known are its end alone.
+        // Instants of a segment whose end is not known are its end alone.
         let instants = if until_stationary { 1 } else { self.problem.instants_per_segment.max(1) };
         let stop = self.record.end_of(self.place.segment);
         while self.time < self.place.duration {
             let Place { duration, instant, cycle, .. } = self.place;
             let next_instant = duration * if instant == instants { 1.0 } else { f64::from(instant) / f64::from(instants) };
-            let end_of_cycle = stretch.end_of_cycle(cycle);
+            let end_of_cycle = current.end_of_cycle(cycle);
             let target = end_of_cycle.map_or(next_instant, |end| end.min(next_instant));
-            self.go_to(stretch, target)?;
+            self.go_to(current, target)?;
             if end_of_cycle.is_some_and(|end| end <= target) {
                 self.place.cycle += 1;
                 // What one cycle leaves of its steps is not the next one's: an integration that stands still would go through all of it.
@@ -323,27 +323,27 @@ impl<'a> Integrator<'a> {
         }
         let duration = self.place.duration;
         self.record.last_cycle(self.meter.take());
-        self.pace = segment.oscillation.is_none().then_some((segment.controlled, stretch.rate()));
+        self.pace = segment.oscillation.is_none().then_some((segment.controlled, current.rate()));
         self.origin += duration;
         self.time = 0.0;
         self.corner -= duration;
         Ok(duration)
     }
 
-    fn go_to(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    fn go_to(&mut self, current: &CurrentSegment, target: f64) -> Result<(), Refusal> {
         while self.time < target {
             self.observe();
             // What an integration with a checkpoint here would not have.
             self.edge.forget();
             self.record.trace.work.steps += 1;
             if self.record.trace.work.steps > self.place.budget {
-                let what = if stretch.segment.oscillation.is_some() { "cycle" } else { "stretch" };
+                let what = if current.segment.oscillation.is_some() { "cycle" } else { "segment" };
                 return Err(Refusal::NotConverged {
                     what: "the integration",
                     detail: format!("{} steps of one {what} reached t = {:e}", self.most_steps(), self.now()),
                 });
             }
-            self.step(stretch, target)?;
+            self.step(current, target)?;
             // Near a fold what joining changes would move the edge by its root, to and fro.
             if self.record.trace.work.steps.is_multiple_of(COARSENING_INTERVAL) && !self.is_near_fold() {
                 self.contact.coarsened(COARSENING_TOLERANCE * self.tolerance.min(1e-2) * self.opening);
@@ -353,22 +353,22 @@ impl<'a> Integrator<'a> {
     }
 
     /// One step towards a target time.
-    fn step(&mut self, stretch: &Stretch, target: f64) -> Result<(), Refusal> {
+    fn step(&mut self, current: &CurrentSegment, target: f64) -> Result<(), Refusal> {
         let left = target - self.time;
         let grown = self.first_step().max(self.stride() * (self.time - self.corner));
-        let cap = self.dt.min(grown).min(self.stride() * stretch.longest_step(self.time));
+        let cap = self.dt.min(grown).min(self.stride() * current.longest_step(self.time));
         let cap = towards(left, cap, CLOCK * f64::EPSILON * self.time);
         let now = self.time;
-        let value = |dt: f64| stretch.value(if now + dt >= target { target } else { now + dt });
+        let value = |dt: f64| current.value(if now + dt >= target { target } else { now + dt });
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
-        let load = |dt: f64| if stretch.segment.controlled == Controlled::Frame { stiffness * value(dt) } else { value(dt) };
-        let imposed = match stretch.segment.controlled {
+        let load = |dt: f64| if current.segment.controlled == Controlled::Frame { stiffness * value(dt) } else { value(dt) };
+        let imposed = match current.segment.controlled {
             Controlled::Penetration => Imposed::Penetration(&value),
             Controlled::Force => Imposed::Load { value: &load, stiffness: 0.0 },
             Controlled::Frame => Imposed::Load { value: &load, stiffness },
             Controlled::ContactRadius => return self.prescribed_step(&value, cap, left, target),
         };
-        let controlled = stretch.segment.controlled;
+        let controlled = current.segment.controlled;
         let apart = if self.contact.radius() == 0.0 { self.until_touch(controlled, cap, &value) } else { 0.0 };
         if apart > 0.0 {
             // Time steps of an open contact may grow quickly: the surface relaxes exactly.
@@ -397,11 +397,11 @@ impl<'a> Integrator<'a> {
     }
 
     /// An instantaneous change of what is imposed: the edge follows glassily, in small parts of the change.
-    fn at_once(&mut self, stretch: &Stretch) -> Result<(), Refusal> {
-        let controlled = stretch.segment.controlled;
+    fn at_once(&mut self, current: &CurrentSegment) -> Result<(), Refusal> {
+        let controlled = current.segment.controlled;
         let stiffness = self.problem.frame_stiffness.unwrap_or(0.0);
         for part in 1..=PARTS {
-            let value = stretch.from + (stretch.segment.end - stretch.from) * f64::from(part) / f64::from(PARTS);
+            let value = current.from + (current.segment.end - current.from) * f64::from(part) / f64::from(PARTS);
             if controlled == Controlled::ContactRadius {
                 self.prescribed(value, 0.0, 1)?;
                 self.went(0.0, 0.0, self.time, 0.0);

@@ -1,8 +1,8 @@
 //! The state of a contact on the line, and its exact motion.
 //!
 //! A point carries the dashpots v_i of the Maxwell branches while it is bonded, and the Voigt strains e_j while it is free, on panels of Gauss nodes.
-//! Panels end where a state may have a kink or a jump: at the edge now and wherever it stopped before. When the edge sweeps a stretch, the
-//! stretch gets panels graded towards the new edge, down to the distance the edge travels in half of the shortest relaxation time: the
+//! Panels end where a state may have a kink or a jump: at the edge now and wherever it stopped before. When the edge sweeps an interval, the
+//! interval gets panels graded towards the new edge, down to the distance the edge travels in half of the shortest relaxation time: the
 //! layers there are as wide as that, however small against the step. Each node then knows the instant at which the edge passed it,
 //! and both its updates, before and after, are exact.
 
@@ -20,7 +20,7 @@ use crate::refusal::{Refusal, require_finite, require_non_negative};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
-/// Ratio of neighbouring panels of a graded stretch: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
+/// Ratio of neighbouring panels of a graded interval: e^{−x} over 0 ≤ x ≤ 1 is kept by eight nodes to 1e-9.
 const GRADING: f64 = 2.0;
 /// Panels narrower than this part of the contact are not made: places are only known to 1e-16 of it, nodes then to 1e-5 of a panel.
 pub(super) const NARROWEST: f64 = 1e-11;
@@ -28,7 +28,7 @@ pub(super) const NARROWEST: f64 = 1e-11;
 /// Difference of the loads on either side of an edge that an unresolved layer explains, over what one node makes of the extrapolation to the edge.
 const UNRESOLVED: f64 = 10.0;
 
-/// How the edge passes a stretch within a move.
+/// How the edge passes an interval within a move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sweep {
     /// a linear in time.
@@ -200,7 +200,7 @@ impl<'a> Contact<'a> {
         next
     }
 
-    /// The cells that touch a window, cut at both edges and graded in the stretch that an edge at `radius` will have swept after `time`.
+    /// The cells that touch a window, cut at both edges and graded in the interval that an edge at `radius` will have swept after `time`.
     /// `more`: further cuts.
     pub(super) fn cut(&self, (radius, time): (f64, f64), more: Vec<f64>, window: (f64, f64)) -> (Vec<Cell>, Vec<f64>) {
         let n = self.springs.terms();
@@ -237,7 +237,7 @@ impl<'a> Contact<'a> {
         (cells, values)
     }
 
-    /// Panel ends of a move: both edges, and a graded mesh in the swept stretch.
+    /// Panel ends of a move: both edges, and a graded mesh in the swept interval.
     fn cuts(&self, radius: f64, time: f64, more: Vec<f64>, narrow: f64) -> Vec<f64> {
         let mut cuts = more;
         let shortest = self.springs.shortest_time();

@@ -29,7 +29,7 @@ pub(super) struct Meter {
     origin: f64,
     /// Longest retardation time.
     longest: f64,
-    /// The newest last, of one stretch of the path between corners.
+    /// The newest last, of one piece of the path between corners.
     points: Vec<PathPoint>,
     number: u64,
     sums: Sums,
@@ -135,7 +135,7 @@ impl Meter {
             self.points.push(*point);
         } else {
             if point.piece != last.piece {
-                // The first point of a stretch ends the one before.
+                // The first point of a piece ends the one before.
                 self.points.clear();
                 self.points.push(last);
             }

@@ -16,7 +16,7 @@ const AT_REST: f64 = 0.5;
 /// Halvings of the time towards a rest.
 const MOST_HALVINGS: u32 = 16;
 
-/// How the edge passes a stretch within a step.
+/// How the edge passes an interval within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Passage {
     /// a linear in time.
@@ -130,7 +130,7 @@ impl Motion {
         places
     }
 
-    /// W − W₀ as powers of the part of a first stretch of the time.
+    /// W − W₀ as powers of the part of a first interval of the time.
     pub(super) fn first_powers(&self, part: f64) -> [f64; DEGREE] {
         let mut scale = 1.0;
         self.powers.map(|power| {

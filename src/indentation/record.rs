@@ -30,7 +30,7 @@ pub(super) struct Record<'a> {
     sudden: bool,
     /// The contact at the last point, for what a sudden change sets free.
     last: Option<Contact<'a>>,
-    /// Every so many cycles are kept, and the newest until its stretch ends.
+    /// Every so many cycles are kept, and the newest until its segment ends.
     cycle_stride: u64,
     newest_cycle: Option<Cycle<f64>>,
 }
@@ -233,12 +233,12 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// How long a stretch takes that is known to end early (s).
+    /// How long a segment takes that is known to end early (s).
     pub(super) fn end_of(&self, segment: usize) -> Option<f64> {
         self.trace.shortened.iter().find(|stop| stop.0 == segment).map(|stop| stop.1)
     }
 
-    /// A stretch has ended: the last cycle of one that oscillates is kept, and by how much its cycles differ.
+    /// A segment has ended: the last cycle of one that oscillates is kept, and by how much its cycles differ.
     pub(super) fn last_cycle(&mut self, meter: Option<Meter>) {
         self.trace.spreads.extend(meter.and_then(|meter| meter.spread()));
         if let Some(newest) = self.newest_cycle.take() {

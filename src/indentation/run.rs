@@ -85,7 +85,7 @@ pub fn run_watched(
     }
     loop {
         let observer = watch.map(|watch| Observer { watch, finished, integrations: &integrations, work });
-        // Stretches that were stationary early are as long for every tighter integration.
+        // Segments that were stationary early are as long for every tighter integration.
         let stops = integrations.first().map_or(&[][..], |integration| &integration.shortened);
         let integration = match integrate_to(material, problem, tolerance, stops, Guide { from: under_way.take(), observer }) {
             // An integration that gives up leaves those before it: they are judged as far as they go.

@@ -27,7 +27,7 @@ pub struct PathPoint {
     pub unresolved_intensity: f64,
     /// Defect of the edge condition: C/Δγ − 1, or Q(a) over its scale without adhesion.
     pub residual: f64,
-    /// Stretch of the path between corners that the point belongs to; its first point ends the stretch before.
+    /// Piece of the path between corners that the point belongs to; its first point ends the piece before.
     pub piece: u32,
     /// Energies, where asked for.
     pub energies: Option<Energies>,
@@ -185,11 +185,11 @@ pub struct Trace {
     pub events: Vec<Event<f64>>,
     /// What no other integration tells of the numbers of each event (s, m, N, m, Pa√m, J, W, J, J): at a fold, beyond the last step, and of K_I.
     pub unknown_of_events: Vec<[f64; NUMBERS]>,
-    /// Whole cycles of stretches that oscillate, in order.
+    /// Whole cycles of segments that oscillate, in order.
     pub cycles: Vec<Cycle<f64>>,
-    /// By how much the cycles of each stretch that oscillates differ, the first tenth left out.
+    /// By how much the cycles of each segment that oscillates differ, the first tenth left out.
     pub spreads: Vec<Spread>,
-    /// Stretches that ended early, stationary: which, and how long they took (s).
+    /// Segments that ended early, stationary: which, and how long they took (s).
     pub shortened: Vec<(usize, f64)>,
     /// What is told of every point, of those as well that a long path no longer holds.
     pub summary: Summary,
@@ -287,7 +287,7 @@ pub struct IndentationSolution {
     pub instants: Vec<Instant>,
     /// Events of the integration; errors by the same events of those behind it, infinite if one of these has none.
     pub events: Vec<Event<Estimate>>,
-    /// Whole cycles of stretches that oscillate.
+    /// Whole cycles of segments that oscillate.
     pub cycles: Vec<Cycle<Estimate>>,
     /// Where the force pulls most; none if nothing pulled.
     pub largest_tension: Option<Event<Estimate>>,

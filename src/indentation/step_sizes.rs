@@ -3,7 +3,7 @@
 use super::integrator::{CLOCK, HALF, Integrator, LOOSEST, NEARLY};
 use super::stepping::SMALLEST;
 
-/// Most steps of one stretch of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of an integration.
+/// Most steps of one segment of a history, or of one of its cycles, at a tolerance of 1e-4 or more; below it they grow with the steps of an integration.
 const MOST_STEPS: f64 = 6_000.0;
 /// See [`MOST_STEPS`].
 const TIGHT: f64 = 1e-4;
@@ -39,7 +39,7 @@ pub(super) fn towards(left: f64, cap: f64, least: f64) -> f64 {
 }
 
 impl Integrator<'_> {
-    /// Steps of a stretch, or of a cycle, after which an integration stands still.
+    /// Steps of a segment, or of a cycle, after which an integration stands still.
     pub(super) fn most_steps(&self) -> u64 {
         (MOST_STEPS * (TIGHT / self.tolerance).powf(1.0 / 6.0).max(1.0)) as u64
     }

@@ -59,10 +59,10 @@ impl Summary {
     #[must_use]
     pub fn peak(&self) -> Option<Event<f64>> {
         let top = self.peak.get(self.top)?;
-        // A top at a corner ends one stretch of the path and begins the next: the peak may lie on either side of it.
+        // A top at a corner ends one piece of the path and begins the next: the peak may lie on either side of it.
         let next = self.peak.get(self.top + 1).map(|point| point.piece).filter(|piece| *piece != top.piece);
         let peak = [Some(top.piece), next].into_iter().flatten().fold(Event::at(EventKind::LargestTension, top), |peak, piece| {
-            let points: Vec<&PathPoint> = self.stretch(piece).collect();
+            let points: Vec<&PathPoint> = self.points_of(piece).collect();
             let place = points.iter().position(|point| std::ptr::eq(*point, top));
             place.and_then(|place| refined(&points, place)).filter(|refined| refined.force < peak.force).unwrap_or(peak)
         });
@@ -75,8 +75,8 @@ impl Summary {
         self.peak.get(self.top).map_or(0.0, PathPoint::intensity_floor)
     }
 
-    /// The points of one stretch of the path that are held, with the corner that it begins at.
-    fn stretch(&self, piece: u32) -> impl Iterator<Item = &PathPoint> {
+    /// The points of one piece of the path that are held, with the corner that it begins at.
+    fn points_of(&self, piece: u32) -> impl Iterator<Item = &PathPoint> {
         let first = self.peak.iter().position(|point| point.piece == piece).unwrap_or(0);
         let own = move |point: &&PathPoint| point.piece == piece && point.contact_radius > 0.0;
         let corner = self.peak.get(first.saturating_sub(1)..first).unwrap_or(&[]).iter().filter(|point| point.contact_radius > 0.0);
@@ -100,7 +100,7 @@ fn refined(points: &[&PathPoint], place: usize) -> Option<Event<f64>> {
     let ways = [over(|point| point.time), over(|point| point.contact_radius)];
     let (refined, _, weights) = ways.into_iter().flatten().min_by(|one, other| one.1.total_cmp(&other.1))?;
     let top = points.get(place)?;
-    // A polynomial through points of one smooth stretch rises above them by no more than they differ by.
+    // A polynomial through points of one smooth piece rises above them by no more than they differ by.
     let (least, most) = near.iter().fold((top.force, top.force), |(least, most), one| (least.min(one.force), most.max(one.force)));
     let states: Vec<Event<f64>> = near.iter().map(|point| Event::at(EventKind::LargestTension, point)).collect();
     let sum = |of: &dyn Fn(&Event<f64>) -> Option<f64>| -> Option<f64> {

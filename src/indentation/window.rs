@@ -11,7 +11,7 @@ use super::rim::Rim;
 pub(super) struct Window {
     /// The trial edge.
     pub(super) radius: f64,
-    /// The time for which the swept stretch is graded.
+    /// The time for which the swept interval is graded.
     pub(super) time: f64,
     /// How far about the edge the fields are held.
     pub(super) reach: f64,

@@ -35,7 +35,7 @@ fn material(text: &str) -> Material {
     Material::from_creep(glassy.parse().unwrap(), &terms, None).unwrap()
 }
 
-/// The states of a history at the ends of its stretches.
+/// The states of a history at the ends of its segments.
 fn walked<'a>(row: &Row, springs: &'a Springs) -> Vec<Contact<'a>> {
     let size = row.number("size");
     let profile = if row.text("shape") == "cone" { Profile::Cone { slope: size } } else { Profile::Paraboloid { radius: size } };
@@ -48,8 +48,8 @@ fn walked<'a>(row: &Row, springs: &'a Springs) -> Vec<Contact<'a>> {
     .unwrap();
     path[1..]
         .iter()
-        .map(|stretch| {
-            contact = contact.moved(stretch[0], stretch[1], stretch[2], Sweep::Linear).unwrap();
+        .map(|segment| {
+            contact = contact.moved(segment[0], segment[1], segment[2], Sweep::Linear).unwrap();
             contact.clone()
         })
         .collect()

@@ -98,7 +98,7 @@ fn shape(draw: &mut Draw) -> Profile {
     }
 }
 
-/// The same solids under histories of which each stretch gives penetration, force or frame, or changes the penetration at once.
+/// The same solids under histories of which each segment gives penetration, force or frame, or changes the penetration at once.
 fn changing(draw: &mut Draw) -> (&'static str, Material, IndentationProblem) {
     let (_, material, problem) = scene(draw);
     let profile = shape(draw);

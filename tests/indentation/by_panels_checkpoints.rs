@@ -1,7 +1,7 @@
 //! Source: the promise that a run killed at any instant loses nothing (README, "Runs that take long").
 //!
 //! Goal: a history that panels solve goes on from a checkpoint to the same numbers, whichever panel it was taken before.
-//! Parameters: histories of every control, with energies, sudden steps, surfaces that touch again, cycles, a stretch that ends when stationary; three panels of each,
+//! Parameters: histories of every control, with energies, sudden steps, surfaces that touch again, cycles, a segment that ends when stationary; three panels of each,
 //! drawn from the first sixty; a chain of checkpoints through all paths. Oracle: the run that was never stopped.
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, bounds and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, missing_docs)]

@@ -309,7 +309,7 @@ fn cycles_in_which_the_contact_lets_go() {
 }
 
 #[test]
-fn a_stretch_ends_when_its_cycles_are_stationary() {
+fn a_segment_ends_when_its_cycles_are_stationary() {
     let swings = Oscillation { until_stationary: true, ..Oscillation::steady(0.002, 1.0) };
     let segment = |controlled, end| Segment { duration: 40.0, end, controlled, oscillation: Some(swings) };
     for (controlled, start) in [(Controlled::Penetration, 0.02), (Controlled::Force, 0.02)] {

@@ -1,7 +1,7 @@
 //! Source: the promise that a run killed at any instant loses nothing (README, "Runs that take long").
 //!
 //! Goal: a run that goes on from a checkpoint ends in the same numbers, whichever step it was taken after, whatever the history does there.
-//! Parameters: histories of every control, with energies, frames, turns, touching again, cycles, stretches that end when stationary; three to eight steps of each,
+//! Parameters: histories of every control, with energies, frames, turns, touching again, cycles, segments that end when stationary; three to eight steps of each,
 //! drawn from all steps of all integrations; a chain of checkpoints, each run taking over from the one before. Oracle: the run that was never stopped.
 //! Tolerance: none, every number is compared bit by bit (events, cycles, path, errors and work counters too); checkpoints go through bytes.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]

@@ -275,7 +275,7 @@ fn a_rim_gives_way_in_every_cycle() {
     assert!(receded > 0, "no rim gave way");
 }
 
-/// A contact lost late in a stretch, in a solid whose shortest time is below what the clock can tell there: the open surface goes on from a step that the clock sees.
+/// A contact lost late in a segment, in a solid whose shortest time is below what the clock can tell there: the open surface goes on from a step that the clock sees.
 /// The pull-off is JKR's of the relaxed solid, within what the process zone and the last of the spectrum leave.
 #[test]
 fn a_late_pull_off_with_times_below_the_clock() {
@@ -290,6 +290,6 @@ fn a_late_pull_off_with_times_below_the_clock() {
     let pull_off = found.pull_off_force().unwrap().value;
     let jkr = 1.5 * PI * WORK;
     assert!(pull_off > 0.9 * jkr && pull_off < 40.0 * jkr, "{:e}", pull_off / jkr);
-    // The whole stretch was done.
+    // The whole segment was done.
     assert!((found.instants.last().unwrap().penetration.value + 0.06).abs() < 1e-12);
 }

@@ -166,9 +166,9 @@ fn ramps_forces_and_frames_tell_one_stiffness() {
     }
 }
 
-/// A stretch that oscillates until stationary ends early, in both integrations at the same cycle, with what it would have had later.
+/// A segment that oscillates until stationary ends early, in both integrations at the same cycle, with what it would have had later.
 #[test]
-fn stationary_cycles_end_a_stretch() {
+fn stationary_cycles_end_a_segment() {
     let material = terms(1);
     let oscillation = Oscillation { until_stationary: true, ..Oscillation::steady(1e-6, 3.0) };
     let history = History::penetration(4e-5).oscillate(oscillation, 500.0).hold(1.0);

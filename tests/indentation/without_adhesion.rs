@@ -35,7 +35,7 @@ fn six_terms() -> Material {
     Material::from_relaxation(4e5, &terms).unwrap()
 }
 
-/// ∫₀^t kernel(t − t′) g′(t′) dt′ over stretches, graded towards both ends of each.
+/// ∫₀^t kernel(t − t′) g′(t′) dt′ over segments, graded towards both ends of each.
 fn hereditary(kernel: &dyn Fn(f64) -> f64, rate: &dyn Fn(f64) -> f64, breaks: &[f64], time: f64) -> f64 {
     let mut total = 0.0;
     for pair in breaks.windows(2) {

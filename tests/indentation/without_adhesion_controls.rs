@@ -53,7 +53,7 @@ fn compliance(material: &Material, time: f64) -> [f64; 2] {
     sums
 }
 
-/// Δ of a punch by stretches (from, to, F there) and steps (when, by how much) of the force.
+/// Δ of a punch by segments (from, to, F there) and steps (when, by how much) of the force.
 fn punch_depth(material: &Material, ramps: &[(f64, f64, f64, f64)], steps: &[(f64, f64)], time: f64) -> f64 {
     let mut sum: f64 = steps.iter().filter(|step| step.0 <= time).map(|step| step.1 * compliance(material, time - step.0)[0]).sum();
     for &(from, to, first, last) in ramps.iter().filter(|ramp| ramp.0 < time) {

@@ -300,7 +300,7 @@ fn a_surface_that_lies_close_is_met_in_a_few_panels() {
     assert_eq!(found.rows.iter().filter(|row| row.labels.iter().any(|label| label == "detachment")).count(), 2);
 }
 
-/// The radius at the border of a stretch of the line was beyond it by rounding, and its penetration none.
+/// The radius at the border of a segment of the line was beyond it by rounding, and its penetration none.
 #[test]
 fn an_imposed_radius_may_jump_to_where_the_line_is_cut() {
     solved("square_wave_of_the_radius");
@@ -328,7 +328,7 @@ fn an_imposed_radius_is_met_whatever_the_shape() {
     assert!((last.value(place).unwrap() / 4.630141264406802e-06 - 1.0).abs() < 1e-14);
 }
 
-/// Sums over the time followed points that were not dense enough for what relaxes within a stretch, or for a contact that is lost within a cycle.
+/// Sums over the time followed points that were not dense enough for what relaxes within a segment, or for a contact that is lost within a cycle.
 #[test]
 fn energies_and_cycles_are_as_exact_as_asked_for() {
     solved("energies");

@@ -183,7 +183,7 @@ fn a_held_punch_tells_the_complex_modulus() {
     }
 }
 
-/// Of many cycles some are rows, evenly, with the first and the last of each stretch.
+/// Of many cycles some are rows, evenly, with the first and the last of each segment.
 #[test]
 fn many_cycles_are_thinned() {
     let outcome = solved(
@@ -202,7 +202,7 @@ fn many_cycles_are_thinned() {
     assert!(long.len() + short.len() == 2000 && short == [1.0, 2.0, 3.0], "{} {short:?}", long.len());
     assert!(long[0] == 1.0 && long[long.len() - 1] == 2500.0);
     assert!(long.windows(2).all(|pair| pair[1] - pair[0] == 1.0 || pair[1] - pair[0] == 2.0));
-    // Of each stretch at one frequency the last cycle is drawn.
+    // Of each segment at one frequency the last cycle is drawn.
     let (_, figure) = outcome.figures.iter().find(|(name, _)| name == "stiffness_against_frequency").unwrap();
     let drawn: Vec<f64> = figure.curves[0].points.iter().map(|(frequency, _)| frequency.round()).collect();
     assert_eq!(drawn, [3.0, 30.0]);

@@ -61,7 +61,7 @@ def closed(harness, file, case, own):
         last = time
     found = harness.indentation(material(harness, first["material"]), first["shape"], float(first["size"]), first["start"], "penetration", begin, segments,
                                 work_of_adhesion=float(first["work"]), process_zone=float(first["zone"]), accuracy=1e-7)
-    # Instants: the start, then the end of each stretch.
+    # Instants: the start, then the end of each segment.
     for row in asked:
         index = 1 + skipped + times.index(float(row["time"]))
         yield Value("sphere, closed loop", file, f"{case} {row['instant']}", row["quantity"], float(found[row["quantity"]][index]), row["value"],

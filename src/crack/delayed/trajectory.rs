@@ -237,7 +237,7 @@ fn of_runs(
         outputs.iter().enumerate().map(|(index, &time)| sample(runs, f64::from(lines), index, time, history.at(time), zone)).collect();
     let mut events = events(runs, f64::from(lines), zone, until);
     // Under one constant load the delay is known to rounding from its own equation.
-    if history.stretches().len() == 1
+    if history.segments().len() == 1
         && let Some(Event { kind: EventKind::GrowthBegins { speed }, time, .. }) = events.first_mut()
         && let Onset::After { delay, initial_speed, .. } = onset(problem, history.last())?
     {

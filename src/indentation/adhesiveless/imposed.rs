@@ -11,12 +11,12 @@ use super::linear::Row;
 use super::motions::Wanted;
 use super::path_history::Edge;
 use super::solve::OF_LAST;
+use crate::indentation::current_segment::CurrentSegment;
 use crate::indentation::history::Controlled;
-use crate::indentation::stretch::Stretch;
 use crate::refusal::Refusal;
 use std::f64::consts::PI;
 
-/// Time before a contact is lost that is none, over the shortest relaxation time and over the stretch.
+/// Time before a contact is lost that is none, over the shortest relaxation time and over the interval.
 const NOTHING: f64 = 1e-10;
 /// The same after it is found, over what is left: what the strains miss of it goes with its square.
 const SOON: f64 = 1e-8;
@@ -59,10 +59,10 @@ impl Course<'_> {
         }
     }
 
-    /// Goes towards a time of a stretch that controls something else than the penetration; instants before it are kept on the way.
-    pub(super) fn toward(&mut self, stretch: &Stretch, target: f64, mut wanted: &[Wanted]) -> Result<(), Refusal> {
-        let controlled = stretch.segment.controlled;
-        let given = self.drive(stretch, target);
+    /// Goes towards a time of an interval that controls something else than the penetration; instants before it are kept on the way.
+    pub(super) fn toward(&mut self, current: &CurrentSegment, target: f64, mut wanted: &[Wanted]) -> Result<(), Refusal> {
+        let controlled = current.segment.controlled;
+        let given = self.drive(current, target);
         let (whole, start) = (given.duration, self.time);
         let (mut at, mut panels) = (0.0, 0);
         while at < whole {

@@ -42,7 +42,7 @@ pub(super) struct Gone<'g, 'a> {
     /// None where the edge rested.
     pub(super) way: Option<Way>,
     pub(super) edge: Option<Edge<'g>>,
-    /// The time of the stretch at its start.
+    /// The time of the interval at its start.
     pub(super) since: f64,
     /// F where it is imposed.
     pub(super) force: Option<&'g dyn Fn(f64) -> f64>,

@@ -8,7 +8,7 @@ use crate::indentation::solution::{Energies, EventKind, PathPoint};
 impl Course<'_> {
     /// The contact has been lost now; `rate`: Δ̇, none where the time is given.
     pub(super) fn lost(&mut self, rate: Option<f64>) {
-        let at_axis = |index: usize| self.line.free.first().and_then(|stretch| stretch.term(index).first()).copied().unwrap_or(0.0);
+        let at_axis = |index: usize| self.line.free.first().and_then(|interval| interval.term(index).first()).copied().unwrap_or(0.0);
         let recovering: f64 = self.chain.voigt.iter().enumerate().map(|(index, (slowness, _))| slowness * at_axis(index)).sum();
         // S = Δ − f − Σe_j on the axis, where the contact is lost last.
         self.losses.push(rate.map_or(Loss::GIVEN, |rate| Loss { depth_rate: rate, falling: -(rate + recovering) }));

@@ -318,7 +318,7 @@ fn widen(solution: &mut IndentationSolution, chain: &Chain, problem: &Indentatio
 
 /// Fineness of the course behind a surface: the error of a surface counts its panels only.
 const OF_SURFACE: Fineness = Fineness { series: 1e-12, sums: FINEST_SUMS };
-/// Grades of the panels of a surface towards the ends of each stretch of the line, more finely and less, and what a panel that needs no more may leave, over
+/// Grades of the panels of a surface towards the ends of each interval of the line, more finely and less, and what a panel that needs no more may leave, over
 /// the largest value there.
 const GRADES: [(i32, f64); 2] = [(10, 1e-13), (7, 1e-11)];
 
@@ -336,15 +336,15 @@ pub(in crate::indentation) fn surface_at(
         let graded = |low: f64, high: f64, sample: &dyn Fn(f64) -> f64| graded((low, high), grades, leaves, sample);
         let (mut load, mut displacement) = (Vec::new(), Vec::new());
         let soft = chain.relaxed / chain.glassy;
-        for stretch in &line.contact {
-            let springs = stretch.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
-            let pressing = |s: f64| soft * (depth - profile.line(s)) + stretch.value(s, &springs);
-            load.extend(graded(stretch.low, stretch.high, &|s| chain.glassy * pressing(s)));
-            displacement.extend(graded(stretch.low, stretch.high, &|s| depth - profile.line(s)));
+        for interval in &line.contact {
+            let springs = interval.weighted(0.0, chain.maxwell.iter().map(|(modulus, _)| modulus / chain.glassy));
+            let pressing = |s: f64| soft * (depth - profile.line(s)) + interval.value(s, &springs);
+            load.extend(graded(interval.low, interval.high, &|s| chain.glassy * pressing(s)));
+            displacement.extend(graded(interval.low, interval.high, &|s| depth - profile.line(s)));
         }
-        for stretch in &line.free {
-            let strains = stretch.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
-            displacement.extend(graded(stretch.low, stretch.high, &|s| stretch.value(s, &strains)));
+        for interval in &line.free {
+            let strains = interval.weighted(0.0, std::iter::repeat_n(1.0, chain.terms()));
+            displacement.extend(graded(interval.low, interval.high, &|s| interval.value(s, &strains)));
         }
         SurfaceFields::made_of(line.radius(), load, displacement)
     };
@@ -362,7 +362,7 @@ pub(in crate::indentation) fn surface_at(
     Ok((point, GRADES.map(surface)))
 }
 
-/// Panels of a stretch, each a quarter of the one before towards both ends, until one is enough.
+/// Panels of an interval, each a quarter of the one before towards both ends, until one is enough.
 fn graded((low, high): (f64, f64), grades: i32, leaves: f64, sample: &dyn Fn(f64) -> f64) -> Vec<Panel> {
     let half = 0.5 * (high - low);
     let mut largest = 0.0_f64;

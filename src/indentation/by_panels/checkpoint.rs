@@ -5,7 +5,7 @@
 
 use super::at_once::AtOnce;
 use super::cycles::Cycles;
-use super::drive::{Branch, Stretch};
+use super::drive::{Branch, DriveSegment};
 use super::events::Mark;
 use super::followed::State;
 use super::integration::Integration;
@@ -36,7 +36,7 @@ pub(super) struct PathsState {
     pub(super) ends: Vec<(Vec<EventKind>, End)>,
     /// Paths of the last round that can be compared.
     pub(super) best: Option<Vec<Trace>>,
-    /// Stretches that end early.
+    /// Segments that end early.
     pub(super) stops: Vec<(usize, f64)>,
     pub(super) work: IndentationWork,
 }
@@ -61,7 +61,7 @@ pub(super) struct IntegrationState {
     met: usize,
     cycles: Option<Cycles>,
     rows: RecordState,
-    /// Before the stretch or cycle under way: panels; closures and their nodes.
+    /// Before the segment or cycle under way: panels; closures and their nodes.
     work: [u64; 3],
     outcome: Outcome,
 }
@@ -135,8 +135,8 @@ impl Integration<'_> {
         if state.branch.memory.len() != n || segments.into_iter().any(|segment| !segment.states.len().is_multiple_of(n + 1)) {
             return Err(foreign("its line has another number of terms"));
         }
-        if state.upcoming > self.problem.drive.stretches.len() {
-            return Err(foreign("its history has fewer stretches"));
+        if state.upcoming > self.problem.drive.segments.len() {
+            return Err(foreign("its history has fewer segments"));
         }
         if state.instants.len() != self.instants.len() {
             return Err(foreign("it has other instants"));
@@ -185,13 +185,15 @@ impl Integration<'_> {
 
     /// Part (0…1) of the history that is done; a cycle counts as much as a ramp.
     fn progress(&self) -> f64 {
-        let weight = |stretch: &Stretch| 1.0 + stretch.oscillation.map_or(0.0, |o| o.cycles_at(stretch.duration, stretch.duration));
-        let stretches = &self.problem.drive.stretches;
-        let all: f64 = stretches.iter().map(weight).sum();
-        let gone: f64 = stretches.iter().take(self.upcoming).map(weight).sum();
-        let under_way = self.upcoming.checked_sub(1).and_then(|last| stretches.get(last));
-        // A stretch in which the surfaces have touched again has a later start.
-        let duration = if self.at_once.is_some() { self.branch.end } else { under_way.map_or(0.0, |stretch| stretch.duration) };
+        let weight = |drive_segment: &DriveSegment| {
+            1.0 + drive_segment.oscillation.map_or(0.0, |o| o.cycles_at(drive_segment.duration, drive_segment.duration))
+        };
+        let segments = &self.problem.drive.segments;
+        let all: f64 = segments.iter().map(weight).sum();
+        let gone: f64 = segments.iter().take(self.upcoming).map(weight).sum();
+        let under_way = self.upcoming.checked_sub(1).and_then(|last| segments.get(last));
+        // A segment in which the surfaces have touched again has a later start.
+        let duration = if self.at_once.is_some() { self.branch.end } else { under_way.map_or(0.0, |drive_segment| drive_segment.duration) };
         let left = (self.branch.end - self.line.time) / duration;
         let left = if left.is_finite() { left.clamp(0.0, 1.0) } else { 0.0 };
         let part = (gone - under_way.map_or(0.0, weight) * left) / all;

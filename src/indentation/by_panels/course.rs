@@ -5,11 +5,11 @@ use super::path::{Chart, Motion, Setting};
 use super::problem::{End, Outcome};
 use crate::indentation::{EventKind, Trace};
 
-/// Panels of a stretch or a cycle, accepted or not.
+/// Panels of a segment or a cycle, accepted or not.
 const MOST_PANELS: u64 = 20_000;
 /// Shortest panel over the process zone, or over the time.
 const SHORTEST: f64 = 1e-12;
-/// Way of an elastic edge over a whole stretch, over its radius, that is rounding of a value held.
+/// Way of an elastic edge over a whole segment, over its radius, that is rounding of a value held.
 const IDLE: f64 = 1e-12;
 
 impl Integration<'_> {

@@ -31,13 +31,13 @@ pub(super) struct Cycles {
     segment: usize,
     /// The next cycle to end, from 1.
     number: u64,
-    /// Whether its stretch ends with the first stationary cycle, and whether that is over.
+    /// Whether its segment ends with the first stationary cycle, and whether that is over.
     seeks_end: bool,
     pub(super) is_stationary: bool,
 }
 
 impl Cycles {
-    /// When the next whole cycle ends, if the stretch holds another.
+    /// When the next whole cycle ends, if the segment holds another.
     fn end_of_cycle(&self) -> Option<f64> {
         self.oscillation.time_of(self.number as f64, self.duration).map(|time| self.origin + time)
     }
@@ -66,7 +66,7 @@ pub(super) fn point_of(row: &Row) -> PathPoint {
 }
 
 impl Integration<'_> {
-    /// A stretch that oscillates begins.
+    /// A segment that oscillates begins.
     pub(super) fn begins_cycles(&mut self, segment: usize, duration: f64, oscillation: Option<Oscillation>) {
         self.cycles = None;
         self.budget_from = self.outcome.panels + self.outcome.refused;
@@ -84,7 +84,7 @@ impl Integration<'_> {
         }
     }
 
-    /// The stretch ends at a time, and all that comes after is earlier.
+    /// The segment ends at a time, and all that comes after is earlier.
     pub(super) fn ends_early(&mut self, time: f64) {
         let early = self.branch.end - time;
         self.branch.end = time;
@@ -94,12 +94,12 @@ impl Integration<'_> {
         }
     }
 
-    /// When the next cycle ends, where the stretch may end with it.
+    /// When the next cycle ends, where the segment may end with it.
     pub(super) fn may_end(&self) -> Option<f64> {
         self.cycles.as_ref().filter(|cycles| cycles.seeks_end).and_then(Cycles::end_of_cycle)
     }
 
-    /// Ends the stretch now if its cycles are stationary. Whether they are.
+    /// Ends the segment now if its cycles are stationary. Whether they are.
     pub(super) fn ends_stationary(&mut self) -> bool {
         let ends = self.cycles.as_ref().is_some_and(|cycles| cycles.seeks_end && cycles.is_stationary);
         if ends {
@@ -112,7 +112,7 @@ impl Integration<'_> {
         ends
     }
 
-    /// A stretch is over.
+    /// A segment is over.
     pub(super) fn ends_cycles(&mut self) {
         if let Some(cycles) = self.cycles.take() {
             self.rows.last_cycle(Some(cycles.meter));
@@ -150,7 +150,7 @@ impl Integration<'_> {
         self.meters((0.0, time), start + time, |end| (end - start).min(time), sample, longest);
     }
 
-    /// Adds a time without contact, between two instants, of a Δ(t) and its rate. When the stretch ends early, if it does.
+    /// Adds a time without contact, between two instants, of a Δ(t) and its rate. When the segment ends early, if it does.
     pub(super) fn meters_flight(&mut self, (from, to): (f64, f64), depth: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
         let longest = self.cycles.as_ref().map(|cycles| (PARTS_IN_FLIGHT * cycles.oscillation.frequency).recip())?;
         let sample = |_: &Self, time: f64| {

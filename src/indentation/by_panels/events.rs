@@ -147,11 +147,11 @@ impl Integration<'_> {
         }
         if corner == Some(cut) {
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.ends_stationary() {
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if met && (strong || !self.goes_on(v)) {
             self.past = None;
@@ -169,39 +169,39 @@ impl Integration<'_> {
             let faded = |rate: f64| (-time * rate).exp();
             state.memory.iter_mut().zip(&self.problem.chain.relaxation).for_each(|(memory, term)| *memory *= faded(term.1));
         }
-        if self.ends_stationary() || whole { self.next_stretch() } else { None }
+        if self.ends_stationary() || whole { self.next_segment() } else { None }
     }
 
-    /// The next stretch of the history.
-    pub(super) fn next_stretch(&mut self) -> Option<End> {
+    /// The next segment of the history.
+    pub(super) fn next_segment(&mut self) -> Option<End> {
         self.ends_at_once(true);
         self.ends_cycles();
-        if self.upcoming == self.problem.drive.stretches.len() {
+        if self.upcoming == self.problem.drive.segments.len() {
             return Some(End::History);
         }
         self.begins();
         None
     }
 
-    /// Begins the stretch: its quantity goes on from where it is, or changes at once.
+    /// Begins the segment: its quantity goes on from where it is, or changes at once.
     pub(super) fn begins(&mut self) {
         self.past = None;
         self.start_rate = 0.0;
         (self.refusals, self.flips) = (0, 0);
         self.piece += 1;
-        let Some(stretch) = self.problem.drive.stretches.get(self.upcoming) else { return };
+        let Some(drive_segment) = self.problem.drive.segments.get(self.upcoming) else { return };
         let chain = &self.problem.chain;
         let (before, time) = (self.branch.control, self.line.time);
         let mut now = Instant::default();
         self.setting(false).still(&mut now);
-        let value = if before == stretch.control && self.upcoming > 0 {
+        let value = if before == drive_segment.control && self.upcoming > 0 {
             // As it was given to be, without the rounding of what followed it.
             self.branch.value(self.branch.end - self.branch.start).0
-        } else if self.upcoming == 0 && self.problem.drive.start.0 == stretch.control {
+        } else if self.upcoming == 0 && self.problem.drive.start.0 == drive_segment.control {
             self.problem.drive.start.1
         } else {
             let radius = self.line.edge;
-            stretch.control.map_or(now.depth, |control| {
+            drive_segment.control.map_or(now.depth, |control| {
                 if control == RADIUS {
                     radius
                 } else {
@@ -210,12 +210,12 @@ impl Integration<'_> {
             })
         };
         self.upcoming += 1;
-        if stretch.is_sudden() {
-            return self.begins_at_once(stretch, value, now);
+        if drive_segment.is_sudden() {
+            return self.begins_at_once(drive_segment, value, now);
         }
-        let (segment, duration, oscillation) = (stretch.segment, stretch.duration, stretch.oscillation);
-        self.branch = stretch.branch(time, value, now.memory.clone());
-        self.state = stretch.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
+        let (segment, duration, oscillation) = (drive_segment.segment, drive_segment.duration, drive_segment.oscillation);
+        self.branch = drive_segment.branch(time, value, now.memory.clone());
+        self.state = drive_segment.control.map(|_| State { depth: now.depth, rate: 0.0, memory: now.memory });
         self.begins_cycles(segment, duration, oscillation);
     }
 

@@ -8,7 +8,7 @@ use super::check::checked;
 use super::checkpoint::PanelObserver;
 use super::closure::Window;
 use super::cycles::Cycles;
-use super::drive::{Branch, Stretch};
+use super::drive::{Branch, DriveSegment};
 use super::events::{MERGE, Mark, first_crossing, turning};
 use super::followed::{State, solved_with_depth};
 use super::jump::FLOOR;
@@ -40,7 +40,7 @@ pub(super) struct Integration<'a> {
     pub(super) points: Points,
     pub(super) window: Window,
     pub(super) line: Line,
-    /// Which stretch of the history comes next, and the branch of the one under way.
+    /// Which segment of the history comes next, and the branch of the one under way.
     pub(super) upcoming: usize,
     pub(super) branch: Branch,
     /// A sudden step under way.
@@ -68,13 +68,13 @@ pub(super) struct Integration<'a> {
     pub(super) piece: u32,
     /// C/Δγ − 1 on the last panel, at most.
     pub(super) panel_residual: f64,
-    /// Instants wanted, those that come after a stretch that ended early moved with it, and how many of them have been met.
+    /// Instants wanted, those that come after a segment that ended early moved with it, and how many of them have been met.
     pub(super) instants: Vec<f64>,
     pub(super) met: usize,
     /// The oscillation under way, and the rows of its cycles.
     pub(super) cycles: Option<Cycles>,
     pub(super) rows: Record<'static>,
-    /// Panels, accepted or not, before the stretch or cycle under way.
+    /// Panels, accepted or not, before the segment or cycle under way.
     pub(super) budget_from: u64,
     pub(super) outcome: Outcome,
 }
@@ -85,7 +85,7 @@ impl<'a> Integration<'a> {
         if !problem.relaxed {
             glassy(problem, &mut line, depth);
         }
-        let still = Stretch { control: None, end: depth, duration: 0.0, oscillation: None, segment: 0 };
+        let still = DriveSegment { control: None, end: depth, duration: 0.0, oscillation: None, segment: 0 };
         let branch = still.branch(0.0, depth, vec![0.0; problem.chain.terms()]);
         let row = Row::default();
         let outcome = Outcome {
@@ -154,12 +154,12 @@ impl<'a> Integration<'a> {
         let zone = self.problem.zone;
         let tolerance = self.problem.tolerance * self.length();
         if self.branch.is_over() {
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.branch.end - self.line.time <= ROUNDING_OF_TIME * self.branch.end {
-            // A panel that ended where the stretch does, but for rounding.
+            // A panel that ended where the segment does, but for rounding.
             self.mark(false);
-            return self.next_stretch();
+            return self.next_segment();
         }
         if self.is_prescribed() {
             return self.prescribed();

@@ -65,7 +65,7 @@ pub(super) fn depth_of(problem: &Problem, modulus: f64, edge: f64) -> Option<f64
 }
 
 impl Integration<'_> {
-    /// Whether the stretch under way gives the radius.
+    /// Whether the segment under way gives the radius.
     pub(super) fn is_prescribed(&self) -> bool {
         self.branch.control == Some(RADIUS)
     }

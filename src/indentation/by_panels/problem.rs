@@ -25,7 +25,7 @@ pub(super) struct Problem {
     pub energies: bool,
     /// Accuracy to which cycles of an oscillation are stationary; None where no cycles are asked for.
     pub cycles: Option<f64>,
-    /// Stretches known to end early: which, and how long they take (s).
+    /// Segments known to end early: which, and how long they take (s).
     pub stops: Vec<(usize, f64)>,
     /// Whether the surface at the last instant wanted is.
     pub surface: bool,
@@ -109,7 +109,7 @@ pub struct Outcome {
     pub closures: u64,
     /// Nodes of the window in all of them.
     pub kernel_nodes: u64,
-    /// Whole cycles of stretches that oscillate, by how much they differ, and stretches that ended early.
+    /// Whole cycles of segments that oscillate, by how much they differ, and segments that ended early.
     pub cycles: Vec<Cycle<f64>>,
     pub(in crate::indentation) spreads: Vec<Spread>,
     pub(in crate::indentation) shortened: Vec<(usize, f64)>,

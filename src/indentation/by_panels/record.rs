@@ -2,7 +2,7 @@
 //! the way.
 
 use super::closure::Way;
-use super::drive::{Instant, Stretch};
+use super::drive::{DriveSegment, Instant};
 use super::energies::{Energies, TurnedOver, energies, stress_intensity};
 use super::events::first_crossing;
 use super::force::force;
@@ -59,9 +59,9 @@ impl Integration<'_> {
         let instants = &self.instants;
         let wanted = *instants.get(next)?;
         let again = instants.iter().take(next).rev().take_while(|last| last.to_bits() == wanted.to_bits()).count();
-        let (gone, ahead) = self.problem.drive.stretches.split_at_checked(upcoming)?;
-        let steps = gone.iter().rev().take_while(|stretch| stretch.is_sudden()).count();
-        let waits = again > steps && ahead.first().is_some_and(Stretch::is_sudden);
+        let (gone, ahead) = self.problem.drive.segments.split_at_checked(upcoming)?;
+        let steps = gone.iter().rev().take_while(|drive_segment| drive_segment.is_sudden()).count();
+        let waits = again > steps && ahead.first().is_some_and(DriveSegment::is_sudden);
         (wanted <= end + LATE * end && !waits).then_some(wanted)
     }
 

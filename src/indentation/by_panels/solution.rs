@@ -130,7 +130,7 @@ fn round(
         let observer = watch.map(|watch| PanelObserver { watch, run });
         let outcome = integrated_from(material, problem, options, (instants, false), &run.stops, (integration.take(), observer))?;
         if run.stops.is_empty() {
-            // Stretches that were stationary early are as long for every other path.
+            // Segments that were stationary early are as long for every other path.
             run.stops.clone_from(&outcome.shortened);
         }
         if outcome.end == End::TouchesAgain {
@@ -203,7 +203,7 @@ pub(in crate::indentation) fn surface_at(
     }
 }
 
-/// A time as it would be if no stretch had ended early.
+/// A time as it would be if no segment had ended early.
 fn as_planned(problem: &IndentationProblem, shortened: &[(usize, f64)], time: f64) -> f64 {
     let (mut start, mut planned) = (0.0, time);
     for (number, segment) in problem.history.segments.iter().enumerate() {
@@ -221,7 +221,7 @@ fn kept_instants(problem: &IndentationProblem) -> Vec<f64> {
     let each = problem.instants_per_segment.max(1);
     let (mut instants, mut start) = (vec![0.0], 0.0);
     for segment in &problem.history.segments {
-        // Of a stretch whose end is not known the end alone.
+        // Of a segment whose end is not known the end alone.
         let open_ended = segment.oscillation.is_some_and(|oscillation| oscillation.until_stationary);
         let each = if segment.duration > 0.0 && !open_ended { each } else { 1 };
         instants.extend((1..=each).map(|k| start + segment.duration * if k == each { 1.0 } else { f64::from(k) / f64::from(each) }));

@@ -45,7 +45,7 @@ pub(super) struct Begun {
     pub(super) depth: f64,
 }
 
-/// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
+/// Sets a problem up; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
 pub(super) fn begun(
     material: &Material,
     problem: &IndentationProblem,
@@ -115,7 +115,7 @@ pub(super) fn begun(
     Ok(Begun { problem, edge, depth })
 }
 
-/// One integration; `surface`: with the surface at the last of the instants; `stops`: stretches that end early.
+/// One integration; `surface`: with the surface at the last of the instants; `stops`: segments that end early.
 pub(super) fn integrated(
     material: &Material,
     problem: &IndentationProblem,

@@ -145,12 +145,12 @@ impl Window {
             let u = piece.from + span * x;
             node.y = match piece.lead {
                 None => {
-                    node.stretch = span;
+                    node.width = span;
                     u
                 }
                 Some(inside) => {
                     let (place, slope) = if inside { piece.inner.place_at(*inner) } else { piece.outer.place_at(*outer) };
-                    node.stretch = -slope * span;
+                    node.width = -slope * span;
                     if piece.under_way.is_some() {
                         (node.theta, node.slope) = (u, slope);
                     }

@@ -9,7 +9,7 @@ use crate::special::gauss_legendre::UNIT_RULE_8;
 
 /// Widths of a piece between it and s beyond which nodes in r are exact to rounding: 8 nodes err as ρ^{−16}, ρ = 9.9.
 const FAR: f64 = 2.0;
-/// The root of a distance from s, over what is left to √(2s), where it ends: 8 nodes to a stretch of 1/2.4 err as ρ^{−16}, ρ = 11.5.
+/// The root of a distance from s, over what is left to √(2s), where it ends: 8 nodes to an interval of 1/2.4 err as ρ^{−16}, ρ = 11.5.
 const WIDEST: f64 = 2.4;
 
 /// z = z₀ + c₀x + c₁x²/2 + c₂x³/3, x = r − low, of low ≤ r ≤ high.

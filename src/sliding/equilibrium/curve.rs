@@ -6,7 +6,7 @@
 //! rows are
 //! divided to the last: two that vanish together are the two sides of a turn of the half-width, one alone is an end.
 
-use super::held::StretchEnd;
+use super::held::SegmentEnd;
 use super::point::{HeldQuantity, Point};
 use super::width::{ContactsOfWidth, apart};
 use crate::sliding::contact::{ContactEdges, Indenter, WaveContact};
@@ -95,7 +95,7 @@ impl EquilibriumCurve {
     }
 
     /// Whether a contact is the narrowest that was looked at.
-    pub(in crate::sliding) fn is_narrowest(&self, contact: &StretchEnd) -> bool {
+    pub(in crate::sliding) fn is_narrowest(&self, contact: &SegmentEnd) -> bool {
         contact.place <= self.narrowest
     }
 

@@ -103,7 +103,7 @@ impl Table {
                 Some(series) => table.panels.push(Panel { middle, half, series }),
                 // Nothing is known of a half-width that is refused: the zone may be wider than the room there.
                 None if refused && (half < NARROWEST || nodes > MOST_NODES) => {}
-                // Nor of a stretch at whose ends and middle there is none.
+                // Nor of a segment at whose ends and middle there is none.
                 None if refused && half < SHORTEST && [low, middle, high].into_iter().all(|place| at(place, &mut table).is_none()) => {}
                 None => open.extend([[middle, high], [low, middle]]),
             }

@@ -125,7 +125,7 @@ fn scaled(value: f64, log: bool) -> f64 {
     if log { value.ln() } else { value }
 }
 
-/// y at a place, in the first stretch that holds it.
+/// y at a place, in the first segment that holds it.
 fn value_at(points: &[(f64, f64)], at: f64, scales: Scales) -> Option<f64> {
     if let Some((_, y)) = points.iter().find(|(x, _)| (x - at).abs() <= 1e-12 * at.abs()) {
         return Some(*y);

@@ -166,7 +166,7 @@ fn largest_errors(solution: &IndentationSolution) -> [f64; 2] {
     of.map(|of| solution.instants.iter().map(of).filter(|error| error.is_finite()).fold(0.0, f64::max))
 }
 
-/// Along points with penetration, force and stretch.
+/// Along points with penetration, force and piece.
 pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
     let step = |from: (f64, f64, u32), to: (f64, f64, u32)| 0.5 * (from.1 + to.1) * (to.0 - from.0);
     let mut along = Along { work: 0.0, open: 0.0, force_way: 0.0, depth_way: 0.0 };
@@ -175,14 +175,14 @@ pub(super) fn work_along(way: &[(f64, f64, u32)]) -> Along {
         along.work += step(*from, *to);
         along.force_way += (to.1 - from.1).abs();
         along.depth_way += (to.0 - from.0).abs();
-        // From one stretch to the next the force may go at once, along a way that no point shows.
+        // From one piece to the next the force may go at once, along a way that no point shows.
         if from.2 != to.2 {
             along.open += 0.5 * ((to.1 - from.1) * (to.0 - from.0)).abs();
         }
     }
-    // Twice as wide steps within each smooth stretch; a step alone is known as well as the rectangle around it.
-    for stretch in way.chunk_by(|from, to| from.2 == to.2) {
-        let mut rest = stretch;
+    // Twice as wide steps within each smooth piece; a step alone is known as well as the rectangle around it.
+    for piece in way.chunk_by(|from, to| from.2 == to.2) {
+        let mut rest = piece;
         while let [from, middle, to, ..] = rest {
             along.open += (step(*from, *middle) + step(*middle, *to) - step(*from, *to)).abs();
             rest = rest.get(2..).unwrap_or(&[]);

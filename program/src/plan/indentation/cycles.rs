@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_4;
 use viscotack::estimate::Estimate;
 use viscotack::indentation::{Cycle, IndentationSolution, PathPoint};
 
-/// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each stretch among them.
+/// Most rows of cycles that one state has; of more, evenly chosen ones, first and last of each piece among them.
 pub(super) const MOST_ROWS: usize = 2000;
 /// Fewer instants than these draw no cycle, and none is one.
 const INSTANTS_PER_CYCLE: f64 = 12.0;
@@ -24,17 +24,17 @@ impl IndentationPlan {
         if solution.cycles.len() <= MOST_ROWS {
             return solution.cycles.iter().collect();
         }
-        let stretches: Vec<Vec<&Cycle<Estimate>>> =
-            solution.cycles.chunk_by(|one, other| one.segment == other.segment).map(|stretch| stretch.iter().collect()).collect();
-        // Short stretches leave their share to long ones.
-        let mut lengths: Vec<usize> = stretches.iter().map(Vec::len).collect();
+        let segments: Vec<Vec<&Cycle<Estimate>>> =
+            solution.cycles.chunk_by(|one, other| one.segment == other.segment).map(|cycles| cycles.iter().collect()).collect();
+        // Short pieces leave their share to long ones.
+        let mut lengths: Vec<usize> = segments.iter().map(Vec::len).collect();
         lengths.sort_unstable();
         let (mut left, mut share) = (MOST_ROWS, 0);
         for (index, length) in lengths.iter().enumerate() {
             share = left / (lengths.len() - index);
             left -= share.min(*length);
         }
-        stretches.into_iter().flat_map(|stretch| thinned(stretch, share.max(2))).collect()
+        segments.into_iter().flat_map(|cycles| thinned(cycles, share.max(2))).collect()
     }
 
     /// Points of the path that are instants, evenly in time: all through an oscillation for which the scene asks for enough of them, else in its
@@ -45,8 +45,8 @@ impl IndentationPlan {
             return Vec::new();
         }
         let mut found = Vec::new();
-        for stretch in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
-            let (Some(first), Some(last)) = (stretch.first(), stretch.last()) else { continue };
+        for cycles in solution.cycles.chunk_by(|one, other| one.segment == other.segment) {
+            let (Some(first), Some(last)) = (cycles.first(), cycles.last()) else { continue };
             let all = instants >= INSTANTS_PER_CYCLE * last.number as f64;
             // What follows the last whole cycle belongs to all.
             let end = solution.instants.iter().map(|instant| instant.time).find(|time| *time >= last.end).unwrap_or(last.end);

@@ -167,11 +167,11 @@ fn as_large_tensions<'p>(path: &'p [PathPoint], tension: &Event<Estimate>) -> Ve
     let pulls = |point: &PathPoint, less: f64| point.contact_radius > 0.0 && -point.force >= largest - less;
     let above = |point: &PathPoint| pulls(point, 2.0 * unknown);
     let (mut found, mut passed) = (Vec::new(), 0);
-    for stretch in path.chunk_by(|one, other| above(one) == above(other)) {
-        let (before, after) = (path.get(passed.max(1) - 1), path.get(passed + stretch.len()).or(stretch.last()));
-        passed += stretch.len();
+    for piece in path.chunk_by(|one, other| above(one) == above(other)) {
+        let (before, after) = (path.get(passed.max(1) - 1), path.get(passed + piece.len()).or(piece.last()));
+        passed += piece.len();
         let holds_it = before.zip(after).is_some_and(|(from, to)| (from.time..=to.time).contains(&tension.time.value));
-        found.extend(stretch.iter().filter(|point| above(point) && (!holds_it || pulls(point, ALIKE * largest))));
+        found.extend(piece.iter().filter(|point| above(point) && (!holds_it || pulls(point, ALIKE * largest))));
     }
     found
 }

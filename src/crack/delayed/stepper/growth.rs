@@ -32,7 +32,7 @@ impl Stepper {
         self.rests.iter().copied().filter(|rest| self.in_zone(*rest, load)).fold(f64::INFINITY, f64::min)
     }
 
-    /// One step of growth, or an arrest, or the rest of the stretch in uniform motion.
+    /// One step of growth, or an arrest, or the rest of the segment in uniform motion.
     pub(super) fn grow(&mut self, ahead: &mut Ahead, breaks: bool) {
         let zone = ahead.zone.at(ahead.load);
         ahead.speed = self.speed;

@@ -105,7 +105,7 @@ impl Stepper {
     /// Writes the outputs that lie in a step.
     pub(super) fn write_outputs(&mut self, ahead: &Ahead, duration: f64, advance: f64, speeds: [f64; 2], between: Between) {
         let (start, from) = (self.time(), self.place());
-        // A sum of steps may be an ulp away from the end of a stretch, where the speed may jump: an output there belongs to this side.
+        // A sum of steps may be an ulp away from the end of a segment, where the speed may jump: an output there belongs to this side.
         let end = if ahead.left() <= duration { ahead.end } else { start + duration };
         while let Some(&output) = self.outputs.get(self.run.samples.len()) {
             if output >= end && !(ahead.left() <= duration && output <= end) {

@@ -176,7 +176,7 @@ fn found(
     asked.sort_by(|one, other| one.0.total_cmp(&other.0));
     own.energies = energies;
     own.instants = asked.iter().map(|(time, _)| *time).collect();
-    own.drive.stretches.iter_mut().for_each(|stretch| stretch.duration *= CYCLES as f64);
+    own.drive.segments.iter_mut().for_each(|drive_segment| drive_segment.duration *= CYCLES as f64);
     let map = CycleMap { problem: &own, sinus, period, edge };
     let integrated = map.integrated(Some(path))?;
     add(work, &integrated.outcome);

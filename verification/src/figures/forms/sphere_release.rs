@@ -1,7 +1,7 @@
 //! The energy release rate of a sphere, G = dU/dA − F dΔ/dA (thesis Eq 4.25), from the account of energies of an integration: at pull-off of a retraction
 //! from a relaxed contact, or at given penetrations of an approach.
 //!
-//! Over a stretch of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
+//! Over a segment of the path G is −(∫F dΔ − change of U) over the change of the area A = πa²: exact means, no derivative is taken.
 
 use super::super::table::Table;
 use serde::Deserialize;

@@ -66,7 +66,7 @@ fn drawn(draw: &mut Draw) -> Result<Asked, Refusal> {
         }
     };
     let history = LoadHistory::from_segments(&segments)?;
-    let end = history.stretches().last().map_or(span, |stretch| stretch.start).max(span);
+    let end = history.segments().last().map_or(span, |segment| segment.start).max(span);
     let times = [0.37, 0.71, 1.0].map(|part| part * end).to_vec();
     Ok(Asked { material, interface, history, times })
 }

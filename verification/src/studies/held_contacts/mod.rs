@@ -108,7 +108,7 @@ pub struct Judged {
     pub described: String,
     /// Half-widths computed.
     pub rows: usize,
-    /// Stretches of contacts stable under their load.
+    /// Segments of contacts stable under their load.
     pub stable: usize,
     /// Pieces whose stability changes between two turns of what is held.
     pub changes: usize,
@@ -337,7 +337,7 @@ pub fn section(all: &[Judged]) -> Section {
     let several = all.iter().filter(|judged| judged.stable > 1).count();
     let changes: usize = all.iter().map(|judged| judged.changes).sum();
     section.say(format!(
-        "{several} of the problems have more than one stretch of contacts that are stable under their load; on {changes} stretches stability changes where neither load nor penetration turns."
+        "{several} of the problems have more than one segment of contacts that are stable under their load; on {changes} segments stability changes where neither load nor penetration turns."
     ));
     let mut table = Table::new(
         "counts",

@@ -109,7 +109,7 @@ impl Speed {
         }
     }
 
-    /// The limits of every stable stretch.
+    /// The limits of every stable segment.
     #[must_use]
     pub fn limits(&self, held: Held) -> Vec<[f64; 2]> {
         let (stable, quantity) = self.of(held);

@@ -114,7 +114,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     let tolerance = effort.choose(1e-4, 1e-5);
     section.checks.push(Check::new(
         "a chosen way of the tip is found again",
-        format!("within {tolerance:.0e} of the process zone with the finest table: what its straight stretches leave"),
+        format!("within {tolerance:.0e} of the process zone with the finest table: what its straight segments leave"),
         format!("{worst:.1e} at worst"),
         worst <= tolerance,
     ));

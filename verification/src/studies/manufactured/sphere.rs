@@ -106,7 +106,7 @@ pub(super) fn cases(effort: Effort, section: &mut Section) -> Result<(), Refusal
     ));
     section.checks.push(Check::new(
         "a chosen radius is found again by the integration in time",
-        "within 1e-4 of itself with the finest table: what straight stretches of Δ leave",
+        "within 1e-4 of itself with the finest table: what straight segments of Δ leave",
         format!("{own:.1e}"),
         own <= 1e-4,
     ));
